@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "abflat/generated/flatten_defaults.h"
+#include "abflat/inspect.h"
+#include "abflat/mesh.h"
+#include "abflat/status.h"
+
+namespace abflat {
+
+/// Where a run is. `fraction` is a rough 0..1 for progress bars; Newton fields are 0 outside the
+/// solve stage.
+struct Progress {
+  const char* stage = "";  ///< "connectivity", "solve", "layout", "check"
+  int newtonStep = 0;
+  double constraintResidual = 0;
+  double fraction = 0;
+};
+
+/// Called often from the calling thread; return false to cancel (the run ends with
+/// StatusCode::Aborted).
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+struct FlattenOptions {
+  double t = defaults::kT;  ///< boundary control coefficient, > 0; see generated/flatten_defaults.h
+  ProgressCallback progress;
+};
+
+/// One step of the solver.
+struct NewtonStep {
+  double objective = 0;      ///< sum of w (x - a)^2
+  double constraint = 0;     ///< largest violation of any constraint, radians (wheels: of the log)
+  double gradient = 0;       ///< largest |dL/dx| relative to the largest weight times angle
+  std::uint32_t active = 0;  ///< boundary vertices held at their bound
+  double step = 0;           ///< step length in (0, 1]
+};
+
+struct ChartReport {
+  std::size_t faces = 0;
+  std::size_t boundaryVertices = 0;
+  double t = 0;
+  std::string solver;        ///< "activeSet"
+  std::string linearSolver;  ///< "schur"
+  int iterations = 0;
+  std::vector<NewtonStep> history;
+  double constraintResidual = 0;
+  bool converged = false;
+  double angularDistortion = 0;  ///< mean over corners of ((x - alpha)/alpha)^2
+  double lengthDistortion = 0;   ///< mean over edges of (s L/l - 1)^2, s = sum l / sum L
+  double quasiConformalMean = 0, quasiConformalMax = 0;  ///< ratio of singular values, >= 1
+  double stretchL2 = 0, stretchLinf = 0;                ///< Sander et al. 2001, at equal total area
+  double symmetricDirichlet = 0;                        ///< divided by 4: 1 is an isometry
+  double areaDistortionMin = 0, areaDistortionMax = 0;  ///< uv area / 3D area at equal total area
+  std::size_t degenerateTriangles =
+      0;  ///< of zero area in 3D: their targets are made up, they count in no distortion
+  std::size_t flippedTriangles = 0;  ///< not positively oriented, by an exact predicate
+  std::size_t boundaryCrossings =
+      0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
+  double maxBoundaryAngle = 0;  ///< radians
+  bool valid = false;
+};
+
+/// Seconds.
+struct Timings {
+  double read = 0, connectivity = 0, solve = 0, layout = 0, check = 0, write = 0, total = 0;
+};
+
+struct Report {
+  std::string path;
+  MeshSummary input;
+  double optionT = 0;
+  std::vector<ChartReport> charts;
+  bool valid = false;
+  Timings timings;
+};
+
+struct FlattenResult {
+  std::vector<double> uv;                ///< 2 per output vertex, scaled to the mesh's 3D area
+  std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
+  std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle (polygons triangulated)
+  std::vector<std::uint32_t>
+      cornerUv;   ///< output vertex of each input face corner (size of faceVertices)
+  Report report;  ///< path and timings.read/write/total are the caller's to fill
+};
+
+/// Flattens a mesh that is one topological disk (paper, section 5, with bounds t*pi on the
+/// boundary). A result that is not valid or did not converge is still returned, with report.valid =
+/// false. Errors: InvalidOption, InvalidMesh, EmptyMesh, DegenerateFace, NonManifoldEdge,
+/// InconsistentOrientation, MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles,
+/// InfeasibleBound, Aborted.
+Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options);
+
+/// The report as JSON text, indented by two spaces; keys as in the README.
+std::string reportJson(const Report& report);
+
+}  // namespace abflat

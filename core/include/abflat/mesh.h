@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace abflat {
+
+/// Polygon mesh as the user gave it; nothing is welded, dropped or reordered.
+struct PolygonMesh {
+  std::vector<double> positions;  ///< xyz per vertex, size 3V, finite
+  std::vector<std::uint32_t>
+      faceOffsets;  ///< size F+1; corners of face f: [faceOffsets[f], faceOffsets[f+1])
+  std::vector<std::uint32_t>
+      faceVertices;  ///< vertex of each face corner, counter-clockwise seen from outside
+
+  std::size_t vertexCount() const { return positions.size() / 3; }
+  std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }
+};
+
+/// A mesh of triangles only. `indices` has 3 vertices per triangle.
+PolygonMesh makeTriangleMesh(std::vector<double> positions, std::vector<std::uint32_t> indices);
+
+}  // namespace abflat

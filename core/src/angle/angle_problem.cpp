@@ -1,0 +1,56 @@
+#include "angle/angle_problem.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "angle/constants.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Smallest angle made up for a triangle of zero area, whose own angles say nothing: small enough
+/// to cost its neighbours little, large enough to be drawn.
+constexpr double kMadeUpAngle = 1e-3;
+
+std::array<double, 3> targetAngles(const DiskChart& chart, std::uint32_t f) {
+  std::array<double, 3> alpha = cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f]);
+  if (!isDegenerate(alpha)) return alpha;
+  double sum = 0;
+  for (double& a : alpha) sum += a = std::max(a, kMadeUpAngle);
+  for (double& a : alpha) a *= kPi / sum;
+  return alpha;
+}
+
+}  // namespace
+
+AngleProblem buildAngleProblem(const DiskChart& chart, double t) {
+  AngleProblem p;
+  p.vertexOfCorner = chart.vertexOfCorner;
+  p.isBoundary.assign(chart.vertexCount(), 0);
+  for (std::uint32_t h : chart.boundary) p.isBoundary[chart.vertexOfCorner[h]] = 1;
+  p.angleSum.resize(chart.vertexCount());
+  // Condition (4) with t >= 2 is classic ABF, which has no condition on the boundary.
+  const double bound = t < 2 ? t * kPi : std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v < p.angleSum.size(); ++v)
+    p.angleSum[v] = p.isBoundary[v] ? bound : 2 * kPi;
+
+  p.target.resize(p.vertexOfCorner.size());
+  std::vector<double> sum(chart.vertexCount(), 0);
+  for (std::uint32_t f = 0; f < p.triangleCount(); ++f) {
+    const std::array<double, 3> alpha = targetAngles(chart, f);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      p.target[3 * f + k] = alpha[k];
+      sum[p.vertexOfCorner[3 * f + k]] += alpha[k];
+    }
+  }
+  p.weight.resize(p.target.size());
+  for (std::size_t c = 0; c < p.target.size(); ++c) {
+    const std::uint32_t v = p.vertexOfCorner[c];
+    if (!p.isBoundary[v]) p.target[c] *= 2 * kPi / sum[v];
+    p.weight[c] = 1 / (p.target[c] * p.target[c]);
+  }
+  return p;
+}
+
+}  // namespace abflat

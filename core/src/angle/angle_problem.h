@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// The constrained minimisation of the paper, section 5, for one chart. Angles in radians, corner c
+/// = 3f + k.
+///
+///   minimise   sum_c w_c (x_c - a_c)^2
+///   subject to triangle sums = pi                                      (2)
+///              sums round interior vertices = 2 pi                     (1)
+///              sum log sin(next) - log sin(prev) = 0 there             (6)
+///              sums at boundary vertices <= bound                      (4), with t
+struct AngleProblem {
+  std::vector<std::uint32_t> vertexOfCorner;  ///< size 3F
+  std::vector<std::uint8_t> isBoundary;       ///< per vertex
+  std::vector<double> target;                 ///< a, > 0, size 3F
+  std::vector<double> weight;                 ///< w = 1/a^2, size 3F
+  std::vector<double>
+      angleSum;  ///< per vertex: 2 pi inside, the upper bound on the boundary (infinite: none)
+
+  std::uint32_t triangleCount() const {
+    return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
+  }
+  std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(isBoundary.size()); }
+};
+
+/// Targets a from the 3D angles: scaled to sum to 2 pi round an interior vertex, unchanged at a
+/// boundary vertex.
+AngleProblem buildAngleProblem(const DiskChart& chart, double t);
+
+}  // namespace abflat

@@ -1,0 +1,35 @@
+#include "chart/disk_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abflat {
+namespace {
+
+/// Power of two that brings the largest extent from the first vertex to about 1.
+double unitOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  double size = 0;
+  for (std::uint32_t v : vertices)
+    for (std::size_t d = 0; d < 3; ++d)
+      size = std::max(
+          size, std::abs(mesh.positions[3 * v + d] / 2 - mesh.positions[3 * vertices[0] + d] / 2));
+  return size > 0 ? std::ldexp(1.0, std::ilogb(size) + 1) : 1;
+}
+
+}  // namespace
+
+DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
+  DiskChart chart;
+  chart.vertexOfCorner = surface.fans.ofCorner;
+  chart.twin = surface.table.twin;
+  chart.boundary = surface.boundaryLoops.front();
+  chart.inputVertex = surface.fans.inputVertex;
+  chart.unit = unitOf(mesh, chart.inputVertex);
+  chart.positions.reserve(3 * chart.inputVertex.size());
+  for (std::uint32_t v : chart.inputVertex)
+    for (std::size_t d = 0; d < 3; ++d)
+      chart.positions.push_back(mesh.positions[3 * v + d] / chart.unit);
+  return chart;
+}
+
+}  // namespace abflat

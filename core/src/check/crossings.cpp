@@ -1,0 +1,128 @@
+#include "check/crossings.h"
+
+#include <algorithm>
+
+#include "check/orientation.h"
+
+namespace abflat {
+namespace {
+
+struct Box {
+  double lo[2], hi[2];
+};
+
+bool disjoint(const Box& a, const Box& b) {
+  return a.lo[0] > b.hi[0] || b.lo[0] > a.hi[0] || a.lo[1] > b.hi[1] || b.lo[1] > a.hi[1];
+}
+
+/// p is collinear with a, b: whether it lies between them.
+bool between(const double* a, const double* b, const double* p) {
+  for (int d = 0; d < 2; ++d)
+    if (p[d] < std::min(a[d], b[d]) || p[d] > std::max(a[d], b[d])) return false;
+  return true;
+}
+
+bool segmentsMeet(const double* a, const double* b, const double* c, const double* d) {
+  const int abc = orientation(a, b, c), abd = orientation(a, b, d);
+  const int cda = orientation(c, d, a), cdb = orientation(c, d, b);
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return (abc == 0 && between(a, b, c)) || (abd == 0 && between(a, b, d)) ||
+         (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
+}
+
+/// Boxes over runs of consecutive edges: neighbours along the curve are neighbours in the plane, so
+/// the order of the boundary itself makes a good hierarchy.
+class CurveTree {
+ public:
+  CurveTree(const std::vector<double>& points, std::size_t keepFirst)
+      : points_(points), keepFirst_(keepFirst), n_(static_cast<std::uint32_t>(points.size() / 2)) {
+    while (leaves_ < n_) leaves_ *= 2;
+    boxes_.resize(2 * static_cast<std::size_t>(leaves_));
+    build(1, 0, leaves_);
+  }
+
+  Crossings run() {
+    within(1, 0, leaves_);
+    return std::move(found_);
+  }
+
+ private:
+  const double* point(std::uint32_t i) const { return &points_[2 * (i == n_ ? 0 : i)]; }
+
+  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
+    if (begin >= n_) return;
+    Box& box = boxes_[node];
+    if (end - begin == 1) {
+      for (int d = 0; d < 2; ++d) {
+        box.lo[d] = std::min(point(begin)[d], point(begin + 1)[d]);
+        box.hi[d] = std::max(point(begin)[d], point(begin + 1)[d]);
+      }
+      return;
+    }
+    const std::uint32_t middle = (begin + end) / 2;
+    build(2 * node, begin, middle);
+    build(2 * node + 1, middle, end);
+    box = boxes_[2 * node];
+    if (middle >= n_) return;
+    for (int d = 0; d < 2; ++d) {
+      box.lo[d] = std::min(box.lo[d], boxes_[2 * node + 1].lo[d]);
+      box.hi[d] = std::max(box.hi[d], boxes_[2 * node + 1].hi[d]);
+    }
+  }
+
+  /// Pairs inside one run of edges.
+  void within(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
+    if (begin >= n_ || end - begin == 1) return;
+    const std::uint32_t middle = (begin + end) / 2;
+    within(2 * node, begin, middle);
+    within(2 * node + 1, middle, end);
+    across(2 * node, begin, 2 * node + 1, middle, middle - begin);
+  }
+
+  /// Pairs between two runs of `size` edges each.
+  void across(std::uint32_t nodeA, std::uint32_t a, std::uint32_t nodeB, std::uint32_t b,
+              std::uint32_t size) {
+    if (a >= n_ || b >= n_ || disjoint(boxes_[nodeA], boxes_[nodeB])) return;
+    if (size == 1) return testPair(a, b);
+    const std::uint32_t half = size / 2;
+    for (std::uint32_t i = 0; i < 2; ++i)
+      for (std::uint32_t j = 0; j < 2; ++j)
+        across(2 * nodeA + i, a + i * half, 2 * nodeB + j, b + j * half, half);
+  }
+
+  void testPair(std::uint32_t i, std::uint32_t j) {
+    bool meet;
+    if (j == i + 1)
+      meet = foldsBack(i);
+    else if (i == 0 && j == n_ - 1)
+      meet = foldsBack(j);
+    else
+      meet = segmentsMeet(point(i), point(i + 1), point(j), point(j + 1));
+    if (!meet) return;
+    ++found_.count;
+    if (found_.first.size() < keepFirst_) found_.first.push_back({i, j});
+  }
+
+  /// Whether edge i + 1 runs back over edge i.
+  bool foldsBack(std::uint32_t i) const {
+    const double *a = point(i), *b = point(i + 1), *c = point(i + 1 == n_ ? 1 : i + 2);
+    if (orientation(a, b, c) != 0) return false;
+    return between(a, b, c) || between(b, c, a);
+  }
+
+  const std::vector<double>& points_;
+  std::size_t keepFirst_;
+  std::uint32_t n_, leaves_ = 1;
+  std::vector<Box> boxes_;
+  Crossings found_;
+};
+
+}  // namespace
+
+Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst) {
+  // A triangle's edges are all neighbours; with positive area it is simple.
+  if (points.size() < 8) return {};
+  return CurveTree(points, keepFirst).run();
+}
+
+}  // namespace abflat

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// How far a layout is from an isometry, measured on coordinates alone. Triangles of zero area in
+/// 3D are left out. s1 >= s2 are a triangle's singular values, 3D to uv, after both have been given
+/// the same total area; means are weighted with 3D area.
+struct Distortion {
+  double angular = 0;             ///< mean over corners of ((x - alpha)/alpha)^2
+  double length = 0;              ///< mean over edges of (s L/l - 1)^2 with s = sum l / sum L
+  double quasiConformalMean = 1;  ///< s1/s2
+  double quasiConformalMax = 1;
+  double stretchL2 = 1;             ///< root of the mean of (1/s1^2 + 1/s2^2)/2, Sander et al. 2001
+  double stretchLinf = 1;           ///< largest 1/s2
+  double symmetricDirichlet = 1;    ///< (s1^2 + s2^2 + 1/s1^2 + 1/s2^2)/4
+  double areaMin = 1, areaMax = 1;  ///< s1 s2
+};
+Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& uv);
+
+}  // namespace abflat

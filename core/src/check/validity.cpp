@@ -1,0 +1,52 @@
+#include "check/validity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/orientation.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+double angleAt(const double* o, const double* a, const double* b) {
+  const double ux = a[0] - o[0], uy = a[1] - o[1], vx = b[0] - o[0], vy = b[1] - o[1];
+  return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
+}
+
+double maxBoundaryAngle(const DiskChart& chart, const std::vector<double>& uv) {
+  std::vector<double> sum(chart.vertexCount(), 0);
+  for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c)
+    sum[chart.vertexOfCorner[c]] +=
+        angleAt(&uv[2 * chart.vertexOfCorner[c]], &uv[2 * chart.vertexOfCorner[nextCorner(c)]],
+                &uv[2 * chart.vertexOfCorner[prevCorner(c)]]);
+  double worst = 0;
+  for (std::uint32_t h : chart.boundary) worst = std::max(worst, sum[chart.vertexOfCorner[h]]);
+  return worst;
+}
+
+}  // namespace
+
+Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
+  Validity out;
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+    const bool degenerate = isDegenerate(cornerAngles(chart.positions, v));
+    out.degenerateTriangles += degenerate;
+    bool finite = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      finite = finite && std::isfinite(uv[2 * v[k]]) && std::isfinite(uv[2 * v[k] + 1]);
+    const int sign = finite ? orientation(&uv[2 * v[0]], &uv[2 * v[1]], &uv[2 * v[2]]) : -1;
+    if (sign < 0 || (sign == 0 && !degenerate)) ++out.flippedTriangles;
+  }
+  std::vector<double> points;
+  for (std::uint32_t h : chart.boundary) {
+    const std::uint32_t v = chart.vertexOfCorner[h];
+    points.insert(points.end(), {uv[2 * v], uv[2 * v + 1]});
+  }
+  out.crossings = findCrossings(points);
+  out.maxBoundaryAngle = maxBoundaryAngle(chart, uv);
+  return out;
+}
+
+}  // namespace abflat

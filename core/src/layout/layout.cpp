@@ -1,0 +1,210 @@
+#include "layout/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "angle/constants.h"
+#include "layout/diameter.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Logarithm of the length and heading (radians) per half-edge, for an arbitrary first edge.
+struct EdgePolars {
+  std::vector<double> logLength;
+  std::vector<double> heading;
+};
+
+EdgePolars carryEdges(const DiskChart& chart, const std::vector<double>& x) {
+  EdgePolars e;
+  e.logLength.resize(x.size());
+  e.heading.resize(x.size());
+  std::vector<std::uint8_t> reached(chart.triangleCount(), 0);
+  std::vector<std::uint32_t> queue{0};  // half-edges through which triangles are entered
+  queue.reserve(chart.triangleCount());
+  reached[0] = 1;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::uint32_t h = queue[i], n = nextCorner(h), p = prevCorner(h);
+    // Sine rule: length of an edge over the sine of the opposite corner.
+    const double logRatio = e.logLength[h] - std::log(std::sin(x[p]));
+    e.logLength[n] = logRatio + std::log(std::sin(x[h]));
+    e.logLength[p] = logRatio + std::log(std::sin(x[n]));
+    e.heading[n] = std::remainder(e.heading[h] + kPi - x[n], 2 * kPi);
+    e.heading[p] = std::remainder(e.heading[h] + kPi + x[h], 2 * kPi);
+    for (const std::uint32_t g : {h, n, p}) {
+      const std::uint32_t t = chart.twin[g];
+      if (t == kNone || reached[t / 3]) continue;
+      reached[t / 3] = 1;
+      e.logLength[t] = e.logLength[g];
+      e.heading[t] = std::remainder(e.heading[g] + kPi, 2 * kPi);
+      queue.push_back(t);
+    }
+  }
+  return e;
+}
+
+/// One half-edge per edge of the minimum spanning tree by length (Kruskal).
+std::vector<std::uint32_t> spanningEdges(const DiskChart& chart,
+                                         const std::vector<double>& logLength) {
+  std::vector<std::uint32_t> edges;
+  for (std::uint32_t h = 0; h < chart.twin.size(); ++h)
+    if (chart.twin[h] == kNone || h < chart.twin[h]) edges.push_back(h);
+  std::sort(edges.begin(), edges.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return logLength[a] != logLength[b] ? logLength[a] < logLength[b] : a < b;
+  });
+  std::vector<std::uint32_t> parent(chart.vertexCount());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto find = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<std::uint32_t> tree;
+  tree.reserve(chart.vertexCount());
+  for (const std::uint32_t h : edges) {
+    const std::uint32_t a = find(chart.vertexOfCorner[h]);
+    const std::uint32_t b = find(chart.vertexOfCorner[nextCorner(h)]);
+    if (a == b) continue;
+    parent[a] = b;
+    tree.push_back(h);
+  }
+  return tree;
+}
+
+/// A vertex to place, and the vector to it from one that is placed before.
+struct Placement {
+  std::uint32_t from, to;
+  double logLength, heading;
+};
+
+/// The tree's edges in an order in which they can be placed, from vertex 0.
+std::vector<Placement> orderPlacements(const DiskChart& chart, const EdgePolars& e,
+                                       const std::vector<std::uint32_t>& tree) {
+  std::vector<std::uint32_t> offset(chart.vertexCount() + 1, 0);
+  const auto ends = [&](std::uint32_t h) {
+    return std::array<std::uint32_t, 2>{chart.vertexOfCorner[h],
+                                        chart.vertexOfCorner[nextCorner(h)]};
+  };
+  for (const std::uint32_t h : tree)
+    for (const std::uint32_t v : ends(h)) ++offset[v + 1];
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1), incident(offset.back());
+  for (const std::uint32_t h : tree)
+    for (const std::uint32_t v : ends(h)) incident[fill[v]++] = h;
+
+  std::vector<Placement> order;
+  order.reserve(tree.size());
+  std::vector<std::uint8_t> placed(chart.vertexCount(), 0);
+  placed[0] = 1;
+  std::uint32_t v = 0;
+  for (std::size_t next = 0;; v = order[next++].to) {
+    for (std::uint32_t i = offset[v]; i < offset[v + 1]; ++i) {
+      const std::uint32_t h = incident[i];
+      const auto [a, b] = ends(h);
+      const std::uint32_t to = a == v ? b : a;
+      if (placed[to]) continue;
+      placed[to] = 1;
+      order.push_back({v, to, e.logLength[h], e.heading[h] + (a == v ? 0 : kPi)});
+    }
+    if (next == order.size()) return order;
+  }
+}
+
+/// Where the whole layout goes: applied before coordinates are summed up, so that it costs no
+/// digits.
+struct Frame {
+  double rotation = 0, logScale = 0;
+  Point2 origin{0, 0};  ///< of vertex 0
+};
+
+std::vector<double> place(const DiskChart& chart, const std::vector<Placement>& order,
+                          const Frame& frame) {
+  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()));
+  uv[0] = frame.origin[0];
+  uv[1] = frame.origin[1];
+  for (const Placement& p : order) {
+    const double length = std::exp(p.logLength + frame.logScale);
+    const double heading = p.heading + frame.rotation;
+    uv[2 * p.to] = uv[2 * p.from] + length * std::cos(heading);
+    uv[2 * p.to + 1] = uv[2 * p.from + 1] + length * std::sin(heading);
+  }
+  return uv;
+}
+
+double area3d(const DiskChart& chart) {
+  double area = 0;
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+    area += norm(cross(edgeVector(chart.positions, v[0], v[1]),
+                       edgeVector(chart.positions, v[0], v[2]))) /
+            2;
+  }
+  return area;
+}
+
+double areaUv(const DiskChart& chart, const std::vector<double>& uv) {
+  double area = 0;
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const double *a = &uv[2 * chart.vertexOfCorner[3 * f]],
+                 *b = &uv[2 * chart.vertexOfCorner[3 * f + 1]],
+                 *c = &uv[2 * chart.vertexOfCorner[3 * f + 2]];
+    area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+  }
+  return area;
+}
+
+std::vector<Point2> boundaryPoints(const DiskChart& chart, const std::vector<double>& uv) {
+  std::vector<Point2> points;
+  for (const std::uint32_t h : chart.boundary) {
+    const std::uint32_t v = chart.vertexOfCorner[h];
+    points.push_back({uv[2 * v], uv[2 * v + 1]});
+  }
+  return points;
+}
+
+/// Whether more of the boundary's points lie far to the left than to the right of the diameter's
+/// middle: the one of the two horizontal positions that does not depend on how vertices are
+/// numbered.
+bool leansLeft(const std::vector<Point2>& points, const std::array<Point2, 2>& ends) {
+  const Point2 middle{(ends[0][0] + ends[1][0]) / 2, (ends[0][1] + ends[1][1]) / 2};
+  const Point2 axis{ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]};
+  double skew = 0;
+  for (const Point2& p : points)
+    skew += (p[0] - middle[0]) * axis[0] + (p[1] - middle[1]) * axis[1];
+  return skew < 0;
+}
+
+Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
+  Frame frame;
+  double longest = -std::numeric_limits<double>::infinity();
+  for (const Placement& p : order) longest = std::max(longest, p.logLength);
+  frame.logScale = -longest;  // nothing overflows
+  std::vector<double> uv = place(chart, order, frame);
+  const std::vector<Point2> points = boundaryPoints(chart, uv);
+  const std::array<Point2, 2> ends = diameter(points);
+  frame.rotation = -std::atan2(ends[1][1] - ends[0][1], ends[1][0] - ends[0][0]);
+  if (leansLeft(points, ends)) frame.rotation += kPi;
+  const double area = areaUv(chart, uv), wanted = area3d(chart);
+  // A layout that is folded over itself may have no area; it keeps its size and the checks reject
+  // it.
+  if (area > 0 && wanted > 0) frame.logScale += std::log(wanted / area) / 2;
+  uv = place(chart, order, frame);
+  Point2 low{0, 0};
+  for (const Point2& p : boundaryPoints(chart, uv))
+    for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], p[d]);
+  frame.origin = {-low[0], -low[1]};
+  return frame;
+}
+
+}  // namespace
+
+std::vector<double> layOut(const DiskChart& chart, const std::vector<double>& angles) {
+  const EdgePolars edges = carryEdges(chart, angles);
+  const std::vector<Placement> order =
+      orderPlacements(chart, edges, spanningEdges(chart, edges.logLength));
+  return place(chart, order, finalFrame(chart, order));
+}
+
+}  // namespace abflat

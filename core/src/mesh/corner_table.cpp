@@ -1,0 +1,95 @@
+#include "mesh/corner_table.h"
+
+#include <algorithm>
+
+namespace abflat {
+namespace {
+
+/// A half-edge seen from its smaller vertex.
+struct EdgeEnd {
+  std::uint32_t other;  ///< larger vertex
+  std::uint32_t h;
+};
+
+/// Half-edges that are no diagonals, grouped by their smaller vertex (counting sort).
+struct EdgeBuckets {
+  std::vector<std::uint32_t> offset;
+  std::vector<EdgeEnd> ends;
+};
+
+EdgeBuckets bucketEdges(const Triangulation& t, std::size_t vertexCount) {
+  EdgeBuckets b;
+  b.offset.assign(vertexCount + 1, 0);
+  const auto lower = [&](std::uint32_t h) {
+    return std::min(t.vertex[h], t.vertex[nextCorner(h)]);
+  };
+  const std::uint32_t n = static_cast<std::uint32_t>(t.vertex.size());
+  for (std::uint32_t h = 0; h < n; ++h)
+    if (!t.isDiagonal[h]) ++b.offset[lower(h) + 1];
+  for (std::size_t v = 0; v < vertexCount; ++v) b.offset[v + 1] += b.offset[v];
+  std::vector<std::uint32_t> fill(b.offset.begin(), b.offset.end() - 1);
+  b.ends.resize(b.offset.back());
+  for (std::uint32_t h = 0; h < n; ++h)
+    if (!t.isDiagonal[h])
+      b.ends[fill[lower(h)]++] = {std::max(t.vertex[h], t.vertex[nextCorner(h)]), h};
+  return b;
+}
+
+void matchGroup(const Triangulation& t, const EdgeEnd* first, const EdgeEnd* last,
+                CornerTable& table) {
+  const auto count = static_cast<std::uint32_t>(last - first);
+  if (count == 1) return;
+  const std::uint32_t h0 = first[0].h, h1 = first[1].h;
+  if (count == 2 && t.vertex[h0] == t.vertex[nextCorner(h1)]) {
+    table.twin[h0] = h1;
+    table.twin[h1] = h0;
+    return;
+  }
+  BadEdge bad;
+  bad.v0 = t.vertex[h0];
+  bad.v1 = t.vertex[nextCorner(h0)];
+  bad.faceCount = count;
+  bad.faces = {t.face[h0 / 3], t.face[h1 / 3]};
+  (count == 2 ? table.misoriented : table.nonManifold).push_back(bad);
+}
+
+/// A diagonal's twin lies in the same face, whose triangles are consecutive.
+void matchDiagonals(const Triangulation& t, CornerTable& table) {
+  const std::uint32_t n = static_cast<std::uint32_t>(t.vertex.size());
+  for (std::uint32_t h = 0; h < n; ++h) {
+    if (!t.isDiagonal[h] || table.twin[h] != kNone) continue;
+    const std::uint32_t from = t.corner[h], to = t.corner[nextCorner(h)];
+    for (std::uint32_t g = 3 * (h / 3) + 3; g < n && t.face[g / 3] == t.face[h / 3]; ++g)
+      if (t.isDiagonal[g] && t.corner[g] == to && t.corner[nextCorner(g)] == from) {
+        table.twin[h] = g;
+        table.twin[g] = h;
+        break;
+      }
+  }
+}
+
+}  // namespace
+
+CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t vertexCount) {
+  CornerTable table;
+  table.vertex = triangulation.vertex;
+  table.twin.assign(table.vertex.size(), kNone);
+  EdgeBuckets buckets = bucketEdges(triangulation, vertexCount);
+  for (std::size_t v = 0; v < vertexCount; ++v) {
+    EdgeEnd* first = buckets.ends.data() + buckets.offset[v];
+    EdgeEnd* const last = buckets.ends.data() + buckets.offset[v + 1];
+    std::sort(first, last, [](const EdgeEnd& a, const EdgeEnd& b) {
+      return a.other != b.other ? a.other < b.other : a.h < b.h;
+    });
+    while (first != last) {
+      EdgeEnd* end = first;
+      while (end != last && end->other == first->other) ++end;
+      matchGroup(triangulation, first, end, table);
+      first = end;
+    }
+  }
+  matchDiagonals(triangulation, table);
+  return table;
+}
+
+}  // namespace abflat

@@ -1,0 +1,135 @@
+#include "mesh/surface.h"
+
+#include <cmath>
+
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+std::string plural(std::size_t n, const char* noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+std::string edgeName(const BadEdge& e) {
+  return "edge " + std::to_string(e.v0) + "-" + std::to_string(e.v1);
+}
+
+/// The first face that has the same vertex at two of its corners, or kNone.
+std::uint32_t findRepeatedVertex(const PolygonMesh& mesh, std::uint32_t& vertex) {
+  std::vector<std::uint32_t> lastFace(mesh.vertexCount(), kNone);
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    for (std::uint32_t k = mesh.faceOffsets[f]; k < mesh.faceOffsets[f + 1]; ++k) {
+      vertex = mesh.faceVertices[k];
+      if (lastFace[vertex] == f) return f;
+      lastFace[vertex] = f;
+    }
+  return kNone;
+}
+
+Status diskStatus(const PolygonMesh& mesh, const Surface& s, const Components& components) {
+  const MeshSummary& m = s.summary;
+  if (m.faces == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
+  std::uint32_t vertex = kNone;
+  if (const std::uint32_t f = findRepeatedVertex(mesh, vertex); f != kNone)
+    return {StatusCode::DegenerateFace, "face " + std::to_string(f) + " uses vertex " +
+                                            std::to_string(vertex) +
+                                            " twice; remove the face or split it"};
+  if (!s.table.nonManifold.empty()) {
+    const BadEdge& e = s.table.nonManifold.front();
+    return {StatusCode::NonManifoldEdge, edgeName(e) + " has " + std::to_string(e.faceCount) +
+                                             " faces (" + plural(m.nonManifoldEdges, "edge") +
+                                             " with more than two)"};
+  }
+  if (!s.table.misoriented.empty()) {
+    const BadEdge& e = s.table.misoriented.front();
+    return {StatusCode::InconsistentOrientation,
+            "face " + std::to_string(e.faces[1]) + " has opposite orientation to face " +
+                std::to_string(e.faces[0]) + " at " + edgeName(e) + " (" +
+                plural(m.orientationConflicts, "such edge") + ")"};
+  }
+  if (m.components > 1)
+    return {StatusCode::MultipleComponents,
+            plural(m.components, "component") + "; the second begins at face " +
+                std::to_string(s.triangulation.face[components.firstTriangle[1]])};
+  if (m.boundaryLoops == 0)
+    return {StatusCode::ClosedSurface,
+            "closed surface" + (m.genus > 0 ? " of genus " + std::to_string(m.genus) : "") +
+                "; cut it open first"};
+  if (m.genus > 0) return {StatusCode::HasHandles, "genus " + std::to_string(m.genus)};
+  if (m.boundaryLoops > 1)
+    return {StatusCode::MultipleBoundaryLoops,
+            plural(m.boundaryLoops, "boundary loop") + "; the second passes through vertex " +
+                std::to_string(s.table.vertex[s.boundaryLoops[1].front()])};
+  return {};
+}
+
+std::size_t countReferenced(const PolygonMesh& mesh) {
+  std::vector<std::uint8_t> used(mesh.vertexCount(), 0);
+  for (std::uint32_t v : mesh.faceVertices) used[v] = 1;
+  std::size_t n = 0;
+  for (std::uint8_t u : used) n += u;
+  return n;
+}
+
+std::size_t countDegenerate(const PolygonMesh& mesh, const Triangulation& t) {
+  std::size_t n = 0;
+  std::uint32_t last = kNone;
+  for (std::uint32_t f = 0; f < t.face.size(); ++f)
+    if (t.face[f] != last && isDegenerate(cornerAngles(mesh.positions, &t.vertex[3 * f]))) {
+      ++n;
+      last = t.face[f];
+    }
+  return n;
+}
+
+/// chi = V - E + F on the surface cut open at bad edges and touching vertices.
+std::int64_t cutEulerCharacteristic(const Surface& s) {
+  std::int64_t halfEdges = 0, boundary = 0;
+  for (std::uint32_t t : s.table.twin) t == kNone ? ++boundary : ++halfEdges;
+  return static_cast<std::int64_t>(s.fans.inputVertex.size()) - (halfEdges / 2 + boundary) +
+         static_cast<std::int64_t>(s.table.triangleCount());
+}
+
+}  // namespace
+
+Surface buildSurface(const PolygonMesh& mesh) {
+  Surface s;
+  s.triangulation = triangulate(mesh);
+  s.table = buildCornerTable(s.triangulation, mesh.vertexCount());
+  s.fans = findFans(s.table, mesh.vertexCount());
+  s.boundaryLoops = findBoundaryLoops(s.table);
+  const Components components = findComponents(s.table);
+
+  MeshSummary& m = s.summary;
+  const std::size_t referenced = countReferenced(mesh);
+  m.vertices = mesh.vertexCount();
+  m.unreferencedVertices = m.vertices - referenced;
+  m.faces = mesh.faceCount();
+  m.triangles = s.triangulation.face.size();
+  m.components = components.firstTriangle.size();
+  m.boundaryLoops = s.boundaryLoops.size();
+  m.nonManifoldEdges = s.table.nonManifold.size();
+  m.orientationConflicts = s.table.misoriented.size();
+  m.degenerateFaces = countDegenerate(mesh, s.triangulation);
+
+  std::int64_t doubledHalfEdges = 0;  // half-edges of bad edges beyond the first
+  for (const auto* list : {&s.table.nonManifold, &s.table.misoriented})
+    for (const BadEdge& e : *list) doubledHalfEdges += e.faceCount;
+  std::size_t unpaired = 0;
+  for (std::uint32_t t : s.table.twin) unpaired += t == kNone;
+  m.boundaryEdges = unpaired - static_cast<std::size_t>(doubledHalfEdges);
+  const auto bad = static_cast<std::int64_t>(m.nonManifoldEdges + m.orientationConflicts);
+  const std::int64_t cutChi = cutEulerCharacteristic(s);
+  m.eulerCharacteristic = cutChi -
+                          static_cast<std::int64_t>(s.fans.inputVertex.size() - referenced) +
+                          (doubledHalfEdges - bad);
+  m.genus = bad > 0 ? -1
+                    : (2 * static_cast<std::int64_t>(m.components) -
+                       static_cast<std::int64_t>(m.boundaryLoops) - cutChi) /
+                          2;
+  m.disk = diskStatus(mesh, s, components);
+  return s;
+}
+
+}  // namespace abflat

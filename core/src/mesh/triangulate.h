@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "abflat/mesh.h"
+
+namespace abflat {
+
+/// Triangles of a polygon mesh, for solving only. A face of n corners gives n - 2 triangles that
+/// together have every edge of the face exactly once, whatever its shape.
+struct Triangulation {
+  std::vector<std::uint32_t> vertex;     ///< input vertex per triangle corner, size 3T
+  std::vector<std::uint32_t> corner;     ///< input face corner (index into faceVertices), size 3T
+  std::vector<std::uint32_t> face;       ///< input face per triangle, size T
+  std::vector<std::uint8_t> isDiagonal;  ///< half-edge is a diagonal of its face, size 3T
+};
+
+/// Ear clipping in the plane of each face's area vector; concave faces keep their shape.
+Triangulation triangulate(const PolygonMesh& mesh);
+
+}  // namespace abflat

@@ -1,0 +1,94 @@
+#include "solve/linearization.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "angle/constants.h"
+
+namespace abflat {
+namespace {
+
+/// Of w; below this the Newton model is no longer convex and the element matrix not semidefinite.
+constexpr double kMinCurvature = 0.2;
+
+}  // namespace
+
+ConstraintRows numberRows(const AngleProblem& problem) {
+  ConstraintRows rows;
+  rows.ofVertex.resize(problem.vertexCount() + 1);
+  std::uint32_t n = 0;
+  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+    rows.ofVertex[v] = n;
+    n += problem.isBoundary[v] ? 1 : 2;
+  }
+  rows.ofVertex.back() = n;
+  return rows;
+}
+
+void linearize(const AngleProblem& problem, const ConstraintRows& rows,
+               const std::vector<double>& x, const std::vector<double>& rowMultipliers,
+               Linearization& out) {
+  out.elements.resize(problem.triangleCount());
+  out.residual.assign(rows.count(), 0);
+  out.objective = 0;
+  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v)
+    out.residual[rows.ofVertex[v]] = -problem.angleSum[v];
+  for (std::uint32_t f = 0; f < problem.triangleCount(); ++f) {
+    Element& e = out.elements[f];
+    const std::array<double, 6> y = gatherRows(problem, rows, rowMultipliers, f);
+    std::array<double, 3> logSin;
+    e.triangleResidual = -kPi;
+    e.inverseSum = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t c = 3 * f + k;
+      const double w = problem.weight[c], distance = x[c] - problem.target[c];
+      const double sine = std::sin(x[c]);
+      const double m = y[2 * ((k + 2) % 3) + 1] - y[2 * ((k + 1) % 3) + 1];
+      const double hessian = std::max(2 * w - m / (sine * sine), kMinCurvature * w);
+      logSin[k] = std::log(sine);
+      e.cot[k] = std::cos(x[c]) / sine;
+      e.inverse[k] = 1 / hessian;
+      e.gradient[k] = 2 * w * distance;
+      e.triangleResidual += x[c];
+      e.inverseSum += e.inverse[k];
+      out.objective += w * distance * distance;
+    }
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = problem.vertexOfCorner[3 * f + k];
+      out.residual[rows.ofVertex[v]] += x[3 * f + k];
+      if (!problem.isBoundary[v])
+        out.residual[rows.ofVertex[v] + 1] += logSin[(k + 1) % 3] - logSin[(k + 2) % 3];
+    }
+  }
+}
+
+double constraintResidual(const AngleProblem& problem, const ConstraintRows& rows,
+                          const Linearization& lin) {
+  double worst = 0;
+  for (const Element& e : lin.elements) worst = std::max(worst, std::abs(e.triangleResidual));
+  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+    const std::uint32_t r = rows.ofVertex[v];
+    if (problem.isBoundary[v])
+      worst = std::max(worst, lin.residual[r]);
+    else
+      worst = std::max({worst, std::abs(lin.residual[r]), std::abs(lin.residual[r + 1])});
+  }
+  return worst;
+}
+
+double gradientResidual(const AngleProblem& problem, const ConstraintRows& rows,
+                        const Linearization& lin, const Multipliers& multipliers) {
+  double worst = 0;
+  for (std::uint32_t f = 0; f < problem.triangleCount(); ++f) {
+    const Element& e = lin.elements[f];
+    const std::array<double, 3> z =
+        applyTransposedJacobian(e, gatherRows(problem, rows, multipliers.row, f));
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const double g = e.gradient[k] + z[k] + multipliers.triangle[f];
+      worst = std::max(worst, std::abs(g) * problem.target[3 * f + k] / 2);
+    }
+  }
+  return worst;
+}
+
+}  // namespace abflat

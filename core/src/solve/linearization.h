@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "angle/angle_problem.h"
+#include "solve/element.h"
+
+namespace abflat {
+
+/// Numbering of the vertex constraints: one row for a boundary vertex (angle sum), two for an
+/// interior one (angle sum, wheel). Boundary rows stay in the system when they are inactive, so its
+/// pattern never changes.
+struct ConstraintRows {
+  std::vector<std::uint32_t>
+      ofVertex;  ///< row of the angle sum; the wheel's row follows it. Size V+1
+  std::uint32_t count() const { return ofVertex.back(); }
+};
+ConstraintRows numberRows(const AngleProblem& problem);
+
+/// Multipliers (eq. 8): one per row and one per triangle. Those of inactive rows are 0.
+struct Multipliers {
+  std::vector<double> row;
+  std::vector<double> triangle;
+};
+
+/// The problem's first and second derivatives at angles x and multipliers.
+struct Linearization {
+  std::vector<Element> elements;  ///< per triangle
+  std::vector<double> residual;   ///< h and g per row: (1), (6) and, for boundary rows, sum - bound
+  double objective = 0;
+};
+void linearize(const AngleProblem& problem, const ConstraintRows& rows,
+               const std::vector<double>& x, const std::vector<double>& rowMultipliers,
+               Linearization& out);
+
+/// The six row values of triangle f's vertices; rows that do not exist (wheels on the boundary)
+/// read as 0.
+inline std::array<double, 6> gatherRows(const AngleProblem& problem, const ConstraintRows& rows,
+                                        const std::vector<double>& values, std::uint32_t f) {
+  std::array<double, 6> y;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = problem.vertexOfCorner[3 * f + k];
+    y[2 * k] = values[rows.ofVertex[v]];
+    y[2 * k + 1] = problem.isBoundary[v] ? 0 : values[rows.ofVertex[v] + 1];
+  }
+  return y;
+}
+
+/// Largest violation of any constraint, radians (wheels: of the logarithm).
+double constraintResidual(const AngleProblem& problem, const ConstraintRows& rows,
+                          const Linearization& lin);
+
+/// Largest a_c |dL/dx_c| / 2: the gradient of the Lagrangian in units of the relative change of an
+/// angle.
+double gradientResidual(const AngleProblem& problem, const ConstraintRows& rows,
+                        const Linearization& lin, const Multipliers& multipliers);
+
+}  // namespace abflat

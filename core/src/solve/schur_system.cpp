@@ -1,0 +1,132 @@
+#include "solve/schur_system.h"
+
+#include <algorithm>
+
+namespace abflat {
+
+SchurSystem::SchurSystem(const AngleProblem& problem, const ConstraintRows& rows)
+    : problem_(problem), rows_(rows) {
+  buildPattern();
+  buildScatter();
+}
+
+void SchurSystem::buildPattern() {
+  const std::uint32_t vertices = problem_.vertexCount();
+  // Larger neighbours per vertex: counting sort, then unique.
+  std::vector<std::uint32_t> offset(vertices + 1, 0);
+  const auto forEachEdge = [&](auto&& visit) {
+    for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = problem_.vertexOfCorner[3 * f + k];
+        const std::uint32_t b = problem_.vertexOfCorner[3 * f + (k + 1) % 3];
+        visit(std::min(a, b), std::max(a, b));
+      }
+  };
+  forEachEdge([&](std::uint32_t a, std::uint32_t) { ++offset[a + 1]; });
+  for (std::uint32_t v = 0; v < vertices; ++v) offset[v + 1] += offset[v];
+  std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1), neighbours(offset.back());
+  forEachEdge([&](std::uint32_t a, std::uint32_t b) { neighbours[fill[a]++] = b; });
+
+  const auto n = static_cast<Eigen::Index>(rows_.count());
+  std::vector<int> outer(static_cast<std::size_t>(n) + 1, 0), inner;
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const auto first = neighbours.begin() + offset[v];
+    auto last = neighbours.begin() + offset[v + 1];
+    std::sort(first, last);
+    last = std::unique(first, last);
+    for (std::uint32_t column = rows_.ofVertex[v]; column < rows_.ofVertex[v + 1]; ++column) {
+      for (std::uint32_t r = column; r < rows_.ofVertex[v + 1]; ++r)
+        inner.push_back(static_cast<int>(r));
+      for (auto u = first; u != last; ++u)
+        for (std::uint32_t r = rows_.ofVertex[*u]; r < rows_.ofVertex[*u + 1]; ++r)
+          inner.push_back(static_cast<int>(r));
+      outer[column + 1] = static_cast<int>(inner.size());
+    }
+  }
+  matrix_.resize(n, n);
+  matrix_.resizeNonZeros(static_cast<Eigen::Index>(inner.size()));
+  std::copy(outer.begin(), outer.end(), matrix_.outerIndexPtr());
+  std::copy(inner.begin(), inner.end(), matrix_.innerIndexPtr());
+  rhs_.resize(n);
+}
+
+void SchurSystem::buildScatter() {
+  scatter_.reserve(21 * static_cast<std::size_t>(problem_.triangleCount()));
+  const int* outer = matrix_.outerIndexPtr();
+  const int* inner = matrix_.innerIndexPtr();
+  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+    std::array<std::uint32_t, 6> row;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
+      row[2 * k] = rows_.ofVertex[v];
+      row[2 * k + 1] = problem_.isBoundary[v] ? kDropped : rows_.ofVertex[v] + 1;
+    }
+    for (unsigned r = 0; r < 6; ++r)
+      for (unsigned c = 0; c <= r; ++c) {
+        if (row[r] == kDropped || row[c] == kDropped) {
+          scatter_.push_back(kDropped);
+          continue;
+        }
+        const std::uint32_t column = std::min(row[r], row[c]);
+        const int wanted = static_cast<int>(std::max(row[r], row[c]));
+        scatter_.push_back(static_cast<std::uint32_t>(
+            std::lower_bound(inner + outer[column], inner + outer[column + 1], wanted) - inner));
+      }
+  }
+}
+
+void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint8_t>& active) {
+  double* values = matrix_.valuePtr();
+  std::fill(values, values + matrix_.nonZeros(), 0.0);
+  for (std::uint32_t r = 0; r < rows_.count(); ++r) rhs_[r] = lin.residual[r];
+  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+    const Element& e = lin.elements[f];
+    std::array<bool, 3> off;  // vertices whose only row is inactive
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
+      off[k] = problem_.isBoundary[v] && !active[v];
+    }
+    const std::array<double, 21> m = elementMatrix(e);
+    const std::uint32_t* place = &scatter_[21 * static_cast<std::size_t>(f)];
+    unsigned i = 0;
+    for (unsigned r = 0; r < 6; ++r)
+      for (unsigned c = 0; c <= r; ++c, ++i)
+        if (place[i] != kDropped && !off[r / 2] && !off[c / 2]) values[place[i]] += m[i];
+    // h - B P g - B D 1 r / (1^T D 1)
+    std::array<double, 3> z = applyProjected(e, e.gradient);
+    for (unsigned k = 0; k < 3; ++k) z[k] += e.inverse[k] * e.triangleResidual / e.inverseSum;
+    const std::array<double, 6> y = applyJacobian(e, z);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
+      rhs_[rows_.ofVertex[v]] -= y[2 * k];
+      if (!problem_.isBoundary[v]) rhs_[rows_.ofVertex[v] + 1] -= y[2 * k + 1];
+    }
+  }
+  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+    if (problem_.isBoundary[v] && !active[v]) {
+      values[matrix_.outerIndexPtr()[rows_.ofVertex[v]]] = 1;
+      rhs_[rows_.ofVertex[v]] = 0;
+    }
+}
+
+void SchurSystem::backSubstitute(const Linearization& lin,
+                                 const std::vector<double>& rowMultipliers, std::vector<double>& dx,
+                                 std::vector<double>& triangleMultipliers) const {
+  dx.resize(problem_.vertexOfCorner.size());
+  triangleMultipliers.resize(problem_.triangleCount());
+  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+    const Element& e = lin.elements[f];
+    std::array<double, 3> z =
+        applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
+    double sum = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      z[k] += e.gradient[k];
+      sum += e.inverse[k] * z[k];
+    }
+    const double lambda = (e.triangleResidual - sum) / e.inverseSum;
+    triangleMultipliers[f] = lambda;
+    for (unsigned k = 0; k < 3; ++k) dx[3 * f + k] = -e.inverse[k] * (z[k] + lambda);
+  }
+}
+
+}  // namespace abflat
