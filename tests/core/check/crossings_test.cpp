@@ -1,0 +1,82 @@
+#include "check/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "catch.h"
+
+using namespace abflat;
+
+namespace {
+
+using Polygon = std::vector<double>;
+
+/// All pairs by integer arithmetic on small coordinates.
+std::size_t countByBruteForce(const Polygon& p) {
+  const std::size_t n = p.size() / 2;
+  const auto area = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const double d = (p[2 * b] - p[2 * a]) * (p[2 * c + 1] - p[2 * a + 1]) -
+                     (p[2 * b + 1] - p[2 * a + 1]) * (p[2 * c] - p[2 * a]);
+    return (d > 0) - (d < 0);
+  };
+  const auto inBox = [&](std::size_t a, std::size_t b, std::size_t c) {
+    for (std::size_t d = 0; d < 2; ++d)
+      if (p[2 * c + d] < std::min(p[2 * a + d], p[2 * b + d]) ||
+          p[2 * c + d] > std::max(p[2 * a + d], p[2 * b + d]))
+        return false;
+    return true;
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const std::size_t a = i, b = (i + 1) % n, c = j, d = (j + 1) % n;
+      if (b == c || d == a) {
+        const std::size_t far1 = b == c ? a : b, joint = b == c ? b : a, far2 = b == c ? d : c;
+        if (area(far1, joint, far2) == 0 && (inBox(far1, joint, far2) || inBox(joint, far2, far1)))
+          ++count;
+      } else if ((area(a, b, c) * area(a, b, d) < 0 && area(c, d, a) * area(c, d, b) < 0) ||
+                 (area(a, b, c) == 0 && inBox(a, b, c)) || (area(a, b, d) == 0 && inBox(a, b, d)) ||
+                 (area(c, d, a) == 0 && inBox(c, d, a)) || (area(c, d, b) == 0 && inBox(c, d, b))) {
+        ++count;
+      }
+    }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("crossings agree with brute force on random polygons of small integers") {
+  std::mt19937 random(1);
+  for (int repeat = 0; repeat < 400; ++repeat) {
+    const std::size_t n = 4 + random() % 30;
+    Polygon p;
+    while (p.size() < 2 * n) {
+      const double x = double(random() % 12), y = double(random() % 12);
+      // Repeated points in a row would be edges without a direction.
+      if (!p.empty() && p[p.size() - 2] == x && p.back() == y) continue;
+      if (p.size() == 2 * n - 2 && p[0] == x && p[1] == y) continue;
+      p.insert(p.end(), {x, y});
+    }
+    CHECK(findCrossings(p).count == countByBruteForce(p));
+  }
+}
+
+TEST_CASE("simple curves have no crossings, one pushed edge is found") {
+  Polygon spiral;
+  constexpr int kCount = 400;
+  for (int side = 0; side < 2; ++side)
+    for (int i = 0; i < kCount; ++i) {
+      const int k = side == 0 ? i : kCount - 1 - i;
+      const double u = 0.1 * k, r = 1 + 0.2 * u + 0.5 * side;
+      spiral.insert(spiral.end(), {r * std::cos(u), r * std::sin(u)});
+    }
+  CHECK(findCrossings(spiral).count == 0);
+  Polygon pushed = spiral;
+  pushed[2 * 200] *= 1.12;
+  pushed[2 * 200 + 1] *= 1.12;
+  const Crossings found = findCrossings(pushed);
+  CHECK(found.count == 2);
+  for (const auto& pair : found.first) CHECK((pair[0] == 199 || pair[0] == 200));
+}

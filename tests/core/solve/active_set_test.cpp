@@ -1,0 +1,118 @@
+#include "solve/active_set.h"
+
+#include <cmath>
+
+#include "angle/constants.h"
+#include "catch.h"
+#include "support/dense_kkt.h"
+#include "support/meshes.h"
+#include "support/problems.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Stops only where the gradient vanishes, not where the objective stands still.
+ActiveSetOptions toTheEnd() {
+  ActiveSetOptions options;
+  options.gradientTolerance = 1e-9;
+  options.objectiveTolerance = 0;
+  return options;
+}
+
+/// The conditions for a minimum (Karush, Kuhn, Tucker), from residuals that share no code with the
+/// solver's steps.
+void checkOptimal(const AngleProblem& problem, const AngleSolution& s) {
+  const ConstraintRows rows = numberRows(problem);
+  REQUIRE(s.converged);
+  std::vector<double> sum(problem.vertexCount(), 0), wheel(problem.vertexCount(), 0);
+  for (std::uint32_t f = 0; f < problem.triangleCount(); ++f) {
+    const double* x = &s.angles[3 * f];
+    CHECK(std::abs(x[0] + x[1] + x[2] - kPi) < 1e-10);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      CHECK(x[k] > 0);
+      const std::uint32_t v = problem.vertexOfCorner[3 * f + k];
+      sum[v] += x[k];
+      wheel[v] += std::log(std::sin(x[(k + 1) % 3])) - std::log(std::sin(x[(k + 2) % 3]));
+    }
+  }
+  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+    const double mu = s.multipliers.row[rows.ofVertex[v]];
+    if (problem.isBoundary[v]) {
+      CHECK(sum[v] <= problem.angleSum[v] + 1e-10);
+      CHECK(mu >= 0);
+      if (!s.active[v]) CHECK(mu == 0);
+      if (s.active[v]) CHECK(std::abs(sum[v] - problem.angleSum[v]) < 1e-10);
+    } else {
+      CHECK(std::abs(sum[v] - 2 * kPi) < 1e-10);
+      CHECK(std::abs(wheel[v]) < 1e-10);
+    }
+  }
+  for (std::uint32_t f = 0; f < problem.triangleCount(); ++f)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t c = 3 * f + k, n = problem.vertexOfCorner[3 * f + (k + 1) % 3],
+                          p = problem.vertexOfCorner[3 * f + (k + 2) % 3];
+      const auto wheelMultiplier = [&](std::uint32_t v) {
+        return problem.isBoundary[v] ? 0 : s.multipliers.row[rows.ofVertex[v] + 1];
+      };
+      const double a = problem.target[c];
+      const double g = 2 * (s.angles[c] - a) / (a * a) + s.multipliers.triangle[f] +
+                       s.multipliers.row[rows.ofVertex[problem.vertexOfCorner[c]]] +
+                       (wheelMultiplier(p) - wheelMultiplier(n)) / std::tan(s.angles[c]);
+      CHECK(std::abs(g) * a / 2 < 1e-8);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the solution meets all constraints and the conditions for a minimum") {
+  for (double t : {2.0, 1.3, 1.0}) {
+    for (unsigned seed : {1u, 2u, 3u}) {
+      const AngleProblem problem = problemOf(bumpyGrid(12, 9, 0.35, seed), t);
+      checkOptimal(problem, solveActiveSet(problem, toTheEnd()));
+    }
+    const AngleProblem problem = problemOf(cone(7, 0.8), t);
+    checkOptimal(problem, solveActiveSet(problem, toTheEnd()));
+  }
+}
+
+TEST_CASE("shared disks converge to a minimum") {
+  for (const char* file : {"nefertiti.off", "body.off", "cathead.obj", "mannequin.off",
+                           "hemisphere.obj", "inspired.obj", "woody.obj", "nonconvex-cap.off"}) {
+    const PolygonMesh mesh = sharedMesh(file);
+    if (mesh.faceCount() == 0) return;
+    for (double t : {2.0, 1.05, 1.0}) {
+      const AngleProblem problem = problemOf(mesh, t);
+      checkOptimal(problem, solveActiveSet(problem, toTheEnd()));
+    }
+  }
+}
+
+TEST_CASE("a flat convex mesh keeps its angles") {
+  const AngleProblem problem = problemOf(bumpyGrid(1, 1, 0, 1), 1);
+  const AngleSolution s = solveActiveSet(problem, {});
+  REQUIRE(s.converged);
+  CHECK(s.history.back().objective < 1e-20);
+}
+
+TEST_CASE("the smallest possible bound gives a regular outline") {
+  // With t = 1 - 2/n all boundary angles are equal to the bound.
+  const AngleProblem problem = problemOf(cone(9, 0.5), 1 - 2.0 / 9 + 1e-9);
+  const AngleSolution s = solveActiveSet(problem, {});
+  REQUIRE(s.converged);
+  for (std::size_t c = 0; c < s.angles.size(); c += 3) CHECK(s.angles[c] == Approx(2 * kPi / 9));
+}
+
+TEST_CASE("returning false from onStep stops the solver") {
+  ActiveSetOptions options;
+  int calls = 0;
+  options.onStep = [&](int step, const NewtonStep&) {
+    CHECK(step == ++calls);
+    return step < 2;
+  };
+  const AngleSolution s = solveActiveSet(problemOf(bumpyGrid(10, 10, 0.4, 1), 1), options);
+  CHECK(s.cancelled);
+  CHECK_FALSE(s.converged);
+  CHECK(calls == 2);
+}

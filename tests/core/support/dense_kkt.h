@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "angle/angle_problem.h"
+#include "solve/linearization.h"
+
+namespace abflat::test {
+
+/// The problem written down once more, constraint by constraint and without any elimination, for
+/// small meshes only. Constraints come in this order: triangles, then rows as numbered by
+/// ConstraintRows.
+struct DenseProblem {
+  const AngleProblem& problem;
+  const ConstraintRows& rows;
+
+  Eigen::VectorXd constraints(const Eigen::VectorXd& x) const;
+  double objective(const Eigen::VectorXd& x) const;
+  double lagrangian(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const;
+
+  /// Central differences.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd gradient(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const;
+};
+
+}  // namespace abflat::test

@@ -1,0 +1,144 @@
+#include "support/meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <numeric>
+
+#include "abflat/io.h"
+#include "angle/constants.h"
+
+namespace abflat::test {
+namespace {
+
+/// Two triangles per square of a grid of vertices that may wrap round.
+std::vector<std::uint32_t> gridTriangles(unsigned columns, unsigned rows, unsigned vertexColumns,
+                                         unsigned vertexRows) {
+  std::vector<std::uint32_t> t;
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const auto at = [&](unsigned x, unsigned y) {
+        return (y % vertexRows) * vertexColumns + x % vertexColumns;
+      };
+      const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      t.insert(t.end(), {a, b, c, a, c, d});
+    }
+  return t;
+}
+
+}  // namespace
+
+PolygonMesh bumpyGrid(unsigned columns, unsigned rows, double height, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> jitter(-0.25, 0.25), bump(-height, height);
+  std::vector<double> p;
+  for (unsigned j = 0; j <= rows; ++j)
+    for (unsigned i = 0; i <= columns; ++i)
+      p.insert(p.end(), {i + jitter(random), j + jitter(random), bump(random)});
+  return makeTriangleMesh(p, gridTriangles(columns, rows, columns + 1, rows + 1));
+}
+
+PolygonMesh torus(unsigned columns, unsigned rows) {
+  std::vector<double> p;
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const double u = 2 * kPi * i / columns, v = 2 * kPi * j / rows, r = 2 + std::cos(v);
+      p.insert(p.end(), {r * std::cos(u), r * std::sin(u), std::sin(v)});
+    }
+  return makeTriangleMesh(p, gridTriangles(columns, rows, columns, rows));
+}
+
+PolygonMesh cylinder(unsigned columns, unsigned rows) {
+  std::vector<double> p;
+  for (unsigned j = 0; j <= rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const double u = 2 * kPi * i / columns;
+      p.insert(p.end(), {std::cos(u), std::sin(u), double(j)});
+    }
+  return makeTriangleMesh(p, gridTriangles(columns, rows, columns, rows + 1));
+}
+
+PolygonMesh tetrahedron() {
+  return makeTriangleMesh({1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1},
+                          {0, 1, 3, 0, 2, 1, 0, 3, 2, 1, 2, 3});
+}
+
+PolygonMesh cone(unsigned n, double height) {
+  std::vector<double> p{0, 0, height};
+  std::vector<std::uint32_t> t;
+  for (unsigned i = 0; i < n; ++i) {
+    p.insert(p.end(), {std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n), 0});
+    t.insert(t.end(), {0, 1 + i, 1 + (i + 1) % n});
+  }
+  return makeTriangleMesh(p, t);
+}
+
+PolygonMesh star(unsigned n) {
+  PolygonMesh mesh;
+  mesh.faceOffsets = {0, 2 * n};
+  for (unsigned i = 0; i < 2 * n; ++i) {
+    const double r = i % 2 ? 0.4 : 1, u = kPi * i / n;
+    mesh.positions.insert(mesh.positions.end(), {r * std::cos(u), 0, -r * std::sin(u)});
+    mesh.faceVertices.push_back(i);
+  }
+  return mesh;
+}
+
+PolygonMesh transformed(const PolygonMesh& mesh, double scale, const std::array<double, 3>& shift) {
+  // Rotations about z by 1 and about x by 2 radians.
+  const double c1 = std::cos(1), s1 = std::sin(1), c2 = std::cos(2), s2 = std::sin(2);
+  PolygonMesh out = mesh;
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    const double *p = &mesh.positions[3 * v], x = c1 * p[0] - s1 * p[1], y = s1 * p[0] + c1 * p[1];
+    out.positions[3 * v] = scale * x + shift[0];
+    out.positions[3 * v + 1] = scale * (c2 * y - s2 * p[2]) + shift[1];
+    out.positions[3 * v + 2] = scale * (s2 * y + c2 * p[2]) + shift[2];
+  }
+  return out;
+}
+
+Renumbered renumbered(const PolygonMesh& mesh, unsigned seed) {
+  std::mt19937 random(seed);
+  Renumbered out;
+  out.vertex.resize(mesh.vertexCount());
+  std::iota(out.vertex.begin(), out.vertex.end(), 0u);
+  std::shuffle(out.vertex.begin(), out.vertex.end(), random);
+  out.mesh.positions.resize(mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+    for (std::size_t d = 0; d < 3; ++d)
+      out.mesh.positions[3 * out.vertex[v] + d] = mesh.positions[3 * v + d];
+  std::vector<std::uint32_t> faces(mesh.faceCount());
+  std::iota(faces.begin(), faces.end(), 0u);
+  std::shuffle(faces.begin(), faces.end(), random);
+  out.corner.resize(mesh.faceVertices.size());
+  out.mesh.faceOffsets = {0};
+  for (const std::uint32_t f : faces) {
+    const std::uint32_t begin = mesh.faceOffsets[f], n = mesh.faceOffsets[f + 1] - begin;
+    const auto first = static_cast<std::uint32_t>(random() % n);
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t c = begin + (first + k) % n;
+      out.corner[c] = static_cast<std::uint32_t>(out.mesh.faceVertices.size());
+      out.mesh.faceVertices.push_back(out.vertex[mesh.faceVertices[c]]);
+    }
+    out.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(out.mesh.faceVertices.size()));
+  }
+  return out;
+}
+
+PolygonMesh sharedMesh(const std::string& file) {
+  const std::string path = std::string(ABFLAT_SHARED_DIR) + "/meshes/" + file;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    std::cerr << "skipped: " << file << " is not beside the project\n";
+    return {};
+  }
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const Result<MeshFormat> format = detectFormat(path, bytes);
+  Result<PolygonMesh> mesh = readMesh(bytes, format.value, path);
+  if (!mesh.ok()) throw std::runtime_error(mesh.status.message);
+  return mesh.value;
+}
+
+}  // namespace abflat::test

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "abflat/mesh.h"
+
+namespace abflat::test {
+
+/// Height field over a (columns x rows) grid of squares, each cut in two; heights and sideways
+/// jitter are random.
+PolygonMesh bumpyGrid(unsigned columns, unsigned rows, double height, unsigned seed);
+
+/// Grid whose opposite sides are joined: closed, genus 1.
+PolygonMesh torus(unsigned columns, unsigned rows);
+
+/// Grid with the left and right sides joined: two boundary loops.
+PolygonMesh cylinder(unsigned columns, unsigned rows);
+
+PolygonMesh tetrahedron();
+
+/// Fan of n triangles round vertex 0, with all outer edges on the boundary; the apex has the given
+/// height.
+PolygonMesh cone(unsigned n, double height);
+
+/// Concave planar polygons: a star of 2n corners as a single face.
+PolygonMesh star(unsigned n);
+
+/// x -> scale * R x + shift with a fixed, irrational-looking rotation R.
+PolygonMesh transformed(const PolygonMesh& mesh, double scale, const std::array<double, 3>& shift);
+
+/// The same mesh with vertices and faces in random order and each face starting at a random corner.
+struct Renumbered {
+  PolygonMesh mesh;
+  std::vector<std::uint32_t> vertex;  ///< old vertex -> new vertex
+  std::vector<std::uint32_t> corner;  ///< old face corner -> new face corner
+};
+Renumbered renumbered(const PolygonMesh& mesh, unsigned seed);
+
+/// A mesh of the shared collection beside the project; empty (and says so) where that folder does
+/// not exist.
+PolygonMesh sharedMesh(const std::string& file);
+
+}  // namespace abflat::test
