@@ -42,24 +42,42 @@ constexpr int kStatusCodeCount = 18;
 /// "NonManifoldEdge"; the name that reports and error objects carry.
 inline const char* statusName(StatusCode code) {
   switch (code) {
-    case StatusCode::Ok: return "Ok";
-    case StatusCode::InvalidOption: return "InvalidOption";
-    case StatusCode::UnreadableFile: return "UnreadableFile";
-    case StatusCode::ParseError: return "ParseError";
-    case StatusCode::InvalidMesh: return "InvalidMesh";
-    case StatusCode::EmptyMesh: return "EmptyMesh";
-    case StatusCode::DegenerateFace: return "DegenerateFace";
-    case StatusCode::NonManifoldEdge: return "NonManifoldEdge";
-    case StatusCode::InconsistentOrientation: return "InconsistentOrientation";
-    case StatusCode::MultipleComponents: return "MultipleComponents";
-    case StatusCode::ClosedSurface: return "ClosedSurface";
-    case StatusCode::MultipleBoundaryLoops: return "MultipleBoundaryLoops";
-    case StatusCode::HasHandles: return "HasHandles";
-    case StatusCode::InfeasibleBound: return "InfeasibleBound";
-    case StatusCode::OutOfMemory: return "OutOfMemory";
-    case StatusCode::Aborted: return "Aborted";
-    case StatusCode::CannotWrite: return "CannotWrite";
-    case StatusCode::Internal: return "Internal";
+    case StatusCode::Ok:
+      return "Ok";
+    case StatusCode::InvalidOption:
+      return "InvalidOption";
+    case StatusCode::UnreadableFile:
+      return "UnreadableFile";
+    case StatusCode::ParseError:
+      return "ParseError";
+    case StatusCode::InvalidMesh:
+      return "InvalidMesh";
+    case StatusCode::EmptyMesh:
+      return "EmptyMesh";
+    case StatusCode::DegenerateFace:
+      return "DegenerateFace";
+    case StatusCode::NonManifoldEdge:
+      return "NonManifoldEdge";
+    case StatusCode::InconsistentOrientation:
+      return "InconsistentOrientation";
+    case StatusCode::MultipleComponents:
+      return "MultipleComponents";
+    case StatusCode::ClosedSurface:
+      return "ClosedSurface";
+    case StatusCode::MultipleBoundaryLoops:
+      return "MultipleBoundaryLoops";
+    case StatusCode::HasHandles:
+      return "HasHandles";
+    case StatusCode::InfeasibleBound:
+      return "InfeasibleBound";
+    case StatusCode::OutOfMemory:
+      return "OutOfMemory";
+    case StatusCode::Aborted:
+      return "Aborted";
+    case StatusCode::CannotWrite:
+      return "CannotWrite";
+    case StatusCode::Internal:
+      return "Internal";
   }
   return "Internal";
 }
@@ -67,24 +85,42 @@ inline const char* statusName(StatusCode code) {
 /// What the status means, without the place.
 inline const char* statusText(StatusCode code) {
   switch (code) {
-    case StatusCode::Ok: return "no error";
-    case StatusCode::InvalidOption: return "an option is unknown or out of its range";
-    case StatusCode::UnreadableFile: return "the file does not exist, cannot be opened or has an unknown format";
-    case StatusCode::ParseError: return "the content is not what its format promises; the message names the line";
-    case StatusCode::InvalidMesh: return "mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners";
-    case StatusCode::EmptyMesh: return "the mesh has no faces";
-    case StatusCode::DegenerateFace: return "a face uses the same vertex twice";
-    case StatusCode::NonManifoldEdge: return "an edge has more than two faces";
-    case StatusCode::InconsistentOrientation: return "two neighbouring faces run along their common edge in the same direction";
-    case StatusCode::MultipleComponents: return "the mesh has more than one edge-connected component";
-    case StatusCode::ClosedSurface: return "the surface has no boundary";
-    case StatusCode::MultipleBoundaryLoops: return "the surface has more than one boundary loop";
-    case StatusCode::HasHandles: return "the surface has genus above 0";
-    case StatusCode::InfeasibleBound: return "t is below 1 - 2/(number of boundary vertices); the message says the least t possible";
-    case StatusCode::OutOfMemory: return "the mesh needs more memory than there is";
-    case StatusCode::Aborted: return "the caller cancelled the run";
-    case StatusCode::CannotWrite: return "the output cannot be written";
-    case StatusCode::Internal: return "a defect of abflat; please report it with the mesh";
+    case StatusCode::Ok:
+      return "no error";
+    case StatusCode::InvalidOption:
+      return "an option is unknown or out of its range";
+    case StatusCode::UnreadableFile:
+      return "the file does not exist, cannot be opened or has an unknown format";
+    case StatusCode::ParseError:
+      return "the content is not what its format promises; the message names the line";
+    case StatusCode::InvalidMesh:
+      return "mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners";
+    case StatusCode::EmptyMesh:
+      return "the mesh has no faces";
+    case StatusCode::DegenerateFace:
+      return "a face uses the same vertex twice";
+    case StatusCode::NonManifoldEdge:
+      return "an edge has more than two faces";
+    case StatusCode::InconsistentOrientation:
+      return "two neighbouring faces run along their common edge in the same direction";
+    case StatusCode::MultipleComponents:
+      return "the mesh has more than one edge-connected component";
+    case StatusCode::ClosedSurface:
+      return "the surface has no boundary";
+    case StatusCode::MultipleBoundaryLoops:
+      return "the surface has more than one boundary loop";
+    case StatusCode::HasHandles:
+      return "the surface has genus above 0";
+    case StatusCode::InfeasibleBound:
+      return "t is below 1 - 2/(number of boundary vertices); the message says the least t possible";
+    case StatusCode::OutOfMemory:
+      return "the mesh needs more memory than there is";
+    case StatusCode::Aborted:
+      return "the caller cancelled the run";
+    case StatusCode::CannotWrite:
+      return "the output cannot be written";
+    case StatusCode::Internal:
+      return "a defect of abflat; please report it with the mesh";
   }
   return "";
 }
@@ -92,24 +128,29 @@ inline const char* statusText(StatusCode code) {
 /// Exit code of the program that ends with this status.
 inline int exitCodeOf(StatusCode code) {
   switch (code) {
-    case StatusCode::Ok: return static_cast<int>(ExitCode::Valid);
-    case StatusCode::InvalidOption: return static_cast<int>(ExitCode::Usage);
-    case StatusCode::UnreadableFile: return static_cast<int>(ExitCode::Unreadable);
-    case StatusCode::ParseError: return static_cast<int>(ExitCode::Unreadable);
-    case StatusCode::InvalidMesh: return static_cast<int>(ExitCode::Unreadable);
-    case StatusCode::EmptyMesh: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::DegenerateFace: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::NonManifoldEdge: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::InconsistentOrientation: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::MultipleComponents: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::ClosedSurface: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::MultipleBoundaryLoops: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::HasHandles: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::InfeasibleBound: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::OutOfMemory: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::Aborted: return static_cast<int>(ExitCode::NotFlattenable);
-    case StatusCode::CannotWrite: return static_cast<int>(ExitCode::CannotWrite);
-    case StatusCode::Internal: return static_cast<int>(ExitCode::NotFlattenable);
+    case StatusCode::Ok:
+      return static_cast<int>(ExitCode::Valid);
+    case StatusCode::InvalidOption:
+      return static_cast<int>(ExitCode::Usage);
+    case StatusCode::UnreadableFile:
+    case StatusCode::ParseError:
+    case StatusCode::InvalidMesh:
+      return static_cast<int>(ExitCode::Unreadable);
+    case StatusCode::EmptyMesh:
+    case StatusCode::DegenerateFace:
+    case StatusCode::NonManifoldEdge:
+    case StatusCode::InconsistentOrientation:
+    case StatusCode::MultipleComponents:
+    case StatusCode::ClosedSurface:
+    case StatusCode::MultipleBoundaryLoops:
+    case StatusCode::HasHandles:
+    case StatusCode::InfeasibleBound:
+    case StatusCode::OutOfMemory:
+    case StatusCode::Aborted:
+    case StatusCode::Internal:
+      return static_cast<int>(ExitCode::NotFlattenable);
+    case StatusCode::CannotWrite:
+      return static_cast<int>(ExitCode::CannotWrite);
   }
   return static_cast<int>(ExitCode::NotFlattenable);
 }
@@ -117,12 +158,18 @@ inline int exitCodeOf(StatusCode code) {
 /// What the exit code means, for the help text.
 inline const char* exitCodeText(ExitCode code) {
   switch (code) {
-    case ExitCode::Valid: return "a valid result was written";
-    case ExitCode::NotValid: return "a result was written, but it is not valid or the solver did not converge; the report says which";
-    case ExitCode::Usage: return "the command line cannot be understood";
-    case ExitCode::Unreadable: return "the input cannot be read: the message names file, line and what is wrong";
-    case ExitCode::NotFlattenable: return "the mesh was read but cannot be flattened: the message says why";
-    case ExitCode::CannotWrite: return "the output cannot be written; an existing file is left as it was";
+    case ExitCode::Valid:
+      return "a valid result was written";
+    case ExitCode::NotValid:
+      return "a result was written, but it is not valid or the solver did not converge; the report says which";
+    case ExitCode::Usage:
+      return "the command line cannot be understood";
+    case ExitCode::Unreadable:
+      return "the input cannot be read: the message names file, line and what is wrong";
+    case ExitCode::NotFlattenable:
+      return "the mesh was read but cannot be flattened: the message says why";
+    case ExitCode::CannotWrite:
+      return "the output cannot be written; an existing file is left as it was";
   }
   return "";
 }
