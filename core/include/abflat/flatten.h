@@ -76,6 +76,7 @@ struct Report {
   std::vector<ChartReport> charts;
   bool valid = false;
   Timings timings;
+  Status error;  ///< why there is no result; ok when there is one
 };
 
 struct FlattenResult {
@@ -94,7 +95,8 @@ struct FlattenResult {
 /// InfeasibleBound, Aborted.
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options);
 
-/// The report as JSON text, indented by two spaces; keys as in the README.
+/// The report as JSON text, indented by two spaces; keys as in the README. Numbers that are not
+/// finite, and the counts of an input that could not be read, are null.
 std::string reportJson(const Report& report);
 
 }  // namespace abflat

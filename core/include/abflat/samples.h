@@ -7,13 +7,17 @@
 
 namespace abflat {
 
-/// Generated disks to try things on. `detail` >= 1 scales the resolution: faces grow about linearly
-/// with it.
+/// Generated disks to try things on: smooth, consistently oriented, without degenerate faces.
 struct Sample {
-  std::string_view name;   ///< "hemisphere", "wavy-strip", "head", "alpha-band"
+  std::string_view name;   ///< "hemisphere", "wavy-strip", "head", "alpha-band", "three-balls"
   std::string_view title;  ///< for people
+  /// `detail` in [kMinSampleDetail, kMaxSampleDetail] scales the resolution: the number of faces
+  /// grows about linearly with it.
   PolygonMesh (*make)(double detail);
 };
+
+constexpr double kMinSampleDetail = 1;
+constexpr double kMaxSampleDetail = 1000;
 
 const std::vector<Sample>& samples();
 

@@ -1,0 +1,86 @@
+#include <cmath>
+
+#include "abflat/io.h"
+#include "io/obj_lines.h"
+#include "io/read_obj.h"
+#include "io/read_off.h"
+
+namespace abflat {
+namespace {
+
+bool endsWith(std::string_view name, std::string_view ending) {
+  if (name.size() < ending.size()) return false;
+  for (std::size_t i = 0; i < ending.size(); ++i) {
+    const char c = name[name.size() - ending.size() + i];
+    if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != ending[i]) return false;
+  }
+  return true;
+}
+
+/// Whether the first line that says anything belongs to an OFF header.
+bool looksLikeOff(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin != std::string_view::npos && line[begin] != '#') {
+      const std::string_view word = line.substr(begin, line.find_first_of(" \t\r", begin) - begin);
+      return word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
+    }
+    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+  }
+  return false;
+}
+
+bool looksLikeObj(std::string_view bytes) {
+  ObjLines lines(bytes.substr(0, 1 << 16));
+  ObjLine line;
+  while (lines.next(line))
+    if (line.kind != ObjLine::Kind::Other && !line.arguments.empty()) return true;
+  return false;
+}
+
+}  // namespace
+
+Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
+  if (endsWith(fileName, ".obj")) return MeshFormat::Obj;
+  if (endsWith(fileName, ".off")) return MeshFormat::Off;
+  if (looksLikeOff(bytes)) return MeshFormat::Off;
+  if (looksLikeObj(bytes)) return MeshFormat::Obj;
+  return Status{StatusCode::UnreadableFile,
+                std::string(fileName) +
+                    (bytes.empty() ? ": the file is empty" : ": neither an OBJ nor an OFF file")};
+}
+
+Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
+  // A byte order mark is no part of the text.
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  return format == MeshFormat::Obj ? readObj(bytes, fileName) : readOff(bytes, fileName);
+}
+
+Status validateArrays(const PolygonMesh& mesh) {
+  const auto invalid = [](const std::string& sentence) {
+    return Status{StatusCode::InvalidMesh, sentence};
+  };
+  if (mesh.positions.size() % 3 != 0)
+    return invalid("the number of coordinates is not a multiple of 3");
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    if (!std::isfinite(mesh.positions[i]))
+      return invalid("vertex " + std::to_string(i / 3) + " has a coordinate that is not finite");
+  if (mesh.faceOffsets.empty()
+          ? !mesh.faceVertices.empty()
+          : mesh.faceOffsets.front() != 0 || mesh.faceOffsets.back() != mesh.faceVertices.size())
+    return invalid("the face offsets do not cover the face corners");
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
+    if (end < begin + 3 || end < begin)
+      return invalid("face " + std::to_string(f) + " has fewer than 3 corners");
+    for (std::uint32_t c = begin; c < end && c < mesh.faceVertices.size(); ++c)
+      if (mesh.faceVertices[c] >= mesh.vertexCount())
+        return invalid("face " + std::to_string(f) + " refers to vertex " +
+                       std::to_string(mesh.faceVertices[c]) + ", but there are " +
+                       std::to_string(mesh.vertexCount()) + " vertices, counted from 0");
+  }
+  return {};
+}
+
+}  // namespace abflat

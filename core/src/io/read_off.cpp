@@ -1,0 +1,160 @@
+#include "io/read_off.h"
+
+#include <cmath>
+
+#include "io/number_text.h"
+#include "io/parse_error.h"
+
+namespace abflat {
+namespace {
+
+/// Lines that hold something, without comments and line ends.
+class OffLines {
+ public:
+  explicit OffLines(std::string_view text) : rest_(text) {}
+
+  bool next(std::string_view& line) {
+    while (!rest_.empty()) {
+      const std::size_t newline = std::min(rest_.find('\n'), rest_.size());
+      line = rest_.substr(0, newline);
+      rest_.remove_prefix(std::min(newline + 1, rest_.size()));
+      ++number_;
+      line = line.substr(0, line.find('#'));
+      while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
+        line.remove_suffix(1);
+      line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+      if (!line.empty()) return true;
+    }
+    return false;
+  }
+  /// Of the line last returned, counted from 1.
+  std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+};
+
+bool isHeader(std::string_view word) {
+  if (word.size() < 3 || word.substr(word.size() - 3) != "OFF") return false;
+  for (const std::string_view prefix : {"ST", "C", "N"})
+    if (word.substr(0, prefix.size()) == prefix) word.remove_prefix(prefix.size());
+  return word == "OFF";
+}
+
+class OffReader {
+ public:
+  OffReader(std::string_view bytes, std::string_view fileName)
+      : lines_(bytes), bytes_(bytes.size()), fileName_(fileName) {}
+
+  Result<PolygonMesh> run() {
+    if (Status s = readHeader(); !s.ok()) return s;
+    // A vertex takes 6 bytes at least, a face 8: counts that lie cannot make the reader reserve
+    // more than the file is worth.
+    mesh_.positions.reserve(3 * std::min<std::size_t>(vertices_, bytes_ / 6));
+    mesh_.faceOffsets.reserve(std::min<std::size_t>(faces_, bytes_ / 8) + 1);
+    mesh_.faceOffsets.push_back(0);
+    std::string_view line;
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      if (!lines_.next(line)) return cutOff(v, "vertices");
+      if (Status s = readVertex(line); !s.ok()) return s;
+    }
+    for (std::size_t f = 0; f < faces_; ++f) {
+      if (!lines_.next(line)) return cutOff(f, "faces");
+      if (Status s = readFace(line); !s.ok()) return s;
+    }
+    if (lines_.next(line))
+      return here("the file goes on after the " + std::to_string(vertices_) + " vertices and " +
+                  std::to_string(faces_) + " faces of its header");
+    return std::move(mesh_);
+  }
+
+ private:
+  Status here(const std::string& sentence) const {
+    return parseError(fileName_, lines_.number(), sentence);
+  }
+
+  Status cutOff(std::size_t read, const char* what) const {
+    return here("the header promises " + std::to_string(vertices_) + " vertices and " +
+                std::to_string(faces_) + " faces, but the file ends after " + std::to_string(read) +
+                " " + what);
+  }
+
+  Status readHeader() {
+    std::string_view line;
+    if (!lines_.next(line))
+      return {StatusCode::ParseError, std::string(fileName_) + ": the file is empty"};
+    std::string_view words = line;
+    const std::string_view name = takeWord(words);
+    if (!isHeader(name))
+      return here("not an OFF file: it begins with '" + std::string(name.substr(0, 20)) + "'");
+    std::string_view counts = words;
+    std::string_view first = takeWord(counts);
+    if (first == "BINARY") return here("binary OFF is not supported; save it as text");
+    if (first.empty()) {
+      if (!lines_.next(line)) return here("the file ends before the counts of vertices and faces");
+      words = line;
+    }
+    std::int64_t v = 0, f = 0;
+    if (!parseInteger(takeWord(words), v) || !parseInteger(takeWord(words), f) || v < 0 || f < 0)
+      return here("expected the numbers of vertices and faces");
+    vertices_ = static_cast<std::size_t>(v);
+    faces_ = static_cast<std::size_t>(f);
+    return {};
+  }
+
+  Status readVertex(std::string_view line) {
+    std::string_view words = line;
+    for (int d = 0; d < 3; ++d) {
+      const std::string_view word = takeWord(words);
+      double value = 0;
+      if (word.empty())
+        return here("the vertex has " + std::to_string(d) +
+                    " coordinates instead of 3; is the file cut off?");
+      if (!parseDouble(word, value)) return here("'" + std::string(word) + "' is not a number");
+      if (!std::isfinite(value))
+        return here("the coordinate '" + std::string(word) + "' is not finite");
+      mesh_.positions.push_back(value);
+    }
+    return {};
+  }
+
+  Status readFace(std::string_view line) {
+    std::string_view words = line;
+    std::int64_t count = 0;
+    const std::string_view first = takeWord(words);
+    if (!parseInteger(first, count))
+      return here("'" + std::string(first) + "' is not a number of corners");
+    if (count < 3)
+      return here("the face has " + std::to_string(count) + " corners; at least 3 are needed");
+    for (std::int64_t k = 0; k < count; ++k) {
+      const std::string_view word = takeWord(words);
+      std::int64_t vertex = 0;
+      if (word.empty())
+        return here("the face has " + std::to_string(k) + " of its " + std::to_string(count) +
+                    " corners; is the file cut off?");
+      if (!parseInteger(word, vertex))
+        return here("'" + std::string(word) + "' is not a vertex number");
+      if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices_)
+        return here("the face refers to vertex " + std::to_string(vertex) + ", but the file has " +
+                    std::to_string(vertices_) + " vertices, counted from 0");
+      mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
+    return {};
+  }
+
+  OffLines lines_;
+  std::size_t bytes_;
+  std::string_view fileName_;
+  std::size_t vertices_ = 0, faces_ = 0;
+  PolygonMesh mesh_;
+};
+
+}  // namespace
+
+Result<PolygonMesh> readOff(std::string_view bytes, std::string_view fileName) {
+  return OffReader(bytes, fileName).run();
+}
+
+}  // namespace abflat

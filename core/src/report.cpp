@@ -1,0 +1,112 @@
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "abflat/flatten.h"
+#include "abflat/inspect.h"
+
+namespace abflat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Paths need not be UTF-8: what is not becomes U+FFFD.
+std::string text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json inputJson(const Report& report) {
+  const MeshSummary& in = report.input;
+  const bool wasRead = exitCodeOf(report.error.code) != static_cast<int>(ExitCode::Unreadable);
+  const auto count = [wasRead](auto value) { return wasRead ? Json(value) : Json(); };
+  return {
+      {"path", report.path},
+      {"vertices", count(in.vertices)},
+      {"faces", count(in.faces)},
+      {"triangles", count(in.triangles)},
+      {"components", count(in.components)},
+      {"boundaryLoops", count(in.boundaryLoops)},
+      {"boundaryEdges", count(in.boundaryEdges)},
+      {"genus", count(in.genus)},
+  };
+}
+
+Json historyJson(const std::vector<NewtonStep>& history) {
+  Json out = Json::array();
+  for (const NewtonStep& s : history)
+    out.push_back({{"objective", s.objective},
+                   {"constraint", s.constraint},
+                   {"gradient", s.gradient},
+                   {"active", s.active},
+                   {"step", s.step}});
+  return out;
+}
+
+Json chartJson(const ChartReport& c) {
+  return {
+      {"faces", c.faces},
+      {"boundaryVertices", c.boundaryVertices},
+      {"t", c.t},
+      {"solver", c.solver},
+      {"linearSolver", c.linearSolver},
+      {"iterations", c.iterations},
+      {"history", historyJson(c.history)},
+      {"constraintResidual", c.constraintResidual},
+      {"converged", c.converged},
+      {"angularDistortion", c.angularDistortion},
+      {"lengthDistortion", c.lengthDistortion},
+      {"quasiConformal", {{"mean", c.quasiConformalMean}, {"max", c.quasiConformalMax}}},
+      {"stretch", {{"l2", c.stretchL2}, {"linf", c.stretchLinf}}},
+      {"symmetricDirichlet", c.symmetricDirichlet},
+      {"areaDistortion", {{"min", c.areaDistortionMin}, {"max", c.areaDistortionMax}}},
+      {"degenerateTriangles", c.degenerateTriangles},
+      {"flippedTriangles", c.flippedTriangles},
+      {"boundaryCrossings", c.boundaryCrossings},
+      {"maxBoundaryAngle", c.maxBoundaryAngle},
+      {"valid", c.valid},
+  };
+}
+
+Json timingsJson(const Timings& t) {
+  return {
+      {"read", t.read},   {"connectivity", t.connectivity},
+      {"solve", t.solve}, {"layout", t.layout},
+      {"check", t.check}, {"write", t.write},
+      {"total", t.total},
+  };
+}
+
+}  // namespace
+
+std::string reportJson(const Report& report) {
+  Json charts = Json::array();
+  for (const ChartReport& chart : report.charts) charts.push_back(chartJson(chart));
+  Json out = {
+      {"version", ABFLAT_VERSION}, {"input", inputJson(report)}, {"options", {{"t", report.optionT}}},
+      {"charts", charts},          {"valid", report.valid},      {"timings", timingsJson(report.timings)},
+  };
+  if (!report.error.ok())
+    out["error"] = {{"code", statusName(report.error.code)}, {"message", report.error.message}};
+  return text(out);
+}
+
+std::string inspectJson(const MeshSummary& s, const std::string& path) {
+  return text({
+      {"path", path},
+      {"vertices", s.vertices},
+      {"unreferencedVertices", s.unreferencedVertices},
+      {"faces", s.faces},
+      {"triangles", s.triangles},
+      {"components", s.components},
+      {"boundaryLoops", s.boundaryLoops},
+      {"boundaryEdges", s.boundaryEdges},
+      {"nonManifoldEdges", s.nonManifoldEdges},
+      {"orientationConflicts", s.orientationConflicts},
+      {"degenerateFaces", s.degenerateFaces},
+      {"eulerCharacteristic", s.eulerCharacteristic},
+      {"genus", s.genus},
+      {"disk",
+       {{"ok", s.disk.ok()}, {"code", statusName(s.disk.code)}, {"message", s.disk.message}}},
+  });
+}
+
+}  // namespace abflat
