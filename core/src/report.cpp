@@ -81,8 +81,12 @@ std::string reportJson(const Report& report) {
   Json charts = Json::array();
   for (const ChartReport& chart : report.charts) charts.push_back(chartJson(chart));
   Json out = {
-      {"version", ABFLAT_VERSION}, {"input", inputJson(report)}, {"options", {{"t", report.optionT}}},
-      {"charts", charts},          {"valid", report.valid},      {"timings", timingsJson(report.timings)},
+      {"version", ABFLAT_VERSION},
+      {"input", inputJson(report)},
+      {"options", {{"t", report.optionT}}},
+      {"charts", charts},
+      {"valid", report.valid},
+      {"timings", timingsJson(report.timings)},
   };
   if (!report.error.ok())
     out["error"] = {{"code", statusName(report.error.code)}, {"message", report.error.message}};

@@ -35,12 +35,26 @@ TEST_CASE("the report has its keys in their order") {
   CHECK(keysOf(json["timings"]) ==
         Keys{"read", "connectivity", "solve", "layout", "check", "write", "total"});
   const Json& chart = json["charts"].at(0);
-  CHECK(keysOf(chart) ==
-        Keys{"faces", "boundaryVertices", "t", "solver", "linearSolver", "iterations", "history",
-             "constraintResidual", "converged", "angularDistortion", "lengthDistortion",
-             "quasiConformal", "stretch", "symmetricDirichlet", "areaDistortion",
-             "degenerateTriangles", "flippedTriangles", "boundaryCrossings", "maxBoundaryAngle",
-             "valid"});
+  CHECK(keysOf(chart) == Keys{"faces",
+                              "boundaryVertices",
+                              "t",
+                              "solver",
+                              "linearSolver",
+                              "iterations",
+                              "history",
+                              "constraintResidual",
+                              "converged",
+                              "angularDistortion",
+                              "lengthDistortion",
+                              "quasiConformal",
+                              "stretch",
+                              "symmetricDirichlet",
+                              "areaDistortion",
+                              "degenerateTriangles",
+                              "flippedTriangles",
+                              "boundaryCrossings",
+                              "maxBoundaryAngle",
+                              "valid"});
   CHECK(keysOf(chart["history"].at(0)) ==
         Keys{"objective", "constraint", "gradient", "active", "step"});
   CHECK(keysOf(chart["quasiConformal"]) == Keys{"mean", "max"});

@@ -1,0 +1,246 @@
+#include "arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "abflat/generated/status_code.h"
+#include "paths.h"
+
+namespace abflat::cli {
+namespace {
+
+std::string exitCodeHelp() {
+  std::ostringstream out;
+  out << "Exit codes:\n";
+  for (int code = 0; code < kExitCodeCount; ++code)
+    out << "  " << code << "  " << exitCodeText(static_cast<ExitCode>(code)) << "\n";
+  return out.str();
+}
+
+std::string sampleHelp() {
+  std::ostringstream out;
+  out << "Samples:\n";
+  for (const Sample& sample : samples())
+    out << "  " << std::left << std::setw(14) << sample.name << sample.title << "\n";
+  return out.str();
+}
+
+/// Breaks a description so that it fits beside the option names.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 50;
+  std::istringstream words(text);
+  std::string out, word;
+  for (std::size_t column = 0; words >> word; column += word.size() + 1) {
+    const bool isFull = column > 0 && column + word.size() > kWidth;
+    if (isFull) column = 0;
+    out += (out.empty() ? "" : isFull ? "\n" : " ") + word;
+  }
+  return out;
+}
+
+/// Shows required options in the usage line and footers as they are.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) {
+    label("REQUIRED", "(required)");
+    label("Positionals", "Arguments");
+    column_width(29);
+  }
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return "Usage: " + usage_ + "\n";
+  }
+  std::string make_footer(const CLI::App* app) const override { return app->get_footer(); }
+
+ private:
+  std::string usage_;
+};
+
+void setUsage(CLI::App& app, const std::string& usage) {
+  app.formatter(std::make_shared<HelpFormatter>(usage));
+  app.set_help_flag("-h,--help", "print this help");
+}
+
+bool isNumber(const std::string& text, double& value) {
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
+CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double)) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        double value = 0;
+        if (!isNumber(text, value)) return "'" + text + "' is not a number";
+        return isValid(value) ? "" : "must be a number " + range + ", not " + text;
+      },
+      "");
+}
+
+CLI::Validator notEmpty() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        return text.empty() ? "the name is empty" : "";
+      },
+      "");
+}
+
+CLI::Validator sampleName() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        std::string known;
+        for (const Sample& sample : samples()) {
+          if (sample.name == text) return "";
+          known += (known.empty() ? "" : ", ") + std::string(sample.name);
+        }
+        return "there is no sample '" + text + "'; known are " + known;
+      },
+      "");
+}
+
+/// Results are OBJ text: a name that promises another format would mislead who reads it next.
+CLI::Validator objName() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        const std::string ending = endingOf(text);
+        for (const char* other : {".off", ".ply", ".stl", ".glb", ".gltf", ".fbx", ".dae", ".usd"})
+          if (ending == other)
+            return "the result is written as OBJ: give it a name that ends in .obj, not " + ending;
+        return "";
+      },
+      "");
+}
+
+void addInput(CLI::App& app, std::string& input) {
+  app.add_option("IN", input, "mesh to read, OBJ or OFF; - for standard input")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+}
+
+void addOutput(CLI::App& app, std::string& output) {
+  app.add_option("-o,--output", output, "OBJ file to write; - for standard output")
+      ->required()
+      ->check(notEmpty())
+      ->check(objName())
+      ->type_name("OUT");
+}
+
+CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "flatten", "Flatten a mesh that is a disk and write it with its uv layout");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  addOutput(*sub, c.output);
+  sub->add_option("--t", c.t, wrapped(defaults::kTHelp))
+      ->check(numberCheck(defaults::kTRange, defaults::isValidT))
+      ->capture_default_str()
+      ->type_name("NUMBER");
+  sub->add_option("--report", c.report,
+                  wrapped("JSON file for what was done and how well; - for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+  sub->add_flag("-q,--quiet", c.quiet, "no progress and no summary; errors are still printed");
+  sub->footer(exitCodeHelp());
+  setUsage(*sub, "abflat flatten IN -o OUT [--t NUMBER] [--report FILE] [--quiet]");
+  return sub;
+}
+
+CLI::App* addInspect(CLI::App& app, InspectCommand& c) {
+  CLI::App* sub =
+      app.add_subcommand("inspect", "Say what a mesh is, and what keeps it from being flattened");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  sub->add_flag("--json", c.json, "print JSON instead of a table");
+  setUsage(*sub, "abflat inspect IN [--json]");
+  sub->footer("The exit code is 0 for every mesh that can be read, disk or not.\n");
+  return sub;
+}
+
+CLI::App* addSample(CLI::App& app, SampleCommand& c) {
+  CLI::App* sub = app.add_subcommand("sample", "Write a generated mesh to try things on");
+  sub->group("Commands");
+  sub->add_option("NAME", c.name, "one of the samples below")
+      ->required()
+      ->check(sampleName())
+      ->type_name("");
+  addOutput(*sub, c.output);
+  std::ostringstream range;
+  range << "from " << kMinSampleDetail << " to " << kMaxSampleDetail;
+  sub->add_option("--detail", c.detail, "multiplies the number of faces, " + range.str())
+      ->check(numberCheck(range.str(),
+                          [](double d) { return d >= kMinSampleDetail && d <= kMaxSampleDetail; }))
+      ->capture_default_str()
+      ->type_name("NUMBER");
+  sub->footer(sampleHelp());
+  setUsage(*sub, "abflat sample NAME -o OUT [--detail NUMBER]");
+  return sub;
+}
+
+std::string usageError(const CLI::App& app, const CLI::Error& error) {
+  const auto named = app.get_subcommands();
+  std::string what = error.what();
+  if (named.empty() && !app.remaining().empty())
+    what =
+        "there is no command '" + app.remaining().front() + "'; known are flatten, inspect, sample";
+  else if (named.empty())
+    what = "name a command: flatten, inspect or sample";
+  else if (error.get_name() == "ArgumentMismatch")
+    what = what.substr(0, what.find(':')) + " takes exactly one value";
+  const std::string command = named.empty() ? "" : " " + named.front()->get_name();
+  return "abflat: " + what + "\nabflat" + command + " --help says how.\n";
+}
+
+/// What the options cannot say one by one.
+void checkTogether(const FlattenCommand& c) {
+  if (c.report.empty()) return;
+  if (isSameTarget(c.report, c.output))
+    throw CLI::ValidationError("--report",
+                               "is the same file as --output; give it a name of its own");
+  if (c.report != kStandardStream && isSameTarget(c.report, c.input))
+    throw CLI::ValidationError("--report", "would replace the input; give it a name of its own");
+}
+
+}  // namespace
+
+Command parseArguments(int argc, const char* const* argv) {
+  CLI::App app(
+      "Flattens 3D triangle meshes into uv layouts by their angles, with a convex or free "
+      "boundary.",
+      "abflat");
+  app.set_version_flag("--version", "abflat " ABFLAT_VERSION, "print the version");
+  app.require_subcommand(1);
+  setUsage(app, "abflat COMMAND ...");
+  app.footer(
+      "abflat COMMAND --help says more about a command.\n\n"
+      "Examples:\n"
+      "  abflat flatten head.obj -o head-uv.obj\n"
+      "  abflat flatten head.obj -o head-uv.obj --t 2 --report head.json\n"
+      "  abflat inspect head.obj\n"
+      "  abflat sample head -o head.obj\n\n" +
+      exitCodeHelp());
+  FlattenCommand flatten;
+  InspectCommand inspect;
+  SampleCommand sample;
+  const CLI::App* flattenApp = addFlatten(app, flatten);
+  const CLI::App* inspectApp = addInspect(app, inspect);
+  const CLI::App* sampleApp = addSample(app, sample);
+  try {
+    app.parse(argc, argv);
+    if (flattenApp->parsed()) checkTogether(flatten);
+  } catch (const CLI::Success& request) {
+    return Finished{app.exit(request)};
+  } catch (const CLI::ParseError& error) {
+    std::cerr << usageError(app, error);
+    return Finished{static_cast<int>(ExitCode::Usage)};
+  }
+  if (flattenApp->parsed()) return flatten;
+  if (inspectApp->parsed()) return inspect;
+  if (sampleApp->parsed()) return sample;
+  return Finished{static_cast<int>(ExitCode::Usage)};
+}
+
+}  // namespace abflat::cli

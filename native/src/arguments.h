@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "abflat/generated/flatten_defaults.h"
+#include "abflat/samples.h"
+
+namespace abflat::cli {
+
+/// Stands for standard input or standard output where a path is expected.
+constexpr const char* kStandardStream = "-";
+
+struct FlattenCommand {
+  std::string input, output;
+  std::string report;  ///< empty: none is wanted
+  double t = defaults::kT;
+  bool quiet = false;
+};
+
+struct InspectCommand {
+  std::string input;
+  bool json = false;
+};
+
+struct SampleCommand {
+  std::string name, output;
+  double detail = kMinSampleDetail;
+};
+
+/// What the program has printed already (help, version, a usage error).
+struct Finished {
+  int exitCode = 0;
+};
+
+using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand>;
+
+/// Prints help and version to standard output, usage errors to standard error.
+Command parseArguments(int argc, const char* const* argv);
+
+}  // namespace abflat::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "arguments.h"
+
+namespace abflat::cli {
+
+// Each returns the exit code, after saying on standard error what went wrong.
+int runFlatten(const FlattenCommand& command);
+int runInspect(const InspectCommand& command);
+int runSample(const SampleCommand& command);
+
+}  // namespace abflat::cli

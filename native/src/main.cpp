@@ -1,0 +1,33 @@
+#include <csignal>
+#include <new>
+
+#include "commands.h"
+#include "out_of_memory.h"
+#include "terminal.h"
+
+namespace abflat::cli {
+namespace {
+
+struct Runner {
+  int operator()(const Finished& finished) const { return finished.exitCode; }
+  int operator()(const FlattenCommand& command) const { return runFlatten(command); }
+  int operator()(const InspectCommand& command) const { return runInspect(command); }
+  int operator()(const SampleCommand& command) const { return runSample(command); }
+};
+
+int run(int argc, const char* const* argv) {
+  // A reader that goes away is an output that cannot be written, which has its own exit code.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return std::visit(Runner{}, parseArguments(argc, argv));
+  } catch (const std::bad_alloc&) {
+    const Status status = outOfMemory("abflat");
+    complain(status.message);
+    return exitCodeOf(status.code);
+  }
+}
+
+}  // namespace
+}  // namespace abflat::cli
+
+int main(int argc, char** argv) { return abflat::cli::run(argc, argv); }

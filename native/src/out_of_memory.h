@@ -1,0 +1,29 @@
+#pragma once
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "abflat/status.h"
+
+namespace abflat::cli {
+
+inline Status outOfMemory(const std::string& place) {
+  return {StatusCode::OutOfMemory,
+          place + ": there is not enough memory; use a smaller mesh or a machine with more"};
+}
+
+/// Runs `work`, which returns a Result; the core leaves lack of memory to the standard library's
+/// exceptions.
+template <class Work>
+auto orOutOfMemory(const std::string& place, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(place);
+  } catch (const std::length_error&) {  // a container that cannot grow to the size asked for
+    return outOfMemory(place);
+  }
+}
+
+}  // namespace abflat::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace abflat::cli {
+
+/// Ending of a file name with its dot, in lower case; empty when there is none.
+std::string endingOf(const std::string& path);
+
+/// Whether writing to both would mix or lose one of them: the same file under whatever name, or
+/// standard output twice. Devices such as /dev/null take any number of writers.
+bool isSameTarget(const std::string& a, const std::string& b);
+
+/// What a path is called in messages.
+std::string inputName(const std::string& path);
+std::string outputName(const std::string& path);
+
+}  // namespace abflat::cli

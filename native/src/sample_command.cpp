@@ -1,0 +1,33 @@
+#include "abflat/io.h"
+#include "abflat/samples.h"
+#include "commands.h"
+#include "out_of_memory.h"
+#include "output_file.h"
+#include "terminal.h"
+
+namespace abflat::cli {
+namespace {
+
+Result<std::string> sampleText(const SampleCommand& command) {
+  for (const Sample& sample : samples())
+    if (sample.name == command.name) return writeObj(sample.make(command.detail), {}, {});
+  return Status{StatusCode::InvalidOption, "there is no sample '" + command.name + "'"};
+}
+
+}  // namespace
+
+int runSample(const SampleCommand& command) {
+  OutputFile out(command.output);
+  Status status = out.check();
+  if (status.ok()) {
+    const Result<std::string> text =
+        orOutOfMemory("sample " + command.name, [&] { return sampleText(command); });
+    status = text.status;
+    if (status.ok()) status = out.write(text.value);
+    if (status.ok()) status = out.commit();
+  }
+  if (!status.ok()) complain(status.message);
+  return exitCodeOf(status.code);
+}
+
+}  // namespace abflat::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "abflat/flatten.h"
+
+namespace abflat::cli {
+
+/// "abflat: MESSAGE" on standard error.
+void complain(const std::string& message);
+
+bool isErrorTerminal();
+
+/// One line on standard error that is written over again and again, and cleared at the end. Does
+/// nothing when it is not enabled.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool isEnabled) : isEnabled_(isEnabled) {}
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const Progress& progress);
+  void clear();
+
+ private:
+  bool isEnabled_;
+  bool isShown_ = false;
+};
+
+}  // namespace abflat::cli

@@ -1,0 +1,75 @@
+#!/usr/bin/env node
+// Builds the command line program, the WebAssembly package and the page; each only where something changed.
+// Usage: build.mjs [native] [wasm] [web]   (default: all; web includes wasm)
+
+import { join, relative } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { cmakeBuild, emscriptenEnv } from './lib/cmake.mjs';
+import { writeLicenses } from './lib/licenses.mjs';
+import { BUILD, NATIVE_PROGRAM, ROOT, WASM_DIST, WEB_DIST } from './lib/paths.mjs';
+import { Failure, mustRun, runMain } from './lib/run.mjs';
+import { unlessFresh } from './lib/stamp.mjs';
+import { setup } from './setup.mjs';
+
+const COMMON_INPUTS = [
+  'package-lock.json',
+  'tsconfig.base.json',
+  'scripts/licenses',
+  'scripts/lib/licenses.mjs',
+];
+const WASM_MODULE = ['build/wasm/abflat.mjs', 'build/wasm/abflat.wasm'];
+
+export async function buildNative({ tests = false } = {}) {
+  await cmakeBuild('native', { targets: tests ? ['abflat', 'abflat_core_tests'] : ['abflat'] });
+  writeLicenses(join(BUILD, 'native'), 'native');
+  return NATIVE_PROGRAM;
+}
+
+export async function buildWasm() {
+  const env = emscriptenEnv();
+  await cmakeBuild('wasm', { wrapper: ['emcmake'], env });
+  await unlessFresh(
+    'wasm-package',
+    [...COMMON_INPUTS, 'wasm', ...WASM_MODULE],
+    [WASM_DIST],
+    async () => {
+      await npmBuild('wasm');
+      writeLicenses(WASM_DIST, 'wasm');
+    },
+  );
+  return WASM_DIST;
+}
+
+/** Needs buildWasm before. */
+export async function buildWeb() {
+  const inputs = [...COMMON_INPUTS, 'web', 'wasm/package.json', 'wasm/src', ...WASM_MODULE];
+  await unlessFresh('web', inputs, [join(WEB_DIST, 'index.html')], async () => {
+    await npmBuild('web');
+    writeLicenses(WEB_DIST, 'web');
+  });
+  return WEB_DIST;
+}
+
+async function npmBuild(workspace) {
+  await mustRun('npm', ['run', '--silent', 'build', '--workspace', workspace]);
+}
+
+const STEPS = {
+  native: [buildNative],
+  wasm: [buildWasm],
+  web: [buildWasm, buildWeb],
+};
+
+async function main() {
+  const asked = process.argv.slice(2);
+  const unknown = asked.find((name) => !STEPS[name]);
+  if (unknown)
+    throw new Failure(`Unknown target "${unknown}"; known are: ${Object.keys(STEPS).join(', ')}.`);
+  await setup(['build']);
+  const steps = new Set(
+    (asked.length > 0 ? asked : Object.keys(STEPS)).flatMap((name) => STEPS[name]),
+  );
+  for (const step of steps) console.log(`built ${relative(ROOT, await step())}`);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) await runMain(main);

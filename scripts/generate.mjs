@@ -1,0 +1,82 @@
+#!/usr/bin/env node
+// Turns core/schema/abflat.json into C++, TypeScript and the marked tables of the documentation.
+// With --check nothing is written: exit 1 and the names of the files that differ.
+
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  writeFileSync,
+} from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { renderFlattenDefaults, renderStatusCode } from './lib/generate-cpp.mjs';
+import { fillRegions } from './lib/generate-docs.mjs';
+import { renderTypeScript } from './lib/generate-ts.mjs';
+import { checkSchema } from './lib/schema.mjs';
+
+const REPO = resolve(dirname(fileURLToPath(import.meta.url)), '..');
+const SCHEMA = 'core/schema/abflat.json';
+const DOC_FOLDERS = ['.', 'docs', 'native', 'wasm', 'web'];
+
+/** Every file that the schema decides, as a map from path to its whole text. */
+export function renderAll(root) {
+  const schema = checkSchema(JSON.parse(readFileSync(join(root, SCHEMA), 'utf8')));
+  const files = new Map([
+    ['core/include/abflat/generated/status_code.h', renderStatusCode(schema)],
+    ['core/include/abflat/generated/flatten_defaults.h', renderFlattenDefaults(schema)],
+    ['wasm/src/generated.ts', renderTypeScript(schema)],
+  ]);
+  for (const path of documents(root)) {
+    const text = readFileSync(join(root, path), 'utf8');
+    const filled = fillRegions(text, schema, path);
+    if (filled !== undefined) files.set(path, filled);
+  }
+  return files;
+}
+
+function documents(root) {
+  return DOC_FOLDERS.flatMap((folder) => {
+    const full = join(root, folder);
+    if (!existsSync(full)) return [];
+    const names = readdirSync(full).filter((name) => name.endsWith('.md'));
+    return names.sort().map((name) => (folder === '.' ? name : `${folder}/${name}`));
+  });
+}
+
+function drifted(root, files) {
+  return [...files].filter(([path, text]) => {
+    const full = join(root, path);
+    return !existsSync(full) || readFileSync(full, 'utf8') !== text;
+  });
+}
+
+function write(root, path, text) {
+  const full = join(root, path);
+  mkdirSync(dirname(full), { recursive: true });
+  const temporary = `${full}.${process.pid}.tmp`;
+  writeFileSync(temporary, text);
+  renameSync(temporary, full);
+}
+
+function main() {
+  const { values } = parseArgs({
+    options: { check: { type: 'boolean' }, root: { type: 'string', default: REPO } },
+  });
+  const changes = drifted(values.root, renderAll(values.root));
+  if (values.check) {
+    for (const [path] of changes) console.error(`${path} does not match ${SCHEMA}`);
+    if (changes.length > 0) console.error('Run: npm run generate');
+    process.exitCode = changes.length > 0 ? 1 : 0;
+    return;
+  }
+  for (const [path, text] of changes) {
+    write(values.root, path, text);
+    console.log(`wrote ${path}`);
+  }
+}
+
+main();

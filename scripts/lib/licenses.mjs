@@ -1,0 +1,42 @@
+// The licences of everything that ships beside abflat's own code, as one text.
+
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { ROOT } from './paths.mjs';
+
+const FOLDER = join(ROOT, 'scripts/licenses');
+
+/** What each product contains. Names with a slash are npm packages, whose own LICENSE is used. */
+const CORE = ['eigen', 'tinyobjloader', 'nlohmann-json'];
+const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
+const CONTENTS = {
+  native: [...CORE, 'cli11'],
+  wasm: WASM,
+  web: [...WASM, 'node_modules/three'],
+};
+
+function licenseText(entry) {
+  if (!entry.startsWith('node_modules/')) return readFileSync(join(FOLDER, `${entry}.txt`), 'utf8');
+  const folder = join(ROOT, entry);
+  const { name, version, homepage } = JSON.parse(
+    readFileSync(join(folder, 'package.json'), 'utf8'),
+  );
+  const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
+  if (!file) throw new Error(`${entry} has no licence file`);
+  return `${name} ${version}\n${homepage}\n\n${readFileSync(join(folder, file), 'utf8')}`;
+}
+
+export function thirdPartyLicenses(product) {
+  const head = `abflat is distributed under the MIT License (see LICENSE). It contains the following software.\n`;
+  const rule = `\n${'-'.repeat(80)}\n\n`;
+  return [head, ...CONTENTS[product].map((entry) => `${licenseText(entry).trimEnd()}\n`)].join(
+    rule,
+  );
+}
+
+/** Writes LICENSE and THIRD_PARTY_LICENSES.txt of `product` (native, wasm or web) into a folder. */
+export function writeLicenses(folder, product) {
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, 'LICENSE.txt'), readFileSync(join(ROOT, 'LICENSE'), 'utf8'));
+  writeFileSync(join(folder, 'THIRD_PARTY_LICENSES.txt'), thirdPartyLicenses(product));
+}

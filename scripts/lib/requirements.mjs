@@ -1,0 +1,183 @@
+// What abflat needs from the system: how to see that it is there, why, and where it comes from.
+
+import { existsSync, readFileSync, statSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { isProgram, which } from './run.mjs';
+
+const CHROME_NAMES = [
+  'chromium',
+  'google-chrome',
+  'google-chrome-stable',
+  'chrome',
+  'chromium-browser',
+];
+const CHROME_PLACES = [
+  '/snap/bin/chromium',
+  '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+  '/Applications/Chromium.app/Contents/MacOS/Chromium',
+];
+const EMSDK = 'https://emscripten.org/docs/getting_started/downloads.html';
+
+function includeFolders() {
+  const named = [process.env.CPATH, process.env.CPLUS_INCLUDE_PATH].flatMap(
+    (list) => list?.split(delimiter) ?? [],
+  );
+  return [...named.filter(Boolean), '/usr/include', '/usr/local/include', '/opt/homebrew/include'];
+}
+
+function header(...candidates) {
+  return includeFolders().some((folder) =>
+    candidates.some((name) => existsSync(join(folder, name))),
+  );
+}
+
+/** Ubuntu's /usr/bin/chromium-browser is a script that only says "install the snap". */
+function isSnapStub(path) {
+  return statSync(path).size < 16384 && readFileSync(path, 'utf8').includes('snap install');
+}
+
+/** A Chromium or Chrome to test with: CHROME_PATH, then PATH, then usual places. */
+export function findChrome() {
+  if (process.env.CHROME_PATH) return process.env.CHROME_PATH;
+  const onPath = CHROME_NAMES.map(which).filter(Boolean);
+  return [...onPath, ...CHROME_PLACES.filter(isProgram)].find((path) => !isSnapStub(path));
+}
+
+/** Debian's emcc does not bring the acorn module that its optimiser loads. */
+export const DEBIAN_NODE_MODULES = '/usr/share/nodejs';
+
+function emccWorks() {
+  const emcc = which('emcc');
+  return (
+    emcc !== undefined &&
+    (emcc !== '/usr/bin/emcc' || existsSync(join(DEBIAN_NODE_MODULES, 'acorn')))
+  );
+}
+
+/**
+ * `purpose` is what it is needed for. `apt`, `dnf`, `pacman`, `brew` are package names there; a manager without an entry
+ * does not have it, then `other` says where it comes from.
+ */
+export const REQUIREMENTS = [
+  {
+    name: 'C++ compiler',
+    purpose: 'build',
+    why: 'compiles the core and the command line program',
+    present: () => ['c++', 'g++', 'clang++'].some(which),
+    apt: ['g++'],
+    dnf: ['gcc-c++'],
+    pacman: ['gcc'],
+    other: 'xcode-select --install',
+  },
+  {
+    name: 'CMake',
+    purpose: 'build',
+    why: 'drives the C++ builds',
+    present: () => which('cmake'),
+    apt: ['cmake'],
+    dnf: ['cmake'],
+    pacman: ['cmake'],
+    brew: ['cmake'],
+  },
+  {
+    name: 'Ninja or Make',
+    purpose: 'build',
+    why: 'runs the compiler for CMake',
+    present: () => which('ninja') ?? which('make'),
+    apt: ['ninja-build'],
+    dnf: ['ninja-build'],
+    pacman: ['ninja'],
+    brew: ['ninja'],
+  },
+  {
+    name: 'Emscripten',
+    purpose: 'build',
+    why: 'compiles the core to WebAssembly',
+    present: emccWorks,
+    apt: ['emscripten', 'node-acorn'],
+    pacman: ['emscripten'],
+    brew: ['emscripten'],
+    other: `emsdk, ${EMSDK} (emcc must be on PATH)`,
+  },
+  {
+    name: 'Eigen',
+    purpose: 'build',
+    why: 'sparse linear algebra of the solver',
+    present: () => header('eigen3/Eigen/Core', 'Eigen/Core'),
+    apt: ['libeigen3-dev'],
+    dnf: ['eigen3-devel'],
+    pacman: ['eigen'],
+    brew: ['eigen'],
+  },
+  {
+    name: 'tinyobjloader',
+    purpose: 'build',
+    why: 'reads OBJ files',
+    present: () => header('tiny_obj_loader.h'),
+    apt: ['libtinyobjloader-dev'],
+    dnf: ['tinyobjloader-devel'],
+    pacman: ['tinyobjloader'],
+    brew: ['tinyobjloader'],
+  },
+  {
+    name: 'nlohmann-json',
+    purpose: 'build',
+    why: 'writes the report',
+    present: () => header('nlohmann/json.hpp'),
+    apt: ['nlohmann-json3-dev'],
+    dnf: ['json-devel'],
+    pacman: ['nlohmann-json'],
+    brew: ['nlohmann-json'],
+  },
+  {
+    name: 'CLI11',
+    purpose: 'build',
+    why: 'parses the command line',
+    present: () => header('CLI/CLI.hpp'),
+    apt: ['libcli11-dev'],
+    dnf: ['cli11-devel'],
+    pacman: ['cli11'],
+    brew: ['cli11'],
+  },
+  {
+    name: 'Catch2',
+    purpose: 'test',
+    why: 'runs the tests of the core',
+    present: () => header('catch2/catch.hpp', 'catch2/catch_all.hpp'),
+    apt: ['catch2'],
+    dnf: ['catch-devel'],
+    pacman: ['catch2'],
+    brew: ['catch2'],
+  },
+  {
+    name: 'Chromium',
+    purpose: 'test',
+    why: 'runs the tests of the page (or set CHROME_PATH to a Chrome you have)',
+    present: findChrome,
+    apt: ['chromium', 'fonts-liberation'],
+    dnf: ['chromium'],
+    pacman: ['chromium'],
+    other: 'Chrome or Chromium; on Ubuntu: sudo snap install chromium',
+    isNotInUbuntu: true,
+  },
+  {
+    name: 'clang-format',
+    purpose: 'lint',
+    why: 'formats the C++ sources',
+    present: () => which('clang-format'),
+    apt: ['clang-format'],
+    dnf: ['clang-tools-extra'],
+    pacman: ['clang'],
+    brew: ['clang-format'],
+  },
+  {
+    name: 'clang-tidy',
+    purpose: 'lint',
+    why: 'looks for mistakes in the C++ sources',
+    present: () => which('clang-tidy'),
+    apt: ['clang-tidy'],
+    dnf: ['clang-tools-extra'],
+    pacman: ['clang'],
+    brew: ['llvm'],
+  },
+];

@@ -1,0 +1,89 @@
+// Child processes: found on PATH, run without a shell, their failure reported as one sentence.
+
+import { spawn } from 'node:child_process';
+import { accessSync, constants, statSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { ROOT } from './paths.mjs';
+
+/** A failure whose message is all that a person needs: no stack trace. */
+export class Failure extends Error {}
+
+/** Full path of a program on PATH, undefined when there is none. */
+export function which(program) {
+  for (const folder of (process.env.PATH ?? '').split(delimiter)) {
+    const path = join(folder, program);
+    if (folder !== '' && isProgram(path)) return path;
+  }
+  return undefined;
+}
+
+export function isProgram(path) {
+  try {
+    accessSync(path, constants.X_OK);
+    return statSync(path).isFile();
+  } catch (error) {
+    if (['ENOENT', 'EACCES', 'ENOTDIR'].includes(error.code)) return false;
+    throw error;
+  }
+}
+
+/**
+ * Runs a program and returns `{ code, output }`. Options: `cwd`, `env` (added to the environment), `capture`
+ * (collect stdout + stderr in `output` instead of showing them), `echo` (collect and show), `seconds` (then it is ended).
+ */
+export function run(program, args, options = {}) {
+  const { cwd = ROOT, env = {}, capture = false, echo = false, seconds = 0 } = options;
+  const piped = capture || echo;
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, {
+      cwd,
+      env: { ...process.env, ...env },
+      stdio: piped ? ['ignore', 'pipe', 'pipe'] : 'inherit',
+    });
+    const chunks = [];
+    const timer =
+      seconds > 0 ? setTimeout(() => endLate(child, program, seconds), seconds * 1000) : undefined;
+    if (piped) {
+      collect(child.stdout, chunks, echo && process.stdout);
+      collect(child.stderr, chunks, echo && process.stderr);
+    }
+    child.on('error', (error) => {
+      clearTimeout(timer);
+      reject(new Failure(`Cannot run ${program}: ${error.message}`));
+    });
+    child.on('close', (code, signal) => {
+      clearTimeout(timer);
+      resolve({ code: code ?? 1, signal, output: Buffer.concat(chunks).toString() });
+    });
+  });
+}
+
+function collect(stream, chunks, echo) {
+  stream.on('data', (chunk) => {
+    chunks.push(chunk);
+    if (echo) echo.write(chunk);
+  });
+}
+
+function endLate(child, program, seconds) {
+  console.error(`${program} did not finish within ${seconds} seconds and is stopped.`);
+  child.kill('SIGKILL');
+}
+
+/** Like run, but throws a Failure naming the command unless it exits with 0. */
+export async function mustRun(program, args, options = {}) {
+  const { code, output } = await run(program, args, options);
+  if (code === 0) return output;
+  if (options.capture) process.stderr.write(output);
+  throw new Failure(`Failed (exit code ${code}): ${program} ${args.join(' ')}`);
+}
+
+/** Calls main and turns a Failure into its message and exit code 1; other errors keep their trace. */
+export async function runMain(main) {
+  try {
+    await main();
+  } catch (error) {
+    console.error(error instanceof Failure ? `\n${error.message}` : error);
+    process.exitCode = 1;
+  }
+}

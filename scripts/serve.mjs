@@ -1,0 +1,127 @@
+#!/usr/bin/env node
+// Serves the built page. Usage: serve.mjs [--host ADDRESS] [--port N]   (or PORT in the environment)
+
+import { createReadStream, existsSync, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join, normalize, sep } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+import { WEB_DIST } from './lib/paths.mjs';
+import { Failure, runMain } from './lib/run.mjs';
+
+const DEFAULT_PORT = 4173;
+const PORTS_TO_TRY = 20;
+
+const TYPES = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.ico': 'image/x-icon',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json',
+  '.map': 'application/json',
+  '.mjs': 'text/javascript; charset=utf-8',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.txt': 'text/plain; charset=utf-8',
+  '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
+  '.woff2': 'font/woff2',
+};
+
+/** The file that a request path names inside `folder`; undefined when there is none. */
+export function fileFor(folder, requestPath) {
+  let path;
+  try {
+    path = decodeURIComponent(requestPath.split(/[?#]/)[0]);
+  } catch (error) {
+    if (error instanceof URIError) return undefined;
+    throw error;
+  }
+  if (path.includes('\0')) return undefined;
+  const full = join(folder, normalize(path.endsWith('/') ? `${path}index.html` : path));
+  if (!full.startsWith(folder + sep)) return undefined;
+  return existsSync(full) && statSync(full).isFile() ? full : undefined;
+}
+
+export function createStaticServer(folder) {
+  return createServer((request, response) => {
+    if (request.method !== 'GET' && request.method !== 'HEAD') {
+      response.writeHead(405, { Allow: 'GET, HEAD' }).end();
+      return;
+    }
+    const file = fileFor(folder, request.url);
+    if (!file) {
+      response.writeHead(404, { 'Content-Type': 'text/plain' }).end('Not found\n');
+      return;
+    }
+    response.writeHead(200, {
+      'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
+      'Content-Length': statSync(file).size,
+      'Cache-Control': 'no-cache',
+      'X-Content-Type-Options': 'nosniff',
+    });
+    if (request.method === 'HEAD') response.end();
+    else createReadStream(file).pipe(response);
+  });
+}
+
+/** Listens on `port`, or on the next free one when `fallback`; returns the port. */
+export function listen(server, host, port, fallback) {
+  return new Promise((resolve, reject) => {
+    let current = port;
+    const retry = (error) => {
+      if (error.code !== 'EADDRINUSE')
+        reject(new Failure(`Cannot serve on ${host}:${current}: ${error.message}`));
+      else if (!fallback)
+        reject(new Failure(`Port ${current} is in use; choose another: PORT=8080 npm start`));
+      else if (current + 1 >= port + PORTS_TO_TRY)
+        reject(
+          new Failure(
+            `Ports ${port} to ${current} are in use; choose another: PORT=8080 npm start`,
+          ),
+        );
+      else server.listen(++current, host);
+    };
+    server.on('error', retry);
+    server.once('listening', () => {
+      server.off('error', retry);
+      resolve(server.address().port);
+    });
+    server.listen(current, host);
+  });
+}
+
+function portOf(text) {
+  const port = Number(text);
+  if (!Number.isInteger(port) || port < 0 || port > 65535)
+    throw new Failure(`"${text}" is not a port number.`);
+  return port;
+}
+
+/** Serves web/dist until the process ends. `args`: --host [ADDRESS] (without: all addresses), --port N. */
+export async function serve(args) {
+  const plain = args.map((arg, i) =>
+    arg === '--host' && !isAddress(args[i + 1]) ? '--host=0.0.0.0' : arg,
+  );
+  const { values } = parseArgs({
+    args: plain,
+    options: { host: { type: 'string', default: '127.0.0.1' }, port: { type: 'string' } },
+  });
+  const asked = values.port ?? process.env.PORT;
+  const server = createStaticServer(WEB_DIST);
+  const port = await listen(
+    server,
+    values.host,
+    portOf(asked ?? DEFAULT_PORT),
+    asked === undefined,
+  );
+  const shown = ['0.0.0.0', '::', '127.0.0.1'].includes(values.host) ? 'localhost' : values.host;
+  console.log(`\nabflat is at http://${shown}:${port}/   (Ctrl+C ends it)`);
+}
+
+function isAddress(arg) {
+  return arg !== undefined && !arg.startsWith('-');
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href)
+  await runMain(() => serve(process.argv.slice(2)));

@@ -1,0 +1,95 @@
+// What the command line accepts and refuses, and what it says about itself.
+
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { ROOT } from '../../scripts/lib/paths.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { TRIANGLE } from '../support/small-meshes.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+
+const schema = JSON.parse(readFileSync(join(ROOT, 'core/schema/abflat.json'), 'utf8'));
+const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
+
+/** arguments, what the message must say. */
+const WRONG = [
+  [[], /flatten, inspect or sample/],
+  [['unwrap'], /no command 'unwrap'/],
+  [['flatten'], /IN/],
+  [['flatten', 'in.obj'], /--output/],
+  [['flatten', 'in.obj', '-o'], /--output takes exactly one value/],
+  [['flatten', 'in.obj', '-o', ''], /--output: the name is empty/],
+  [[...FLATTEN, '-o', 'other.obj'], /--output takes exactly one value/],
+  [[...FLATTEN, 'in2.obj'], /in2\.obj/],
+  [[...FLATTEN, '--what'], /--what/],
+  [[...FLATTEN, '--t', 'one'], /--t: 'one' is not a number/],
+  [[...FLATTEN, '--t', '1,5'], /--t: '1,5' is not a number/],
+  [[...FLATTEN, '--t', ''], /--t/],
+  [[...FLATTEN, '--t', '0'], /--t: must be a number above 0/],
+  [[...FLATTEN, '--t', '-1'], /--t: must be a number above 0/],
+  [[...FLATTEN, '--t', 'nan'], /--t: must be a number above 0/],
+  [[...FLATTEN, '--t', 'inf'], /--t: must be a number above 0/],
+  [[...FLATTEN, '--t', '1e999'], /--t: must be a number above 0/],
+  [[...FLATTEN, '--report', 'out.obj'], /--report: is the same file as --output/],
+  [[...FLATTEN, '--report', './sub/../out.obj'], /--report: is the same file as --output/],
+  [[...FLATTEN, '--report', './in.obj'], /--report: would replace the input/],
+  [['flatten', 'in.obj', '-o', '-', '--report', '-'], /--report: is the same file as --output/],
+  [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ/],
+  [['inspect'], /IN/],
+  [['sample'], /NAME/],
+  [['sample', 'teapot', '-o', 'out.obj'], /no sample 'teapot'; known are hemisphere/],
+  [['sample', 'head'], /--output/],
+  [['sample', 'head', '-o', 'out.obj', '--detail', '0.5'], /--detail: must be a number from 1/],
+  [['sample', 'head', '-o', 'out.obj', '--detail', '1e9'], /--detail: must be a number from 1/],
+];
+
+for (const [args, sentence] of WRONG)
+  test(`"abflat ${args.join(' ')}" is refused with exit code 2`, async (t) => {
+    const at = tempFolder(t);
+    writeFileSync(at('in.obj'), TRIANGLE);
+    const run = await runAbflat(args, { cwd: at() });
+    assert.equal(run.code, 2, run.stderr);
+    assert.match(run.stderr, sentence);
+    assert.match(run.stderr, /^abflat: [^\n]+\nabflat.* --help/);
+    assert.equal(run.stdout, '');
+    assert.equal(existsSync(at('out.obj')), false);
+    assert.equal(readFileSync(at('in.obj'), 'utf8'), TRIANGLE);
+  });
+
+test('help goes to standard output and tells every exit code', async () => {
+  for (const args of [['--help'], ['-h'], ['flatten', '--help']]) {
+    const run = await runAbflat(args);
+    assert.equal(run.code, 0);
+    assert.equal(run.stderr, '');
+    for (const { code, text } of schema.exitCodes) assert.ok(run.stdout.includes(`${code}  ${text}`));
+  }
+});
+
+test('help of flatten tells its options, their meaning and defaults', async () => {
+  const { stdout } = await runAbflat(['flatten', '--help']);
+  const words = stdout.replaceAll(/\s+/g, ' ');
+  for (const { name, text, default: value } of schema.flattenOptions) {
+    assert.ok(words.includes(text));
+    assert.match(words, new RegExp(`--${name} NUMBER=${value}\\b`));
+  }
+});
+
+test('help of sample lists the samples', async () => {
+  const { stdout } = await runAbflat(['sample', '--help']);
+  for (const name of ['hemisphere', 'wavy-strip', 'head', 'alpha-band', 'three-balls'])
+    assert.match(stdout, new RegExp(`^  ${name} `, 'm'));
+});
+
+test('the version is that of the build', async () => {
+  const cmake = readFileSync(join(ROOT, 'CMakeLists.txt'), 'utf8');
+  const version = cmake.match(/project\(abflat VERSION (\S+)/)[1];
+  assert.equal((await runAbflat(['--version'])).stdout, `abflat ${version}\n`);
+});
+
+test('names that begin with a dash can be given after --', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('-in.obj'), TRIANGLE);
+  const run = await runAbflat(['flatten', '-o', 'out.obj', '--', '-in.obj'], { cwd: at() });
+  assert.equal(run.code, 0, run.stderr);
+});

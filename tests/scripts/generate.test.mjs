@@ -1,0 +1,129 @@
+// The generated files match the schema, and a difference is noticed.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import {
+  appendFileSync,
+  cpSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const REPO = fileURLToPath(new URL('../..', import.meta.url));
+const SCHEMA = 'core/schema/abflat.json';
+const OUTPUTS = [
+  'core/include/abflat/generated/status_code.h',
+  'core/include/abflat/generated/flatten_defaults.h',
+  'wasm/src/generated.ts',
+];
+
+function generate(root, ...args) {
+  const script = join(REPO, 'scripts/generate.mjs');
+  return spawnSync(process.execPath, [script, '--root', root, ...args], { encoding: 'utf8' });
+}
+
+test('generated files of the repository match the schema', () => {
+  const { status, stderr } = generate(REPO, '--check');
+  assert.equal(status, 0, stderr);
+});
+
+describe('in a copy', () => {
+  let copy;
+  const read = (path) => readFileSync(join(copy, path), 'utf8');
+  const write = (path, text) => writeFileSync(join(copy, path), text);
+
+  function changeSchema(change) {
+    const schema = JSON.parse(read(SCHEMA));
+    change(schema);
+    write(SCHEMA, JSON.stringify(schema));
+  }
+
+  before(() => {
+    copy = mkdtempSync(join(tmpdir(), 'abflat-generate-'));
+  });
+  after(() => rmSync(copy, { recursive: true }));
+
+  function fresh() {
+    rmSync(copy, { recursive: true });
+    mkdirSync(join(copy, 'core/schema'), { recursive: true });
+    cpSync(join(REPO, SCHEMA), join(copy, SCHEMA));
+    write(
+      'README.md',
+      'Before\n\n<!-- generated:exit-codes -->\nold\n<!-- /generated -->\n\nAfter\n',
+    );
+    assert.equal(generate(copy).status, 0);
+  }
+
+  test('check passes after generating and writes nothing', () => {
+    fresh();
+    const { status, stdout } = generate(copy, '--check');
+    assert.equal(status, 0);
+    assert.equal(stdout, '');
+    assert.equal(generate(copy).stdout, '');
+  });
+
+  for (const path of OUTPUTS) {
+    test(`check fails and names ${path} when it was edited`, () => {
+      fresh();
+      appendFileSync(join(copy, path), '\n');
+      const { status, stderr } = generate(copy, '--check');
+      assert.equal(status, 1);
+      assert.match(stderr, new RegExp(`^${path} does not match`, 'm'));
+    });
+  }
+
+  test('a new default reaches C++ and TypeScript', () => {
+    fresh();
+    changeSchema((schema) => {
+      schema.flattenOptions[0].default = 1.25;
+    });
+    const { status, stderr } = generate(copy, '--check');
+    assert.equal(status, 1);
+    assert.match(stderr, /flatten_defaults\.h/);
+    assert.match(stderr, /generated\.ts/);
+    assert.doesNotMatch(stderr, /status_code\.h/);
+    assert.equal(generate(copy).status, 0);
+    assert.match(read(OUTPUTS[1]), /constexpr double kT = 1\.25;/);
+    assert.match(read(OUTPUTS[2]), /\bt: 1\.25,/);
+  });
+
+  test('regions of documents are filled, the rest of the document stays', () => {
+    fresh();
+    const text = read('README.md');
+    assert.match(text, /^Before\n\n<!-- generated:exit-codes -->\n\| Exit code \| Meaning \|\n/);
+    assert.match(text, /\n<!-- \/generated -->\n\nAfter\n$/);
+    for (const { code, text: meaning } of JSON.parse(read(SCHEMA)).exitCodes) {
+      assert.ok(text.includes(`| ${code} | ${meaning} |\n`));
+    }
+  });
+
+  for (const [fault, text, message] of [
+    ['an unknown region', '<!-- generated:colours -->\n<!-- /generated -->\n', /colours/],
+    ['a region that is not closed', '<!-- generated:statuses -->\ntext\n', /not closed/],
+  ]) {
+    test(`${fault} is an error`, () => {
+      fresh();
+      write('README.md', text);
+      const { status, stderr } = generate(copy);
+      assert.notEqual(status, 0);
+      assert.match(stderr, message);
+    });
+  }
+
+  test('a status with an exit code that does not exist is an error', () => {
+    fresh();
+    changeSchema((schema) => {
+      schema.statuses[1].exit = 77;
+    });
+    const { status, stderr } = generate(copy);
+    assert.notEqual(status, 0);
+    assert.match(stderr, /there is no exit code 77/);
+  });
+});

@@ -1,0 +1,25 @@
+// Real meshes and an independent judge of results, kept beside the project; not everyone has them.
+
+import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { ROOT } from '../../scripts/lib/paths.mjs';
+
+const SHARED = join(ROOT, '../shared');
+const JUDGE = join(SHARED, 'verify/verify.mjs');
+
+/** Pass as the `skip` option of a test: false, or the reason that is printed. */
+export const withoutShared = existsSync(JUDGE) ? false : 'there is no ../shared folder';
+
+export const sharedMesh = (file) => join(SHARED, 'meshes', file);
+
+/** What the judge measures of an OBJ result: an object with `valid`, `failures`, `flipped`, ... */
+export function judge(input, result, t) {
+  const { stdout, stderr } = spawnSync(
+    process.execPath,
+    [JUDGE, input, result, '--t', String(t)],
+    { encoding: 'utf8' },
+  );
+  if (!stdout) throw new Error(`the judge could not read the files: ${stderr}`);
+  return JSON.parse(stdout);
+}

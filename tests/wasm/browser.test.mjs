@@ -1,0 +1,180 @@
+// The package in Chromium: on a plain page, in a Vite build, and across origins. The pages are the examples of the README.
+
+import assert from 'node:assert/strict';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+import { findChrome } from '../../scripts/lib/requirements.mjs';
+import { createStaticServer, listen } from '../../scripts/serve.mjs';
+import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
+import { DIST, ROOT } from './support/paths.mjs';
+
+const CHROME_ARGS = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+const executablePath = findChrome();
+const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
+
+let browser;
+let folder;
+const servers = [];
+
+before(async () => {
+  if (!executablePath) return;
+  // Inside the repository, so that bundlers find its node_modules.
+  mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
+  folder = mkdtempSync(join(ROOT, 'build/tests/wasm-browser-'));
+  browser = await chromium.launch({ executablePath, args: CHROME_ARGS });
+});
+after(async () => {
+  await browser?.close();
+  for (const server of servers) server.close();
+  if (folder) rmSync(folder, { recursive: true });
+});
+
+async function serve(root, headers = {}) {
+  const server = createStaticServer(root);
+  server.prependListener('request', (_, response) => {
+    for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
+  });
+  servers.push(server);
+  return `http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}`;
+}
+
+/** A folder with files, and the package where npm would put it. */
+function site(name, files) {
+  const root = join(folder, name);
+  cpSync(DIST, join(root, 'node_modules/abflat/dist'), { recursive: true });
+  for (const [path, text] of Object.entries(files)) writeFileSync(join(root, path), text);
+  return root;
+}
+
+async function open(address) {
+  const page = await browser.newPage();
+  const problems = [];
+  page.on('pageerror', (error) => problems.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error' && !message.text().includes('favicon')) problems.push(message.text());
+  });
+  await page.goto(address);
+  return { page, problems };
+}
+
+async function assertShows(address, pattern) {
+  const { page, problems } = await open(address);
+  await page.waitForFunction(() => document.body?.textContent.includes('valid'), null, {
+    timeout: 30_000,
+  });
+  assert.match(await page.textContent('body'), pattern);
+  assert.deepEqual(problems, []);
+  await page.close();
+}
+
+const EMPTY = '<!doctype html><link rel="icon" href="data:,"><title>abflat</title>';
+
+test('a plain page with modules', NEEDS_CHROME, async () => {
+  const html = examples().page.replace('<!doctype html>', EMPTY);
+  const root = site('plain', { 'index.html': html, 'mesh.obj': EXAMPLE_OBJ });
+  await assertShows(`${await serve(root)}/`, /^\s*valid: true/);
+});
+
+test('a Vite build', NEEDS_CHROME, async (context) => {
+  const require = createRequire(join(ROOT, 'web/package.json'));
+  let path;
+  try {
+    path = require.resolve('vite');
+  } catch {
+    context.skip('vite is not installed');
+    return;
+  }
+  const vite = await import(pathToFileURL(path.replace(/index\.cjs$/, 'dist/node/index.js')));
+  const root = join(folder, 'vite');
+  mkdirSync(root);
+  writeFileSync(join(root, 'index.html'), `${EMPTY}<script type="module" src="./main.js"></script>`);
+  writeFileSync(join(root, 'main.js'), examples().vite);
+  await vite.build({ root, logLevel: 'warn', configFile: false });
+  const vertices = /^\s*valid: true, (\d+) vertices from \1/;
+  await assertShows(`${await serve(join(root, 'dist'))}/`, vertices);
+});
+
+/** Runs a function in a page that serves the package; `path` is where its modules are. */
+async function inPage(name, action, argument) {
+  const address = await serve(site(name, { 'index.html': EMPTY }));
+  const { page } = await open(`${address}/`);
+  const result = await page.evaluate(action, { entry: `${address}/node_modules/abflat/dist/index.js`, ...argument });
+  await page.close();
+  return result;
+}
+
+test('abort and errors in a page', NEEDS_CHROME, async () => {
+  const results = await inPage('abort', async ({ entry }) => {
+    const { AbflatError, createAbflat } = await import(entry);
+    const abflat = await createAbflat();
+    const controller = new AbortController();
+    const head = await abflat.sample('head', { detail: 20 });
+    const aborted = await abflat
+      .flatten(head, { signal: controller.signal, onProgress: () => controller.abort() })
+      .catch((error) => error.name);
+    const small = await abflat.sample('hemisphere');
+    const { report } = await abflat.flatten(small);
+    const error = await abflat.flatten({ ...small, indices: small.indices.slice(0, 6), positions: new Float64Array(3) }).catch((e) => e);
+    const missing = await createAbflat({ wasmUrl: '/nowhere.wasm' }).catch((e) => e);
+    const noWorker = await createAbflat({ workerUrl: '/nowhere.js' }).catch((e) => e);
+    const describe = (e) => [e instanceof AbflatError, e.code, e.message];
+    return {
+      aborted,
+      valid: report.valid,
+      kept: small.positions.length > 0,
+      error: describe(error),
+      missing: describe(missing),
+      noWorker: describe(noWorker),
+    };
+  });
+  assert.equal(results.aborted, 'AbortError');
+  assert.equal(results.valid, true);
+  assert.equal(results.kept, true);
+  assert.deepEqual(results.error.slice(0, 2), [true, 'InvalidMesh']);
+  assert.deepEqual(results.missing.slice(0, 2), [true, 'UnreadableFile']);
+  assert.match(results.missing[2], /nowhere\.wasm.*404/);
+  assert.deepEqual(results.noWorker.slice(0, 2), [true, 'UnreadableFile']);
+  assert.match(results.noWorker[2], /nowhere\.js/);
+});
+
+test('worker and module on another origin', NEEDS_CHROME, async () => {
+  const other = await serve(DIST, { 'Access-Control-Allow-Origin': '*' });
+  const valid = await inPage(
+    'origins',
+    async ({ entry, other }) => {
+      const { createAbflat } = await import(entry);
+      const abflat = await createAbflat({
+        workerUrl: `${other}/worker.js`,
+        wasmUrl: `${other}/abflat.wasm`,
+      });
+      return (await abflat.flatten(await abflat.sample('hemisphere'))).report.valid;
+    },
+    { other },
+  );
+  assert.equal(valid, true);
+});
+
+test('memory that does not suffice in a page', NEEDS_CHROME, async () => {
+  const [code, valid] = await inPage('memory', async ({ entry }) => {
+    const { createAbflat } = await import(entry);
+    const abflat = await createAbflat({ maxMemory: 32 * 2 ** 20 });
+    const large = await abflat.sample('hemisphere', { detail: 60 }).catch((e) => e.code);
+    const code = large.positions ? await abflat.flatten(large).catch((e) => e.code) : large;
+    const { report } = await abflat.flatten(await abflat.sample('hemisphere'));
+    return [code, report.valid];
+  });
+  assert.equal(code, 'OutOfMemory');
+  assert.equal(valid, true);
+});

@@ -1,0 +1,175 @@
+// Every way a call can fail says what is wrong, and the next call works.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { AbflatError, createAbflat, STATUS_NAMES } from 'abflat';
+import { bytesOf, grid, objText, TETRAHEDRON, twoGrids } from './support/meshes.mjs';
+
+let abflat;
+before(async () => {
+  abflat = await createAbflat();
+});
+after(() => abflat.terminate());
+
+const isSentence = (message) => message.length > 10 && /\s/.test(message);
+
+async function assertFails(call, code, pattern = /./) {
+  await assert.rejects(call, (error) => {
+    assert.ok(error instanceof AbflatError, `${error}`);
+    assert.ok(error instanceof Error);
+    assert.equal(error.name, 'AbflatError');
+    assert.equal(error.code, code, error.message);
+    assert.ok(STATUS_NAMES.includes(error.code));
+    assert.ok(isSentence(error.message), error.message);
+    assert.match(error.message, pattern);
+    return true;
+  });
+}
+
+async function assertStillWorks() {
+  assert.equal((await abflat.flatten(grid(2))).report.valid, true);
+}
+
+const file = (text, name = 'mesh.obj') => ({ bytes: bytesOf(text), name });
+const triangle = {
+  positions: new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, 0]),
+  indices: new Uint32Array([0, 1, 2]),
+};
+const fourFaces = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n';
+
+const REFUSED = [
+  ['two components', twoGrids(2), 'MultipleComponents', /2/],
+  ['a closed surface', TETRAHEDRON, 'ClosedSurface'],
+  ['no faces', { positions: triangle.positions, indices: new Uint32Array(0) }, 'EmptyMesh'],
+  ['a repeated vertex', { ...triangle, indices: new Uint32Array([0, 1, 1]) }, 'DegenerateFace'],
+  ['an index out of range', { ...triangle, indices: new Uint32Array([0, 1, 3]) }, 'InvalidMesh', /3/],
+  [
+    'a coordinate that is not finite',
+    { ...triangle, positions: new Float32Array([0, 0, 0, 1, Number.NaN, 0, 0, 1, 0]) },
+    'InvalidMesh',
+    /1/,
+  ],
+  ['an edge with three faces', file(`${fourFaces}f 1 2 3\nf 1 2 4\nf 2 1 5\n`), 'NonManifoldEdge'],
+  [
+    'faces of opposite orientation',
+    file(`${fourFaces}f 1 2 3\nf 1 2 5\n`),
+    'InconsistentOrientation',
+  ],
+  ['a line that is no number', file('v 0 0 0\nv 1 x 0\n'), 'ParseError', /mesh\.obj.*2/s],
+  ['a truncated OFF', file('OFF\n3 1 0\n0 0 0\n', 'mesh.off'), 'ParseError', /mesh\.off/],
+  ['an unknown format', file('hello', 'mesh.xyz'), 'UnreadableFile', /mesh\.xyz/],
+];
+
+for (const [what, mesh, code, pattern] of REFUSED) {
+  test(`${what}: ${code}`, async () => {
+    await assertFails(abflat.flatten(mesh), code, pattern);
+    await assertStillWorks();
+  });
+}
+
+test('t that cannot be met: InfeasibleBound with the least t', async () => {
+  await assertFails(abflat.flatten(triangle, { t: 0.1 }), 'InfeasibleBound', /0\.33/);
+  await assertStillWorks();
+});
+
+const OPTIONS = [
+  [{ T: 1 }, /"?T"?/],
+  [{ t: Number.NaN }, /t/],
+  [{ t: Number.POSITIVE_INFINITY }, /t/],
+  [{ t: 0 }, /above 0/],
+  [{ t: -1 }, /above 0/],
+  [{ t: '1' }, /t/],
+  [{ t: null }, /t/],
+  [{ obj: 'yes' }, /obj/],
+  [{ transfer: 1 }, /transfer/],
+  [{ onProgress: true }, /onProgress/],
+  [{ signal: {} }, /signal/],
+];
+
+for (const [options, pattern] of OPTIONS) {
+  test(`the options ${JSON.stringify(options)}: InvalidOption`, async () => {
+    await assertFails(abflat.flatten(triangle, options), 'InvalidOption', pattern);
+  });
+}
+
+test('options of flatten are unknown to inspect', async () => {
+  await assertFails(abflat.inspect(triangle, { t: 1 }), 'InvalidOption', /t/);
+});
+
+const NO_MESHES = [
+  [undefined, /mesh|positions/],
+  [null, /mesh|positions/],
+  ['mesh.obj', /mesh|positions/],
+  [{}, /positions/],
+  [{ positions: [0, 0, 0], indices: [0, 0, 0] }, /positions.*Float/],
+  [{ positions: new Float64Array(9), indices: [0, 1, 2] }, /indices.*Uint32Array/],
+  [{ positions: new Float64Array(9), indices: new Int32Array(3) }, /indices.*Uint32Array/],
+  [{ positions: new Float64Array(10), indices: new Uint32Array(3) }, /positions.*3/],
+  [{ positions: new Float64Array(9), indices: new Uint32Array(4) }, /indices.*3/],
+  [{ bytes: 'v 0 0 0' }, /bytes/],
+  [{ bytes: new Uint8Array(1), name: 5 }, /name/],
+];
+
+for (const [mesh, pattern] of NO_MESHES) {
+  test(`${JSON.stringify(mesh)} is no mesh: InvalidMesh`, async () => {
+    await assertFails(abflat.flatten(mesh), 'InvalidMesh', pattern);
+    await assertFails(abflat.inspect(mesh), 'InvalidMesh', pattern);
+  });
+}
+
+test('an unknown sample: InvalidOption with the known ones', async () => {
+  await assertFails(abflat.sample('teapot'), 'InvalidOption', /teapot.*hemisphere/);
+});
+
+test('load refuses what is no file', async () => {
+  await assertFails(abflat.load(triangle), 'InvalidMesh', /bytes|file/);
+  await assertFails(abflat.load(file('f 1 2 3\n')), 'ParseError', /mesh\.obj/);
+});
+
+test('inspect describes what flatten refuses, with the same code and words', async () => {
+  for (const [, mesh, code] of REFUSED.slice(0, 4)) {
+    const { disk } = await abflat.inspect(mesh);
+    assert.equal(disk.code, code);
+    await assertFails(abflat.flatten(mesh), code, new RegExp(escape(disk.message)));
+  }
+});
+
+function escape(text) {
+  return text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
+}
+
+test('unknown settings of createAbflat: InvalidOption', async () => {
+  await assertFails(createAbflat({ memory: 1 }), 'InvalidOption', /memory/);
+  await assertFails(createAbflat({ maxMemory: -1 }), 'InvalidOption', /maxMemory/);
+  await assertFails(createAbflat({ maxMemory: 1 }), 'InvalidOption', /maxMemory/);
+  await assertFails(createAbflat({ maxMemory: 2 ** 40 }), 'InvalidOption', /maxMemory/);
+});
+
+test('a wrong wasmUrl: UnreadableFile that names it', async () => {
+  await assertFails(createAbflat({ wasmUrl: '/nowhere/abflat.wasm' }), 'UnreadableFile', /nowhere/);
+  const noWasm = new URL('./errors.test.mjs', import.meta.url);
+  await assertFails(createAbflat({ wasmUrl: noWasm }), 'UnreadableFile', /errors\.test\.mjs/);
+});
+
+test('a wrong workerUrl: UnreadableFile', async () => {
+  await assertFails(createAbflat({ workerUrl: '/nowhere/worker.js' }), 'UnreadableFile', /nowhere/);
+});
+
+test('memory that does not suffice: OutOfMemory, and smaller meshes still work', async () => {
+  const small = await createAbflat({ maxMemory: 32 * 2 ** 20 });
+  const large = grid(220);
+  for (const mesh of [large, { bytes: bytesOf(objText(large)), name: 'large.obj' }]) {
+    await assertFails(small.flatten(mesh), 'OutOfMemory', /32 MB/);
+    assert.equal((await small.flatten(grid(4))).report.valid, true);
+  }
+  small.terminate();
+});
+
+test('a mesh that does not even fit in: OutOfMemory', async () => {
+  const small = await createAbflat({ maxMemory: 16 * 2 ** 20 });
+  const mesh = { ...triangle, positions: new Float64Array(3e6) };
+  await assertFails(small.flatten(mesh), 'OutOfMemory');
+  await assertFails(small.inspect(mesh), 'OutOfMemory');
+  assert.equal((await small.inspect(triangle)).disk.ok, true);
+  small.terminate();
+});

@@ -1,0 +1,109 @@
+// What is published: its size, its files, its documentation.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
+import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
+import { DIST, ROOT } from './support/paths.mjs';
+
+const MAX_BYTES = 400 * 1024;
+
+/** The files that a script loads through static imports, itself included. */
+function filesFrom(entry) {
+  const files = new Set();
+  const visit = (name) => {
+    if (files.has(name)) return;
+    files.add(name);
+    const text = readFileSync(join(DIST, name), 'utf8');
+    for (const [, specifier] of text.matchAll(/(?:from|import)\s*['"]([^'"]+)['"]/g)) {
+      if (specifier.startsWith('./')) visit(specifier.slice(2));
+      else assert.fail(`${name} imports ${specifier}`);
+    }
+  };
+  visit(entry);
+  return files;
+}
+
+test('everything that a browser loads is under 400 KB compressed', () => {
+  const files = new Set([...filesFrom('index.js'), ...filesFrom('worker.js'), 'abflat.wasm']);
+  const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
+  const sum = bytes.reduce((a, b) => a + b, 0);
+  assert.ok(sum < MAX_BYTES, `${sum} bytes`);
+});
+
+test('the entries for browsers import only files beside them', () => {
+  assert.ok(filesFrom('index.js').size > 1);
+  assert.ok(filesFrom('worker.js').has('abflat.mjs'));
+});
+
+test('the module knows the same status codes and samples as the package', async () => {
+  const { Engine } = await import(join(DIST, 'engine.js'));
+  const wasm = await WebAssembly.compile(readFileSync(join(DIST, 'abflat.wasm')));
+  const engine = await Engine.create(wasm, 2 ** 28);
+  const { statuses, samples } = engine.run({ kind: 'describe' });
+  assert.deepEqual(statuses, [...STATUS_NAMES]);
+  assert.deepEqual(samples, [...SAMPLE_NAMES]);
+  assert.deepEqual(Object.keys(STATUSES), [...STATUS_NAMES]);
+});
+
+test('version and exported files match the repository', () => {
+  const manifest = JSON.parse(readFileSync(join(ROOT, 'wasm/package.json'), 'utf8'));
+  const cmake = readFileSync(join(ROOT, 'CMakeLists.txt'), 'utf8');
+  assert.equal(manifest.version, cmake.match(/project\(abflat VERSION (\S+)/)[1]);
+  const paths = Object.values(manifest.exports).flatMap((entry) =>
+    typeof entry === 'string' ? [entry] : Object.values(entry),
+  );
+  for (const path of [...paths, manifest.types]) readFileSync(join(ROOT, 'wasm', path));
+});
+
+test('npm pack contains the licences and no sources', () => {
+  const args = ['pack', '--dry-run', '--json', '--workspace', 'wasm'];
+  const { stdout, stderr } = spawnSync('npm', args, { cwd: ROOT, encoding: 'utf8' });
+  assert.match(stdout, /^\s*\[/, stderr);
+  const files = JSON.parse(stdout)[0].files.map(({ path }) => path);
+  for (const name of ['package.json', 'README.md', 'dist/index.d.ts', 'dist/abflat.wasm']) {
+    assert.ok(files.includes(name), name);
+  }
+  for (const name of ['dist/LICENSE.txt', 'dist/THIRD_PARTY_LICENSES.txt']) {
+    assert.ok(files.includes(name), name);
+  }
+  assert.deepEqual(files.filter((path) => !/^(dist\/|package\.json$|README\.md$)/.test(path)), []);
+});
+
+test('the example for Node in the README runs', () => {
+  const { node } = examples();
+  assert.ok(node, 'there is no example');
+  const folder = mkdtempSync(join(tmpdir(), 'abflat-readme-'));
+  try {
+    symlinkSync(join(ROOT, 'node_modules'), join(folder, 'node_modules'));
+    writeFileSync(join(folder, 'example.mjs'), node);
+    writeFileSync(join(folder, 'mesh.obj'), EXAMPLE_OBJ);
+    const { status, stdout, stderr } = spawnSync(process.execPath, ['example.mjs'], {
+      cwd: folder,
+      encoding: 'utf8',
+    });
+    assert.equal(status, 0, stderr);
+    assert.match(stdout, /true/);
+    assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('the README names every status, option and setting', () => {
+  const text = readFileSync(join(ROOT, 'wasm/README.md'), 'utf8');
+  const types = readFileSync(join(DIST, 'types.d.ts'), 'utf8');
+  const fields = (name) =>
+    [...types.match(new RegExp(`interface ${name} [^{]*{(.*?)^}`, 'ms'))[1].matchAll(/^ {4}(\w+)\??[:(]/gm)].map(
+      ([, field]) => field,
+    );
+  const names = ['CallOptions', 'FlattenOptions', 'CreateOptions', 'FlattenResult', 'Abflat'];
+  for (const field of [...names.flatMap(fields), ...STATUS_NAMES.slice(1)]) {
+    assert.ok(text.includes(`\`${field}`), `README.md does not mention ${field}`);
+  }
+});

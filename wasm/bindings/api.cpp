@@ -1,0 +1,118 @@
+// The functions that JavaScript calls. Sizes are in elements unless said otherwise; pointers are
+// valid until the job is freed or the next call that takes it.
+
+#include <emscripten/em_js.h>
+#include <emscripten/emscripten.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "abflat/samples.h"
+#include "job.h"
+
+using abflat::StatusCode;
+using abflat::bindings::Field;
+using abflat::bindings::Job;
+
+// clang-format off
+EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double residual, double fraction), {
+  Module["onProgress"](stage, newtonStep, residual, fraction);
+});
+
+// Must throw: nothing of the module may run afterwards.
+EM_JS(void, abflatReportOutOfMemory, (), {
+  Module["onOutOfMemory"]();
+});
+// clang-format on
+
+namespace {
+
+void outOfMemory() {
+  abflatReportOutOfMemory();
+  std::abort();
+}
+
+bool reportProgress(const abflat::Progress& p) {
+  abflatReportProgress(p.stage, p.newtonStep, p.constraintResidual, p.fraction);
+  return true;
+}
+
+/// Keeps the message where JavaScript finds it.
+int finish(Job& job, const abflat::Status& status) {
+  if (!status.ok()) job.text = status.message;
+  return static_cast<int>(status.code);
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() {
+  // Without exceptions a failed allocation would just stop the module.
+  std::set_new_handler(outOfMemory);
+  return new Job;
+}
+
+EMSCRIPTEN_KEEPALIVE void abflatFreeJob(Job* job) { delete job; }
+
+/// Room for the name of the input (UTF-8), `size` bytes.
+EMSCRIPTEN_KEEPALIVE char* abflatName(Job* job, std::size_t size) {
+  job->name.resize(size);
+  return job->name.data();
+}
+
+/// Room for the content of a file, `size` bytes.
+EMSCRIPTEN_KEEPALIVE char* abflatSource(Job* job, std::size_t size) {
+  job->isFile = true;
+  job->source.resize(size);
+  return job->source.data();
+}
+
+/// Room for the positions of a mesh given as arrays, `size` coordinates.
+EMSCRIPTEN_KEEPALIVE double* abflatPositions(Job* job, std::size_t size) {
+  job->mesh.positions.resize(size);
+  return job->mesh.positions.data();
+}
+
+/// Room for the triangles of a mesh given as arrays, `size` vertex numbers.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
+  job->mesh =
+      abflat::makeTriangleMesh(std::move(job->mesh.positions), std::vector<std::uint32_t>(size));
+  return job->mesh.faceVertices.data();
+}
+
+EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, double t, int wantsObj) {
+  return finish(*job, flattenJob(*job, t, wantsObj != 0, reportProgress));
+}
+
+EMSCRIPTEN_KEEPALIVE int abflatInspect(Job* job) { return finish(*job, inspectJob(*job)); }
+
+EMSCRIPTEN_KEEPALIVE int abflatLoad(Job* job) { return finish(*job, loadJob(*job)); }
+
+EMSCRIPTEN_KEEPALIVE int abflatSample(Job* job, double detail) {
+  return finish(*job, sampleJob(*job, detail));
+}
+
+EMSCRIPTEN_KEEPALIVE const void* abflatResultData(const Job* job, int field) {
+  return resultOf(*job, static_cast<Field>(field)).data;
+}
+
+/// In bytes.
+EMSCRIPTEN_KEEPALIVE std::size_t abflatResultSize(const Job* job, int field) {
+  return resultOf(*job, static_cast<Field>(field)).size;
+}
+
+EMSCRIPTEN_KEEPALIVE int abflatStatusCount() { return abflat::kStatusCodeCount; }
+
+EMSCRIPTEN_KEEPALIVE const char* abflatStatusName(int code) {
+  return abflat::statusName(static_cast<StatusCode>(code));
+}
+
+EMSCRIPTEN_KEEPALIVE int abflatSampleCount() { return static_cast<int>(abflat::samples().size()); }
+
+/// The name, ended by a zero byte as every string literal is.
+EMSCRIPTEN_KEEPALIVE const char* abflatSampleName(int index) {
+  return abflat::samples()[static_cast<std::size_t>(index)].name.data();
+}
+
+}  // extern "C"

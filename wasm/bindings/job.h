@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "abflat/mesh.h"
+#include "abflat/status.h"
+
+namespace abflat::bindings {
+
+/// One call from JavaScript: the input it wrote, then the results it reads.
+struct Job {
+  std::string name;    ///< of the input, in messages and reports
+  std::string source;  ///< bytes of a file; unused when the mesh came as arrays
+  bool isFile = false;
+  PolygonMesh mesh;
+  FlattenResult result;
+  std::vector<double> positions;  ///< 3 per output vertex, files only
+  std::string obj;                ///< OBJ text, when asked for
+  std::string text;               ///< JSON on success, otherwise the message of the error
+};
+
+/// What JavaScript can read from a finished job; the numbers are those of `Field` in engine.ts.
+enum class Field : int { Uv, Indices, VertexMap, Positions, Obj, Text };
+
+struct Bytes {
+  const void* data = nullptr;
+  std::size_t size = 0;
+};
+
+Bytes resultOf(const Job& job, Field field);
+
+/// Parses the file, or checks the arrays. Errors: those of detectFormat, readMesh, validateArrays.
+Status readInput(Job& job);
+
+/// Fills everything that resultOf() returns. `progress` as in FlattenOptions, with the stages
+/// "read" and "write" added.
+Status flattenJob(Job& job, double t, bool wantsObj, const ProgressCallback& progress);
+
+Status inspectJob(Job& job);
+
+/// The triangles of the input, whatever its topology.
+Status loadJob(Job& job);
+
+/// Makes the sample called job.name. Errors: InvalidOption, with the names there are.
+Status sampleJob(Job& job, double detail);
+
+}  // namespace abflat::bindings

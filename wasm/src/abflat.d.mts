@@ -1,0 +1,35 @@
+// The module that Emscripten writes; see wasm/bindings/api.cpp for the functions.
+
+/** Pointers and sizes are unsigned in C++ and signed here: add `>>> 0`. */
+export interface NativeModule {
+  _abflatNewJob(): number;
+  _abflatFreeJob(job: number): void;
+  _abflatName(job: number, bytes: number): number;
+  _abflatSource(job: number, bytes: number): number;
+  _abflatPositions(job: number, count: number): number;
+  _abflatIndices(job: number, count: number): number;
+  _abflatFlatten(job: number, t: number, wantsObj: number): number;
+  _abflatInspect(job: number): number;
+  _abflatLoad(job: number): number;
+  _abflatSample(job: number, detail: number): number;
+  _abflatResultData(job: number, field: number): number;
+  _abflatResultSize(job: number, field: number): number;
+  _abflatStatusCount(): number;
+  _abflatStatusName(code: number): number;
+  _abflatSampleCount(): number;
+  _abflatSampleName(index: number): number;
+}
+
+export interface NativeSettings {
+  wasmMemory: WebAssembly.Memory;
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ): object;
+  print(text: string): void;
+  printErr(text: string): void;
+  onProgress(stage: number, newtonStep: number, residual: number, fraction: number): void;
+  onOutOfMemory(): never;
+}
+
+export default function createNative(settings: NativeSettings): Promise<NativeModule>;

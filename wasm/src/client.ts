@@ -1,0 +1,166 @@
+// The caller's side of the protocol: a queue in front of one worker, which is started when there is something to do
+// and replaced when it was stopped.
+
+import { ABORTED, AbflatError, abortError } from './errors.js';
+import type { Platform, WorkerHandle } from './platform.js';
+import type { Answer, FromWorker, Request } from './protocol.js';
+import type { Progress } from './types.js';
+
+const TERMINATED = 'terminate() was called.';
+
+export interface ClientSettings {
+  module: WebAssembly.Module;
+  maxMemory: number;
+  workerUrl?: string | URL;
+}
+
+export interface CallSettings {
+  transfer?: ArrayBuffer[];
+  signal?: AbortSignal;
+  onProgress?: (progress: Progress) => void;
+}
+
+interface Call {
+  request: Request;
+  transfer: ArrayBuffer[];
+  onProgress?: (progress: Progress) => void;
+  resolve(answer: Answer): void;
+  reject(error: unknown): void;
+}
+
+export class Client {
+  readonly #platform: Platform;
+  readonly #settings: ClientSettings;
+  readonly #waiting: Call[] = [];
+  #running: Call | undefined;
+  #worker: WorkerHandle | undefined;
+  #isTerminated = false;
+
+  constructor(platform: Platform, settings: ClientSettings) {
+    this.#platform = platform;
+    this.#settings = settings;
+  }
+
+  /** Throws AbortError where a call would be in vain: before its buffers are taken. */
+  checkUsable(signal?: AbortSignal): void {
+    if (this.#isTerminated) throw abortError(TERMINATED);
+    if (signal?.aborted) throw abortError(ABORTED);
+  }
+
+  /** The caller knows the type of the answer to its request. */
+  call<T extends Answer>(request: Request, settings: CallSettings = {}): Promise<T> {
+    const { transfer = [], signal, onProgress } = settings;
+    return new Promise<Answer>((resolve, reject) => {
+      const cancel = () => this.#cancel(call, abortError(ABORTED));
+      const settled =
+        <V>(settle: (value: V) => void) =>
+        (value: V) => {
+          signal?.removeEventListener('abort', cancel);
+          settle(value);
+        };
+      const call: Call = {
+        request,
+        transfer,
+        onProgress,
+        resolve: settled(resolve),
+        reject: settled(reject),
+      };
+      signal?.addEventListener('abort', cancel);
+      this.#waiting.push(call);
+      this.#next();
+    }) as Promise<T>;
+  }
+
+  terminate(): void {
+    this.#isTerminated = true;
+    this.#dropWorker();
+    const calls = [this.#running, ...this.#waiting.splice(0)];
+    this.#running = undefined;
+    for (const call of calls) call?.reject(abortError(TERMINATED));
+  }
+
+  #next(): void {
+    if (this.#running) return;
+    const call = this.#waiting.shift();
+    if (!call) {
+      this.#worker?.setBusy(false);
+      return;
+    }
+    this.#running = call;
+    try {
+      this.#worker ??= this.#startWorker();
+      this.#worker.setBusy(true);
+      this.#worker.post({ type: 'call', request: call.request }, call.transfer);
+    } catch (error) {
+      // A browser may refuse to start a worker, and values that cannot be cloned are refused as well.
+      this.#dropWorker();
+      this.#settle((ended) => ended.reject(error));
+    }
+  }
+
+  #startWorker(): WorkerHandle {
+    const { module, maxMemory, workerUrl } = this.#settings;
+    const isCurrent = () => this.#worker === worker;
+    const worker = this.#platform.startWorker(
+      {
+        onMessage: (message) => isCurrent() && this.#onMessage(message),
+        onCrash: (error) => isCurrent() && this.#onCrash(error),
+      },
+      workerUrl,
+    );
+    worker.post({ type: 'start', module, maxMemory });
+    return worker;
+  }
+
+  #onMessage(message: FromWorker): void {
+    if (message.type === 'progress') {
+      this.#report(message.progress);
+      return;
+    }
+    if (message.isSpent) this.#dropWorker();
+    this.#settle((call) => {
+      if (message.type === 'done') call.resolve(message.answer);
+      else call.reject(new AbflatError(message.code, message.message));
+    });
+  }
+
+  /** A listener that throws ends its call with what it threw. */
+  #report(progress: Progress): void {
+    const call = this.#running;
+    try {
+      call?.onProgress?.(progress);
+    } catch (error) {
+      if (call) this.#cancel(call, error);
+    }
+  }
+
+  #onCrash(error: AbflatError): void {
+    this.#dropWorker();
+    this.#settle((call) => call.reject(error));
+  }
+
+  #cancel(call: Call, error: unknown): void {
+    if (call === this.#running) {
+      // A busy worker hears nothing: ending it is the only way.
+      this.#dropWorker();
+      this.#settle(() => call.reject(error));
+      return;
+    }
+    const place = this.#waiting.indexOf(call);
+    if (place >= 0) this.#waiting.splice(place, 1);
+    call.reject(error);
+  }
+
+  #settle(end: (call: Call) => void): void {
+    const call = this.#running;
+    this.#running = undefined;
+    if (call) end(call);
+    this.#next();
+  }
+
+  #dropWorker(): void {
+    const worker = this.#worker;
+    this.#worker = undefined;
+    worker?.terminate();
+  }
+}

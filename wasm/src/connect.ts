@@ -1,0 +1,99 @@
+import { Client } from './client.js';
+import { AbflatError, messageOf } from './errors.js';
+import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, STATUS_NAMES } from './generated.js';
+import { takeFile, takeMesh } from './input.js';
+import { MAX_MEMORY } from './memory.js';
+import type { Platform } from './platform.js';
+import type { Description } from './protocol.js';
+import type {
+  Abflat,
+  CallOptions,
+  CreateOptions,
+  FlattenOptions,
+  FlattenResult,
+  MeshFile,
+  MeshInput,
+  MeshSummary,
+  SampleOptions,
+  TriangleMesh,
+} from './types.js';
+import {
+  checkBoolean,
+  checkFunction,
+  checkKeys,
+  checkMaxMemory,
+  checkNumber,
+  checkSignal,
+  checkString,
+  KEYS,
+} from './validate.js';
+
+/** Loads the module, starts a worker and waits until it answers. */
+export async function connect(platform: Platform, options: CreateOptions = {}): Promise<Abflat> {
+  checkKeys(options, KEYS.create);
+  const { maxMemory = MAX_MEMORY, wasmUrl, workerUrl } = options;
+  checkMaxMemory(maxMemory);
+  const module = await platform.loadModule(wasmUrl).catch((error: unknown) => {
+    throw new AbflatError('UnreadableFile', messageOf(error));
+  });
+  const client = new Client(platform, { module, maxMemory, workerUrl });
+  const { statuses } = await client.call<Description>({ kind: 'describe' });
+  if (statuses.join() !== STATUS_NAMES.join()) {
+    client.terminate();
+    throw new AbflatError('Internal', 'abflat.wasm and abflat are of different versions.');
+  }
+  return {
+    flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
+    inspect: async (mesh, settings = {}) => inspect(client, mesh, settings),
+    load: async (file, settings = {}) => load(client, file, settings),
+    sample: async (name, settings = {}) => sample(client, name, settings),
+    terminate: () => client.terminate(),
+  };
+}
+
+function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
+  checkKeys(options, KEYS.flatten);
+  const { t = FLATTEN_DEFAULTS.t, obj, transfer, signal, onProgress } = options;
+  checkNumber('t', t, FLATTEN_OPTIONS.t);
+  checkBoolean('obj', obj);
+  checkFunction('onProgress', onProgress);
+  checkSignal(signal);
+  client.checkUsable(signal);
+  const owned = takeMesh(mesh, transfer);
+  const wantsProgress = onProgress !== undefined;
+  return client.call<FlattenResult>(
+    { kind: 'flatten', mesh: owned.mesh, t, wantsObj: obj === true, wantsProgress },
+    { transfer: owned.buffers, signal, onProgress },
+  );
+}
+
+function inspect(client: Client, mesh: MeshInput, options: CallOptions): Promise<MeshSummary> {
+  const { signal, transfer } = checkCall(client, options);
+  const owned = takeMesh(mesh, transfer);
+  const request = { kind: 'inspect', mesh: owned.mesh } as const;
+  return client.call<MeshSummary>(request, { transfer: owned.buffers, signal });
+}
+
+function load(client: Client, file: MeshFile, options: CallOptions): Promise<TriangleMesh> {
+  const { signal, transfer } = checkCall(client, options);
+  const owned = takeFile(file, transfer);
+  const request = { kind: 'load', mesh: owned.mesh } as const;
+  return client.call<TriangleMesh>(request, { transfer: owned.buffers, signal });
+}
+
+function checkCall(client: Client, options: CallOptions): CallOptions {
+  checkKeys(options, KEYS.call);
+  checkSignal(options.signal);
+  client.checkUsable(options.signal);
+  return options;
+}
+
+function sample(client: Client, name: string, options: SampleOptions): Promise<TriangleMesh> {
+  checkKeys(options, KEYS.sample);
+  const { detail = 1, signal } = options;
+  checkNumber('detail', detail, { range: 'from 1', atLeast: 1 });
+  checkSignal(signal);
+  client.checkUsable(signal);
+  checkString('name', name);
+  return client.call<TriangleMesh>({ kind: 'sample', name, detail }, { signal });
+}

@@ -1,0 +1,236 @@
+// One instance of the WebAssembly module. Runs in the worker, where it may block.
+
+import createNative, { type NativeModule } from './abflat.mjs';
+import { AbflatError, messageOf } from './errors.js';
+import { STATUS_NAMES } from './generated.js';
+import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
+import type { Answer, Description, OwnedMesh, Request } from './protocol.js';
+import type { FlattenResult, MeshSummary, Progress, Report, TriangleMesh } from './types.js';
+
+/** The numbers are those of `Field` in wasm/bindings/job.h. */
+const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, text: 5 } as const;
+
+/** Thrown through the module by its allocator. */
+class OutOfMemory extends Error {}
+
+interface Hooks {
+  onProgress(progress: Progress): void;
+}
+
+export class Engine {
+  /** After a trap the module's memory is in no defined state: this engine must not be used again. */
+  isBroken = false;
+  readonly #native: NativeModule;
+  readonly #memory: WebAssembly.Memory;
+  readonly #maxMemory: number;
+  readonly #hooks: Hooks;
+
+  private constructor(
+    native: NativeModule,
+    memory: WebAssembly.Memory,
+    maxMemory: number,
+    hooks: Hooks,
+  ) {
+    this.#native = native;
+    this.#memory = memory;
+    this.#maxMemory = maxMemory;
+    this.#hooks = hooks;
+  }
+
+  static async create(module: WebAssembly.Module, maxMemory: number): Promise<Engine> {
+    const memory = new WebAssembly.Memory({
+      initial: MIN_MEMORY / PAGE,
+      maximum: Math.floor(maxMemory / PAGE),
+    });
+    const hooks: Hooks = { onProgress: ignore };
+    const native = await new Promise<NativeModule>((resolve, reject) => {
+      createNative({
+        wasmMemory: memory,
+        instantiateWasm: (imports, receive) => {
+          WebAssembly.instantiate(module, imports)
+            .then((instance) => receive(instance, module))
+            .catch(reject);
+          return {};
+        },
+        print: ignore,
+        printErr: ignore, // repeats what is thrown
+        onProgress: (stage, newtonStep, constraintResidual, fraction) => {
+          const name = readString(memory, stage) as Progress['stage'];
+          hooks.onProgress({ stage: name, newtonStep, constraintResidual, fraction });
+        },
+        onOutOfMemory: () => {
+          throw new OutOfMemory();
+        },
+      }).then(resolve, reject);
+    });
+    return new Engine(native, memory, maxMemory, hooks);
+  }
+
+  get heapBytes(): number {
+    return this.#memory.buffer.byteLength;
+  }
+
+  /** Throws AbflatError; when the module trapped or ran out of memory, `isBroken` is set then. */
+  run(request: Request, onProgress: (progress: Progress) => void = ignore): Answer {
+    this.#hooks.onProgress = onProgress;
+    try {
+      return this.#run(request);
+    } catch (error) {
+      if (error instanceof AbflatError) throw error;
+      this.isBroken = true;
+      throw this.#explain(error);
+    }
+  }
+
+  #run(request: Request): Answer {
+    switch (request.kind) {
+      case 'describe':
+        return this.#describe();
+      case 'flatten':
+        return this.#flatten(request);
+      case 'inspect':
+        return this.#withJob((job) => this.#inspect(job, request.mesh));
+      case 'load':
+        return this.#withJob((job) => this.#load(job, request.mesh));
+      case 'sample':
+        return this.#withJob((job) => this.#sample(job, request.name, request.detail));
+    }
+  }
+
+  #describe(): Description {
+    const native = this.#native;
+    const list = (count: number, name: (index: number) => number) =>
+      Array.from({ length: count }, (_, index) => readString(this.#memory, name(index)));
+    return {
+      statuses: list(native._abflatStatusCount(), native._abflatStatusName),
+      samples: list(native._abflatSampleCount(), native._abflatSampleName),
+    };
+  }
+
+  #flatten({ mesh, t, wantsObj }: Request & { kind: 'flatten' }): FlattenResult {
+    const started = performance.now();
+    return this.#withJob((job) => {
+      this.#writeMesh(job, mesh);
+      const written = performance.now();
+      this.#check(job, this.#native._abflatFlatten(job, t, Number(wantsObj)));
+      const finished = performance.now();
+      const result: FlattenResult = {
+        uv: new Float64Array(this.#read(job, FIELD.uv)),
+        indices: new Uint32Array(this.#read(job, FIELD.indices)),
+        vertexMap: new Uint32Array(this.#read(job, FIELD.vertexMap)),
+        report: JSON.parse(this.#readText(job)) as Report,
+      };
+      if ('bytes' in mesh) result.positions = new Float64Array(this.#read(job, FIELD.positions));
+      if (wantsObj) result.obj = new Uint8Array(this.#read(job, FIELD.obj));
+      const { timings } = result.report;
+      const now = performance.now();
+      timings.read += (written - started) / 1000;
+      timings.write += (now - finished) / 1000;
+      timings.total = (now - started) / 1000;
+      return result;
+    });
+  }
+
+  #inspect(job: number, mesh: OwnedMesh): MeshSummary {
+    this.#writeMesh(job, mesh);
+    this.#check(job, this.#native._abflatInspect(job));
+    return JSON.parse(this.#readText(job)) as MeshSummary;
+  }
+
+  #load(job: number, file: OwnedMesh): TriangleMesh {
+    this.#writeMesh(job, file);
+    this.#check(job, this.#native._abflatLoad(job));
+    return this.#readTriangles(job);
+  }
+
+  #sample(job: number, name: string, detail: number): TriangleMesh {
+    this.#writeName(job, name);
+    this.#check(job, this.#native._abflatSample(job, detail));
+    return this.#readTriangles(job);
+  }
+
+  #readTriangles(job: number): TriangleMesh {
+    return {
+      positions: new Float64Array(this.#read(job, FIELD.positions)),
+      indices: new Uint32Array(this.#read(job, FIELD.indices)),
+    };
+  }
+
+  #withJob<T>(use: (job: number) => T): T {
+    const job = this.#native._abflatNewJob();
+    try {
+      const value = use(job);
+      this.#native._abflatFreeJob(job);
+      return value;
+    } catch (error) {
+      // After anything else the module may not be called again.
+      if (error instanceof AbflatError) this.#native._abflatFreeJob(job);
+      throw error;
+    }
+  }
+
+  #writeMesh(job: number, mesh: OwnedMesh): void {
+    if ('bytes' in mesh) {
+      this.#writeName(job, mesh.name);
+      const source = this.#native._abflatSource(job, mesh.bytes.length) >>> 0;
+      new Uint8Array(this.#memory.buffer, source, mesh.bytes.length).set(mesh.bytes);
+      return;
+    }
+    const { positions, indices } = mesh;
+    this.#writeName(job, 'arrays');
+    const xyz = this.#native._abflatPositions(job, positions.length) >>> 0;
+    new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
+    const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
+    new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
+  }
+
+  #writeName(job: number, name: string): void {
+    const bytes = new TextEncoder().encode(name);
+    const start = this.#native._abflatName(job, bytes.length) >>> 0;
+    new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
+  }
+
+  /** A copy of a result. */
+  #read(job: number, field: number): ArrayBuffer {
+    const start = this.#native._abflatResultData(job, field) >>> 0;
+    const size = this.#native._abflatResultSize(job, field) >>> 0;
+    try {
+      return this.#memory.buffer.slice(start, start + size);
+    } catch (error) {
+      throw error instanceof RangeError ? new OutOfMemory() : error;
+    }
+  }
+
+  #readText(job: number): string {
+    return new TextDecoder().decode(this.#read(job, FIELD.text));
+  }
+
+  #check(job: number, code: number): void {
+    if (code === 0) return;
+    throw new AbflatError(STATUS_NAMES[code] ?? 'Internal', this.#readText(job));
+  }
+
+  #explain(error: unknown): AbflatError {
+    if (error instanceof OutOfMemory) {
+      return new AbflatError(
+        'OutOfMemory',
+        `The mesh needs more memory than there is: abflat may use ${megabytes(this.#maxMemory)}` +
+          ` and has ${megabytes(this.heapBytes)}. Use a mesh with fewer faces, or a larger maxMemory.`,
+      );
+    }
+    return new AbflatError(
+      'Internal',
+      `The WebAssembly module stopped (${messageOf(error)}); please report it with the mesh.`,
+    );
+  }
+}
+
+function ignore(): void {
+  // Nobody listens.
+}
+
+/** A zero-terminated string. */
+function readString(memory: WebAssembly.Memory, pointer: number): string {
+  const bytes = new Uint8Array(memory.buffer, pointer >>> 0);
+  return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+}

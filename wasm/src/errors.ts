@@ -1,0 +1,22 @@
+import type { StatusName } from './generated.js';
+
+/** Why a call has no result: `code` for programs, `message` one sentence for people. */
+export class AbflatError extends Error {
+  override readonly name = 'AbflatError';
+  readonly code: StatusName;
+
+  constructor(code: StatusName, message: string) {
+    super(message);
+    this.code = code;
+  }
+}
+
+export const ABORTED = 'The call was aborted.';
+
+export function abortError(message: string): DOMException {
+  return new DOMException(message, 'AbortError');
+}
+
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

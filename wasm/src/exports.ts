@@ -1,0 +1,13 @@
+// What the package exports beside createAbflat.
+
+export { AbflatError } from './errors.js';
+export {
+  FLATTEN_DEFAULTS,
+  FLATTEN_OPTIONS,
+  type FlattenDefaults,
+  STATUS_NAMES,
+  STATUSES,
+  type StatusName,
+} from './generated.js';
+export { SAMPLE_NAMES, type SampleName } from './samples.js';
+export type * from './types.js';

@@ -1,0 +1,70 @@
+// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+
+/** In the order of the C++ enum: index = number of the code. */
+export const STATUS_NAMES = [
+  'Ok',
+  'InvalidOption',
+  'UnreadableFile',
+  'ParseError',
+  'InvalidMesh',
+  'EmptyMesh',
+  'DegenerateFace',
+  'NonManifoldEdge',
+  'InconsistentOrientation',
+  'MultipleComponents',
+  'ClosedSurface',
+  'MultipleBoundaryLoops',
+  'HasHandles',
+  'InfeasibleBound',
+  'OutOfMemory',
+  'Aborted',
+  'CannotWrite',
+  'Internal',
+] as const;
+
+export type StatusName = (typeof STATUS_NAMES)[number];
+
+/** Exit code of the command line program and meaning of every status. */
+export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; readonly text: string }>> = {
+  Ok: { exit: 0, text: 'no error' },
+  InvalidOption: { exit: 2, text: 'an option is unknown or out of its range' },
+  UnreadableFile: { exit: 3, text: 'the file does not exist, cannot be opened or has an unknown format' },
+  ParseError: { exit: 3, text: 'the content is not what its format promises; the message names the line' },
+  InvalidMesh: { exit: 3, text: 'mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners' },
+  EmptyMesh: { exit: 4, text: 'the mesh has no faces' },
+  DegenerateFace: { exit: 4, text: 'a face uses the same vertex twice' },
+  NonManifoldEdge: { exit: 4, text: 'an edge has more than two faces' },
+  InconsistentOrientation: { exit: 4, text: 'two neighbouring faces run along their common edge in the same direction' },
+  MultipleComponents: { exit: 4, text: 'the mesh has more than one edge-connected component' },
+  ClosedSurface: { exit: 4, text: 'the surface has no boundary' },
+  MultipleBoundaryLoops: { exit: 4, text: 'the surface has more than one boundary loop' },
+  HasHandles: { exit: 4, text: 'the surface has genus above 0' },
+  InfeasibleBound: { exit: 4, text: 't is below 1 - 2/(number of boundary vertices); the message says the least t possible' },
+  OutOfMemory: { exit: 4, text: 'the mesh needs more memory than there is' },
+  Aborted: { exit: 4, text: 'the caller cancelled the run' },
+  CannotWrite: { exit: 5, text: 'the output cannot be written' },
+  Internal: { exit: 4, text: 'a defect of abflat; please report it with the mesh' },
+};
+
+/** Exit codes of the command line program. */
+export const EXIT_CODES = [
+  { code: 0, name: 'Valid', text: 'a valid result was written' },
+  { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says which' },
+  { code: 2, name: 'Usage', text: 'the command line cannot be understood' },
+  { code: 3, name: 'Unreadable', text: 'the input cannot be read: the message names file, line and what is wrong' },
+  { code: 4, name: 'NotFlattenable', text: 'the mesh was read but cannot be flattened: the message says why' },
+  { code: 5, name: 'CannotWrite', text: 'the output cannot be written; an existing file is left as it was' },
+] as const;
+
+export interface FlattenDefaults {
+  readonly t: number;
+}
+
+export const FLATTEN_DEFAULTS: FlattenDefaults = {
+  t: 1,
+};
+
+/** Type, default, bounds and help text of every option; `range` says the bounds in words. */
+export const FLATTEN_OPTIONS = {
+  t: { type: 'number', default: 1, above: 0, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF)', range: 'above 0' },
+} as const;

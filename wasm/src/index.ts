@@ -1,0 +1,12 @@
+// Entry for browsers and bundlers.
+
+import { connect } from './connect.js';
+import { browser } from './platform-browser.js';
+import type { Abflat, CreateOptions } from './types.js';
+
+export * from './exports.js';
+
+/** Starts a worker. Rejects when abflat.wasm or the worker's script cannot be loaded. */
+export function createAbflat(options?: CreateOptions): Promise<Abflat> {
+  return connect(browser, options);
+}

@@ -1,0 +1,12 @@
+// Entry for Node.
+
+import { connect } from './connect.js';
+import { node } from './platform-node.js';
+import type { Abflat, CreateOptions } from './types.js';
+
+export * from './exports.js';
+
+/** Starts a worker thread. Rejects when abflat.wasm or the worker's script cannot be loaded. */
+export function createAbflat(options?: CreateOptions): Promise<Abflat> {
+  return connect(node, options);
+}

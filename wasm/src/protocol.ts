@@ -1,0 +1,37 @@
+// What client and worker say to each other. One call at a time: the worker answers it before the client sends the next.
+
+import type { StatusName } from './generated.js';
+import type { FlattenResult, MeshArrays, MeshSummary, Progress, TriangleMesh } from './types.js';
+
+export interface OwnedFile {
+  bytes: Uint8Array;
+  name: string;
+}
+
+/** A mesh in buffers that belong to the call. */
+export type OwnedMesh = MeshArrays | OwnedFile;
+
+export type Request =
+  | { kind: 'describe' }
+  | { kind: 'flatten'; mesh: OwnedMesh; t: number; wantsObj: boolean; wantsProgress: boolean }
+  | { kind: 'inspect'; mesh: OwnedMesh }
+  | { kind: 'load'; mesh: OwnedFile }
+  | { kind: 'sample'; name: string; detail: number };
+
+/** What the module knows by name, to compare with what this package knows. */
+export interface Description {
+  statuses: string[];
+  samples: string[];
+}
+
+export type Answer = Description | FlattenResult | MeshSummary | TriangleMesh;
+
+export type ToWorker =
+  | { type: 'start'; module: WebAssembly.Module; maxMemory: number }
+  | { type: 'call'; request: Request };
+
+/** `isSpent`: the worker cannot or should not take another call. */
+export type FromWorker =
+  | { type: 'progress'; progress: Progress }
+  | { type: 'done'; answer: Answer; isSpent: boolean }
+  | { type: 'failed'; code: StatusName; message: string; isSpent: boolean };

@@ -1,0 +1,64 @@
+// The worker's side of the protocol, the same in browsers and Node.
+
+import { Engine } from './engine.js';
+import { AbflatError, messageOf } from './errors.js';
+import { KEPT_MEMORY } from './memory.js';
+import type { Answer, FromWorker, Request, ToWorker } from './protocol.js';
+import type { Progress } from './types.js';
+
+/** About 30 a second. */
+const PROGRESS_PAUSE_MS = 33;
+
+export interface Port {
+  post(message: FromWorker, transfer?: ArrayBuffer[]): void;
+  listen(handle: (message: ToWorker) => void): void;
+}
+
+export function serve(port: Port): void {
+  let engine: Promise<Engine> | undefined;
+  port.listen((message) => {
+    if (message.type === 'start') {
+      engine = Engine.create(message.module, message.maxMemory);
+      engine.catch(() => undefined); // the first call reports it
+    } else {
+      void answer(port, message.request, engine);
+    }
+  });
+}
+
+async function answer(port: Port, request: Request, starting?: Promise<Engine>): Promise<void> {
+  let engine: Engine | undefined;
+  try {
+    engine = await starting;
+    if (!engine) throw new Error('the worker was not started');
+    const wantsProgress = request.kind === 'flatten' && request.wantsProgress;
+    const post = (progress: Progress) => port.post({ type: 'progress', progress });
+    const value = engine.run(request, wantsProgress ? throttle(post) : undefined);
+    const isSpent = engine.heapBytes > KEPT_MEMORY;
+    port.post({ type: 'done', answer: value, isSpent }, buffersOf(value));
+  } catch (error) {
+    const code = error instanceof AbflatError ? error.code : 'Internal';
+    const isSpent = engine === undefined || engine.isBroken || engine.heapBytes > KEPT_MEMORY;
+    port.post({ type: 'failed', code, message: messageOf(error), isSpent });
+  }
+}
+
+/** Lets through what begins a stage, what ends the work, and otherwise one message in a while. */
+function throttle(post: (progress: Progress) => void): (progress: Progress) => void {
+  let stage: Progress['stage'] | undefined;
+  let last = Number.NEGATIVE_INFINITY;
+  return (progress) => {
+    const now = performance.now();
+    const isEdge = progress.stage !== stage || progress.fraction === 1;
+    if (!isEdge && now - last < PROGRESS_PAUSE_MS) return;
+    stage = progress.stage;
+    last = now;
+    post(progress);
+  };
+}
+
+function buffersOf(value: Answer): ArrayBuffer[] {
+  return Object.values(value)
+    .filter((field) => ArrayBuffer.isView(field))
+    .map((view) => view.buffer as ArrayBuffer);
+}

@@ -1,0 +1,74 @@
+// Checks what callers pass as options.
+
+import { AbflatError } from './errors.js';
+import { FLATTEN_OPTIONS } from './generated.js';
+import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
+
+const OF_CALL = ['signal', 'transfer'];
+export const KEYS = {
+  create: ['maxMemory', 'wasmUrl', 'workerUrl'],
+  flatten: [...Object.keys(FLATTEN_OPTIONS), 'onProgress', 'obj', ...OF_CALL],
+  call: OF_CALL,
+  sample: ['detail', 'signal'],
+};
+
+const invalid = (message: string) => new AbflatError('InvalidOption', message);
+
+/** "Float32Array", "Object", "Null"; right for values of another window as well. */
+export function tagOf(value: unknown): string {
+  return Object.prototype.toString.call(value).slice('[object '.length, -1);
+}
+
+export function checkKeys(options: object, known: string[]): void {
+  if (tagOf(options) !== 'Object') throw invalid('The options must be an object.');
+  const unknown = Object.keys(options).find((key) => !known.includes(key));
+  if (unknown === undefined) return;
+  throw invalid(`There is no option "${unknown}"; there are: ${known.join(', ')}.`);
+}
+
+export function checkSignal(signal: unknown): void {
+  if (signal !== undefined && tagOf(signal) !== 'AbortSignal')
+    throw invalid('signal must be an AbortSignal.');
+}
+
+export function checkBoolean(name: string, value: unknown): void {
+  if (value !== undefined && typeof value !== 'boolean')
+    throw invalid(`${name} must be true or false.`);
+}
+
+export function checkString(name: string, value: unknown): void {
+  if (typeof value !== 'string') throw invalid(`${name} must be a string.`);
+}
+
+export function checkFunction(name: string, value: unknown): void {
+  if (value !== undefined && typeof value !== 'function')
+    throw invalid(`${name} must be a function.`);
+}
+
+interface NumberRule {
+  /** In words: "above 0". */
+  readonly range: string;
+  readonly above?: number;
+  readonly atLeast?: number;
+  readonly below?: number;
+  readonly atMost?: number;
+}
+
+/** A finite number within its bounds. */
+export function checkNumber(name: string, value: unknown, rule: NumberRule): void {
+  const isInRange =
+    typeof value === 'number' &&
+    Number.isFinite(value) &&
+    value > (rule.above ?? Number.NEGATIVE_INFINITY) &&
+    value >= (rule.atLeast ?? Number.NEGATIVE_INFINITY) &&
+    value < (rule.below ?? Number.POSITIVE_INFINITY) &&
+    value <= (rule.atMost ?? Number.POSITIVE_INFINITY);
+  if (isInRange) return;
+  const shown = typeof value === 'string' ? JSON.stringify(value) : String(value);
+  throw invalid(`${name} must be a number ${rule.range}; it is ${shown}.`);
+}
+
+export function checkMaxMemory(value: unknown): void {
+  const range = `of bytes from ${MIN_MEMORY} (16 MB) to ${MAX_MEMORY} (4 GB)`;
+  checkNumber('maxMemory', value, { range, atLeast: MIN_MEMORY, atMost: MAX_MEMORY });
+}

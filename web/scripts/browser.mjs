@@ -1,0 +1,58 @@
+// A real browser on the built page, for tests and screenshots.
+
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+import { findChrome } from '../../scripts/lib/requirements.mjs';
+import { createStaticServer, listen } from '../../scripts/serve.mjs';
+
+const FLAGS = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+// WebGL without a graphics card.
+const SOFTWARE_GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
+
+/** Serves a folder on a free port of this machine. */
+export async function serveFolder(folder) {
+  if (!existsSync(join(folder, 'index.html')))
+    throw new Error(`${folder} has no index.html: run "npm run build:web" first.`);
+  const server = createStaticServer(folder);
+  const port = await listen(server, '127.0.0.1', 0, false);
+  return {
+    url: `http://127.0.0.1:${port}/`,
+    close: () => {
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}
+
+/** Starts a browser with an empty profile. `context` are playwright's options of a context. */
+export async function launchBrowser({ webgl = true, ...context } = {}) {
+  const executablePath = findChrome();
+  if (!executablePath) throw new Error('There is no Chromium or Chrome; name one with CHROME_PATH.');
+  const profile = mkdtempSync(join(tmpdir(), 'abflat-browser-'));
+  const browser = await chromium.launchPersistentContext(profile, {
+    executablePath,
+    headless: true,
+    args: [...FLAGS, ...(webgl ? SOFTWARE_GL : NO_GL)],
+    viewport: { width: 1280, height: 720 },
+    colorScheme: 'dark',
+    acceptDownloads: true,
+    ...context,
+  });
+  return {
+    context: browser,
+    close: async () => {
+      await browser.close();
+      rmSync(profile, { recursive: true, force: true });
+    },
+  };
+}

@@ -1,0 +1,19 @@
+import { create, element } from './dom';
+
+const box = element('alert', HTMLElement);
+
+/** Shows a sentence about what went wrong, until it is closed or `hideAlert` is called. */
+export function showAlert(sentence: string, detail = ''): void {
+  const close = create('button', 'alert-close', '×');
+  close.type = 'button';
+  close.setAttribute('aria-label', 'Close this message');
+  close.addEventListener('click', hideAlert);
+  const text = create('div', 'alert-text');
+  text.append(create('p', '', sentence));
+  if (detail) text.append(create('p', 'alert-detail', detail));
+  box.replaceChildren(text, close);
+}
+
+export function hideAlert(): void {
+  box.replaceChildren();
+}

@@ -1,0 +1,28 @@
+const INTEGER = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+
+export function count(n: number): string {
+  return INTEGER.format(n);
+}
+
+/** "1 triangle", "2 triangles". */
+export function counted(n: number, singular: string, plural = `${singular}s`): string {
+  return `${count(n)} ${n === 1 ? singular : plural}`;
+}
+
+/** Three significant digits, without an exponent where that stays short. */
+export function measure(x: number): string {
+  if (!Number.isFinite(x)) return 'not finite';
+  if (x === 0) return '0';
+  if (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e6) return x.toExponential(2).replace('e', ' e');
+  return Number(x.toPrecision(3)) >= 100 ? x.toFixed(0) : x.toPrecision(3);
+}
+
+export function duration(seconds: number): string {
+  if (seconds < 0.0995) return `${Math.max(1, Math.round(1000 * seconds))}\u202fms`;
+  return `${seconds < 9.95 ? seconds.toFixed(2) : seconds.toFixed(1)}\u202fs`;
+}
+
+/** At most three decimals: 1, 1.05, 0.968. */
+export function bound(t: number): string {
+  return String(Math.round(t * 1000) / 1000);
+}

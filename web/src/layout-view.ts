@@ -1,0 +1,103 @@
+import { BufferAttribute, BufferGeometry, Mesh, OrthographicCamera, Scene } from 'three';
+import { BoundaryLines } from './boundary-lines';
+import { createLayoutMaterial, paintLayout } from './layout-material';
+import type { FlatMesh } from './mesh';
+import { boundingBox, perCorner } from './mesh';
+import type { Palette } from './palette';
+import { PanZoom } from './pan-zoom';
+import { Stage } from './stage';
+
+/** Css pixels between a fitted layout and the border of its pane. */
+const MARGIN = 28;
+
+/** The uv layout in the plane. */
+export class LayoutView {
+  private readonly stage: Stage;
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
+  private readonly material = createLayoutMaterial();
+  private readonly surface = new Mesh(new BufferGeometry(), this.material);
+  private readonly boundary = new BoundaryLines(2, 2);
+  private readonly panZoom: PanZoom;
+  /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
+  private size: [number, number] = [1, 1];
+  /** Until the user pans or zooms, the layout stays fitted whatever happens to it or to the pane. */
+  private isFitted = true;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.panZoom = new PanZoom(canvas, {
+      moved: () => {
+        this.isFitted = false;
+        this.stage.invalidate();
+      },
+      fit: () => this.fit(),
+    });
+    this.stage = new Stage(
+      canvas,
+      () => this.draw(),
+      () => this.resized(),
+    );
+    this.surface.frustumCulled = false;
+    this.scene.add(this.surface, this.boundary.object);
+    this.stage.resize();
+  }
+
+  /** Shows a layout; `errors` per triangle. Keeps the point of view unless `isNew`. */
+  show(mesh: FlatMesh, edges: Uint32Array, errors: Float32Array, isNew: boolean): void {
+    const { min, max } = boundingBox(mesh.uv, 2);
+    const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
+    this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
+    const plane = new Float32Array((mesh.uv.length / 2) * 3);
+    mesh.uv.forEach((x, i) => {
+      const d = i % 2;
+      plane[3 * Math.floor(i / 2) + d] = (x - (min[d] + max[d]) / 2) / size;
+    });
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(perCorner(plane, 3, mesh.indices), 3));
+    const error = Float32Array.from(mesh.indices, (_, c) => errors[Math.floor(c / 3)]);
+    geometry.setAttribute('error', new BufferAttribute(error, 1));
+    this.surface.geometry.dispose();
+    this.surface.geometry = geometry;
+    this.boundary.show(plane, 3, edges);
+    if (isNew || this.isFitted) this.fit();
+    else this.stage.invalidate();
+  }
+
+  setPalette(palette: Palette): void {
+    this.stage.renderer.setClearColor(palette.background);
+    paintLayout(this.material, palette);
+    this.boundary.setColor(palette.boundary);
+    this.stage.invalidate();
+  }
+
+  setDistortion(shows: boolean): void {
+    this.material.uniforms.showsError.value = shows;
+    this.stage.invalidate();
+  }
+
+  fit(): void {
+    const margin = Math.min(MARGIN, this.stage.width / 8, this.stage.height / 8);
+    const across = (this.stage.width - 2 * margin) / (this.size[0] || 1);
+    const down = (this.stage.height - 2 * margin) / (this.size[1] || 1);
+    this.panZoom.set(0, 0, Math.min(across, down));
+    this.isFitted = true;
+    this.stage.invalidate();
+  }
+
+  private resized(): void {
+    this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
+    this.boundary.setResolution(this.stage.width, this.stage.height);
+    if (this.isFitted) this.fit();
+  }
+
+  private draw(): void {
+    const { x, y, scale } = this.panZoom;
+    const [halfWidth, halfHeight] = [this.stage.width / scale / 2, this.stage.height / scale / 2];
+    this.camera.left = x - halfWidth;
+    this.camera.right = x + halfWidth;
+    this.camera.bottom = y - halfHeight;
+    this.camera.top = y + halfHeight;
+    this.camera.updateProjectionMatrix();
+    this.stage.renderer.render(this.scene, this.camera);
+  }
+}

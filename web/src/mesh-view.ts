@@ -1,0 +1,187 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Mesh,
+  PerspectiveCamera,
+  Scene,
+  Spherical,
+  Vector3,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { BoundaryLines } from './boundary-lines';
+import type { DisplayMesh, FlatMesh } from './mesh';
+import { boundingBox, facing, perCorner, vertexNormals } from './mesh';
+import type { Palette } from './palette';
+import { Stage } from './stage';
+import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
+
+/** Checker cells along the longer side of the layout. */
+const CELLS = 32;
+const FIELD_OF_VIEW = 32;
+/** Radians per key press, and zoom factor. */
+const TURN = Math.PI / 24;
+const ZOOM = 1.15;
+/** A surface that faces one way as clearly as this is first seen from there; others from +z. */
+const CLEAR_FACING = 0.4;
+
+/** The mesh in 3D. */
+export class MeshView {
+  private readonly stage: Stage;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  private readonly controls: OrbitControls;
+  private readonly material = createSurfaceMaterial();
+  private readonly surface = new Mesh(new BufferGeometry(), this.material);
+  private readonly boundary = new BoundaryLines(1.75, 3);
+  private front = new Vector3(0, 0, 1);
+  private isFlat = false;
+  private showsDistortion = false;
+  private wireOpacity = 0.5;
+  private showsWireframe = false;
+
+  constructor(canvas: HTMLCanvasElement, reducedMotion: boolean) {
+    this.stage = new Stage(
+      canvas,
+      () => this.draw(),
+      () => this.fitCamera(),
+    );
+    this.surface.frustumCulled = false;
+    this.scene.add(this.surface, this.boundary.object);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = !reducedMotion;
+    this.controls.dampingFactor = 0.12;
+    this.controls.minDistance = 0.4;
+    this.controls.maxDistance = 30;
+    this.controls.addEventListener('change', () => this.stage.invalidate());
+    canvas.addEventListener('keydown', (event) => this.onKey(event));
+    this.stage.resize();
+  }
+
+  /** Shows a mesh; `errors` (per triangle) only for one that is flattened. Keeps the point of view unless `isNew`. */
+  show(mesh: DisplayMesh | FlatMesh, edges: Uint32Array, errors: Float32Array | null, isNew: boolean): void {
+    const geometry = new BufferGeometry();
+    const unit = toUnitSphere(mesh.positions);
+    geometry.setAttribute('position', new BufferAttribute(perCorner(unit, 3, mesh.indices), 3));
+    geometry.setAttribute('normal', new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3));
+    const cells = 'uv' in mesh ? toCells(mesh.uv) : new Float32Array((2 * unit.length) / 3);
+    geometry.setAttribute('uv', new BufferAttribute(perCorner(cells, 2, mesh.indices), 2));
+    const perTriangle = errors ?? new Float32Array(mesh.indices.length / 3);
+    const error = Float32Array.from(mesh.indices, (_, c) => perTriangle[Math.floor(c / 3)]);
+    geometry.setAttribute('error', new BufferAttribute(error, 1));
+    this.surface.geometry.dispose();
+    this.surface.geometry = geometry;
+    this.boundary.show(unit, 3, edges);
+    this.isFlat = errors !== null;
+    this.paint();
+    if (!isNew) return;
+    const { direction, clarity } = facing(mesh);
+    this.front =
+      clarity > CLEAR_FACING ? new Vector3(...direction) : new Vector3(0.35, 0.18, 1).normalize();
+    this.reset();
+  }
+
+  setPalette(palette: Palette): void {
+    this.stage.renderer.setClearColor(palette.background);
+    paintSurface(this.material, palette);
+    this.boundary.setColor(palette.boundary);
+    this.wireOpacity = palette.wireOpacity;
+    this.paint();
+  }
+
+  setWireframe(shows: boolean): void {
+    this.showsWireframe = shows;
+    this.paint();
+  }
+
+  setDistortion(shows: boolean): void {
+    this.showsDistortion = shows;
+    this.paint();
+  }
+
+  reset(): void {
+    this.controls.target.set(0, 0, 0);
+    // Looking straight along the up axis has no defined right side.
+    const direction = this.front.clone();
+    direction.y = Math.min(0.9, Math.max(-0.9, direction.y));
+    this.camera.position.copy(direction.setLength(this.fittingDistance()));
+    this.controls.update();
+    this.stage.invalidate();
+  }
+
+  private paint(): void {
+    const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : SurfacePaint.Checker;
+    this.material.uniforms.paint.value = this.isFlat ? flatPaint : SurfacePaint.Clay;
+    this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
+    this.stage.invalidate();
+  }
+
+  /** Distance from which the unit sphere fills the smaller side of the view. */
+  private fittingDistance(): number {
+    const half = (this.camera.fov * Math.PI) / 360;
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+    return 1.02 / Math.sin(narrow);
+  }
+
+  private fitCamera(): void {
+    this.camera.aspect = this.stage.width / this.stage.height;
+    this.camera.updateProjectionMatrix();
+    this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
+    this.boundary.setResolution(this.stage.width, this.stage.height);
+  }
+
+  private draw(): void {
+    // With damping, update() moves on and asks for the next frame through its change event.
+    this.controls?.update();
+    this.stage?.renderer.render(this.scene, this.camera);
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const turn = (theta: number, phi: number) => this.turn(theta, phi, 1);
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => turn(-TURN, 0),
+      ArrowRight: () => turn(TURN, 0),
+      ArrowUp: () => turn(0, -TURN),
+      ArrowDown: () => turn(0, TURN),
+      '+': () => this.turn(0, 0, 1 / ZOOM),
+      '=': () => this.turn(0, 0, 1 / ZOOM),
+      '-': () => this.turn(0, 0, ZOOM),
+      Home: () => this.reset(),
+      '0': () => this.reset(),
+    };
+    const action = actions[event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  }
+
+  private turn(theta: number, phi: number, zoom: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const spherical = new Spherical().setFromVector3(offset);
+    spherical.theta += theta;
+    spherical.phi += phi;
+    spherical.radius *= zoom;
+    offset.setFromSpherical(spherical.makeSafe());
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.stage.invalidate();
+  }
+}
+
+/** Positions moved and scaled into the unit sphere round the box's centre: float32 keeps its digits. */
+function toUnitSphere(positions: Float64Array): Float32Array {
+  const { min, max } = boundingBox(positions, 3);
+  const center = min.map((low, d) => (low + max[d]) / 2);
+  let radius = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = center.map((c, d) => positions[i + d] - c);
+    radius = Math.max(radius, Math.hypot(x, y, z));
+  }
+  return Float32Array.from(positions, (x, i) => (x - center[i % 3]) / (radius || 1));
+}
+
+/** uv in checker cells. */
+function toCells(uv: Float64Array): Float32Array {
+  const { min, max } = boundingBox(uv, 2);
+  const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
+  return Float32Array.from(uv, (x, i) => ((x - min[i % 2]) / size) * CELLS);
+}

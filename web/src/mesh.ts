@@ -1,0 +1,115 @@
+/** Triangles as they are drawn. `positions`: xyz per vertex; `indices`: 3 vertices per triangle. */
+export interface DisplayMesh {
+  positions: Float64Array;
+  indices: Uint32Array;
+}
+
+/** A flattened mesh as it is drawn: `uv` has 2 per vertex of `indices`. */
+export interface FlatMesh extends DisplayMesh {
+  uv: Float64Array;
+}
+
+export interface Box {
+  min: [number, number, number];
+  max: [number, number, number];
+}
+
+/** Box round all coordinates; `dimension` is the number of coordinates per point (2 or 3). */
+export function boundingBox(coordinates: Float64Array, dimension: number): Box {
+  const min: Box['min'] = [0, 0, 0];
+  const max: Box['max'] = [0, 0, 0];
+  for (let d = 0; d < dimension; ++d) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = d; i < coordinates.length; i += dimension) {
+      low = Math.min(low, coordinates[i]);
+      high = Math.max(high, coordinates[i]);
+    }
+    if (low <= high) {
+      min[d] = low;
+      max[d] = high;
+    }
+  }
+  return { min, max };
+}
+
+/** Edges with exactly one triangle, as pairs of vertices in the direction of their triangle. */
+export function boundaryEdges(indices: Uint32Array): Uint32Array {
+  const vertexCount = indices.reduce((most, v) => Math.max(most, v), -1) + 1;
+  const uses = new Map<number, number>();
+  const key = (a: number, b: number) => Math.min(a, b) * vertexCount + Math.max(a, b);
+  const next = (h: number) => (h % 3 === 2 ? h - 2 : h + 1);
+  for (let h = 0; h < indices.length; ++h) {
+    const k = key(indices[h], indices[next(h)]);
+    uses.set(k, (uses.get(k) ?? 0) + 1);
+  }
+  const edges: number[] = [];
+  for (let h = 0; h < indices.length; ++h) {
+    const [a, b] = [indices[h], indices[next(h)]];
+    if (uses.get(key(a, b)) === 1) edges.push(a, b);
+  }
+  return Uint32Array.from(edges);
+}
+
+/** Vector areas of all triangles, 3 per triangle: normal times area. */
+function areaVectors({ positions: p, indices }: DisplayMesh): Float64Array {
+  const areas = new Float64Array(indices.length);
+  for (let c = 0; c < indices.length; c += 3) {
+    const [i, j, k] = [3 * indices[c], 3 * indices[c + 1], 3 * indices[c + 2]];
+    const [ax, ay, az] = [p[j] - p[i], p[j + 1] - p[i + 1], p[j + 2] - p[i + 2]];
+    const [bx, by, bz] = [p[k] - p[i], p[k + 1] - p[i + 1], p[k + 2] - p[i + 2]];
+    areas[c] = (ay * bz - az * by) / 2;
+    areas[c + 1] = (az * bx - ax * bz) / 2;
+    areas[c + 2] = (ax * by - ay * bx) / 2;
+  }
+  return areas;
+}
+
+/** Unit normals per vertex, weighted by area; 0 where there is no area. */
+export function vertexNormals(mesh: DisplayMesh): Float32Array {
+  const areas = areaVectors(mesh);
+  const sums = new Float64Array(mesh.positions.length);
+  mesh.indices.forEach((v, c) => {
+    const f = c - (c % 3);
+    for (let d = 0; d < 3; ++d) sums[3 * v + d] += areas[f + d];
+  });
+  const normals = new Float32Array(sums.length);
+  for (let i = 0; i < sums.length; i += 3) {
+    const length = Math.hypot(sums[i], sums[i + 1], sums[i + 2]);
+    if (length > 0) for (let d = 0; d < 3; ++d) normals[i + d] = sums[i + d] / length;
+  }
+  return normals;
+}
+
+/**
+ * The direction that an open surface faces, and how clearly: 1 for a plane, 0 for a closed surface.
+ * The vector areas of a surface sum to that of its hole.
+ */
+export function facing(mesh: DisplayMesh): { direction: [number, number, number]; clarity: number } {
+  const areas = areaVectors(mesh);
+  const sum = [0, 0, 0];
+  let total = 0;
+  for (let i = 0; i < areas.length; i += 3) {
+    for (let d = 0; d < 3; ++d) sum[d] += areas[i + d];
+    total += Math.hypot(areas[i], areas[i + 1], areas[i + 2]);
+  }
+  const length = Math.hypot(sum[0], sum[1], sum[2]);
+  if (length === 0) return { direction: [0, 0, 1], clarity: 0 };
+  return {
+    direction: [sum[0] / length, sum[1] / length, sum[2] / length],
+    clarity: length / total,
+  };
+}
+
+/** Values per vertex (`size` numbers each) copied to every corner, as drawing without an index needs it. */
+export function perCorner(
+  values: Float32Array | Float64Array,
+  size: number,
+  indices: Uint32Array,
+): Float32Array {
+  const corners = new Float32Array(size * indices.length);
+  indices.forEach((v, c) => {
+    for (let d = 0; d < size; ++d) corners[size * c + d] = values[size * v + d];
+  });
+  return corners;
+}

@@ -1,0 +1,40 @@
+import { Color } from 'three';
+
+/** Colours of the views, as the style sheet defines them for the theme. */
+export interface Palette {
+  background: Color;
+  clay: Color;
+  checkA: Color;
+  checkB: Color;
+  back: Color;
+  wire: Color;
+  wireOpacity: number;
+  boundary: Color;
+  fill: Color;
+  edge: Color;
+  flipped: Color;
+  /** Low to high. */
+  ramp: Color[];
+}
+
+export const RAMP_SIZE = 4;
+
+export function readPalette(): Palette {
+  const style = getComputedStyle(document.documentElement);
+  const value = (name: string) => style.getPropertyValue(`--${name}`).trim();
+  const color = (name: string) => new Color(value(name));
+  return {
+    background: color('view'),
+    clay: color('clay'),
+    checkA: color('check-a'),
+    checkB: color('check-b'),
+    back: color('back'),
+    wire: color('wire'),
+    wireOpacity: Number(value('wire-opacity')),
+    boundary: color('boundary'),
+    fill: color('fill'),
+    edge: color('edge'),
+    flipped: color('flipped'),
+    ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),
+  };
+}

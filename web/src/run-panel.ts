@@ -1,0 +1,66 @@
+import type { Progress } from 'abflat';
+import { element } from './dom';
+
+const STAGES: Record<Progress['stage'], string> = {
+  read: 'Reading',
+  connectivity: 'Analysing the surface',
+  solve: 'Solving',
+  layout: 'Laying out',
+  check: 'Checking',
+  write: 'Writing',
+};
+
+/** Faster than this, showing progress would only flicker. Milliseconds. */
+const QUIET = 120;
+
+/** What the worker is doing, with progress and Cancel. Nothing in it moves when it changes. */
+export class RunPanel {
+  private readonly text = element('run-text', HTMLElement);
+  private readonly bar = element('progress', HTMLProgressElement);
+  private readonly cancelButton = element('cancel', HTMLButtonElement);
+  private readonly againButton = element('again', HTMLButtonElement);
+  private readonly live = element('live', HTMLElement);
+  private delay: number | undefined;
+
+  constructor(cancel: () => void, again: () => void) {
+    this.cancelButton.addEventListener('click', cancel);
+    this.againButton.addEventListener('click', again);
+    document.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') cancel();
+    });
+  }
+
+  start(what: string): void {
+    this.cancelButton.disabled = false;
+    this.againButton.hidden = true;
+    if (this.bar.classList.contains('active') || this.delay !== undefined) return;
+    this.delay = window.setTimeout(() => {
+      this.bar.value = 0;
+      this.bar.classList.add('active');
+      this.text.textContent = what;
+      this.live.textContent = what;
+    }, QUIET);
+  }
+
+  progress({ stage, newtonStep, constraintResidual, fraction }: Progress): void {
+    this.bar.value = fraction;
+    if (!this.bar.classList.contains('active')) return;
+    const step = newtonStep > 0 ? `, step ${newtonStep}, residual ${constraintResidual.toExponential(0)}` : '';
+    this.text.textContent = `${STAGES[stage]}${step}`;
+  }
+
+  /** `text` is also read out by screen readers. */
+  finish(text: string, canRepeat: boolean): void {
+    clearTimeout(this.delay);
+    this.delay = undefined;
+    const hadFocus = document.activeElement === this.cancelButton;
+    this.bar.classList.remove('active');
+    this.bar.value = 0;
+    this.text.textContent = text;
+    this.live.textContent = text;
+    this.cancelButton.disabled = true;
+    this.againButton.hidden = !canRepeat;
+    // A disabled button loses the focus, and the reader's place in the page with it.
+    if (hadFocus) (canRepeat ? this.againButton : element('t', HTMLInputElement)).focus();
+  }
+}

@@ -1,0 +1,159 @@
+import type { Abflat, FlattenResult, MeshFile, MeshInput, Progress } from 'abflat';
+import type { DisplayMesh } from './mesh';
+
+/** Where a mesh comes from. `name` is for people and for the names of exported files. */
+export type Source =
+  | { kind: 'sample'; name: string }
+  | { kind: 'file'; name: string; file: File };
+
+export interface Outcome {
+  source: Source;
+  t: number;
+  result: FlattenResult;
+  mesh: DisplayMesh;
+}
+
+export interface SessionEvents {
+  /** A mesh is being read, or flattened when `t` is given. */
+  started(source: Source, t: number | null): void;
+  progress(progress: Progress): void;
+  /** A mesh was read; whether it can be flattened is not known yet. */
+  opened(source: Source, mesh: DisplayMesh): void;
+  flattened(outcome: Outcome): void;
+  cancelled(): void;
+  /** `t` is null when the mesh could not be read. */
+  failed(source: Source, t: number | null, error: Error): void;
+}
+
+interface Opened {
+  source: Source;
+  input: MeshInput;
+  mesh: DisplayMesh;
+}
+
+/** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
+const PATIENCE = 150;
+
+/** One mesh at a time, one run at a time; the latest wish wins. */
+export class Session {
+  private opened: Opened | null = null;
+  private running: AbortController | null = null;
+  /** The t to flatten with as soon as the run in flight ends. */
+  private next: number | null = null;
+  private patience: number | undefined;
+
+  constructor(
+    private readonly abflat: Abflat,
+    private readonly events: SessionEvents,
+  ) {}
+
+  /** Reads a mesh and flattens it. On failure the previous one stays. */
+  async open(source: Source, t: number): Promise<void> {
+    this.stop();
+    const controller = this.begin();
+    this.events.started(source, null);
+    try {
+      const opened = await this.read(source, controller.signal);
+      if (controller !== this.running) return;
+      this.opened = opened;
+      this.events.opened(source, opened.mesh);
+    } catch (error) {
+      this.end(controller, () => this.events.failed(source, null, toError(error)));
+      return;
+    }
+    this.running = null;
+    await this.run(this.next ?? t);
+  }
+
+  /** Flattens the mesh with another t: at once, or as soon as the run in flight ends or has used up our patience. */
+  flatten(t: number): void {
+    if (!this.running) {
+      if (this.opened) void this.run(t);
+      return;
+    }
+    this.next = t;
+    clearTimeout(this.patience);
+    this.patience = window.setTimeout(() => this.replaceRun(), PATIENCE);
+  }
+
+  cancel(): void {
+    if (!this.running) return;
+    this.stop();
+    this.events.cancelled();
+  }
+
+  private replaceRun(): void {
+    if (!this.opened || this.next === null) return;
+    const t = this.next;
+    this.stop();
+    void this.run(t);
+  }
+
+  private async run(t: number): Promise<void> {
+    if (!this.opened) return;
+    const { source, input, mesh } = this.opened;
+    const controller = this.begin();
+    this.events.started(source, t);
+    try {
+      const result = await this.abflat.flatten(input, {
+        t,
+        obj: true,
+        signal: controller.signal,
+        onProgress: (progress) => {
+          if (controller === this.running) this.events.progress(progress);
+        },
+      });
+      this.end(controller, () => this.events.flattened({ source, t, result, mesh }));
+    } catch (error) {
+      this.end(controller, () => this.events.failed(source, t, toError(error)));
+    }
+  }
+
+  private begin(): AbortController {
+    this.next = null;
+    this.running = new AbortController();
+    return this.running;
+  }
+
+  /** Reports how a run ended, unless another one has taken its place, and starts what was wished for meanwhile. */
+  private end(controller: AbortController, report: () => void): void {
+    if (controller !== this.running) return;
+    this.running = null;
+    clearTimeout(this.patience);
+    report();
+    const wish = this.next;
+    this.next = null;
+    if (wish !== null) void this.run(wish);
+  }
+
+  private stop(): void {
+    clearTimeout(this.patience);
+    const controller = this.running;
+    this.running = null;
+    this.next = null;
+    controller?.abort();
+  }
+
+  private async read(source: Source, signal: AbortSignal): Promise<Opened> {
+    if (source.kind === 'sample') {
+      const mesh = await this.abflat.sample(source.name);
+      return { source, input: mesh, mesh };
+    }
+    const input: MeshFile = { bytes: new Uint8Array(await bytesOf(source.file)), name: source.name };
+    return { source, input, mesh: await this.abflat.load(input, { signal }) };
+  }
+}
+
+async function bytesOf(file: File): Promise<ArrayBuffer> {
+  try {
+    return await file.arrayBuffer();
+  } catch (error) {
+    // A folder, or a file that was moved or changed since it was chosen.
+    const reason = toError(error).message;
+    throw new Error(`${file.name} cannot be read (${reason}) Choose the file again.`);
+  }
+}
+
+function toError(error: unknown): Error {
+  return error instanceof Error ? error : new Error(String(error));
+}

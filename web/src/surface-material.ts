@@ -1,0 +1,103 @@
+import { Color, DoubleSide, ShaderMaterial } from 'three';
+import type { Palette } from './palette';
+import { RAMP_SIZE } from './palette';
+import { CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+
+/** What the surface is painted with. */
+export const SurfacePaint = { Clay: 0, Checker: 1, Distortion: 2 } as const;
+export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
+
+const VERTEX = /* glsl */ `
+  ${CORNER_GLSL}
+  attribute float error;
+  varying vec3 vNormal;
+  varying vec3 vCorner;
+  varying vec3 vView;
+  varying vec2 vUv;
+  flat varying float vError;
+  void main() {
+    vec4 view = modelViewMatrix * vec4(position, 1.0);
+    vNormal = normalMatrix * normal;
+    vCorner = cornerOf(gl_VertexID);
+    vView = -view.xyz;
+    vUv = uv;
+    vError = error;
+    gl_Position = projectionMatrix * view;
+  }
+`;
+
+// Three lights that stay with the camera (key, fill, rim) and a sky: form reads from every side.
+const FRAGMENT = /* glsl */ `
+  ${EDGE_GLSL}
+  ${RAMP_GLSL}
+  ${CHECKER_GLSL}
+  uniform int paint;
+  uniform float wire;
+  uniform float pixelRatio;
+  uniform vec3 clay, checkA, checkB, back, wireColor;
+  varying vec3 vNormal;
+  varying vec3 vCorner;
+  varying vec3 vView;
+  varying vec2 vUv;
+  flat varying float vError;
+
+  vec3 shade(vec3 base, vec3 n, vec3 v) {
+    vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
+    vec3 fill = normalize(vec3(0.8, -0.1, 0.6));
+    float sky = 0.5 + 0.5 * n.y;
+    float light = mix(0.2, 0.34, sky) + 0.66 * pow(max(0.5 + 0.5 * dot(n, key), 0.0), 2.0) +
+                  0.16 * max(dot(n, fill), 0.0);
+    float gloss = pow(max(dot(n, normalize(key + v)), 0.0), 42.0);
+    float rim = pow(1.0 - max(dot(n, v), 0.0), 4.0);
+    return base * light + 0.06 * gloss + 0.05 * rim;
+  }
+
+  void main() {
+    vec3 base = clay;
+    if (paint == 1) base = mix(checkB, checkA, checker(vUv));
+    if (paint == 2) base = rampColor(vError);
+    vec3 n = normalize(vNormal);
+    if (!gl_FrontFacing) {
+      n = -n;
+      base = mix(base, back, 0.6);
+    }
+    vec3 color = shade(base, n, normalize(vView));
+    if (wire > 0.0) color = mix(color, wireColor, wire * edgeCoverage(vCorner, pixelRatio));
+    gl_FragColor = vec4(color, 1.0);
+    #include <colorspace_fragment>
+  }
+`;
+
+/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells) and error (angle error). */
+export function createSurfaceMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    side: DoubleSide,
+    // The boundary line lies exactly on the surface and must win.
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    uniforms: {
+      paint: { value: SurfacePaint.Clay },
+      wire: { value: 0 },
+      pixelRatio: { value: 1 },
+      clay: { value: new Color() },
+      checkA: { value: new Color() },
+      checkB: { value: new Color() },
+      back: { value: new Color() },
+      wireColor: { value: new Color() },
+      ramp: { value: Array.from({ length: RAMP_SIZE }, () => new Color()) },
+    },
+  });
+}
+
+export function paintSurface(material: ShaderMaterial, palette: Palette): void {
+  const { uniforms } = material;
+  uniforms.clay.value = palette.clay;
+  uniforms.checkA.value = palette.checkA;
+  uniforms.checkB.value = palette.checkB;
+  uniforms.back.value = palette.back;
+  uniforms.wireColor.value = palette.wire;
+  uniforms.ramp.value = palette.ramp;
+}

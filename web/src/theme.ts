@@ -1,0 +1,41 @@
+/** Also read by the script in index.html, which sets the theme before the first paint. */
+const KEY = 'abflat-theme';
+
+const root = document.documentElement;
+
+/** Makes a button switch the theme; `changed` is also called when the system's theme changes and at once. */
+export function bindTheme(button: HTMLButtonElement, changed: () => void): void {
+  const other = () => (root.dataset.theme === 'light' ? 'dark' : 'light');
+  const use = (theme: string) => {
+    root.dataset.theme = theme;
+    button.setAttribute('aria-label', `Use the ${other()} theme`);
+    button.title = `Use the ${other()} theme`;
+    changed();
+  };
+  button.addEventListener('click', () => {
+    use(other());
+    remember(root.dataset.theme ?? '');
+  });
+  window.matchMedia('(prefers-color-scheme: light)').addEventListener('change', (event) => {
+    if (!remembered()) use(event.matches ? 'light' : 'dark');
+  });
+  use(root.dataset.theme ?? 'dark');
+}
+
+function remembered(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch (error) {
+    console.info('The theme cannot be remembered:', error);
+    return null;
+  }
+}
+
+function remember(theme: string): void {
+  try {
+    localStorage.setItem(KEY, theme);
+  } catch (error) {
+    // Storage is off or full: the theme still holds for this visit.
+    console.info('The theme cannot be remembered:', error);
+  }
+}

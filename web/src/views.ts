@@ -1,0 +1,74 @@
+import { angleErrors } from './angle-error';
+import { element } from './dom';
+import { LayoutView } from './layout-view';
+import type { DisplayMesh, FlatMesh } from './mesh';
+import { boundaryEdges } from './mesh';
+import { MeshView } from './mesh-view';
+import { readPalette } from './palette';
+import type { Outcome } from './session';
+import { RAMP_MOST } from './shader-parts';
+
+/** Both pictures and the buttons that belong to them. */
+export class Views {
+  private readonly mesh: MeshView;
+  private readonly layout: LayoutView;
+  private shownSource: Outcome['source'] | null = null;
+
+  /** Throws when the browser offers no WebGL 2. */
+  constructor() {
+    const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);
+    this.layout = new LayoutView(element('layout-canvas', HTMLCanvasElement));
+    bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
+    bindToggle('distortion', (isOn) => {
+      this.mesh.setDistortion(isOn);
+      this.layout.setDistortion(isOn);
+      element('legend', HTMLElement).hidden = !isOn;
+    });
+    element('legend-most', HTMLElement).textContent = `${100 * RAMP_MOST}\u202f% and more`;
+    element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
+    element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
+  }
+
+  updateTheme(): void {
+    const palette = readPalette();
+    this.mesh.setPalette(palette);
+    this.layout.setPalette(palette);
+  }
+
+  /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
+  showMesh(mesh: DisplayMesh): void {
+    this.mesh.show(mesh, boundaryEdges(mesh.indices), null, true);
+  }
+
+  showOutcome(outcome: Outcome): void {
+    const flat = flatMesh(outcome);
+    const edges = boundaryEdges(flat.indices);
+    const errors = angleErrors(flat);
+    const isNew = outcome.source !== this.shownSource;
+    this.shownSource = outcome.source;
+    // The point of view was chosen when the mesh was opened.
+    this.mesh.show(flat, edges, errors, false);
+    this.layout.show(flat, edges, errors, isNew);
+  }
+}
+
+function flatMesh({ result, mesh }: Outcome): FlatMesh {
+  const { indices, uv, vertexMap } = result;
+  const positions =
+    result.positions ??
+    Float64Array.from(
+      { length: 3 * vertexMap.length },
+      (_, i) => mesh.positions[3 * vertexMap[Math.floor(i / 3)] + (i % 3)],
+    );
+  return { positions, indices, uv };
+}
+
+function bindToggle(id: string, changed: (isOn: boolean) => void): void {
+  const button = element(id, HTMLButtonElement);
+  button.addEventListener('click', () => {
+    const isOn = button.getAttribute('aria-pressed') !== 'true';
+    button.setAttribute('aria-pressed', String(isOn));
+    changed(isOn);
+  });
+}
