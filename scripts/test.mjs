@@ -11,11 +11,14 @@ import { Failure, runMain } from './lib/run.mjs';
 import { runCatch, runNodeTests, testFiles } from './lib/suites.mjs';
 import { setup } from './setup.mjs';
 
+/** A finding ends the program in a way that no documented exit code can be taken for. */
 const SANITIZER_ENV = {
-  ASAN_OPTIONS: 'detect_leaks=1:strict_string_checks=1:check_initialization_order=1',
-  UBSAN_OPTIONS: 'print_stacktrace=1',
+  ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
+  UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
+  ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
 };
 
+/** The node tests of one folder. */
 const nodeSuite = (folder, title, env = () => ({})) => ({
   title: `tests/${folder} (${title})`,
   run: () => runNodeTests(folder, testFiles(folder), env()),
@@ -47,6 +50,7 @@ const SUITES = {
         title: 'tests/core (Catch2, sanitizers)',
         run: () => runCatch(join(BUILD, 'sanitize/tests/abflat_core_tests'), SANITIZER_ENV),
       },
+      nodeSuite('native', 'sanitizers', () => SANITIZER_ENV),
     ],
   },
 };

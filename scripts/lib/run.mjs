@@ -65,9 +65,11 @@ function collect(stream, chunks, echo) {
   });
 }
 
+/** SIGTERM first: node's test runner then ends its own children. */
 function endLate(child, program, seconds) {
   console.error(`${program} did not finish within ${seconds} seconds and is stopped.`);
-  child.kill('SIGKILL');
+  child.kill('SIGTERM');
+  setTimeout(() => child.kill('SIGKILL'), 5000).unref();
 }
 
 /** Like run, but throws a Failure naming the command unless it exits with 0. */

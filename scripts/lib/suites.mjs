@@ -5,12 +5,11 @@ import { join } from 'node:path';
 import { BUILD, ROOT } from './paths.mjs';
 import { run } from './run.mjs';
 
-const CATCH_SECONDS = 15 * 60;
-const NODE_SECONDS = 20 * 60;
+const SECONDS = 12 * 60;
 
 /** Runs a Catch2 program and counts its test cases. */
 export async function runCatch(program, env = {}) {
-  const { code, output } = await run(program, [], { echo: true, env, seconds: CATCH_SECONDS });
+  const { code, output } = await run(program, [], { echo: true, env, seconds: SECONDS });
   return settle(catchTotals(output), code);
 }
 
@@ -48,7 +47,7 @@ export async function runNodeTests(name, files, env = {}) {
   ];
   const { code } = await run('node', ['--test', ...reporters, ...files], {
     env,
-    seconds: NODE_SECONDS,
+    seconds: SECONDS,
   });
   return settle(tapTotals(existsSync(tap) ? readFileSync(tap, 'utf8') : ''), code);
 }

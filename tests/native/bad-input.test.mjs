@@ -11,9 +11,15 @@ const HEAD = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n';
 
 /** name, file, content, exit code, what the sentence must say. */
 const REFUSED = [
-  ['OBJ cut off inside a vertex', 'a.obj', `${grid(3).slice(0, 32)}`, 3, /a\.obj:\d+: .*cut off/],
+  ['OBJ cut off inside a vertex', 'a.obj', `${HEAD}v 1 1`, 3, /a\.obj:4: .*cut off/],
   ['OBJ cut off inside a face', 'a.obj', `${HEAD}f 1 2`, 3, /a\.obj:4: .*2 corners/],
-  ['OBJ cut off before its last vertices', 'a.obj', `f 1 2 3\n${HEAD.slice(0, 16)}`, 3, /a\.obj:1: .*vertex 3/],
+  [
+    'OBJ cut off before its last vertices',
+    'a.obj',
+    `f 1 2 3\n${HEAD.slice(0, 16)}`,
+    3,
+    /a\.obj:1: .*vertex 3/,
+  ],
   ['NaN', 'a.obj', `v 0 0 0\nv nan 0 0\n${TRIANGLE}`, 3, /a\.obj:2: .*(not finite|not a number)/],
   ['infinity', 'a.obj', `v 0 inf 0\n${TRIANGLE}`, 3, /a\.obj:1: .*(not finite|not a number)/],
   ['a number too large for a double', 'a.obj', `v 1e999 0 0\n${TRIANGLE}`, 3, /a\.obj:1: .*finite/],
@@ -23,22 +29,70 @@ const REFUSED = [
   ['index 0', 'a.obj', `${HEAD}f 0 1 2\n`, 3, /a\.obj:4: .*counts from 1/],
   ['a negative index before the first vertex', 'a.obj', `${HEAD}f -1 -2 -4\n`, 3, /a\.obj:4: /],
   ['an index beyond 64 bits', 'a.obj', `${HEAD}f 1 2 99999999999999999999\n`, 3, /a\.obj:4: /],
-  ['an OFF index out of range', 'a.off', 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n', 3, /a\.off:6: /],
-  ['an OFF header that promises more vertices', 'a.off', TETRAHEDRON.replace('4 4 6', '9 4 6'), 3, /a\.off:\d+: /],
-  ['an OFF header that promises more faces', 'a.off', TETRAHEDRON.replace('4 4 6', '4 9 6'), 3, /a\.off:\d+: /],
-  ['an OFF header that promises billions', 'a.off', TETRAHEDRON.replace('4 4 6', '4000000000 9 6'), 3, /a\.off:\d+: /],
-  ['an OFF header with negative counts', 'a.off', TETRAHEDRON.replace('4 4 6', '-4 4 6'), 3, /a\.off:2: /],
+  [
+    'an OFF index out of range',
+    'a.off',
+    'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n',
+    3,
+    /a\.off:6: /,
+  ],
+  [
+    'an OFF header that promises more vertices',
+    'a.off',
+    TETRAHEDRON.replace('4 4 6', '9 4 6'),
+    3,
+    /a\.off:\d+: /,
+  ],
+  [
+    'an OFF header that promises more faces',
+    'a.off',
+    TETRAHEDRON.replace('4 4 6', '4 9 6'),
+    3,
+    /a\.off:\d+: /,
+  ],
+  [
+    'an OFF header that promises billions',
+    'a.off',
+    TETRAHEDRON.replace('4 4 6', '4000000000 9 6'),
+    3,
+    /a\.off:\d+: /,
+  ],
+  [
+    'an OFF header with negative counts',
+    'a.off',
+    TETRAHEDRON.replace('4 4 6', '-4 4 6'),
+    3,
+    /a\.off:2: /,
+  ],
   ['an OFF file without counts', 'a.off', 'OFF\n', 3, /a\.off/],
   ['an empty OBJ file', 'a.obj', '', 3, /a\.obj: .*empty/],
   ['an empty OFF file', 'a.off', '', 3, /a\.off.*empty/],
   ['an empty file without an ending', 'a', '', 3, /a: the file is empty/],
-  ['another format', 'a.png', '\x89PNG\r\n\x1a\n\0\0\0\rIHDR', 3, /a\.png: neither an OBJ nor an OFF/],
+  [
+    'another format',
+    'a.png',
+    '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
+    3,
+    /a\.png: neither an OBJ nor an OFF/,
+  ],
   ['vertices without faces', 'a.obj', HEAD, 4, /a\.obj: .*no faces/],
   ['a face that uses a vertex twice', 'a.obj', `${TRIANGLE}f 1 2 2\n`, 4, /face 1 .*twice|face 1 /],
   ['a closed surface', 'a.off', TETRAHEDRON, 4, /a\.off: closed surface/],
   ['two components', 'a.obj', `${TRIANGLE}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\n`, 4, /2 components/],
-  ['an edge with three faces', 'a.obj', `${TWO_TRIANGLES}v 0 0 3\nf 2 3 5\n`, 4, /edge .* has 3 faces/],
-  ['neighbours that face opposite ways', 'a.obj', TWO_TRIANGLES.replace('3 2 4', '2 3 4'), 4, /orientation/],
+  [
+    'an edge with three faces',
+    'a.obj',
+    `${TWO_TRIANGLES}v 0 0 3\nf 2 3 5\n`,
+    4,
+    /edge .* has 3 faces/,
+  ],
+  [
+    'neighbours that face opposite ways',
+    'a.obj',
+    TWO_TRIANGLES.replace('3 2 4', '2 3 4'),
+    4,
+    /orientation/,
+  ],
 ];
 
 for (const [what, file, content, code, sentence] of REFUSED)
@@ -63,8 +117,14 @@ const ACCEPTED = [
   ['a fan of twelve', fan(12)],
   ['a flat fan', fan(8, 0)],
   ['a very pointed fan', fan(8, 50)],
-  ['a face of zero area inside', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 1 0\nv 1 -1 0\nf 1 3 4\nf 1 2 3\nf 1 5 2\nf 2 5 3\n'],
-  ['a quad and a pentagon', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nf 1 2 3 4\nf 2 5 6 7 3\n'],
+  [
+    'a face of zero area inside',
+    'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 1 0\nv 1 -1 0\nf 1 3 4\nf 1 2 3\nf 1 5 2\nf 2 5 3\n',
+  ],
+  [
+    'a quad and a pentagon',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nf 1 2 3 4\nf 2 5 6 7 3\n',
+  ],
   ['a concave polygon', 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n'],
   ['Windows line ends and comments', `# one\r\n${TRIANGLE.replaceAll('\n', '\r\n')}# end\r\n`],
   ['negative indices', TRIANGLE.replace('f 1 2 3', 'f -3 -2 -1')],
@@ -95,7 +155,10 @@ test('every truncation of a mesh ends with a documented exit code', async (t) =>
     for (let length = 0; length < text.length; length += 7) {
       writeFileSync(at(file), text.slice(0, length));
       const run = await runAbflat(['flatten', file, '-o', 'out.obj'], { cwd: at() });
-      assert.ok([0, 3, 4].includes(run.code), `${file} cut to ${length}: ${run.code} ${run.signal}`);
+      assert.ok(
+        [0, 3, 4].includes(run.code),
+        `${file} cut to ${length}: ${run.code} ${run.signal}`,
+      );
       assert.equal(run.code === 0, run.stderr === '');
     }
 });
@@ -108,7 +171,10 @@ test('an input that cannot be opened ends with exit code 3', async (t) => {
     ['folder.obj', /cannot read folder\.obj: it is a folder/],
     ['missing/a.obj', /cannot read missing\/a\.obj/],
   ])
-    for (const args of [['inspect', input], ['flatten', input, '-o', 'out.obj']]) {
+    for (const args of [
+      ['inspect', input],
+      ['flatten', input, '-o', 'out.obj'],
+    ]) {
       const run = await runAbflat(args, { cwd: at() });
       assert.equal(run.code, 3);
       assert.match(run.stderr, sentence);
@@ -122,6 +188,8 @@ test('a bound that no layout can meet is refused with the least possible t', asy
   const low = await runAbflat(['flatten', 'fan.obj', '-o', 'o.obj', '--t', '0.74'], { cwd: at() });
   assert.equal(low.code, 4);
   assert.match(low.stderr, /fan\.obj: .*0\.75/);
-  const least = await runAbflat(['flatten', 'fan.obj', '-o', 'o.obj', '--t', '0.75'], { cwd: at() });
+  const least = await runAbflat(['flatten', 'fan.obj', '-o', 'o.obj', '--t', '0.75'], {
+    cwd: at(),
+  });
   assert.equal(least.code, 0, least.stderr);
 });

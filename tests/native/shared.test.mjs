@@ -22,14 +22,25 @@ const DISKS = [
 const close = (a, b, tolerance) => Math.abs(a - b) <= tolerance * Math.max(1, Math.abs(b));
 
 async function flattened(at, file, t) {
-  const args = ['flatten', sharedMesh(file), '-o', 'out.obj', '--t', String(t), '--report', 'r.json'];
+  const args = [
+    'flatten',
+    sharedMesh(file),
+    '-o',
+    'out.obj',
+    '--t',
+    String(t),
+    '--report',
+    'r.json',
+  ];
   const run = await runAbflat(args, { cwd: at() });
   return { ...run, report: JSON.parse(readFileSync(at('r.json'), 'utf8')) };
 }
 
 for (const file of DISKS)
   for (const bound of [2, 1])
-    test(`${file} at t = ${bound} is valid and measures as reported`, { skip: withoutShared }, async (t) => {
+    test(`${file} at t = ${bound} is valid and measures as reported`, {
+      skip: withoutShared,
+    }, async (t) => {
       const at = tempFolder(t);
       const { code, stderr, report } = await flattened(at, file, bound);
       assert.deepEqual([code, stderr], [0, '']);

@@ -62,7 +62,8 @@ test('help goes to standard output and tells every exit code', async () => {
     const run = await runAbflat(args);
     assert.equal(run.code, 0);
     assert.equal(run.stderr, '');
-    for (const { code, text } of schema.exitCodes) assert.ok(run.stdout.includes(`${code}  ${text}`));
+    for (const { code, text } of schema.exitCodes)
+      assert.ok(run.stdout.includes(`${code}  ${text}`));
   }
 });
 

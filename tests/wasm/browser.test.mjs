@@ -63,7 +63,8 @@ async function open(address) {
   const problems = [];
   page.on('pageerror', (error) => problems.push(String(error)));
   page.on('console', (message) => {
-    if (message.type() === 'error' && !message.text().includes('favicon')) problems.push(message.text());
+    if (message.type() === 'error' && !message.text().includes('favicon'))
+      problems.push(message.text());
   });
   await page.goto(address);
   return { page, problems };
@@ -99,18 +100,23 @@ test('a Vite build', NEEDS_CHROME, async (context) => {
   const vite = await import(pathToFileURL(path.replace(/index\.cjs$/, 'dist/node/index.js')));
   const root = join(folder, 'vite');
   mkdirSync(root);
-  writeFileSync(join(root, 'index.html'), `${EMPTY}<script type="module" src="./main.js"></script>`);
+  writeFileSync(
+    join(root, 'index.html'),
+    `${EMPTY}<script type="module" src="./main.js"></script>`,
+  );
   writeFileSync(join(root, 'main.js'), examples().vite);
   await vite.build({ root, logLevel: 'warn', configFile: false });
-  const vertices = /^\s*valid: true, (\d+) vertices from \1/;
-  await assertShows(`${await serve(join(root, 'dist'))}/`, vertices);
+  await assertShows(`${await serve(join(root, 'dist'))}/`, /^\s*valid: true, \d+ texcoords/);
 });
 
 /** Runs a function in a page that serves the package; `path` is where its modules are. */
 async function inPage(name, action, argument) {
   const address = await serve(site(name, { 'index.html': EMPTY }));
   const { page } = await open(`${address}/`);
-  const result = await page.evaluate(action, { entry: `${address}/node_modules/abflat/dist/index.js`, ...argument });
+  const result = await page.evaluate(action, {
+    entry: `${address}/node_modules/abflat/dist/index.js`,
+    ...argument,
+  });
   await page.close();
   return result;
 }
@@ -126,7 +132,9 @@ test('abort and errors in a page', NEEDS_CHROME, async () => {
       .catch((error) => error.name);
     const small = await abflat.sample('hemisphere');
     const { report } = await abflat.flatten(small);
-    const error = await abflat.flatten({ ...small, indices: small.indices.slice(0, 6), positions: new Float64Array(3) }).catch((e) => e);
+    const error = await abflat
+      .flatten({ ...small, indices: small.indices.slice(0, 6), positions: new Float64Array(3) })
+      .catch((e) => e);
     const missing = await createAbflat({ wasmUrl: '/nowhere.wasm' }).catch((e) => e);
     const noWorker = await createAbflat({ workerUrl: '/nowhere.js' }).catch((e) => e);
     const describe = (e) => [e instanceof AbflatError, e.code, e.message];
@@ -159,6 +167,20 @@ test('worker and module on another origin', NEEDS_CHROME, async () => {
         workerUrl: `${other}/worker.js`,
         wasmUrl: `${other}/abflat.wasm`,
       });
+      return (await abflat.flatten(await abflat.sample('hemisphere'))).report.valid;
+    },
+    { other },
+  );
+  assert.equal(valid, true);
+});
+
+test('the whole package on another origin', NEEDS_CHROME, async () => {
+  const other = await serve(DIST, { 'Access-Control-Allow-Origin': '*' });
+  const valid = await inPage(
+    'foreign',
+    async ({ other }) => {
+      const { createAbflat } = await import(`${other}/index.js`);
+      const abflat = await createAbflat();
       return (await abflat.flatten(await abflat.sample('hemisphere'))).report.valid;
     },
     { other },

@@ -166,7 +166,10 @@ test('progress is monotonous, names every stage and ends at 1', async () => {
   const file = { bytes: bytesOf(objText(grid(40))), name: 'a.obj' };
   const { report } = await abflat.flatten(file, { obj: true, onProgress: (p) => seen.push(p) });
   const fractions = seen.map(({ fraction }) => fraction);
-  assert.deepEqual(fractions, [...fractions].sort((a, b) => a - b));
+  assert.deepEqual(
+    fractions,
+    [...fractions].sort((a, b) => a - b),
+  );
   assert.ok(fractions.every((fraction) => fraction >= 0 && fraction <= 1));
   assert.equal(fractions.at(-1), 1);
   const stages = ['read', 'connectivity', 'solve', 'layout', 'check', 'write'];
@@ -216,7 +219,8 @@ function runScript(text) {
   return spawnSync(process.execPath, args, { cwd: ROOT, encoding: 'utf8', timeout: 60_000 });
 }
 
-const TRIANGLE = '{ positions: new Float64Array([0,0,0,1,0,0,0,1,0]), indices: new Uint32Array([0,1,2]) }';
+const TRIANGLE =
+  '{ positions: new Float64Array([0,0,0,1,0,0,0,1,0]), indices: new Uint32Array([0,1,2]) }';
 
 test('an idle worker does not keep the process alive', () => {
   const { status, stderr } = runScript(`

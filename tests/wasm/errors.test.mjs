@@ -1,6 +1,9 @@
 // Every way a call can fail says what is wrong, and the next call works.
 
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { AbflatError, createAbflat, STATUS_NAMES } from 'abflat';
 import { bytesOf, grid, objText, TETRAHEDRON, twoGrids } from './support/meshes.mjs';
@@ -42,7 +45,12 @@ const REFUSED = [
   ['a closed surface', TETRAHEDRON, 'ClosedSurface'],
   ['no faces', { positions: triangle.positions, indices: new Uint32Array(0) }, 'EmptyMesh'],
   ['a repeated vertex', { ...triangle, indices: new Uint32Array([0, 1, 1]) }, 'DegenerateFace'],
-  ['an index out of range', { ...triangle, indices: new Uint32Array([0, 1, 3]) }, 'InvalidMesh', /3/],
+  [
+    'an index out of range',
+    { ...triangle, indices: new Uint32Array([0, 1, 3]) },
+    'InvalidMesh',
+    /3/,
+  ],
   [
     'a coordinate that is not finite',
     { ...triangle, positions: new Float32Array([0, 0, 0, 1, Number.NaN, 0, 0, 1, 0]) },
@@ -130,11 +138,11 @@ test('inspect describes what flatten refuses, with the same code and words', asy
   for (const [, mesh, code] of REFUSED.slice(0, 4)) {
     const { disk } = await abflat.inspect(mesh);
     assert.equal(disk.code, code);
-    await assertFails(abflat.flatten(mesh), code, new RegExp(escape(disk.message)));
+    await assertFails(abflat.flatten(mesh), code, new RegExp(literal(disk.message)));
   }
 });
 
-function escape(text) {
+function literal(text) {
   return text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
 }
 
@@ -154,6 +162,28 @@ test('a wrong wasmUrl: UnreadableFile that names it', async () => {
 test('a wrong workerUrl: UnreadableFile', async () => {
   await assertFails(createAbflat({ workerUrl: '/nowhere/worker.js' }), 'UnreadableFile', /nowhere/);
 });
+
+const CRASHES = [
+  ['ends', 'process.exit(3);'],
+  ['throws while it is loaded', 'throw new Error("boom");'],
+  [
+    'throws when it is called',
+    `require('node:worker_threads').parentPort.on('message', () => { throw new Error('boom'); });`,
+  ],
+];
+
+for (const [what, script] of CRASHES) {
+  test(`a worker that ${what}: Internal, no hung promise`, async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'abflat-crash-'));
+    try {
+      const workerUrl = join(folder, 'worker.cjs');
+      writeFileSync(workerUrl, script);
+      await assertFails(createAbflat({ workerUrl }), 'Internal', /boom|3/);
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+}
 
 test('memory that does not suffice: OutOfMemory, and smaller meshes still work', async () => {
   const small = await createAbflat({ maxMemory: 32 * 2 ** 20 });

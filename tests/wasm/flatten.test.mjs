@@ -3,7 +3,15 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createAbflat, SAMPLE_NAMES } from 'abflat';
-import { bytesOf, grid, objNumbers, objText, offText, TETRAHEDRON, twoGrids } from './support/meshes.mjs';
+import {
+  bytesOf,
+  grid,
+  objNumbers,
+  objText,
+  offText,
+  TETRAHEDRON,
+  twoGrids,
+} from './support/meshes.mjs';
 
 let abflat;
 before(async () => {
@@ -43,7 +51,10 @@ test('a disk of arrays gives a positively oriented layout of the same area', asy
   assert.ok(result.uv instanceof Float64Array);
   assert.equal(result.uv.length, (2 * mesh.positions.length) / 3);
   assert.deepEqual(result.indices, mesh.indices);
-  assert.deepEqual(result.vertexMap, Uint32Array.from({ length: 13 ** 2 }, (_, v) => v));
+  assert.deepEqual(
+    result.vertexMap,
+    Uint32Array.from({ length: 13 ** 2 }, (_, v) => v),
+  );
   assert.equal(result.positions, undefined);
   assert.equal(result.obj, undefined);
   const triangles = areas(result);
@@ -97,13 +108,19 @@ test('vertexMap leads from output vertices to input vertices', async () => {
     indices: indices.map((v) => v + 2),
   };
   const result = await abflat.flatten(shifted);
-  assert.deepEqual(result.indices.map((v) => result.vertexMap[v]), shifted.indices);
+  assert.deepEqual(
+    result.indices.map((v) => result.vertexMap[v]),
+    shifted.indices,
+  );
   assert.equal(result.vertexMap.length, positions.length / 3);
 });
 
 test('polygons of a file are triangulated', async () => {
   const text = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 3 0\nv 0 2 0\nf 1 2 3 4 5\n';
-  const { indices, positions, report } = await abflat.flatten({ bytes: bytesOf(text), name: 'p.obj' });
+  const { indices, positions, report } = await abflat.flatten({
+    bytes: bytesOf(text),
+    name: 'p.obj',
+  });
   assert.equal(indices.length, 9);
   assert.equal(positions.length, 15);
   assert.equal(report.input.faces, 1);
@@ -113,7 +130,10 @@ test('polygons of a file are triangulated', async () => {
 test('obj: true gives the file back with texcoords', async () => {
   const mesh = grid(3);
   const source = `# a comment\n${objText(mesh)}\n`;
-  const { obj, uv } = await abflat.flatten({ bytes: bytesOf(source), name: 'a.obj' }, { obj: true });
+  const { obj, uv } = await abflat.flatten(
+    { bytes: bytesOf(source), name: 'a.obj' },
+    { obj: true },
+  );
   const text = new TextDecoder().decode(obj);
   assert.match(text, /^# a comment$/m);
   assert.deepEqual(objNumbers(text, 'vt'), [...uv]);
@@ -126,8 +146,14 @@ test('obj: true also writes arrays', async () => {
   const text = new TextDecoder().decode(obj);
   assert.deepEqual(objNumbers(text, 'vt'), [...uv]);
   assert.deepEqual(objNumbers(text, 'v'), [...mesh.positions]);
-  const corners = text.match(/^f .*$/gm).join(' ').match(/\d+\/\d+/g);
-  assert.deepEqual(corners, [...mesh.indices].map((v) => `${v + 1}/${v + 1}`));
+  const corners = text
+    .match(/^f .*$/gm)
+    .join(' ')
+    .match(/\d+\/\d+/g);
+  assert.deepEqual(
+    corners,
+    [...mesh.indices].map((v) => `${v + 1}/${v + 1}`),
+  );
 });
 
 test('the same call gives the same bytes, on this worker and on another', async () => {

@@ -57,7 +57,8 @@ function extentOf(uv) {
 /** Moves and turns `uv` onto `target` with the least squared distance. */
 function align(uv, target) {
   const count = uv.length / 2;
-  const center = (values, k) => values.reduce((sum, x, i) => sum + (i % 2 === k ? x : 0), 0) / count;
+  const center = (values, k) =>
+    values.reduce((sum, x, i) => sum + (i % 2 === k ? x : 0), 0) / count;
   const [from, to] = [uv, target].map((values) => [center(values, 0), center(values, 1)]);
   let [re, im] = [0, 0];
   for (let i = 0; i < uv.length; i += 2) {

@@ -72,7 +72,10 @@ test('npm pack contains the licences and no sources', () => {
   for (const name of ['dist/LICENSE.txt', 'dist/THIRD_PARTY_LICENSES.txt']) {
     assert.ok(files.includes(name), name);
   }
-  assert.deepEqual(files.filter((path) => !/^(dist\/|package\.json$|README\.md$)/.test(path)), []);
+  assert.deepEqual(
+    files.filter((path) => !/^(dist\/|package\.json$|README\.md$)/.test(path)),
+    [],
+  );
 });
 
 test('the example for Node in the README runs', () => {
@@ -99,9 +102,11 @@ test('the README names every status, option and setting', () => {
   const text = readFileSync(join(ROOT, 'wasm/README.md'), 'utf8');
   const types = readFileSync(join(DIST, 'types.d.ts'), 'utf8');
   const fields = (name) =>
-    [...types.match(new RegExp(`interface ${name} [^{]*{(.*?)^}`, 'ms'))[1].matchAll(/^ {4}(\w+)\??[:(]/gm)].map(
-      ([, field]) => field,
-    );
+    [
+      ...types
+        .match(new RegExp(`interface ${name} [^{]*{(.*?)^}`, 'ms'))[1]
+        .matchAll(/^ {4}(\w+)\??[:(]/gm),
+    ].map(([, field]) => field);
   const names = ['CallOptions', 'FlattenOptions', 'CreateOptions', 'FlattenResult', 'Abflat'];
   for (const field of [...names.flatMap(fields), ...STATUS_NAMES.slice(1)]) {
     assert.ok(text.includes(`\`${field}`), `README.md does not mention ${field}`);

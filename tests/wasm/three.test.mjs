@@ -57,8 +57,12 @@ function pinchedBand() {
 
 test('a vertex where the surface touches itself is there once for each side', async () => {
   const mesh = pinchedBand();
-  const result = await abflat.flatten(mesh, { t: 2 });
-  assert.deepEqual([...result.vertexMap].sort((a, b) => a - b), [0, ...Array(13).keys()]);
+  // Convex: the two sides cannot stay together.
+  const result = await abflat.flatten(mesh, { t: 1 });
+  assert.deepEqual(
+    [...result.vertexMap].sort((a, b) => a - b),
+    [0, ...Array(13).keys()],
+  );
   const { position, uv } = toBufferGeometry(result, mesh).attributes;
   assert.equal(position.count, 14);
   assert.equal(uv.count, 14);

@@ -170,6 +170,7 @@ export class Engine {
   }
 
   #writeMesh(job: number, mesh: OwnedMesh): void {
+    this.#checkSize(mesh);
     if ('bytes' in mesh) {
       this.#writeName(job, mesh.name);
       const source = this.#native._abflatSource(job, mesh.bytes.length) >>> 0;
@@ -182,6 +183,13 @@ export class Engine {
     new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
     const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
     new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
+  }
+
+  /** Sizes beyond 32 bits must not reach the module. */
+  #checkSize(mesh: OwnedMesh): void {
+    const bytes =
+      'bytes' in mesh ? mesh.bytes.length : 8 * mesh.positions.length + 4 * mesh.indices.length;
+    if (bytes >= this.#maxMemory) throw new OutOfMemory();
   }
 
   #writeName(job: number, name: string): void {

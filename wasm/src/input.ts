@@ -1,6 +1,6 @@
 // Checks the mesh that a caller passes and makes the call its owner.
 
-import { AbflatError } from './errors.js';
+import { AbflatError, messageOf } from './errors.js';
 import type { OwnedFile, OwnedMesh } from './protocol.js';
 import type { MeshArrays } from './types.js';
 import { checkBoolean, tagOf } from './validate.js';
@@ -26,8 +26,17 @@ export function takeFile(file: unknown, transfer: unknown): Owned<OwnedFile> {
 
 function take<T extends OwnedMesh>(mesh: T, transfer: unknown): Owned<T> {
   checkBoolean('transfer', transfer);
-  const owned = transfer ? structuredClone(mesh, { transfer: buffersOf(mesh) }) : copy(mesh);
+  const owned = transfer ? move(mesh) : copy(mesh);
   return { mesh: owned, buffers: buffersOf(owned) };
+}
+
+function move<T extends OwnedMesh>(mesh: T): T {
+  const buffers = buffersOf(mesh);
+  try {
+    return structuredClone(mesh, { transfer: buffers });
+  } catch (error) {
+    throw new AbflatError('InvalidOption', `transfer: the buffers stay (${messageOf(error)}).`);
+  }
 }
 
 function checkMesh(mesh: unknown): OwnedMesh {

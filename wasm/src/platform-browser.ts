@@ -2,6 +2,8 @@ import { AbflatError, messageOf } from './errors.js';
 import type { Platform, WorkerHandle } from './platform.js';
 import type { FromWorker } from './protocol.js';
 
+const ADVICE = 'Pass wasmUrl to createAbflat if the file is elsewhere.';
+
 export const browser: Platform = {
   async loadModule(address = new URL('./abflat.wasm', import.meta.url)) {
     const response = await fetchFile(address);
@@ -10,7 +12,7 @@ export const browser: Platform = {
     } catch (error) {
       const type = response.headers.get('content-type') ?? 'no type';
       throw new Error(
-        `${address} is not a WebAssembly module (served as ${type}): ${messageOf(error)}`,
+        `${address} is not a WebAssembly module (served as ${type}): ${messageOf(error)}. ${ADVICE}`,
       );
     }
   },
@@ -35,7 +37,8 @@ async function fetchFile(address: string | URL): Promise<Response> {
     throw new Error(`Cannot load ${address}: ${messageOf(error)}`);
   }
   if (!response.ok) {
-    throw new Error(`Cannot load ${address}: ${response.status} ${response.statusText}`.trim());
+    const status = `${response.status} ${response.statusText}`.trim();
+    throw new Error(`Cannot load ${address}: ${status}. ${ADVICE}`);
   }
   return response;
 }
@@ -45,12 +48,16 @@ const crash = (reason: string) =>
 
 /** The error event of a script that cannot be loaded has no message. */
 function notLoaded(address: string | URL = 'worker.js beside its module'): AbflatError {
-  return new AbflatError('UnreadableFile', `Cannot load the worker of abflat from ${address}.`);
+  return new AbflatError(
+    'UnreadableFile',
+    `Cannot load the worker of abflat from ${address}; pass workerUrl to createAbflat if it is elsewhere.`,
+  );
 }
 
 function openWorker(address?: string | URL): Worker {
-  if (address !== undefined) return new Worker(address, { type: 'module' });
-  if (isForeign()) return openForeignWorker();
+  const url = address === undefined ? new URL('./worker.js', here) : new URL(address, page());
+  if (isForeign(url)) return openForeignWorker(url);
+  if (address !== undefined) return new Worker(url, { type: 'module' });
   // Bundlers find the worker's file by exactly this expression.
   return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
 }
@@ -63,18 +70,19 @@ function handleOf(worker: Worker): WorkerHandle {
   };
 }
 
-/** Where this module comes from; behind a name, so that bundlers do not take what follows for files of theirs. */
+/** The address of this module; behind a name, so that bundlers do not take what uses it for files of theirs. */
 const here = import.meta.url;
 
-/** Whether the module comes from another origin than the page, as from a CDN. */
-function isForeign(): boolean {
-  const { protocol, origin } = new URL(here);
+/** What relative addresses refer to. */
+const page = () => globalThis.document?.baseURI ?? globalThis.location.href;
+
+/** On another origin than the page, as on a CDN. */
+function isForeign({ protocol, origin }: URL): boolean {
   return /^https?:$/.test(protocol) && origin !== globalThis.location.origin;
 }
 
 /** Browsers start workers of the page's own origin only; such a one may import from elsewhere. */
-function openForeignWorker(): Worker {
-  const address = new URL('./worker.js', here).href;
-  const script = new Blob([`import ${JSON.stringify(address)};`], { type: 'text/javascript' });
+function openForeignWorker(url: URL): Worker {
+  const script = new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' });
   return new Worker(URL.createObjectURL(script), { type: 'module' });
 }

@@ -43,6 +43,7 @@ export class App implements SessionEvents {
   started(source: Source, t: number | null): void {
     this.run.start(t === null ? `Reading ${titleOf(source)}` : `Flattening with t = ${bound(t)}`);
     document.body.setAttribute('aria-busy', 'true');
+    this.markStale(t ?? this.bound.t);
   }
 
   progress(progress: Progress): void {
@@ -52,11 +53,12 @@ export class App implements SessionEvents {
   opened(source: Source, mesh: DisplayMesh): void {
     hideAlert();
     this.shown = source;
-    this.views?.showMesh(mesh);
+    this.views?.showMesh(source, mesh);
     this.bound.setBoundaryVertices(null);
     showSample(source.kind === 'sample' ? source.name : null);
-    this.showTitle(titleOf(source));
+    this.showTitle(source);
     element('mesh-info', HTMLElement).textContent = counted(mesh.indices.length / 3, 'triangle');
+    this.updateExport();
     this.markStale();
   }
 
@@ -66,26 +68,26 @@ export class App implements SessionEvents {
     this.outcome = outcome;
     this.views?.showOutcome(outcome);
     this.metrics.show(report);
+    this.metrics.show(report);
     this.bound.setBoundaryVertices(report.charts[0].boundaryVertices);
-    this.exportButton.disabled = false;
-    this.layoutNote.hidden = true;
-    element('layout-stage', HTMLElement).classList.remove('stale');
+    this.updateExport();
+    this.markStale(outcome.t);
     element('layout-info', HTMLElement).textContent = `t = ${bound(outcome.t)}`;
     const verdict = report.valid ? '' : ', not valid';
     this.finish(`Flattened in ${duration(report.timings.total)}${verdict}`, false);
   }
 
   cancelled(): void {
-    this.markStale();
-    this.finish('Cancelled', this.shown !== null);
+    this.finish('Cancelled', this.markStale() || this.outcome === null);
   }
 
   failed(source: Source, t: number | null, error: Error): void {
     const kept = this.outcome ? `The layout is still that of ${this.owner()}.` : '';
-    showAlert(error.message, kept);
-    this.markStale();
+    showAlert(failure(source, t, error.message), kept);
     showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
-    this.finish(t === null ? `${titleOf(source)} was not opened` : 'Not flattened', false);
+    const isStale = this.markStale();
+    if (t === null) this.finish(`${titleOf(source)} was not opened`, isStale);
+    else this.finish('Not flattened', false);
   }
 
   private finish(text: string, canRepeat: boolean): void {
@@ -100,26 +102,43 @@ export class App implements SessionEvents {
     return `${titleOf(this.outcome.source)}, ${t}`;
   }
 
-  /** The layout and the numbers no longer belong to what the controls say. */
-  private markStale(): void {
-    if (!this.outcome) return;
-    this.metrics.markStale(this.owner());
-    this.layoutNote.textContent = `Previous result: ${this.owner()}`;
-    this.layoutNote.hidden = false;
-    element('layout-stage', HTMLElement).classList.add('stale');
+  /** Marks layout and numbers when they do not belong to the mesh on screen and to t; returns whether that is so. */
+  private markStale(t = this.bound.t): boolean {
+    const isStale =
+      this.outcome !== null && (this.outcome.source !== this.shown || this.outcome.t !== t);
+    if (isStale) this.layoutNote.textContent = `Previous result: ${this.owner()}`;
+    this.layoutNote.hidden = !isStale;
+    element('layout-stage', HTMLElement).classList.toggle('stale', isStale);
+    this.metrics.markStale(isStale ? this.owner() : null);
+    return isStale;
   }
 
-  private showTitle(title: string): void {
+  private showTitle(source: Source): void {
+    const title = titleOf(source);
     const label = element('source', HTMLElement);
-    label.textContent = title;
+    // A sample's name is already what the list shows.
+    label.textContent = source.kind === 'file' ? title : '';
     label.title = title;
     document.title = `${title} \u2013 abflat`;
+  }
+
+  /** Only what belongs to the mesh on screen is exported. */
+  private updateExport(): void {
+    this.exportButton.disabled = this.outcome === null || this.outcome.source !== this.shown;
   }
 
   private export(): void {
     if (!this.outcome) return;
     const name = exportObj(this.outcome);
     const size = this.outcome.result.obj?.length ?? 0;
-    this.finish(`Exported ${name}, ${count(Math.ceil(size / 1024))} KB`, false);
+    this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`);
   }
+}
+
+/** What went wrong as a sentence that names the mesh. */
+function failure(source: Source, t: number | null, message: string): string {
+  const text = message.replace(/\.$/, '');
+  if (text.includes(source.name)) return `${text}.`;
+  const what = t === null ? 'was not opened' : 'was not flattened';
+  return `${titleOf(source)} ${what}: ${text}.`;
 }

@@ -17,7 +17,7 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
-  private readonly boundary = new BoundaryLines(2, 2);
+  private readonly boundary = new BoundaryLines(2.25, 2);
   private readonly panZoom: PanZoom;
   /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
   private size: [number, number] = [1, 1];

@@ -9,20 +9,22 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { BoundaryLines } from './boundary-lines';
+import { checkerCells } from './checker';
 import type { DisplayMesh, FlatMesh } from './mesh';
 import { boundingBox, facing, perCorner, vertexNormals } from './mesh';
 import type { Palette } from './palette';
 import { Stage } from './stage';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
 
-/** Checker cells along the longer side of the layout. */
-const CELLS = 32;
 const FIELD_OF_VIEW = 32;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
-/** A surface that faces one way as clearly as this is first seen from there; others from +z. */
+/** A surface that faces one way as clearly as this is first seen from there. */
 const CLEAR_FACING = 0.4;
+/** Where others are first seen from, and the steepest first look at a surface that faces up or down. */
+const USUAL_FRONT = new Vector3(0.42, 0.2, 1).normalize();
+const STEEPEST = (40 * Math.PI) / 180;
 
 /** The mesh in 3D. */
 export class MeshView {
@@ -63,7 +65,7 @@ export class MeshView {
     const unit = toUnitSphere(mesh.positions);
     geometry.setAttribute('position', new BufferAttribute(perCorner(unit, 3, mesh.indices), 3));
     geometry.setAttribute('normal', new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3));
-    const cells = 'uv' in mesh ? toCells(mesh.uv) : new Float32Array((2 * unit.length) / 3);
+    const cells = 'uv' in mesh ? checkerCells(mesh) : new Float32Array((2 * unit.length) / 3);
     geometry.setAttribute('uv', new BufferAttribute(perCorner(cells, 2, mesh.indices), 2));
     const perTriangle = errors ?? new Float32Array(mesh.indices.length / 3);
     const error = Float32Array.from(mesh.indices, (_, c) => perTriangle[Math.floor(c / 3)]);
@@ -74,9 +76,7 @@ export class MeshView {
     this.isFlat = errors !== null;
     this.paint();
     if (!isNew) return;
-    const { direction, clarity } = facing(mesh);
-    this.front =
-      clarity > CLEAR_FACING ? new Vector3(...direction) : new Vector3(0.35, 0.18, 1).normalize();
+    this.front = frontOf(mesh);
     this.reset();
   }
 
@@ -100,10 +100,7 @@ export class MeshView {
 
   reset(): void {
     this.controls.target.set(0, 0, 0);
-    // Looking straight along the up axis has no defined right side.
-    const direction = this.front.clone();
-    direction.y = Math.min(0.9, Math.max(-0.9, direction.y));
-    this.camera.position.copy(direction.setLength(this.fittingDistance()));
+    this.camera.position.copy(this.front).setLength(this.fittingDistance());
     this.controls.update();
     this.stage.invalidate();
   }
@@ -167,6 +164,17 @@ export class MeshView {
   }
 }
 
+/** Unit vector from the mesh to the point from which it is first seen; y is up. */
+function frontOf(mesh: DisplayMesh): Vector3 {
+  const { direction, clarity } = facing(mesh);
+  if (clarity < CLEAR_FACING) return USUAL_FRONT;
+  const [x, y, z] = direction;
+  const elevation = Math.asin(Math.min(1, Math.max(-1, y)));
+  const around = Math.hypot(x, z) > 0.2 ? Math.atan2(x, z) : Math.PI / 7;
+  const polar = Math.PI / 2 - Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
+  return new Vector3().setFromSphericalCoords(1, polar, around);
+}
+
 /** Positions moved and scaled into the unit sphere round the box's centre: float32 keeps its digits. */
 function toUnitSphere(positions: Float64Array): Float32Array {
   const { min, max } = boundingBox(positions, 3);
@@ -177,11 +185,4 @@ function toUnitSphere(positions: Float64Array): Float32Array {
     radius = Math.max(radius, Math.hypot(x, y, z));
   }
   return Float32Array.from(positions, (x, i) => (x - center[i % 3]) / (radius || 1));
-}
-
-/** uv in checker cells. */
-function toCells(uv: Float64Array): Float32Array {
-  const { min, max } = boundingBox(uv, 2);
-  const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
-  return Float32Array.from(uv, (x, i) => ((x - min[i % 2]) / size) * CELLS);
 }

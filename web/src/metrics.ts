@@ -59,6 +59,7 @@ export class MetricsPanel {
   private readonly panel = element('result', HTMLElement);
   private readonly badge = element('badge', HTMLElement);
   private readonly reason = element('reason', HTMLElement);
+  private verdict = '';
   private readonly values = METRICS.map(({ label, title }) => {
     const value = create('dd', '', '\u2013');
     const item = create('div', 'metric');
@@ -76,14 +77,14 @@ export class MetricsPanel {
     });
     this.badge.textContent = report.valid ? 'Valid' : 'Not valid';
     this.badge.className = report.valid ? 'badge good' : 'badge bad';
-    this.setReason(verdict(report));
-    this.panel.classList.remove('stale');
+    this.verdict = verdict(report);
+    this.markStale(null);
   }
 
-  /** Marks the numbers as those of an earlier state; `owner` says which. */
-  markStale(owner: string): void {
-    this.panel.classList.add('stale');
-    this.setReason(`Numbers of ${owner}`);
+  /** Marks the numbers as those of an earlier state, which `owner` names; null: they are current. */
+  markStale(owner: string | null): void {
+    this.panel.classList.toggle('stale', owner !== null);
+    this.setReason(owner === null ? this.verdict : `Numbers of ${owner}`);
   }
 
   private setReason(text: string): void {
@@ -94,7 +95,7 @@ export class MetricsPanel {
 
 /** One sentence on why a result is valid or not. */
 export function verdict({ charts: [chart], valid }: Report): string {
-  if (valid) return 'No triangle is flipped, the boundary does not cross itself';
+  if (valid) return 'No flipped triangles, no crossings';
   const reasons: string[] = [];
   if (chart.flippedTriangles > 0)
     reasons.push(`${counted(chart.flippedTriangles, 'triangle is', 'triangles are')} flipped`);

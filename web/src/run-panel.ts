@@ -49,6 +49,12 @@ export class RunPanel {
     this.text.textContent = `${STAGES[stage]}${step}`;
   }
 
+  /** Says something that is no run's end; a run in flight keeps its line. */
+  say(text: string): void {
+    this.live.textContent = text;
+    if (this.cancelButton.disabled) this.text.textContent = text;
+  }
+
   /** `text` is also read out by screen readers. */
   finish(text: string, canRepeat: boolean): void {
     clearTimeout(this.delay);

@@ -34,6 +34,9 @@ interface Opened {
 /** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
 const PATIENCE = 150;
 
+/** Samples are made as fine as they look good. */
+const SAMPLE_DETAIL = 4;
+
 /** One mesh at a time, one run at a time; the latest wish wins. */
 export class Session {
   private opened: Opened | null = null;
@@ -136,7 +139,7 @@ export class Session {
 
   private async read(source: Source, signal: AbortSignal): Promise<Opened> {
     if (source.kind === 'sample') {
-      const mesh = await this.abflat.sample(source.name);
+      const mesh = await this.abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
       return { source, input: mesh, mesh };
     }
     const input: MeshFile = { bytes: new Uint8Array(await bytesOf(source.file)), name: source.name };

@@ -22,7 +22,7 @@ export const EDGE_GLSL = /* glsl */ `
     float nearest = min(pixels.x, min(pixels.y, pixels.z));
     float height = 1.0 / max(slope.x, max(slope.y, slope.z));
     float line = 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, nearest);
-    return line * mix(0.12, 1.0, smoothstep(1.0, 12.0 * width, height));
+    return line * mix(0.3, 1.0, smoothstep(1.0, 8.0 * width, height));
   }
 `;
 

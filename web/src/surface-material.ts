@@ -45,8 +45,8 @@ const FRAGMENT = /* glsl */ `
     vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
     vec3 fill = normalize(vec3(0.8, -0.1, 0.6));
     float sky = 0.5 + 0.5 * n.y;
-    float light = mix(0.2, 0.34, sky) + 0.66 * pow(max(0.5 + 0.5 * dot(n, key), 0.0), 2.0) +
-                  0.16 * max(dot(n, fill), 0.0);
+    float light = mix(0.12, 0.26, sky) + 0.74 * pow(max(0.5 + 0.5 * dot(n, key), 0.0), 2.2) +
+                  0.18 * max(dot(n, fill), 0.0);
     float gloss = pow(max(dot(n, normalize(key + v)), 0.0), 42.0);
     float rim = pow(1.0 - max(dot(n, v), 0.0), 4.0);
     return base * light + 0.06 * gloss + 0.05 * rim;

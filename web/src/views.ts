@@ -5,14 +5,14 @@ import type { DisplayMesh, FlatMesh } from './mesh';
 import { boundaryEdges } from './mesh';
 import { MeshView } from './mesh-view';
 import { readPalette } from './palette';
-import type { Outcome } from './session';
+import type { Outcome, Source } from './session';
 import { RAMP_MOST } from './shader-parts';
 
 /** Both pictures and the buttons that belong to them. */
 export class Views {
   private readonly mesh: MeshView;
   private readonly layout: LayoutView;
-  private shownSource: Outcome['source'] | null = null;
+  private shownSource: Source | null = null;
 
   /** Throws when the browser offers no WebGL 2. */
   constructor() {
@@ -37,8 +37,9 @@ export class Views {
   }
 
   /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
-  showMesh(mesh: DisplayMesh): void {
-    this.mesh.show(mesh, boundaryEdges(mesh.indices), null, true);
+  showMesh(source: Source, mesh: DisplayMesh): void {
+    const shown = { ...mesh, positions: upright(source, mesh.positions) };
+    this.mesh.show(shown, boundaryEdges(mesh.indices), null, true);
   }
 
   showOutcome(outcome: Outcome): void {
@@ -53,7 +54,7 @@ export class Views {
   }
 }
 
-function flatMesh({ result, mesh }: Outcome): FlatMesh {
+function flatMesh({ source, result, mesh }: Outcome): FlatMesh {
   const { indices, uv, vertexMap } = result;
   const positions =
     result.positions ??
@@ -61,7 +62,13 @@ function flatMesh({ result, mesh }: Outcome): FlatMesh {
       { length: 3 * vertexMap.length },
       (_, i) => mesh.positions[3 * vertexMap[Math.floor(i / 3)] + (i % 3)],
     );
-  return { positions, indices, uv };
+  return { positions: upright(source, positions), indices, uv };
+}
+
+/** Samples have z up and look along x; OBJ files usually have y up and look along z. */
+function upright(source: Source, positions: Float64Array): Float64Array {
+  if (source.kind === 'file') return positions;
+  return positions.map((_, i) => positions[i - (i % 3) + (((i % 3) + 1) % 3)]);
 }
 
 function bindToggle(id: string, changed: (isOn: boolean) => void): void {

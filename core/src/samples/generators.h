@@ -11,7 +11,7 @@ PolygonMesh makeHemisphere(double detail);
 /// Long band with waves along it and ruffles at its sides.
 PolygonMesh makeWavyStrip(double detail);
 
-/// Head with nose, eye sockets, chin and ears, open at the neck.
+/// Head with nose, eye sockets, chin and ears, open at the neck and cut from there to the crown.
 PolygonMesh makeHead(double detail);
 
 /// Ribbon along a Greek alpha: its ends cross over each other with a difference in height.

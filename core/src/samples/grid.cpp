@@ -11,8 +11,12 @@ unsigned scaledCount(unsigned count, double detail) {
 }
 
 std::uint32_t MeshBuilder::addPoint(const Point& p) {
-  positions.insert(positions.end(), p.begin(), p.end());
+  positions.insert(positions.end(), {p[0], p[2], -p[1]});
   return static_cast<std::uint32_t>(positions.size() / 3 - 1);
+}
+
+Point MeshBuilder::point(std::uint32_t v) const {
+  return {positions[3 * v], -positions[3 * v + 2], positions[3 * v + 1]};
 }
 
 void MeshBuilder::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -23,19 +27,18 @@ PolygonMesh MeshBuilder::finish() {
   return makeTriangleMesh(std::move(positions), std::move(indices));
 }
 
-void joinRings(MeshBuilder& mesh, const std::vector<std::uint32_t>& outer,
-               const std::vector<std::uint32_t>& inner) {
-  const std::size_t n = outer.size(), m = inner.size();
+void joinRows(MeshBuilder& mesh, const std::vector<std::uint32_t>& outer,
+              const std::vector<std::uint32_t>& inner) {
+  const std::size_t n = outer.size() - 1, m = inner.size() - 1;
   std::size_t i = 0, j = 0;
   while (i < n || j < m) {
-    const std::uint32_t a = outer[i % n], b = inner[j % m];
-    // Go on along the ring whose next edge has its middle first.
-    if (j >= m || (i < n && (2 * i + 1) * m <= (2 * j + 1) * n)) {
+    // Go on along the row whose next edge has its middle first.
+    if (j == m || (i < n && (2 * i + 1) * m <= (2 * j + 1) * n)) {
+      mesh.addTriangle(outer[i], outer[i + 1], inner[j]);
       ++i;
-      mesh.addTriangle(a, outer[i % n], b);
     } else {
+      mesh.addTriangle(outer[i], inner[j + 1], inner[j]);
       ++j;
-      mesh.addTriangle(a, inner[j % m], b);
     }
   }
 }
@@ -60,18 +63,17 @@ PolygonMesh rectangleMesh(unsigned columns, unsigned rows,
   return mesh.finish();
 }
 
-PolygonMesh diskMesh(unsigned rings, const std::function<Point(double r, double phi)>& at) {
+PolygonMesh diskMesh(const RingDisk& disk) {
   MeshBuilder mesh;
-  std::vector<std::uint32_t> inner{mesh.addPoint(at(0, 0))}, outer;
-  for (unsigned k = 1; k <= rings; ++k) {
-    outer.clear();
-    for (unsigned i = 0; i < 6 * k; ++i)
-      outer.push_back(
-          mesh.addPoint(at(static_cast<double>(k) / rings, 2 * kSamplePi * i / (6 * k))));
-    if (k == 1)
-      for (unsigned i = 0; i < 6; ++i) mesh.addTriangle(inner[0], outer[i], outer[(i + 1) % 6]);
-    else
-      joinRings(mesh, outer, inner);
+  std::vector<std::uint32_t> inner{mesh.addPoint(disk.at(0, 0))};
+  for (unsigned k = 1; k <= disk.rings; ++k) {
+    const double r = static_cast<double>(k) / disk.rings;
+    const unsigned count = std::max(3u, disk.ringSize(r)), points = count + (disk.isSlit ? 1 : 0);
+    std::vector<std::uint32_t> outer;
+    for (unsigned i = 0; i < points; ++i)
+      outer.push_back(mesh.addPoint(disk.at(r, kSamplePi * (2.0 * i / count - 1))));
+    if (!disk.isSlit) outer.push_back(outer.front());
+    joinRows(mesh, outer, inner);
     inner.swap(outer);
   }
   return mesh.finish();

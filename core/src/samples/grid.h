@@ -9,6 +9,8 @@
 
 namespace abflat {
 
+/// xyz as generators think: z up, the front towards -y. Meshes have y up and the front towards +z,
+/// as OBJ viewers show them.
 using Point = std::array<double, 3>;
 
 constexpr double kSamplePi = 3.14159265358979323846;
@@ -18,25 +20,31 @@ unsigned scaledCount(unsigned count, double detail);
 
 /// Mesh under construction.
 struct MeshBuilder {
-  std::vector<double> positions;
+  std::vector<double> positions;  ///< y up
   std::vector<std::uint32_t> indices;
 
   std::uint32_t addPoint(const Point& p);
+  Point point(std::uint32_t v) const;
   void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   PolygonMesh finish();
 };
 
-/// Joins two closed rings of vertices, both counter-clockwise with `inner` to the left of `outer`,
-/// by a band of triangles; the rings may have different sizes.
-void joinRings(MeshBuilder& mesh, const std::vector<std::uint32_t>& outer,
-               const std::vector<std::uint32_t>& inner);
+/// Joins two rows of vertices by a band of triangles, `inner` to the left of `outer`; they may have
+/// different sizes.
+void joinRows(MeshBuilder& mesh, const std::vector<std::uint32_t>& outer,
+              const std::vector<std::uint32_t>& inner);
 
 /// columns x rows squares over [0,1]^2, each cut in two, the cuts alternating.
 PolygonMesh rectangleMesh(unsigned columns, unsigned rows,
                           const std::function<Point(double u, double v)>& at);
 
-/// Unit disk of near equilateral triangles: a centre and `rings` rings of 6, 12, 18, ... vertices
-/// at radius r in (0,1], 6 rings^2 faces. `at` maps polar coordinates to space.
-PolygonMesh diskMesh(unsigned rings, const std::function<Point(double r, double phi)>& at);
+/// Unit disk as a centre and rings round it, mapped to space.
+struct RingDisk {
+  unsigned rings = 1;                             ///< at equal distances
+  std::function<unsigned(double r)> ringSize;     ///< edges of the ring of radius r in (0,1]
+  std::function<Point(double r, double phi)> at;  ///< phi in [-pi, pi]
+  bool isSlit = false;                            ///< cut open from the centre along phi = pi
+};
+PolygonMesh diskMesh(const RingDisk& disk);
 
 }  // namespace abflat

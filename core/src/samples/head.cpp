@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "samples/generators.h"
@@ -6,56 +7,83 @@
 namespace abflat {
 namespace {
 
-/// A smooth bump of the radius round a direction: `height` at (x, y, z), falling off like a
-/// Gaussian with the given widths (radians) sideways and along the meridian.
+/// A smooth bump: `height` in the given direction, falling off like a Gaussian.
 struct Bump {
-  double longitude, latitude;  ///< degrees; longitude 0 is the face, latitude 90 the crown
-  double height, width, tallness;
+  double longitude, latitude;      ///< degrees; longitude 0 is the face, latitude 90 the crown
+  double height, width, tallness;  ///< of the skull's radius; radians sideways and up
 };
 
-// x to the face, y to the left ear, z up; the radius of the skull is 1.
+// Longitudes grow to the left; each bump beside the middle has a twin on the other side.
 constexpr Bump kBumps[] = {
-    {0, -2, 0.16, 0.10, 0.24},     // bridge of the nose
-    {0, -13, 0.20, 0.12, 0.11},    // tip of the nose
-    {24, 8, -0.13, 0.17, 0.12},    // eye sockets
-    {-24, 8, -0.13, 0.17, 0.12},   //
-    {25, 7, 0.07, 0.09, 0.07},     // eyeballs
-    {-25, 7, 0.07, 0.09, 0.07},    //
-    {0, 21, 0.05, 0.45, 0.10},     // brow
-    {35, -12, 0.05, 0.22, 0.18},   // cheeks
-    {-35, -12, 0.05, 0.22, 0.18},  //
-    {0, -27, 0.07, 0.16, 0.06},    // lips
-    {0, -31, -0.05, 0.22, 0.025},  // mouth
-    {0, -36, 0.06, 0.14, 0.05},    //
-    {0, -50, 0.16, 0.24, 0.13},    // chin
-    {92, 0, 0.24, 0.07, 0.20},     // ears
-    {-92, 0, 0.24, 0.07, 0.20},    //
-    {180, 15, 0.12, 0.8, 0.6},     // back of the head
+    {0, 1, 0.15, 0.11, 0.17},      // bridge of the nose
+    {0, -11, 0.22, 0.15, 0.10},    // tip of the nose
+    {25, 9, -0.20, 0.19, 0.13},    // eye sockets
+    {25, 8, 0.10, 0.11, 0.08},     // eyes
+    {0, 25, 0.06, 0.50, 0.11},     // brow
+    {36, -12, 0.05, 0.22, 0.18},   // cheeks
+    {0, -25, 0.07, 0.17, 0.07},    // upper lip
+    {0, -30, -0.06, 0.20, 0.045},  // mouth
+    {0, -35, 0.08, 0.16, 0.06},    // lower lip
+    {0, -47, 0.30, 0.30, 0.12},    // chin
+    {93, 2, 0.30, 0.10, 0.20},     // ears
+    {180, 12, 0.14, 0.80, 0.55},   // back of the head
 };
+
+constexpr double kNeckRadius = 0.47;
+constexpr double kNeckLatitude = -52;  // degrees; below, the skull goes over into the neck
 
 double radians(double degrees) { return degrees * kSamplePi / 180; }
 
 double bumpAt(const Bump& bump, double longitude, double latitude) {
-  const double turn = std::remainder(longitude - radians(bump.longitude), 2 * kSamplePi);
-  const double sideways = turn * std::cos(latitude) / bump.width;
   const double up = (latitude - radians(bump.latitude)) / bump.tallness;
-  return bump.height * std::exp(-(sideways * sideways + up * up) / 2);
+  double sum = 0;
+  for (double centre : {bump.longitude, -bump.longitude}) {
+    const double turn = std::remainder(longitude - radians(centre), 2 * kSamplePi);
+    const double sideways = turn * std::cos(latitude) / bump.width;
+    sum += bump.height * std::exp(-(sideways * sideways + up * up) / 2);
+    if (std::remainder(2 * bump.longitude, 360) == 0) break;
+  }
+  return sum;
+}
+
+/// 0 below `from`, 1 above `to`, smooth in between.
+double smoothStep(double from, double to, double x) {
+  const double s = std::min(std::max((x - from) / (to - from), 0.0), 1.0);
+  return s * s * (3 - 2 * s);
+}
+
+/// Point of the head in a direction.
+Point headAt(double longitude, double latitude) {
+  const double level = std::cos(latitude);
+  double radius = 1;
+  // Longitudes meet at the crown: bumps fade out there.
+  for (const Bump& bump : kBumps)
+    radius += level * std::sqrt(level) * bumpAt(bump, longitude, latitude);
+  const double neck = smoothStep(radians(kNeckLatitude), radians(-75), latitude);
+  // Smooth maximum: the skull above, a column below.
+  const double column = kNeckRadius * neck;
+  const double flat = std::pow(std::pow(radius * level, 4) + std::pow(column, 4), 0.25);
+  return {0.86 * flat * std::sin(longitude), 0.1 * neck - 1.04 * flat * std::cos(longitude),
+          1.2 * radius * std::sin(latitude) - 0.75 * neck};
 }
 
 }  // namespace
 
 PolygonMesh makeHead(double detail) {
-  constexpr double kNeckLatitude = -62;  // degrees; the cut
-  return diskMesh(scaledCount(25, detail), [](double r, double longitude) -> Point {
-    const double latitude = radians(90 - r * (90 - kNeckLatitude));
-    // Bumps wider than the crown would tear it: they fade out where longitudes meet.
-    const double fade = std::cos(latitude) * std::cos(latitude);
-    double radius = 1;
-    for (const Bump& bump : kBumps) radius += fade * bumpAt(bump, longitude, latitude);
-    const double flat = radius * std::cos(latitude);
-    return {1.02 * flat * std::cos(longitude), 0.86 * flat * std::sin(longitude),
-            1.22 * radius * std::sin(latitude)};
-  });
+  constexpr double kCutLatitude = -72;  // degrees
+  RingDisk disk;
+  disk.rings = scaledCount(36, detail);
+  const auto latitudeAt = [](double r) { return radians(90 - r * (90 - kCutLatitude)); };
+  // As many edges along a parallel as keep them as long as the meridians'.
+  const double spacing = radians(90 - kCutLatitude) / disk.rings;
+  disk.ringSize = [=](double r) {
+    const double level = latitudeAt(r) > 0 ? std::cos(latitudeAt(r))
+                                           : std::max(std::cos(latitudeAt(r)), kNeckRadius);
+    return static_cast<unsigned>(std::lround(2 * kSamplePi * level / spacing));
+  };
+  disk.at = [=](double r, double phi) { return headAt(phi, latitudeAt(r)); };
+  disk.isSlit = true;
+  return diskMesh(disk);
 }
 
 }  // namespace abflat

@@ -6,10 +6,15 @@
 namespace abflat {
 
 PolygonMesh makeHemisphere(double detail) {
-  return diskMesh(scaledCount(18, detail), [](double r, double phi) -> Point {
+  RingDisk disk;
+  disk.rings = scaledCount(18, detail);
+  // 6, 12, 18, ... edges: near equilateral triangles.
+  disk.ringSize = [&](double r) { return static_cast<unsigned>(std::lround(6 * r * disk.rings)); };
+  disk.at = [](double r, double phi) -> Point {
     const double theta = r * kSamplePi / 2;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-  });
+  };
+  return diskMesh(disk);
 }
 
 }  // namespace abflat

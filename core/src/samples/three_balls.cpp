@@ -63,7 +63,7 @@ class Patch {
       }
   }
 
-  /// Outline of a block, counter-clockwise from the middle of its right side.
+  /// Closed outline of a block, counter-clockwise from the middle of its right side.
   std::vector<std::uint32_t> blockRing(unsigned bx, unsigned by) const {
     std::vector<std::uint32_t> out;
     const unsigned x0 = bx * cells_, y0 = by * cells_, n = cells_;
@@ -72,9 +72,11 @@ class Patch {
     for (unsigned i = 0; i < n; ++i) out.push_back(vertexAt(x0, y0 + n - i));
     for (unsigned i = 0; i < n; ++i) out.push_back(vertexAt(x0 + i, y0));
     std::rotate(out.begin(), out.begin() + n / 2, out.end());
+    out.push_back(out.front());
     return out;
   }
 
+  /// Closed: the last vertex is the first.
   std::vector<std::uint32_t> circle(unsigned count, const Point& centre, double radius) {
     std::vector<std::uint32_t> out;
     for (unsigned i = 0; i < count; ++i) {
@@ -82,6 +84,7 @@ class Patch {
       out.push_back(mesh_.addPoint(
           {centre[0] + radius * std::cos(phi), centre[1] + radius * std::sin(phi), centre[2]}));
     }
+    out.push_back(out.front());
     return out;
   }
 
@@ -89,11 +92,13 @@ class Patch {
   std::vector<std::uint32_t> betweenSquareAndFoot(const std::vector<std::uint32_t>& square,
                                                   double cx, double cy) {
     std::vector<std::uint32_t> out;
-    for (std::uint32_t v : square) {
-      const double x = mesh_.positions[3 * v] - cx, y = mesh_.positions[3 * v + 1] - cy;
+    for (std::size_t i = 0; i + 1 < square.size(); ++i) {
+      const Point p = mesh_.point(square[i]);
+      const double x = p[0] - cx, y = p[1] - cy;
       const double scale = (1 + kFoot / std::hypot(x, y)) / 2;
       out.push_back(mesh_.addPoint({cx + scale * x, cy + scale * y, 0}));
     }
+    out.push_back(out.front());
     return out;
   }
 
@@ -102,7 +107,7 @@ class Patch {
     const unsigned steps = static_cast<unsigned>(std::lround(1.45 / edge));
     std::vector<std::uint32_t> ring = blockRing(bx, by);
     const auto inwards = [&](const std::vector<std::uint32_t>& next) {
-      joinRings(mesh_, ring, next);
+      joinRows(mesh_, ring, next);
       ring = next;
     };
     inwards(betweenSquareAndFoot(ring, cx, cy));
@@ -111,9 +116,7 @@ class Patch {
       const long count = std::max(6L, std::lround(2 * kSamplePi * radius / edge));
       inwards(circle(static_cast<unsigned>(count), {cx, cy, z}, radius));
     }
-    const std::uint32_t top = mesh_.addPoint({cx, cy, outline(1)[1]});
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      mesh_.addTriangle(ring[i], ring[(i + 1) % ring.size()], top);
+    inwards({mesh_.addPoint({cx, cy, outline(1)[1]})});
   }
 
   unsigned cells_;    ///< along the side of a block

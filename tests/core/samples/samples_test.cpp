@@ -110,7 +110,7 @@ TEST_CASE("the hemisphere is exact") {
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
     const double* p = &mesh.positions[3 * v];
     CHECK(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-15);
-    lowest = std::min(lowest, p[2]);
+    lowest = std::min(lowest, p[1]);
   }
   CHECK(std::abs(lowest) < 1e-15);
 }
@@ -132,10 +132,10 @@ TEST_CASE("the strands of the alpha band pass over each other without touching")
   double highest = -1, lowest = 1, gap = 1;
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
     const double* p = &mesh.positions[3 * v];
-    if (std::hypot(p[0], p[1]) > 0.2) continue;
-    highest = std::max(highest, p[2]);
-    lowest = std::min(lowest, p[2]);
-    gap = std::min(gap, std::abs(p[2]));
+    if (std::hypot(p[0], p[2]) > 0.2) continue;
+    highest = std::max(highest, p[1]);
+    lowest = std::min(lowest, p[1]);
+    gap = std::min(gap, std::abs(p[1]));
   }
   CHECK(highest > 0.1);
   CHECK(lowest < -0.1);
