@@ -14,8 +14,8 @@ struct Slot {
   char path[PATH_MAX] = {};
 };
 
-// A signal handler has no arguments: what it removes must be global.
-Slot slots[2];  // the layout and the report
+// The layout and the report. A signal handler has no arguments: what it removes must be global.
+Slot slots[2];  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 extern "C" void removeAndEnd(int signal) {
   for (const Slot& slot : slots)

@@ -1,5 +1,7 @@
 #include <csignal>
+#include <exception>
 #include <new>
+#include <string>
 
 #include "commands.h"
 #include "out_of_memory.h"
@@ -15,19 +17,24 @@ struct Runner {
   int operator()(const SampleCommand& command) const { return runSample(command); }
 };
 
-int run(int argc, const char* const* argv) {
-  // A reader that goes away is an output that cannot be written, which has its own exit code.
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
-    return std::visit(Runner{}, parseArguments(argc, argv));
-  } catch (const std::bad_alloc&) {
-    const Status status = outOfMemory("abflat");
-    complain(status.message);
-    return exitCodeOf(status.code);
-  }
+int ended(const Status& status) {
+  complain(status.message);
+  return exitCodeOf(status.code);
 }
 
 }  // namespace
 }  // namespace abflat::cli
 
-int main(int argc, char** argv) { return abflat::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace abflat;
+  // A reader that goes away is an output that cannot be written, which has its own exit code.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return std::visit(cli::Runner{}, cli::parseArguments(argc, argv));
+  } catch (const std::bad_alloc&) {
+    return cli::ended(cli::outOfMemory("abflat"));
+  } catch (const std::exception& defect) {
+    return cli::ended({StatusCode::Internal,
+                       std::string("a defect of abflat, please report it: ") + defect.what()});
+  }
+}

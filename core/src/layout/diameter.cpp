@@ -1,6 +1,7 @@
 #include "layout/diameter.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace abflat {
 namespace {
@@ -15,40 +16,63 @@ double squaredDistance(const Point2& a, const Point2& b) {
 
 }  // namespace
 
-std::vector<Point2> convexHull(std::vector<Point2> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Point2> hull(2 * points.size());
+std::vector<std::uint32_t> convexHull(const std::vector<Point2>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return points[a] != points[b] ? points[a] < points[b] : a < b;
+  });
+  order.erase(std::unique(order.begin(), order.end(),
+                          [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; }),
+              order.end());
+  if (order.size() < 3) return order;
+  std::vector<std::uint32_t> hull(2 * order.size());
   std::size_t n = 0;
-  const auto add = [&](const Point2& p, std::size_t floor) {
-    while (n >= floor && turn(hull[n - 2], hull[n - 1], p) <= 0) --n;
+  const auto add = [&](std::uint32_t p, std::size_t floor) {
+    while (n >= floor && turn(points[hull[n - 2]], points[hull[n - 1]], points[p]) <= 0) --n;
     hull[n++] = p;
   };
-  for (const Point2& p : points) add(p, 2);
+  for (const std::uint32_t p : order) add(p, 2);
   const std::size_t lower = n + 1;
-  for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], lower);
+  for (std::size_t i = order.size() - 1; i-- > 0;) add(order[i], lower);
   hull.resize(n - 1);
   return hull;
 }
 
-std::array<Point2, 2> diameter(const std::vector<Point2>& points) {
-  const std::vector<Point2> hull = convexHull(points);
-  if (hull.empty()) return {};
+std::array<std::uint32_t, 2> diameter(const std::vector<Point2>& points) {
+  constexpr double kTie = 1 - 1e-7;  // of squared lengths
+  const std::vector<std::uint32_t> hull = convexHull(points);
+  if (hull.empty()) return {0, 0};
   const std::size_t n = hull.size();
-  std::array<Point2, 2> best{hull[0], hull[n - 1]};
+  double longest = 0;
+  std::vector<std::array<std::uint32_t, 2>> candidates{{hull[0], hull[0]}};
+  const auto consider = [&](std::uint32_t p, std::uint32_t q) {
+    const double length = squaredDistance(points[p], points[q]);
+    if (length < kTie * longest) return;
+    if (kTie * length > longest) candidates.clear();
+    longest = std::max(longest, length);
+    candidates.push_back({std::min(p, q), std::max(p, q)});
+  };
   std::size_t j = n > 1 ? 1 : 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Point2 &a = hull[i], &b = hull[(i + 1) % n];
+    const std::uint32_t a = hull[i], b = hull[(i + 1) % n];
     for (;;) {
-      for (const Point2* p : {&a, &b})
-        if (squaredDistance(*p, hull[j]) > squaredDistance(best[0], best[1])) best = {*p, hull[j]};
+      consider(a, hull[j]);
+      consider(b, hull[j]);
       const std::size_t next = (j + 1) % n;
-      if (next == i || turn(a, b, hull[next]) <= turn(a, b, hull[j])) break;
+      // A parallel edge has two far ends; rounding must not hide one of them.
+      if (next != i) consider(a, hull[next]), consider(b, hull[next]);
+      if (next == i || turn(points[a], points[b], points[hull[next]]) <=
+                           turn(points[a], points[b], points[hull[j]]))
+        break;
       j = next;
     }
   }
-  if (best[1] < best[0]) std::swap(best[0], best[1]);
+  std::array<std::uint32_t, 2> best{hull[0], hull[0]};
+  for (const auto& c : candidates)
+    if (best[0] == best[1] ||
+        (squaredDistance(points[c[0]], points[c[1]]) >= kTie * longest && c < best))
+      best = c;
   return best;
 }
 

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace abflat {
 
 using Point2 = std::array<double, 2>;
 
-/// Convex hull, counter-clockwise without collinear points (Andrew's monotone chain).
-std::vector<Point2> convexHull(std::vector<Point2> points);
+/// Indices of the points on the convex hull, counter-clockwise without collinear points (Andrew's
+/// monotone chain). Of equal points the first counts.
+std::vector<std::uint32_t> convexHull(const std::vector<Point2>& points);
 
-/// The two points that are farthest apart, the left one first (rotating calipers).
-std::array<Point2, 2> diameter(const std::vector<Point2>& points);
+/// Indices of the two points that are farthest apart, the smaller one first. Of pairs equally far
+/// apart up to rounding, as on symmetric outlines, the one with the smallest indices.
+std::array<std::uint32_t, 2> diameter(const std::vector<Point2>& points);
 
 }  // namespace abflat

@@ -164,16 +164,24 @@ std::vector<Point2> boundaryPoints(const DiskChart& chart, const std::vector<dou
   return points;
 }
 
-/// Whether more of the boundary's points lie far to the left than to the right of the diameter's
-/// middle: the one of the two horizontal positions that does not depend on how vertices are
-/// numbered.
-bool leansLeft(const std::vector<Point2>& points, const std::array<Point2, 2>& ends) {
-  const Point2 middle{(ends[0][0] + ends[1][0]) / 2, (ends[0][1] + ends[1][1]) / 2};
-  const Point2 axis{ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]};
+/// The rotation that makes the longest diameter horizontal. Of the two such rotations the one with
+/// the boundary's points further to the right; where they balance, the diameter's first vertex is
+/// on the left.
+double findRotation(const DiskChart& chart, const std::vector<Point2>& points) {
+  constexpr double kBalanced = 1e-7;  // of the diameter, per point
+  // Ties are broken by chart vertex, not by the place in the loop, which may begin anywhere.
+  std::vector<Point2> byVertex(chart.vertexCount(), points[0]);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    byVertex[chart.vertexOfCorner[chart.boundary[i]]] = points[i];
+  const auto [first, second] = diameter(byVertex);
+  const Point2 &a = byVertex[first], &b = byVertex[second];
+  const Point2 axis{b[0] - a[0], b[1] - a[1]}, middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
   double skew = 0;
   for (const Point2& p : points)
     skew += (p[0] - middle[0]) * axis[0] + (p[1] - middle[1]) * axis[1];
-  return skew < 0;
+  const double scale = axis[0] * axis[0] + axis[1] * axis[1];
+  const bool turned = skew < -kBalanced * scale * static_cast<double>(points.size());
+  return -std::atan2(axis[1], axis[0]) + (turned ? kPi : 0);
 }
 
 Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
@@ -183,9 +191,7 @@ Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
   frame.logScale = -longest;  // nothing overflows
   std::vector<double> uv = place(chart, order, frame);
   const std::vector<Point2> points = boundaryPoints(chart, uv);
-  const std::array<Point2, 2> ends = diameter(points);
-  frame.rotation = -std::atan2(ends[1][1] - ends[0][1], ends[1][0] - ends[0][0]);
-  if (leansLeft(points, ends)) frame.rotation += kPi;
+  frame.rotation = findRotation(chart, points);
   const double area = areaUv(chart, uv), wanted = area3d(chart);
   // A layout that is folded over itself may have no area; it keeps its size and the checks reject
   // it.

@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "angle/constants.h"
 #include "catch.h"
 #include "layout/diameter.h"
 #include "mesh/triangle_geometry.h"
+#include "solve/active_set.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 
@@ -25,6 +27,10 @@ std::vector<double> anglesOf(const DiskChart& chart) {
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
     for (double a : cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f])) x.push_back(a);
   return x;
+}
+
+std::vector<double> solved(const DiskChart& chart, double t) {
+  return solveActiveSet(buildAngleProblem(chart, t), {}).angles;
 }
 
 }  // namespace
@@ -87,6 +93,36 @@ TEST_CASE("diameter by calipers equals the largest of all distances") {
         for (const Point2& b : points)
           longest = std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1]));
       const auto [a, b] = diameter(points);
-      CHECK(std::hypot(a[0] - b[0], a[1] - b[1]) == Approx(longest));
+      CHECK(std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]) ==
+            Approx(longest));
     }
+}
+
+TEST_CASE("equal diameters are told apart by index, whatever the rounding") {
+  // A regular polygon has many; noise of rounding size must not change the choice.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-1e-12, 1e-12);
+  for (unsigned n : {4u, 6u, 7u, 40u, 41u})
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      std::vector<Point2> points(n);
+      for (unsigned i = 0; i < n; ++i) {
+        const double u = 2 * kPi * i / n + repeat;
+        points[i] = {std::cos(u) + noise(random), std::sin(u) + noise(random)};
+      }
+      CHECK(diameter(points) == std::array<std::uint32_t, 2>{0, n / 2});
+    }
+}
+
+TEST_CASE("a symmetric mesh is laid out the same way after perturbations of rounding size") {
+  const PolygonMesh mesh = cone(24, 0.7);
+  const auto layout = [](const PolygonMesh& m) {
+    const DiskChart chart = chartOf(m);
+    return layOut(chart, solved(chart, 1));
+  };
+  const std::vector<double> wanted = layout(mesh);
+  PolygonMesh nudged = mesh;
+  for (std::size_t i = 0; i < nudged.positions.size(); ++i)
+    nudged.positions[i] *= 1 + static_cast<double>(i % 3) * 1e-13;
+  const std::vector<double> got = layout(nudged);
+  for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(got[i] == Approx(wanted[i]).margin(1e-9));
 }
