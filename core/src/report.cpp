@@ -14,10 +14,16 @@ std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+bool isInputKnown(StatusCode error) {
+  return exitCodeOf(error) != static_cast<int>(ExitCode::Unreadable) &&
+         error != StatusCode::OutOfMemory;
+}
+
 Json inputJson(const Report& report) {
   const MeshSummary& in = report.input;
-  const bool wasRead = exitCodeOf(report.error.code) != static_cast<int>(ExitCode::Unreadable);
-  const auto count = [wasRead](auto value) { return wasRead ? Json(value) : Json(); };
+  const auto count = [isKnown = isInputKnown(report.error.code)](auto value) {
+    return isKnown ? Json(value) : Json();
+  };
   return {
       {"path", report.path},
       {"vertices", count(in.vertices)},

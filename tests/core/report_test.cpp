@@ -91,7 +91,7 @@ TEST_CASE("a report without a result carries the error") {
   report.path = "a \"quoted\" \\ name.obj";
   report.input.faces = 12;
   report.error = {StatusCode::ClosedSurface, "closed surface"};
-  Json json = parsed(report);
+  const Json json = parsed(report);
   CHECK(json["input"]["path"].get<std::string>() == report.path);
   CHECK(json["input"]["faces"].get<int>() == 12);
   CHECK(json["charts"].empty());
@@ -100,9 +100,10 @@ TEST_CASE("a report without a result carries the error") {
   CHECK(json["error"]["code"].get<std::string>() == "ClosedSurface");
   CHECK(json["error"]["message"].get<std::string>() == "closed surface");
 
-  report.error.code = StatusCode::ParseError;
-  json = parsed(report);
-  CHECK(json["input"]["faces"].is_null());
+  for (StatusCode code : {StatusCode::ParseError, StatusCode::OutOfMemory}) {
+    report.error.code = code;
+    CHECK(parsed(report)["input"]["faces"].is_null());
+  }
 }
 
 TEST_CASE("a path that is not UTF-8 does not spoil the report") {

@@ -1,5 +1,7 @@
 import { BufferAttribute, BufferGeometry, Mesh, OrthographicCamera, Scene } from 'three';
 import { BoundaryLines } from './boundary-lines';
+import { CrossingMarks } from './crossing-marks';
+import { crossings } from './crossings';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import type { FlatMesh } from './mesh';
 import { boundingBox, perCorner } from './mesh';
@@ -9,6 +11,8 @@ import { Stage } from './stage';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
+/** Crossings that are marked; more would only be a red blot. */
+const MOST_MARKS = 500;
 
 /** The uv layout in the plane. */
 export class LayoutView {
@@ -17,7 +21,8 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
-  private readonly boundary = new BoundaryLines(2.25, 2);
+  private readonly boundary = new BoundaryLines(2.25, false);
+  private readonly marks = new CrossingMarks();
   private readonly panZoom: PanZoom;
   /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
   private size: [number, number] = [1, 1];
@@ -38,7 +43,7 @@ export class LayoutView {
       () => this.resized(),
     );
     this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object);
+    this.scene.add(this.surface, this.boundary.object, this.marks.object);
     this.stage.resize();
   }
 
@@ -47,18 +52,23 @@ export class LayoutView {
     const { min, max } = boundingBox(mesh.uv, 2);
     const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
     this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
-    const plane = new Float32Array((mesh.uv.length / 2) * 3);
-    mesh.uv.forEach((x, i) => {
-      const d = i % 2;
-      plane[3 * Math.floor(i / 2) + d] = (x - (min[d] + max[d]) / 2) / size;
-    });
+    const toPlane = (points: Float64Array) => {
+      const plane = new Float32Array((points.length / 2) * 3);
+      points.forEach((x, i) => {
+        const d = i % 2;
+        plane[3 * Math.floor(i / 2) + d] = (x - (min[d] + max[d]) / 2) / size;
+      });
+      return plane;
+    };
+    const plane = toPlane(mesh.uv);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(perCorner(plane, 3, mesh.indices), 3));
     const error = Float32Array.from(mesh.indices, (_, c) => errors[Math.floor(c / 3)]);
     geometry.setAttribute('error', new BufferAttribute(error, 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
-    this.boundary.show(plane, 3, edges);
+    this.boundary.show(plane, edges);
+    this.marks.show(toPlane(crossings(mesh.uv, edges, MOST_MARKS)));
     if (isNew || this.isFitted) this.fit();
     else this.stage.invalidate();
   }
@@ -67,6 +77,7 @@ export class LayoutView {
     this.stage.renderer.setClearColor(palette.background);
     paintLayout(this.material, palette);
     this.boundary.setColor(palette.boundary);
+    this.marks.setColor(palette.flipped);
     this.stage.invalidate();
   }
 
@@ -86,6 +97,7 @@ export class LayoutView {
 
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
+    this.marks.setPixelRatio(this.stage.pixelRatio);
     this.boundary.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.fit();
   }

@@ -2,7 +2,7 @@ import './style.css';
 import { createAbflat } from 'abflat';
 import { hideAlert, showAlert } from './alert';
 import { App } from './app';
-import { element } from './dom';
+import { create, element } from './dom';
 import { Views } from './views';
 
 async function start(): Promise<void> {
@@ -17,13 +17,14 @@ function createViews(): Views | null {
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
     for (const id of ['mesh-stage', 'layout-stage']) {
-      const note = document.createElement('p');
-      note.className = 'no-webgl';
-      note.textContent =
-        'This browser shows no pictures here because WebGL 2 is off or missing. Flattening, numbers and export work all the same.';
-      element(id, HTMLElement).replaceChildren(note);
+      const text =
+        'No picture: WebGL 2 is off or missing in this browser. Flattening, numbers and export work all the same.';
+      element(id, HTMLElement).append(create('p', 'no-webgl', text));
     }
-    console.info('No WebGL:', why);
+    for (const id of ['mesh-canvas', 'layout-canvas']) element(id, HTMLElement).hidden = true;
+    for (const id of ['wireframe', 'distortion', 'reset', 'fit'])
+      element(id, HTMLButtonElement).disabled = true;
+    console.info(why);
     return null;
   }
 }

@@ -34,7 +34,7 @@ export class MeshView {
   private readonly controls: OrbitControls;
   private readonly material = createSurfaceMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
-  private readonly boundary = new BoundaryLines(1.75, 3);
+  private readonly boundary = new BoundaryLines(1.75, true);
   private front = new Vector3(0, 0, 1);
   private isFlat = false;
   private showsDistortion = false;
@@ -72,7 +72,7 @@ export class MeshView {
     geometry.setAttribute('error', new BufferAttribute(error, 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
-    this.boundary.show(unit, 3, edges);
+    this.boundary.show(unit, edges);
     this.isFlat = errors !== null;
     this.paint();
     if (!isNew) return;

@@ -35,7 +35,7 @@ interface Opened {
 const PATIENCE = 150;
 
 /** Samples are made as fine as they look good. */
-const SAMPLE_DETAIL = 4;
+const SAMPLE_DETAIL = 2;
 
 /** One mesh at a time, one run at a time; the latest wish wins. */
 export class Session {
@@ -43,7 +43,7 @@ export class Session {
   private running: AbortController | null = null;
   /** The t to flatten with as soon as the run in flight ends. */
   private next: number | null = null;
-  private patience: number | undefined;
+  private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly abflat: Abflat,
@@ -76,7 +76,7 @@ export class Session {
     }
     this.next = t;
     clearTimeout(this.patience);
-    this.patience = window.setTimeout(() => this.replaceRun(), PATIENCE);
+    this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
   }
 
   cancel(): void {

@@ -13,7 +13,12 @@ export class Stage {
     private readonly draw: () => void,
     private readonly resized: () => void,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    const context = canvas.getContext('webgl2', {
+      antialias: true,
+      powerPreference: 'high-performance',
+    });
+    if (!context) throw new Error('The browser offers no WebGL 2.');
+    this.renderer = new WebGLRenderer({ canvas, context });
     new ResizeObserver(() => this.resize()).observe(parentOf(canvas));
   }
 

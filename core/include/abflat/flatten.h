@@ -96,7 +96,7 @@ struct FlattenResult {
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options);
 
 /// The report as JSON text, indented by two spaces; keys as in the README. Numbers that are not
-/// finite, and the counts of an input that could not be read, are null.
+/// finite, and counts of an input that is not known (it could not be read), are null.
 std::string reportJson(const Report& report);
 
 }  // namespace abflat

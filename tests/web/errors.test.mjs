@@ -1,0 +1,77 @@
+// What goes wrong is said in a sentence, and what was there stays.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
+import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+
+const SENTENCE = /^[A-Za-z][^]*\.$/;
+
+test('a broken file is refused with a sentence, the open mesh stays', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'waves.obj', grid(4));
+  const before = await metrics(page);
+  await dropAndWait(page, 'broken.obj', 'v 0 0 0\nv 1 0 zero\nf 1 2 3\n');
+  const alert = await page.locator('#alert p').first().innerText();
+  assert.match(alert, SENTENCE);
+  assert.match(alert, /broken\.obj/);
+  assert.match(alert, /\b2\b/, 'names the line');
+  assert.equal(await textOf(page, '#source'), 'waves.obj');
+  assert.deepEqual(await metrics(page), before);
+  assert.match(await textOf(page, '#run-text'), /broken\.obj was not opened/);
+  assert.ok(await page.isEnabled('#export'));
+
+  await page.click('.alert-close');
+  assert.equal(await textOf(page, '#alert'), '');
+});
+
+test('a closed mesh is shown, the layout is marked as the previous one', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'waves.obj', grid(4));
+  await dropAndWait(page, 'tetrahedron.off', TETRAHEDRON);
+  const alert = await page.locator('#alert p').first().innerText();
+  assert.match(alert, SENTENCE);
+  assert.match(alert, /tetrahedron\.off/);
+  assert.match(alert, /closed/);
+  assert.equal(await textOf(page, '#mesh-info'), '4 triangles');
+  await page.locator('#layout-note').waitFor();
+  assert.match(await textOf(page, '#layout-note'), /waves\.obj/);
+  assert.match(await textOf(page, '#reason'), /waves\.obj/);
+  assert.ok(await page.isDisabled('#export'), 'what is on screen has no layout to export');
+
+  await dropAndWait(page, 'again.obj', grid(4));
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.ok(await page.isHidden('#layout-note'));
+  assert.ok(await page.isEnabled('#export'));
+});
+
+test('an impossible t is refused, the layout of the last one stays', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'waves.obj', grid(8));
+  // 32 boundary vertices: t is at least 1 - 2/32 = 0.9375.
+  await page.fill('#t-number', '0.93');
+  await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
+  await settled(page);
+  assert.match(await textOf(page, '#alert'), /0\.93/);
+  await page.locator('#layout-note').waitFor();
+  assert.match(await textOf(page, '#layout-note'), /t = 1$/);
+  await page.fill('#t-number', '1');
+  await page.waitForFunction(() => document.querySelector('#alert').textContent === '');
+  await settled(page);
+  assert.ok(await page.isHidden('#layout-note'));
+});
+
+test('a number outside the range is marked and not used', async (t) => {
+  const page = await openPage(t);
+  await page.fill('#t-number', '7');
+  assert.equal(await page.getAttribute('#t-number', 'aria-invalid'), 'true');
+  assert.equal(await page.inputValue('#t'), '1');
+  await page.locator('#t-number').blur();
+  assert.equal(await page.inputValue('#t-number'), '1');
+});
+
+test('without WebGL the page says so and still flattens', async (t) => {
+  const page = await openPage(t, { webgl: false });
+  assert.match(await textOf(page, '#mesh-stage'), /WebGL/);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+});

@@ -1,0 +1,144 @@
+// From a file to a layout to a file.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
+import { grid } from '../support/small-meshes.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+import { dropAndWait, exportObj, metrics, openPage, settled, textOf } from './page.mjs';
+
+/** Bytes of a canvas as a picture: any change of what is drawn changes them. */
+const picture = (page, id) => page.locator(id).screenshot();
+
+const lines = (text, keyword) => text.split('\n').filter((line) => line.startsWith(`${keyword} `));
+
+test('the first visit shows a flattened sample', async (t) => {
+  const page = await openPage(t);
+  assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  const shown = await metrics(page);
+  assert.equal(shown.Crossings, '0');
+  assert.equal(shown.Flipped, '0');
+  assert.match(shown.Faces, /^[\d,]+$/);
+  assert.match(await textOf(page, '#run-text'), /^Flattened in/);
+});
+
+test('every sample can be chosen and is flattened', async (t) => {
+  const page = await openPage(t);
+  const names = await page
+    .locator('#sample option:not([disabled])')
+    .evaluateAll((options) => options.map((option) => option.value));
+  assert.deepEqual(
+    [...names].sort(),
+    ['alpha-band', 'head', 'hemisphere', 'three-balls', 'wavy-strip'],
+  );
+  for (const name of names) {
+    await page.selectOption('#sample', name);
+    await settled(page);
+    assert.equal(await textOf(page, '#badge'), 'Valid', name);
+    assert.equal(await textOf(page, '#alert'), '', name);
+  }
+});
+
+test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mesh', async (t) => {
+  const page = await openPage(t);
+  const mesh = grid(8);
+  await dropAndWait(page, 'waves.obj', mesh);
+  assert.equal(await textOf(page, '#source'), 'waves.obj');
+  const before = await metrics(page);
+  assert.equal(before.Faces, '128');
+  assert.equal(before['Boundary vertices'], '32');
+  const layout = await picture(page, '#layout-canvas');
+
+  await page.focus('#t');
+  for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
+  await settled(page);
+  assert.equal(await page.inputValue('#t-number'), '1.05');
+  assert.equal(await textOf(page, '#layout-info'), 't = 1.05');
+  await page.keyboard.press('End');
+  await settled(page);
+  assert.equal(await textOf(page, '#layout-info'), 't = 2');
+  const after = await metrics(page);
+  assert.ok(
+    Number(after['Angular distortion']) < Number(before['Angular distortion']),
+    'a free boundary distorts angles less',
+  );
+  assert.notDeepEqual(await picture(page, '#layout-canvas'), layout);
+
+  const { name, path } = await exportObj(page);
+  assert.equal(name, 'waves-uv.obj');
+  const text = readFileSync(path, 'utf8');
+  assert.deepEqual(lines(text, 'v'), lines(mesh, 'v'));
+  const vertices = (face) => face.split(' ').slice(1).map((corner) => corner.split('/')[0]);
+  assert.deepEqual(lines(text, 'f').map(vertices), lines(mesh, 'f').map(vertices));
+  assert.equal(lines(text, 'vt').length, 81);
+});
+
+test('a chosen file exports what an independent judge calls valid', { skip: withoutShared }, async (t) => {
+  const page = await openPage(t);
+  const path = tempFolder(t);
+  for (const [file, bound] of [
+    ['nefertiti.off', 1],
+    ['woody.obj', 1.05],
+  ]) {
+    await page.setInputFiles('#file', sharedMesh(file));
+    await page.fill('#t-number', String(bound));
+    await page.waitForFunction(
+      (text) => document.querySelector('#layout-info').textContent === text,
+      `t = ${bound}`,
+    );
+    await page.waitForFunction(
+      (text) => document.querySelector('#source').textContent === text,
+      file,
+    );
+    await settled(page);
+    const { path: exported } = await exportObj(page);
+    const copy = path(`${file}.obj`);
+    writeFileSync(copy, readFileSync(exported));
+    const verdict = judge(sharedMesh(file), copy, bound);
+    assert.deepEqual(verdict.failures, []);
+    assert.equal(verdict.valid, true, JSON.stringify(verdict));
+  }
+});
+
+test('a layout that crosses itself is called not valid, with the reason', { skip: withoutShared }, async (t) => {
+  const page = await openPage(t);
+  await page.fill('#t-number', '2');
+  await page.setInputFiles('#file', sharedMesh('camel-cut.obj'));
+  await page.waitForFunction(() => document.querySelector('#badge').textContent === 'Not valid');
+  assert.match(await textOf(page, '#reason'), /crosses itself/);
+  assert.notEqual((await metrics(page)).Crossings, '0');
+});
+
+test('wireframe and distortion change the pictures', async (t) => {
+  const page = await openPage(t);
+  const plain = await picture(page, '#mesh-canvas');
+  await page.click('#wireframe');
+  assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'true');
+  const wired = await picture(page, '#mesh-canvas');
+  assert.notDeepEqual(wired, plain);
+  const layout = await picture(page, '#layout-canvas');
+  await page.click('#distortion');
+  assert.ok(await page.isVisible('#legend'));
+  assert.notDeepEqual(await picture(page, '#mesh-canvas'), wired);
+  assert.notDeepEqual(await picture(page, '#layout-canvas'), layout);
+});
+
+test('the layout is panned, zoomed and fitted again', async (t) => {
+  const page = await openPage(t);
+  const fitted = await picture(page, '#layout-canvas');
+  const box = await page.locator('#layout-canvas').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -400);
+  assert.notDeepEqual(await picture(page, '#layout-canvas'), fitted);
+  await page.mouse.dblclick(x, y);
+  assert.deepEqual(await picture(page, '#layout-canvas'), fitted);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 30);
+  await page.mouse.up();
+  assert.notDeepEqual(await picture(page, '#layout-canvas'), fitted);
+  await page.click('#fit');
+  assert.deepEqual(await picture(page, '#layout-canvas'), fitted);
+});

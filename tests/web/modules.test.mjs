@@ -1,0 +1,230 @@
+// The page's modules that need no page.
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { createServer } from 'vite';
+import { ROOT } from '../../scripts/lib/paths.mjs';
+
+const vite = await createServer({
+  root: join(ROOT, 'web'),
+  appType: 'custom',
+  logLevel: 'error',
+  server: { middlewareMode: true, hmr: false, ws: false },
+  optimizeDeps: { noDiscovery: true },
+});
+after(() => vite.close());
+const load = (name) => vite.ssrLoadModule(`/src/${name}.ts`);
+
+/** A square of two triangles, tilted. */
+const SQUARE = {
+  positions: Float64Array.of(0, 0, 0, 2, 0, 1, 2, 2, 1, 0, 2, 0),
+  indices: Uint32Array.of(0, 1, 2, 0, 2, 3),
+};
+
+test('boundary edges are those with one triangle, in its direction', async () => {
+  const { boundaryEdges } = await load('mesh');
+  const edges = [...boundaryEdges(SQUARE.indices)];
+  const pairs = edges.flatMap((v, i) => (i % 2 === 0 ? [`${v}-${edges[i + 1]}`] : []));
+  assert.deepEqual(pairs.sort(), ['0-1', '1-2', '2-3', '3-0']);
+});
+
+test('a plane faces along its normal, a closed surface nowhere', async () => {
+  const { facing } = await load('mesh');
+  const plane = facing(SQUARE);
+  const length = Math.hypot(1, 2);
+  [-1 / length, 0, 2 / length].forEach((x, d) => {
+    assert.ok(Math.abs(plane.direction[d] - x) < 1e-12);
+  });
+  assert.ok(Math.abs(plane.clarity - 1) < 1e-12);
+  const closed = facing({
+    positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+    indices: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3),
+  });
+  assert.ok(closed.clarity < 1e-12);
+});
+
+test('angle errors are 0 for a similar layout and follow their definition else', async () => {
+  const { angleErrors } = await load('angle-error');
+  const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+  const indices = Uint32Array.of(0, 1, 2);
+  const same = Float64Array.of(3, 3, 3, 5, 1, 3);
+  assert.ok(angleErrors({ positions, indices, uv: same })[0] < 1e-6);
+  const equilateral = Float64Array.of(0, 0, 1, 0, 0.5, Math.sqrt(3) / 2);
+  // 90, 45, 45 degrees become 60 each: -1/3, 1/3, 1/3.
+  assert.ok(Math.abs(angleErrors({ positions, indices, uv: equilateral })[0] - 1 / 3) < 1e-6);
+});
+
+test('checker cells do not depend on the unit of the layout or of the mesh', async () => {
+  const { checkerCells } = await load('checker');
+  const uv = Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1);
+  const cells = checkerCells({ ...SQUARE, uv });
+  const larger = checkerCells({ ...SQUARE, uv: uv.map((x) => 1000 * x - 7) });
+  const smaller = checkerCells({ ...SQUARE, positions: SQUARE.positions.map((x) => x / 50), uv });
+  cells.forEach((x, i) => {
+    assert.ok(Math.abs(x - larger[i]) < 1e-3);
+    assert.ok(Math.abs(x - smaller[i]) < 1e-3);
+  });
+});
+
+test('crossings are found where they are, and only there', async () => {
+  const { crossings } = await load('crossings');
+  const bowTie = Float64Array.of(0, 0, 2, 2, 2, 0, 0, 2);
+  const loop = Uint32Array.of(0, 1, 1, 2, 2, 3, 3, 0);
+  assert.deepEqual([...crossings(bowTie, loop, 10)], [1, 1]);
+  const square = Float64Array.of(0, 0, 2, 0, 2, 2, 0, 2);
+  assert.equal(crossings(square, loop, 10).length, 0);
+});
+
+test('numbers keep three digits and a bounded length', async () => {
+  const { measure, duration, bound } = await load('format');
+  assert.equal(measure(0.0025234), '0.00252');
+  assert.equal(measure(1.6777), '1.68');
+  assert.equal(measure(12345.6), '12346');
+  assert.equal(measure(0.00001234), '1.23 e-5');
+  assert.equal(measure(Number.NaN), 'not finite');
+  assert.equal(duration(0.0361), '36\u202fms');
+  assert.equal(duration(1.256), '1.26\u202fs');
+  assert.equal(bound(0.968), '0.968');
+  for (let x = 1e-9; x < 1e12; x *= 3.7) assert.ok(measure(x).length <= 9, measure(x));
+});
+
+/** An abflat whose runs end when the test says so. */
+function fakeAbflat() {
+  const calls = [];
+  const call = (kind, detail, { signal, onProgress } = {}) =>
+    new Promise((resolve, reject) => {
+      signal?.addEventListener('abort', () => reject(new DOMException('aborted', 'AbortError')));
+      calls.push({ kind, ...detail, signal, onProgress, resolve, reject });
+    });
+  return {
+    calls,
+    sample: (name, options) => call('sample', { name }, options),
+    load: (file, options) => call('load', { name: file.name }, options),
+    flatten: (_, { t, ...options }) => call('flatten', { t }, options),
+  };
+}
+
+async function startSession(t) {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const { Session } = await load('session');
+  const abflat = fakeAbflat();
+  const log = [];
+  const session = new Session(abflat, {
+    started: (source, bound) => log.push(`started ${source.name} ${bound}`),
+    progress: ({ fraction }) => log.push(`progress ${fraction}`),
+    opened: (source) => log.push(`opened ${source.name}`),
+    flattened: (outcome) => log.push(`flattened ${outcome.source.name} ${outcome.t}`),
+    cancelled: () => log.push('cancelled'),
+    failed: (source, bound, error) => log.push(`failed ${source.name} ${bound} ${error.message}`),
+  });
+  const rest = async () => {
+    for (let i = 0; i < 10; i++) await Promise.resolve();
+  };
+  return { session, calls: abflat.calls, log, rest };
+}
+
+const HEAD = { kind: 'sample', name: 'head' };
+const BALL = { kind: 'sample', name: 'ball' };
+
+test('session: reads, then flattens', async (t) => {
+  const { session, calls, log, rest } = await startSession(t);
+  session.open(HEAD, 1);
+  calls[0].resolve(SQUARE);
+  await rest();
+  calls[1].onProgress({ fraction: 0.5 });
+  calls[1].resolve({});
+  await rest();
+  assert.deepEqual(log, [
+    'started head null',
+    'opened head',
+    'started head 1',
+    'progress 0.5',
+    'flattened head 1',
+  ]);
+});
+
+test('session: a quick run is shown before the next starts; a slow one is aborted for the latest wish', async (t) => {
+  const { session, calls, log, rest } = await startSession(t);
+  session.open(HEAD, 1);
+  calls[0].resolve(SQUARE);
+  await rest();
+  session.flatten(1.1);
+  session.flatten(1.2);
+  calls[1].resolve({});
+  await rest();
+  assert.equal(calls.length, 3);
+  assert.equal(calls[2].t, 1.2);
+  session.flatten(1.3);
+  session.flatten(1.4);
+  assert.equal(calls[2].signal.aborted, false);
+  t.mock.timers.tick(10_000);
+  await rest();
+  assert.equal(calls[2].signal.aborted, true);
+  assert.equal(calls[3].t, 1.4);
+  calls[3].resolve({});
+  await rest();
+  assert.deepEqual(log.slice(2), [
+    'started head 1',
+    'flattened head 1',
+    'started head 1.2',
+    'started head 1.4',
+    'flattened head 1.4',
+  ]);
+});
+
+test('session: cancelling drops the run and the wish; nothing comes late', async (t) => {
+  const { session, calls, log, rest } = await startSession(t);
+  session.open(HEAD, 1);
+  calls[0].resolve(SQUARE);
+  await rest();
+  session.flatten(1.5);
+  session.cancel();
+  calls[1].onProgress({ fraction: 0.9 });
+  t.mock.timers.tick(10_000);
+  await rest();
+  assert.equal(calls.length, 2);
+  assert.equal(log.at(-1), 'cancelled');
+  session.cancel();
+  assert.equal(log.filter((line) => line === 'cancelled').length, 1);
+  session.flatten(1.5);
+  calls[2].resolve({});
+  await rest();
+  assert.equal(log.at(-1), 'flattened head 1.5');
+});
+
+test('session: a mesh opened later wins over one that is still read', async (t) => {
+  const { session, calls, log, rest } = await startSession(t);
+  session.open(HEAD, 1);
+  session.open(BALL, 1);
+  await rest();
+  assert.equal(calls[0].signal.aborted, true);
+  calls[1].resolve(SQUARE);
+  await rest();
+  calls[2].resolve({});
+  await rest();
+  assert.deepEqual(log, [
+    'started head null',
+    'started ball null',
+    'opened ball',
+    'started ball 1',
+    'flattened ball 1',
+  ]);
+});
+
+test('session: what cannot be read leaves the mesh before, which can be flattened again', async (t) => {
+  const { session, calls, log, rest } = await startSession(t);
+  session.open(HEAD, 1);
+  calls[0].resolve(SQUARE);
+  await rest();
+  calls[1].resolve({});
+  await rest();
+  session.open(BALL, 1);
+  calls[2].reject(new Error('no ball'));
+  await rest();
+  assert.equal(log.at(-1), 'failed ball null no ball');
+  session.flatten(2);
+  calls[3].resolve({});
+  await rest();
+  assert.equal(log.at(-1), 'flattened head 2');
+});

@@ -1,0 +1,82 @@
+// The built page in a real browser, for the tests of this folder.
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { ROOT } from '../../scripts/lib/paths.mjs';
+import { launchBrowser, serveFolder } from '../../web/scripts/browser.mjs';
+
+/** Nothing here is a race with the clock: this only ends a test that would never end. */
+const PATIENCE = 120_000;
+
+/** Opens the page; `t.after` closes it and checks that it logged no error. `options` are those of launchBrowser. */
+export async function openPage(t, options = {}) {
+  const server = await serveFolder(join(ROOT, 'web/dist'));
+  const browser = await launchBrowser(options);
+  const problems = [];
+  t.after(async () => {
+    await browser.close();
+    server.close();
+    assert.deepEqual(problems, [], 'errors in the console of the page');
+  });
+  const page = browser.context.pages()[0] ?? (await browser.context.newPage());
+  page.setDefaultTimeout(PATIENCE);
+  page.on('console', (message) => {
+    if (message.type() === 'error') problems.push(message.text());
+  });
+  page.on('pageerror', (error) => problems.push(String(error)));
+  await page.goto(server.url);
+  await settled(page);
+  return page;
+}
+
+/** Waits until nothing runs any more. */
+export async function settled(page) {
+  await page.waitForFunction(
+    () => document.querySelector('#run-text').textContent !== 'Starting' && !document.body.ariaBusy,
+  );
+}
+
+/** Drops a file on the page as a file manager does. */
+export async function drop(page, name, text) {
+  await page.evaluate(
+    ([name, text]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      for (const type of ['dragover', 'drop'])
+        document.body.dispatchEvent(
+          new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
+        );
+    },
+    [name, text],
+  );
+}
+
+/** Drops a file and waits for what comes of it. */
+export async function dropAndWait(page, name, text) {
+  await drop(page, name, text);
+  await page.waitForFunction(
+    (name) => document.querySelector('#source').textContent === name || document.querySelector('#alert').textContent !== '',
+    name,
+  );
+  await settled(page);
+}
+
+export const textOf = (page, selector) => page.locator(selector).innerText();
+
+/** The metrics by their label, as shown. */
+export function metrics(page) {
+  return page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll('.metric')].map((item) => [
+        item.querySelector('dt').textContent,
+        item.querySelector('dd').textContent,
+      ]),
+    ),
+  );
+}
+
+/** Exports through the button; returns the name it suggests and where the file is. */
+export async function exportObj(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export')]);
+  return { name: download.suggestedFilename(), path: await download.path() };
+}

@@ -1,0 +1,68 @@
+// Runs that are long: progress, cancelling, and a newer wish.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { grid } from '../support/small-meshes.mjs';
+import { drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+
+/** Large enough that no machine flattens it between two looks at the page. */
+const LARGE = grid(400);
+
+/** Waits until the large mesh is on screen and the solver is at work. */
+async function solving(page) {
+  await page.waitForFunction(
+    () =>
+      document.querySelector('#source').textContent === 'large.obj' &&
+      /step \d/.test(document.querySelector('#run-text').textContent),
+  );
+}
+
+test('a run in flight shows progress, leaves the page usable and can be cancelled', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'waves.obj', grid(6));
+  const before = await metrics(page);
+  await drop(page, 'large.obj', LARGE);
+  await solving(page);
+  assert.ok(await page.evaluate(() => document.querySelector('#progress').value > 0));
+  await page.click('#wireframe');
+  assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'true');
+
+  await page.click('#cancel');
+  await settled(page);
+  assert.equal(await textOf(page, '#run-text'), 'Cancelled');
+  assert.ok(await page.isDisabled('#cancel'));
+  assert.ok(await page.isVisible('#again'));
+  await page.locator('#layout-note').waitFor();
+  assert.match(await textOf(page, '#layout-note'), /waves\.obj/);
+  assert.deepEqual(await metrics(page), before);
+
+  // The next run works.
+  await dropAndWait(page, 'next.obj', grid(5));
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal((await metrics(page)).Faces, '50');
+  assert.ok(await page.isHidden('#again'));
+});
+
+test('a newer mesh replaces a run in flight; Escape cancels', async (t) => {
+  const page = await openPage(t);
+  await drop(page, 'large.obj', LARGE);
+  await solving(page);
+  await dropAndWait(page, 'small.obj', grid(3));
+  assert.equal((await metrics(page)).Faces, '18');
+  await drop(page, 'large.obj', LARGE);
+  await solving(page);
+  await page.keyboard.press('Escape');
+  await settled(page);
+  assert.equal(await textOf(page, '#run-text'), 'Cancelled');
+});
+
+test('of many wishes for t the last one is shown', async (t) => {
+  const page = await openPage(t);
+  await page.focus('#t');
+  for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowRight');
+  for (let i = 0; i < 10; i++) await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  assert.equal(await page.inputValue('#t-number'), '1.3');
+  assert.equal(await textOf(page, '#layout-info'), 't = 1.3');
+  assert.equal(await textOf(page, '#alert'), '');
+});
