@@ -25,8 +25,28 @@ struct Progress {
 /// StatusCode::Aborted).
 using ProgressCallback = std::function<bool(const Progress&)>;
 
+/// FlattenOptions::t: free where that leaves no crossing, otherwise the bounds with the least distortion.
+constexpr double kAutoT = 0;
+
+/// How crossings of the boundary are removed.
+enum class Untangle {
+  Auto,    ///< Best when t is kAutoT, None when it is a number
+  None,    ///< they stay, and the result is not valid
+  Local,   ///< tighten the bounds of the arcs that cross, and only those
+  Global,  ///< tighten all bounds alike
+  Best,    ///< Local or Global, whichever distorts less
+};
+
+/// A bound of t pi for one boundary vertex, in place of the common t. Of several for a vertex the last counts.
+struct VertexBound {
+  std::uint32_t vertex = 0;  ///< of the input mesh
+  double t = 0;
+};
+
 struct FlattenOptions {
-  double t = defaults::kT;  ///< boundary control coefficient, > 0; see generated/flatten_defaults.h
+  double t = defaults::kT;  ///< boundary control coefficient, > 0, or kAutoT
+  Untangle untangle = Untangle::Auto;
+  std::vector<VertexBound> bounds;
   ProgressCallback progress;
 };
 
@@ -43,7 +63,8 @@ struct ChartReport {
   std::size_t faces = 0;
   std::size_t boundaryVertices = 0;
   double t = 0;
-  std::string solver;        ///< "activeSet"
+  std::vector<VertexBound> bounds;  ///< boundary vertices with a bound below t, as used
+  std::string solver;        ///< "activeSet", "interiorPoint" or "tutte"
   std::string linearSolver;  ///< "schur"
   int iterations = 0;
   std::vector<NewtonStep> history;
@@ -61,6 +82,8 @@ struct ChartReport {
   std::size_t boundaryCrossings =
       0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
   double maxBoundaryAngle = 0;  ///< radians
+  std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each
+  std::string problem;                 ///< why the chart is not valid, one sentence; empty when it is
   bool valid = false;
 };
 

@@ -9,6 +9,8 @@
 namespace abflat {
 namespace {
 
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
 /// Smallest angle made up for a triangle of zero area, whose own angles say nothing: small enough
 /// to cost its neighbours little, large enough to be drawn.
 constexpr double kMadeUpAngle = 1e-3;
@@ -24,16 +26,14 @@ std::array<double, 3> targetAngles(const DiskChart& chart, std::uint32_t f) {
 
 }  // namespace
 
-AngleProblem buildAngleProblem(const DiskChart& chart, double t) {
+AngleProblem buildAngleProblem(const DiskChart& chart) {
   AngleProblem p;
   p.vertexOfCorner = chart.vertexOfCorner;
   p.isBoundary.assign(chart.vertexCount(), 0);
   for (std::uint32_t h : chart.boundary) p.isBoundary[chart.vertexOfCorner[h]] = 1;
   p.angleSum.resize(chart.vertexCount());
-  // Condition (4) with t >= 2 is classic ABF, which has no condition on the boundary.
-  const double bound = t < 2 ? t * kPi : std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < p.angleSum.size(); ++v)
-    p.angleSum[v] = p.isBoundary[v] ? bound : 2 * kPi;
+    p.angleSum[v] = p.isBoundary[v] ? kUnbounded : 2 * kPi;
 
   p.target.resize(p.vertexOfCorner.size());
   std::vector<double> sum(chart.vertexCount(), 0);
@@ -51,6 +51,11 @@ AngleProblem buildAngleProblem(const DiskChart& chart, double t) {
     p.weight[c] = 1 / (p.target[c] * p.target[c]);
   }
   return p;
+}
+
+void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t) {
+  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
+    problem.angleSum[chart.vertexOfCorner[chart.boundary[i]]] = t[i] < 2 ? t[i] * kPi : kUnbounded;
 }
 
 }  // namespace abflat

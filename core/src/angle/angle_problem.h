@@ -31,6 +31,10 @@ struct AngleProblem {
 
 /// Targets a from the 3D angles: scaled to sum to 2 pi round an interior vertex, unchanged at a
 /// boundary vertex.
-AngleProblem buildAngleProblem(const DiskChart& chart, double t);
+AngleProblem buildAngleProblem(const DiskChart& chart);
+
+/// Upper bounds t_v pi of the angle sums at the chart's boundary vertices, in the order of chart.boundary: condition (4)
+/// with the boundary control coefficient. t >= 2 is classic ABF, which has no condition on the boundary.
+void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t);
 
 }  // namespace abflat

@@ -14,6 +14,6 @@ struct Crossings {
   std::vector<std::array<std::uint32_t, 2>>
       first;  ///< the first pairs found, edge i runs from point i to i + 1
 };
-Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst = 32);
+Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst = 4096);
 
 }  // namespace abflat

@@ -1,11 +1,9 @@
 #include "solve/active_set.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "angle/constants.h"
-#include "solve/schur_system.h"
 
 namespace abflat {
 namespace {
@@ -16,6 +14,8 @@ constexpr double kFractionToBoundary = 0.9;
 constexpr double kActiveScale = 1;
 /// Two steps in a row shorter than this: some angles want to be 0 and the method does not get on.
 constexpr double kStalledStep = 1e-3;
+/// Below this constraint residual the exact Hessian is used.
+constexpr double kNearSolution = 0.1;
 
 bool hasStalled(const std::vector<NewtonStep>& history) {
   const std::size_t n = history.size();
@@ -49,44 +49,53 @@ double stepLength(const std::vector<double>& x, const std::vector<double>& dx) {
   return step;
 }
 
+void moveTowards(std::vector<double>& value, const std::vector<double>& target, double step) {
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] += step * (target[i] - value[i]);
+}
+
+AngleSolution startFrom(const AngleProblem& problem, const ConstraintRows& rows,
+                        const AngleSolution* start) {
+  AngleSolution s;
+  if (start) {
+    s.angles = start->angles;
+    s.multipliers = start->multipliers;
+  } else {
+    s.angles = startAngles(problem);
+    s.multipliers.row.assign(rows.count(), 0);
+    s.multipliers.triangle.assign(problem.triangleCount(), 0);
+  }
+  s.active.assign(problem.vertexCount(), 0);
+  return s;
+}
+
 }  // namespace
 
-AngleSolution solveActiveSet(const AngleProblem& problem, const ActiveSetOptions& options) {
-  AngleSolution s;
-  const ConstraintRows rows = numberRows(problem);
-  s.angles = startAngles(problem);
-  s.multipliers.row.assign(rows.count(), 0);
-  s.multipliers.triangle.assign(problem.triangleCount(), 0);
-  s.active.assign(problem.vertexCount(), 0);
-
-  SchurSystem system(problem, rows);
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
-  factor.analyzePattern(system.matrix());
-
+AngleSolution solveActiveSet(const AngleProblem& problem, NewtonSystem& system,
+                             const SolverOptions& options, const AngleSolution* start) {
+  const ConstraintRows& rows = system.rows();
+  AngleSolution s = startFrom(problem, rows, start);
   Linearization lin;
-  linearize(problem, rows, s.angles, s.multipliers.row, lin);
+  const auto relinearize = [&] {
+    const bool near = !s.history.empty() && s.history.back().constraint < kNearSolution;
+    linearize(problem, rows, s.angles, s.multipliers.row, lin,
+              near ? Curvature::Exact : Curvature::Clamped);
+  };
+  relinearize();
   updateActive(problem, rows, lin, s.multipliers.row, s.active);
   s.constraintResidual = constraintResidual(problem, rows, lin);
 
-  std::vector<double> dx, triangle, row(rows.count());
+  std::vector<double> dx;
+  Multipliers next;
   for (int step = 1; step <= options.maxSteps; ++step) {
-    system.assemble(lin, s.active);
-    factor.factorize(system.matrix());
-    if (factor.info() != Eigen::Success) return s;
-    const Eigen::VectorXd solved = factor.solve(system.rightHandSide());
-    std::copy(solved.begin(), solved.end(), row.begin());
-    system.backSubstitute(lin, row, dx, triangle);
-
+    if (!system.solve(lin, s.active, {}, dx, next)) return s;
     NewtonStep now;
     now.step = stepLength(s.angles, dx);
     for (std::size_t c = 0; c < dx.size(); ++c) s.angles[c] += now.step * dx[c];
-    for (std::size_t r = 0; r < row.size(); ++r)
-      s.multipliers.row[r] += now.step * (row[r] - s.multipliers.row[r]);
-    for (std::size_t f = 0; f < triangle.size(); ++f)
-      s.multipliers.triangle[f] += now.step * (triangle[f] - s.multipliers.triangle[f]);
+    moveTowards(s.multipliers.row, next.row, now.step);
+    moveTowards(s.multipliers.triangle, next.triangle, now.step);
 
     const double before = lin.objective;
-    linearize(problem, rows, s.angles, s.multipliers.row, lin);
+    relinearize();
     const std::vector<std::uint8_t> previous = s.active;
     updateActive(problem, rows, lin, s.multipliers.row, s.active);
     for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {

@@ -1,36 +1,15 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
-#include "abflat/flatten.h"
 #include "angle/angle_problem.h"
-#include "solve/linearization.h"
+#include "solve/angle_solution.h"
+#include "solve/newton_system.h"
 
 namespace abflat {
 
-struct ActiveSetOptions {
-  double constraintTolerance = 1e-10;  ///< radians
-  double gradientTolerance = 1e-6;     ///< see gradientResidual
-  double objectiveTolerance = 1e-9;    ///< relative change in one step
-  int maxSteps = 100;
-  /// Called after each step; return false to stop early.
-  std::function<bool(int step, const NewtonStep&)> onStep;
-};
-
-struct AngleSolution {
-  std::vector<double> angles;  ///< x, each in (0, pi), size 3F
-  Multipliers multipliers;
-  std::vector<std::uint8_t> active;  ///< per vertex: boundary vertices held at their bound
-  std::vector<NewtonStep> history;
-  double constraintResidual = 0;
-  bool converged = false;
-  bool cancelled = false;
-};
-
 /// Newton's method with an active set for the boundary's inequalities (paper, section 6), each step
-/// through the Schur complement. When it does not converge the last iterate is returned with
-/// converged = false.
-AngleSolution solveActiveSet(const AngleProblem& problem, const ActiveSetOptions& options);
+/// through the Schur complement. Starts from the targets, or from `start`, a solution for other
+/// bounds. When it does not converge the last iterate is returned with converged = false.
+AngleSolution solveActiveSet(const AngleProblem& problem, NewtonSystem& system,
+                             const SolverOptions& options, const AngleSolution* start = nullptr);
 
 }  // namespace abflat

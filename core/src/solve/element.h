@@ -8,10 +8,10 @@ namespace abflat {
 /// its vertices. Local rows: 2k = angle sum of vertex k, 2k+1 = wheel of vertex k.
 struct Element {
   std::array<double, 3> cot;       ///< cotangents of the angles: the wheels' derivatives
-  std::array<double, 3> inverse;   ///< D: inverse of the diagonal Hessian
+  std::array<double, 3> hessian;   ///< h: diagonal of the Hessian of the Lagrangian
   std::array<double, 3> gradient;  ///< 2 w (x - a)
   double triangleResidual;         ///< x0 + x1 + x2 - pi
-  double inverseSum;               ///< 1^T D 1
+  double determinant;  ///< h0 h1 + h1 h2 + h2 h0, > 0: of the Hessian on steps that sum to 0
 };
 
 /// B^T y: the derivative of y-weighted vertex constraints with respect to the three angles.
@@ -38,13 +38,22 @@ inline std::array<double, 6> applyJacobian(const Element& e, const std::array<do
   return y;
 }
 
-/// P z = D z - D 1 (1^T D z) / (1^T D 1): the angle step that keeps the triangle's sum.
+/// P z: minus the angle step that minimises 1/2 d^T H d + z^T d among those that sum to 0. With D =
+/// H^-1 this is D z - D 1 (1^T D z) / (1^T D 1), written so that one h may be 0 or negative.
 inline std::array<double, 3> applyProjected(const Element& e, const std::array<double, 3>& z) {
-  double sum = 0;
-  for (unsigned k = 0; k < 3; ++k) sum += e.inverse[k] * z[k];
-  const double mean = sum / e.inverseSum;
   std::array<double, 3> out;
-  for (unsigned k = 0; k < 3; ++k) out[k] = e.inverse[k] * (z[k] - mean);
+  for (unsigned k = 0; k < 3; ++k) {
+    const unsigned n = (k + 1) % 3, p = (k + 2) % 3;
+    out[k] = (e.hessian[n] * (z[k] - z[p]) + e.hessian[p] * (z[k] - z[n])) / e.determinant;
+  }
+  return out;
+}
+
+/// D 1 / (1^T D 1): the cheapest angle step that sums to 1.
+inline std::array<double, 3> unitStep(const Element& e) {
+  std::array<double, 3> out;
+  for (unsigned k = 0; k < 3; ++k)
+    out[k] = e.hessian[(k + 1) % 3] * e.hessian[(k + 2) % 3] / e.determinant;
   return out;
 }
 

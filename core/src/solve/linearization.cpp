@@ -27,7 +27,7 @@ ConstraintRows numberRows(const AngleProblem& problem) {
 
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
                const std::vector<double>& x, const std::vector<double>& rowMultipliers,
-               Linearization& out) {
+               Linearization& out, Curvature mode, const Barrier* barrier) {
   out.elements.resize(problem.triangleCount());
   out.residual.assign(rows.count(), 0);
   out.objective = 0;
@@ -38,21 +38,25 @@ void linearize(const AngleProblem& problem, const ConstraintRows& rows,
     const std::array<double, 6> y = gatherRows(problem, rows, rowMultipliers, f);
     std::array<double, 3> logSin;
     e.triangleResidual = -kPi;
-    e.inverseSum = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t c = 3 * f + k;
       const double w = problem.weight[c], distance = x[c] - problem.target[c];
       const double sine = std::sin(x[c]);
       const double m = y[2 * ((k + 2) % 3) + 1] - y[2 * ((k + 1) % 3) + 1];
-      const double hessian = std::max(2 * w - m / (sine * sine), kMinCurvature * w);
+      e.hessian[k] = 2 * w - m / (sine * sine);
+      if (mode == Curvature::Clamped) e.hessian[k] = std::max(e.hessian[k], kMinCurvature * w);
+      e.gradient[k] = 2 * w * distance;
+      if (barrier) {
+        e.hessian[k] += barrier->dual[c] / x[c];
+        e.gradient[k] -= barrier->tau / x[c];
+      }
       logSin[k] = std::log(sine);
       e.cot[k] = std::cos(x[c]) / sine;
-      e.inverse[k] = 1 / hessian;
-      e.gradient[k] = 2 * w * distance;
       e.triangleResidual += x[c];
-      e.inverseSum += e.inverse[k];
       out.objective += w * distance * distance;
     }
+    e.determinant =
+        e.hessian[0] * e.hessian[1] + e.hessian[1] * e.hessian[2] + e.hessian[2] * e.hessian[0];
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t v = problem.vertexOfCorner[3 * f + k];
       out.residual[rows.ofVertex[v]] += x[3 * f + k];

@@ -24,6 +24,18 @@ struct Multipliers {
   std::vector<double> triangle;
 };
 
+/// Logarithmic barrier -tau sum log x_c that keeps angles away from 0, with its dual variables z_c
+/// (about tau / x_c).
+struct Barrier {
+  double tau = 0;
+  std::vector<double> dual;  ///< z per corner, > 0
+};
+
+/// Clamped keeps each h at a share of w or above, so that the element matrices are semidefinite:
+/// robust far from the solution, but it converges linearly where it clamps. Exact converges
+/// quadratically, near the solution only.
+enum class Curvature { Clamped, Exact };
+
 /// The problem's first and second derivatives at angles x and multipliers.
 struct Linearization {
   std::vector<Element> elements;  ///< per triangle
@@ -32,7 +44,7 @@ struct Linearization {
 };
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
                const std::vector<double>& x, const std::vector<double>& rowMultipliers,
-               Linearization& out);
+               Linearization& out, Curvature curvature, const Barrier* barrier = nullptr);
 
 /// The six row values of triangle f's vertices; rows that do not exist (wheels on the boundary)
 /// read as 0.

@@ -75,7 +75,8 @@ void SchurSystem::buildScatter() {
   }
 }
 
-void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint8_t>& active) {
+void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint8_t>& active,
+                           const std::vector<double>& compliance) {
   double* values = matrix_.valuePtr();
   std::fill(values, values + matrix_.nonZeros(), 0.0);
   for (std::uint32_t r = 0; r < rows_.count(); ++r) rhs_[r] = lin.residual[r];
@@ -94,7 +95,8 @@ void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint
         if (place[i] != kDropped && !off[r / 2] && !off[c / 2]) values[place[i]] += m[i];
     // h - B P g - B D 1 r / (1^T D 1)
     std::array<double, 3> z = applyProjected(e, e.gradient);
-    for (unsigned k = 0; k < 3; ++k) z[k] += e.inverse[k] * e.triangleResidual / e.inverseSum;
+    const std::array<double, 3> unit = unitStep(e);
+    for (unsigned k = 0; k < 3; ++k) z[k] += unit[k] * e.triangleResidual;
     const std::array<double, 6> y = applyJacobian(e, z);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
@@ -102,11 +104,16 @@ void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint
       if (!problem_.isBoundary[v]) rhs_[rows_.ofVertex[v] + 1] -= y[2 * k + 1];
     }
   }
-  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
-    if (problem_.isBoundary[v] && !active[v]) {
-      values[matrix_.outerIndexPtr()[rows_.ofVertex[v]]] = 1;
-      rhs_[rows_.ofVertex[v]] = 0;
+  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+    if (!problem_.isBoundary[v]) continue;
+    double& diagonal = values[matrix_.outerIndexPtr()[rows_.ofVertex[v]]];
+    if (active[v]) {
+      if (!compliance.empty()) diagonal += compliance[v];
+      continue;
     }
+    diagonal = 1;
+    rhs_[rows_.ofVertex[v]] = 0;
+  }
 }
 
 void SchurSystem::backSubstitute(const Linearization& lin,
@@ -118,14 +125,14 @@ void SchurSystem::backSubstitute(const Linearization& lin,
     const Element& e = lin.elements[f];
     std::array<double, 3> z =
         applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
-    double sum = 0;
+    for (unsigned k = 0; k < 3; ++k) z[k] += e.gradient[k];
+    const std::array<double, 3> step = applyProjected(e, z), unit = unitStep(e);
+    double& lambda = triangleMultipliers[f];
+    lambda = e.triangleResidual * e.hessian[0] * unit[0];
     for (unsigned k = 0; k < 3; ++k) {
-      z[k] += e.gradient[k];
-      sum += e.inverse[k] * z[k];
+      lambda -= unit[k] * z[k];
+      dx[3 * f + k] = -step[k] - unit[k] * e.triangleResidual;
     }
-    const double lambda = (e.triangleResidual - sum) / e.inverseSum;
-    triangleMultipliers[f] = lambda;
-    for (unsigned k = 0; k < 3; ++k) dx[3 * f + k] = -e.inverse[k] * (z[k] + lambda);
   }
 }
 

@@ -17,7 +17,10 @@ class SchurSystem {
 
   /// Inactive boundary rows become identity rows with right-hand side 0. `active` has one entry per
   /// vertex.
-  void assemble(const Linearization& lin, const std::vector<std::uint8_t>& active);
+  /// `compliance`, where not empty, has one entry >= 0 per vertex that is added to the diagonal of
+  /// its boundary row.
+  void assemble(const Linearization& lin, const std::vector<std::uint8_t>& active,
+                const std::vector<double>& compliance = {});
 
   /// Lower triangle by columns.
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }

@@ -14,7 +14,7 @@ using namespace abflat::test;
 TEST_CASE("targets sum to 2 pi inside and are the 3D angles on the boundary") {
   const PolygonMesh mesh = bumpyGrid(6, 5, 0.5, 1);
   const DiskChart chart = chartOf(mesh);
-  const AngleProblem p = buildAngleProblem(chart, 1.2);
+  const AngleProblem p = problemOf(chart, 1.2);
   std::vector<double> sum(p.vertexCount(), 0), sum3d(p.vertexCount(), 0);
   for (std::size_t c = 0; c < p.target.size(); ++c) {
     const auto o = chart.vertexOfCorner[c], a = chart.vertexOfCorner[3 * (c / 3) + (c + 1) % 3],

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "angle/constants.h"
+#include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "layout/diameter.h"
 #include "mesh/triangle_geometry.h"
-#include "solve/active_set.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 
@@ -30,7 +30,9 @@ std::vector<double> anglesOf(const DiskChart& chart) {
 }
 
 std::vector<double> solved(const DiskChart& chart, double t) {
-  return solveActiveSet(buildAngleProblem(chart, t), {}).angles;
+  return ChartFlattener(chart, {})
+      .attempt(std::vector<double>(chart.boundary.size(), t), nullptr)
+      .solution.angles;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "angle/constants.h"
 #include "catch.h"
+#include "solve/angle_solver.h"
 #include "support/dense_kkt.h"
 #include "support/meshes.h"
 #include "support/problems.h"
@@ -13,9 +14,14 @@ using namespace abflat::test;
 
 namespace {
 
+AngleSolution solved(const AngleProblem& problem, const SolverOptions& options) {
+  NewtonSystem system(problem);
+  return solveActiveSet(problem, system, options);
+}
+
 /// Stops only where the gradient vanishes, not where the objective stands still.
-ActiveSetOptions toTheEnd() {
-  ActiveSetOptions options;
+SolverOptions toTheEnd() {
+  SolverOptions options;
   options.gradientTolerance = 1e-9;
   options.objectiveTolerance = 0;
   return options;
@@ -70,10 +76,10 @@ TEST_CASE("the solution meets all constraints and the conditions for a minimum")
   for (double t : {2.0, 1.3, 1.0}) {
     for (unsigned seed : {1u, 2u, 3u}) {
       const AngleProblem problem = problemOf(bumpyGrid(12, 9, 0.35, seed), t);
-      checkOptimal(problem, solveActiveSet(problem, toTheEnd()));
+      checkOptimal(problem, solved(problem, toTheEnd()));
     }
     const AngleProblem problem = problemOf(cone(7, 0.8), t);
-    checkOptimal(problem, solveActiveSet(problem, toTheEnd()));
+    checkOptimal(problem, solved(problem, toTheEnd()));
   }
 }
 
@@ -84,14 +90,14 @@ TEST_CASE("shared disks converge to a minimum") {
     if (mesh.faceCount() == 0) return;
     for (double t : {2.0, 1.05, 1.0}) {
       const AngleProblem problem = problemOf(mesh, t);
-      checkOptimal(problem, solveActiveSet(problem, toTheEnd()));
+      checkOptimal(problem, solved(problem, toTheEnd()));
     }
   }
 }
 
 TEST_CASE("a flat convex mesh keeps its angles") {
   const AngleProblem problem = problemOf(bumpyGrid(1, 1, 0, 1), 1);
-  const AngleSolution s = solveActiveSet(problem, {});
+  const AngleSolution s = solved(problem, {});
   REQUIRE(s.converged);
   CHECK(s.history.back().objective < 1e-20);
 }
@@ -99,19 +105,19 @@ TEST_CASE("a flat convex mesh keeps its angles") {
 TEST_CASE("the smallest possible bound gives a regular outline") {
   // With t = 1 - 2/n all boundary angles are equal to the bound.
   const AngleProblem problem = problemOf(cone(9, 0.5), 1 - 2.0 / 9 + 1e-9);
-  const AngleSolution s = solveActiveSet(problem, {});
+  const AngleSolution s = AngleSolver(problem, {}).solve(nullptr);
   REQUIRE(s.converged);
   for (std::size_t c = 0; c < s.angles.size(); c += 3) CHECK(s.angles[c] == Approx(2 * kPi / 9));
 }
 
 TEST_CASE("returning false from onStep stops the solver") {
-  ActiveSetOptions options;
+  SolverOptions options;
   int calls = 0;
   options.onStep = [&](int step, const NewtonStep&) {
     CHECK(step == ++calls);
     return step < 2;
   };
-  const AngleSolution s = solveActiveSet(problemOf(bumpyGrid(10, 10, 0.4, 1), 1), options);
+  const AngleSolution s = solved(problemOf(bumpyGrid(10, 10, 0.4, 1), 1), options);
   CHECK(s.cancelled);
   CHECK_FALSE(s.converged);
   CHECK(calls == 2);

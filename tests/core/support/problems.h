@@ -12,8 +12,13 @@ namespace abflat::test {
 inline DiskChart chartOf(const PolygonMesh& mesh) {
   return makeDiskChart(mesh, buildSurface(mesh));
 }
+inline AngleProblem problemOf(const DiskChart& chart, double t) {
+  AngleProblem problem = buildAngleProblem(chart);
+  setBounds(problem, chart, std::vector<double>(chart.boundary.size(), t));
+  return problem;
+}
 inline AngleProblem problemOf(const PolygonMesh& mesh, double t) {
-  return buildAngleProblem(chartOf(mesh), t);
+  return problemOf(chartOf(mesh), t);
 }
 
 /// Angles near the targets that satisfy no constraint, and multipliers of either sign.

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "chart/disk_chart.h"
+#include "check/validity.h"
+#include "solve/angle_solver.h"
+
+namespace abflat {
+
+/// A layout for certain bounds, and what it took.
+struct Attempt {
+  std::vector<double> t;  ///< bound per boundary vertex, in the order of chart.boundary, times pi
+  AngleSolution solution;
+  std::vector<double> uv;  ///< in chart units
+  Validity validity;
+  double angularDistortion = 0;
+  std::string solver;                  ///< "activeSet", "interiorPoint" or "tutte"
+  std::vector<std::string> fallbacks;  ///< one sentence each
+
+  bool valid() const { return validity.valid() && solution.converged; }
+};
+
+/// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
+class ChartFlattener {
+ public:
+  /// Keeps a reference to the chart.
+  ChartFlattener(const DiskChart& chart, SolverOptions options);
+
+  /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
+  /// the interior point takes over with rising floors of its barrier.
+  Attempt attempt(const std::vector<double>& t, const Attempt* warm);
+
+  /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
+  /// angle is respected.
+  Attempt tutte(const std::string& reason);
+
+  /// Seconds spent so far, over all attempts.
+  const Timings& timings() const { return timings_; }
+
+  const DiskChart& chart() const { return chart_; }
+
+ private:
+  void layOutAndCheck(Attempt& a);
+
+  const DiskChart& chart_;
+  AngleProblem problem_;
+  AngleSolver solver_;
+  Timings timings_;
+};
+
+}  // namespace abflat

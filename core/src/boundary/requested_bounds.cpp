@@ -1,0 +1,60 @@
+#include "boundary/requested_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unordered_map>
+
+namespace abflat {
+namespace {
+
+bool isBound(double t) { return t > 0 && std::isfinite(t); }
+
+/// The n boundary angles sum to (n - 2) pi, since interior vertices take 2 pi each.
+Status checkFeasible(const std::vector<double>& t, double common) {
+  const auto n = static_cast<double>(t.size());
+  double sum = 0;
+  for (const double x : t) sum += x;
+  if (sum >= (n - 2) * (1 - 1e-14)) return {};  // up to the rounding of the sum
+  const bool uniform = std::all_of(t.begin(), t.end(), [&](double x) { return x == common; });
+  char text[200];
+  if (uniform)
+    std::snprintf(text, sizeof text,
+                  "t = %g cannot be met: with %zu boundary vertices the least possible t is %.17g",
+                  common, t.size(), 1 - 2 / n);
+  else
+    std::snprintf(text, sizeof text,
+                  "the bounds cannot be met: they sum to %.6g pi, but the angles of %zu boundary "
+                  "vertices sum to %g pi",
+                  sum, t.size(), n - 2);
+  return {StatusCode::InfeasibleBound, text};
+}
+
+}  // namespace
+
+Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options) {
+  if (options.t != kAutoT && !isBound(options.t))
+    return Status{StatusCode::InvalidOption, "t must be a number above 0, or auto"};
+  const double common = options.t == kAutoT ? 2 : options.t;
+  std::vector<double> t(chart.boundary.size(), common);
+  if (!options.bounds.empty()) {
+    std::unordered_map<std::uint32_t, std::vector<std::size_t>>
+        placesOf;  // a vertex that the boundary touches twice has two
+    for (std::size_t i = 0; i < t.size(); ++i)
+      placesOf[chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]]].push_back(i);
+    for (const VertexBound& b : options.bounds) {
+      const auto found = placesOf.find(b.vertex);
+      if (found == placesOf.end())
+        return Status{StatusCode::InvalidOption, "vertex " + std::to_string(b.vertex) +
+                                                     " has a bound but is not on the boundary"};
+      if (!isBound(b.t))
+        return Status{StatusCode::InvalidOption, "the bound of vertex " + std::to_string(b.vertex) +
+                                                     " must be a number above 0"};
+      for (const std::size_t i : found->second) t[i] = b.t;
+    }
+  }
+  if (Status s = checkFeasible(t, common); !s.ok()) return s;
+  return t;
+}
+
+}  // namespace abflat

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// The bounds the options ask for, times pi, per boundary vertex in the order of chart.boundary;
+/// kAutoT counts as 2. Errors: InvalidOption for a bound of a vertex that is not on the boundary;
+/// InfeasibleBound.
+Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options);
+
+}  // namespace abflat

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "abflat/flatten.h"
+#include "boundary/chart_flattener.h"
+
+namespace abflat {
+
+/// Everything there is to say about a chart's layout. `uv` as it is given to the caller.
+ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t,
+                            const std::vector<double>& uv);
+
+}  // namespace abflat

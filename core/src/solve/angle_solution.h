@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "solve/linearization.h"
+
+namespace abflat {
+
+/// When a solver may stop, and how it is watched.
+struct SolverOptions {
+  double constraintTolerance = 1e-10;  ///< radians
+  double gradientTolerance = 1e-6;     ///< see gradientResidual
+  double objectiveTolerance = 1e-9;    ///< relative change in one step
+  int maxSteps = 100;
+  /// Called after each step; return false to stop early.
+  std::function<bool(int step, const NewtonStep&)> onStep;
+};
+
+struct AngleSolution {
+  std::vector<double> angles;  ///< x, each in (0, pi), size 3F
+  Multipliers multipliers;
+  std::vector<std::uint8_t> active;  ///< per vertex: boundary vertices held at their bound
+  std::vector<NewtonStep> history;
+  double constraintResidual = 0;
+  bool converged = false;
+  bool cancelled = false;
+  double barrierFloor =
+      0;  ///< 0: by the active set; otherwise by the interior point with this floor
+};
+
+}  // namespace abflat

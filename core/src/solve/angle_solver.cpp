@@ -1,0 +1,37 @@
+#include "solve/angle_solver.h"
+
+#include "solve/active_set.h"
+#include "solve/interior_point.h"
+
+namespace abflat {
+namespace {
+
+constexpr int kActiveSetSteps = 30;
+constexpr int kInteriorPointSteps = 200;
+
+}  // namespace
+
+AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options)
+    : problem_(problem), options_(std::move(options)), system_(problem) {}
+
+AngleSolution AngleSolver::solve(const AngleSolution* start) {
+  SolverOptions options = options_;
+  options.maxSteps = kActiveSetSteps;
+  AngleSolution s = solveActiveSet(problem_, system_, options, start);
+  if (s.converged || s.cancelled) return s;
+  if (start) {
+    s = solveActiveSet(problem_, system_, options, nullptr);
+    if (s.converged || s.cancelled) return s;
+  }
+  return solveWithFloor(kDefaultBarrierFloor);
+}
+
+AngleSolution AngleSolver::solveWithFloor(double barrierFloor) {
+  InteriorPointOptions options;
+  options.common = options_;
+  options.common.maxSteps = kInteriorPointSteps;
+  options.barrierFloor = barrierFloor;
+  return solveInteriorPoint(problem_, system_, options);
+}
+
+}  // namespace abflat

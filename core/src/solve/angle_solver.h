@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "angle/angle_problem.h"
+#include "solve/angle_solution.h"
+#include "solve/newton_system.h"
+
+namespace abflat {
+
+/// Active set first; where it stalls, the interior point.
+class AngleSolver {
+ public:
+  /// Keeps a reference to the problem, whose bounds may change between calls.
+  AngleSolver(const AngleProblem& problem, SolverOptions options);
+
+  /// `start`: a solution for other bounds to begin from, or null.
+  AngleSolution solve(const AngleSolution* start);
+
+  /// The interior point with a given floor of its barrier: the higher the floor, the larger the
+  /// smallest angle.
+  AngleSolution solveWithFloor(double barrierFloor);
+
+ private:
+  const AngleProblem& problem_;
+  SolverOptions options_;
+  NewtonSystem system_;
+};
+
+}  // namespace abflat

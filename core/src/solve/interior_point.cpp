@@ -1,0 +1,198 @@
+#include "solve/interior_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "angle/constants.h"
+
+namespace abflat {
+namespace {
+
+constexpr double kFractionToBoundary = 0.95;
+/// The slacks' barrier parameter ends here: bounds are met, and left, almost exactly.
+constexpr double kSlackFloor = 1e-9;
+/// A step at least this long earns a smaller barrier parameter.
+constexpr double kGoodStep = 0.3;
+/// Below this constraint residual, and after a full step, the exact Hessian is used.
+constexpr double kNearSolution = 1e-6;
+
+/// The largest step, up to `limit`, that takes at most the given fraction of a positive value.
+double shorten(double value, double change, double fraction, double limit) {
+  return change < 0 ? std::min(limit, -fraction * value / change) : limit;
+}
+
+class InteriorPoint {
+ public:
+  InteriorPoint(const AngleProblem& problem, NewtonSystem& system,
+                const InteriorPointOptions& options)
+      : problem_(problem), rows_(system.rows()), system_(system), options_(options) {}
+
+  AngleSolution run() {
+    start();
+    for (int step = 1; step <= options_.common.maxSteps; ++step) {
+      addSlackTerms();
+      if (!system_.solve(lin_, bounded_, compliance_, dx_, next_)) break;
+      computeDualSteps();
+      const double before = lin_.objective;
+      const auto [primal, dual] = stepLengths();
+      move(primal, dual);
+      const NewtonStep now = measure(primal);
+      s_.history.push_back(now);
+      if (!std::isfinite(now.constraint) || !std::isfinite(now.gradient)) break;
+      if (options_.common.onStep && !options_.common.onStep(step, now)) {
+        s_.cancelled = true;
+        break;
+      }
+      if (isDone(now, before)) {
+        s_.converged = true;
+        break;
+      }
+      lowerBarrier(primal);
+    }
+    return std::move(s_);
+  }
+
+ private:
+  void start() {
+    s_.barrierFloor = options_.barrierFloor;
+    s_.angles = problem_.target;
+    for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+      double* x = &s_.angles[3 * f];
+      double sum = 0;
+      for (int k = 0; k < 3; ++k) sum += x[k] = std::min(x[k], 0.99 * kPi);
+      for (int k = 0; k < 3; ++k) x[k] *= kPi / sum;
+    }
+    s_.multipliers.row.assign(rows_.count(), 0);
+    s_.multipliers.triangle.assign(problem_.triangleCount(), 0);
+    s_.active.assign(problem_.vertexCount(), 0);
+    barrier_.tau = tauSlack_ = 1;
+    barrier_.dual.resize(s_.angles.size());
+    for (std::size_t c = 0; c < s_.angles.size(); ++c)
+      barrier_.dual[c] = barrier_.tau / s_.angles[c];
+    linearizeHere();
+    bounded_.assign(problem_.vertexCount(), 0);
+    slack_.assign(problem_.vertexCount(), 0);
+    slackStep_ = compliance_ = slack_;
+    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+      if (!problem_.isBoundary[v] || !std::isfinite(problem_.angleSum[v])) continue;
+      bounded_[v] = 1;
+      slack_[v] = std::max(0.1, -lin_.residual[rows_.ofVertex[v]]);
+      multiplier(v) = tauSlack_ / slack_[v];
+    }
+  }
+
+  double& multiplier(std::uint32_t v) { return s_.multipliers.row[rows_.ofVertex[v]]; }
+
+  void linearizeHere() {
+    const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution &&
+                      s_.history.back().step == 1;
+    linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_,
+              near ? Curvature::Exact : Curvature::Clamped, &barrier_);
+  }
+
+  /// g + s + J dx + ds = 0 with ds = tau/mu - (s/mu) mu+ eliminated.
+  void addSlackTerms() {
+    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+      if (!bounded_[v]) continue;
+      compliance_[v] = slack_[v] / multiplier(v);
+      lin_.residual[rows_.ofVertex[v]] += slack_[v] + tauSlack_ / multiplier(v);
+    }
+  }
+
+  void computeDualSteps() {
+    dualStep_.resize(dx_.size());
+    for (std::size_t c = 0; c < dx_.size(); ++c)
+      dualStep_[c] = (barrier_.tau - barrier_.dual[c] * dx_[c]) / s_.angles[c] - barrier_.dual[c];
+    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+      if (bounded_[v])
+        slackStep_[v] = tauSlack_ / multiplier(v) - compliance_[v] * next_.row[rows_.ofVertex[v]];
+  }
+
+  std::pair<double, double> stepLengths() {
+    const double slackFraction = std::max(kFractionToBoundary, 1 - tauSlack_);
+    double primal = 1, dual = 1;
+    for (std::size_t c = 0; c < dx_.size(); ++c) {
+      primal = shorten(s_.angles[c], dx_[c], kFractionToBoundary, primal);
+      primal = shorten(kPi - s_.angles[c], -dx_[c], kFractionToBoundary, primal);
+      dual = shorten(barrier_.dual[c], dualStep_[c], kFractionToBoundary, dual);
+    }
+    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+      if (!bounded_[v]) continue;
+      primal = shorten(slack_[v], slackStep_[v], slackFraction, primal);
+      dual =
+          shorten(multiplier(v), next_.row[rows_.ofVertex[v]] - multiplier(v), slackFraction, dual);
+    }
+    return {primal, dual};
+  }
+
+  void move(double primal, double dual) {
+    for (std::size_t c = 0; c < dx_.size(); ++c) {
+      s_.angles[c] += primal * dx_[c];
+      barrier_.dual[c] += dual * dualStep_[c];
+    }
+    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+      slack_[v] += primal * slackStep_[v];
+      for (std::uint32_t r = rows_.ofVertex[v]; r < rows_.ofVertex[v + 1]; ++r)
+        s_.multipliers.row[r] +=
+            (problem_.isBoundary[v] ? dual : primal) * (next_.row[r] - s_.multipliers.row[r]);
+    }
+    for (std::size_t f = 0; f < next_.triangle.size(); ++f)
+      s_.multipliers.triangle[f] += primal * (next_.triangle[f] - s_.multipliers.triangle[f]);
+  }
+
+  NewtonStep measure(double primal) {
+    linearizeHere();
+    NewtonStep now;
+    now.step = primal;
+    now.objective = lin_.objective;
+    now.constraint = constraintResidual(problem_, rows_, lin_);
+    now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers);
+    s_.constraintResidual = now.constraint;
+    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+      s_.active[v] = bounded_[v] && multiplier(v) > slack_[v];
+      now.active += s_.active[v];
+    }
+    return now;
+  }
+
+  bool isDone(const NewtonStep& now, double before) const {
+    const SolverOptions& o = options_.common;
+    return barrier_.tau <= options_.barrierFloor && tauSlack_ <= kSlackFloor && now.step == 1 &&
+           now.constraint <= o.constraintTolerance &&
+           (now.gradient <= o.gradientTolerance ||
+            std::abs(before - now.objective) <= o.objectiveTolerance * before);
+  }
+
+  /// Follows the mean complementarity down, faster the longer the steps are.
+  void lowerBarrier(double primal) {
+    if (primal < kGoodStep) return;
+    double sum = 0;
+    for (std::size_t c = 0; c < dx_.size(); ++c) sum += s_.angles[c] * barrier_.dual[c];
+    const double mean = sum / static_cast<double>(dx_.size());
+    barrier_.tau = std::max(options_.barrierFloor, std::min(barrier_.tau, 0.3 * mean));
+    const double faster = primal > 0.9 ? std::min(0.1, std::sqrt(tauSlack_)) : 0.3;
+    tauSlack_ = std::max(kSlackFloor, faster * tauSlack_);
+  }
+
+  const AngleProblem& problem_;
+  const ConstraintRows& rows_;
+  NewtonSystem& system_;
+  const InteriorPointOptions& options_;
+  AngleSolution s_;
+  Barrier barrier_;
+  double tauSlack_ = 1;
+  std::vector<std::uint8_t> bounded_;                   ///< vertices with a finite bound
+  std::vector<double> slack_, slackStep_, compliance_;  ///< per vertex
+  Linearization lin_;
+  std::vector<double> dx_, dualStep_;
+  Multipliers next_;
+};
+
+}  // namespace
+
+AngleSolution solveInteriorPoint(const AngleProblem& problem, NewtonSystem& system,
+                                 const InteriorPointOptions& options) {
+  return InteriorPoint(problem, system, options).run();
+}
+
+}  // namespace abflat

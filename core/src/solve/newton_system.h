@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "solve/linearization.h"
+#include "solve/schur_system.h"
+
+namespace abflat {
+
+/// The Newton system of a chart with its symbolic factorisation, which stays valid for all bounds,
+/// active sets and solvers.
+class NewtonSystem {
+ public:
+  /// Keeps a reference to the problem, of which only the connectivity is used here.
+  explicit NewtonSystem(const AngleProblem& problem);
+  NewtonSystem(const NewtonSystem&) = delete;
+  NewtonSystem& operator=(const NewtonSystem&) = delete;
+
+  const ConstraintRows& rows() const { return rows_; }
+
+  /// One step of eq. (8): the change dx of the angles and the new multipliers. For `compliance` see
+  /// SchurSystem::assemble. False when the matrix cannot be factored.
+  bool solve(const Linearization& lin, const std::vector<std::uint8_t>& active,
+             const std::vector<double>& compliance, std::vector<double>& dx,
+             Multipliers& multipliers);
+
+ private:
+  ConstraintRows rows_;
+  SchurSystem schur_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+};
+
+}  // namespace abflat

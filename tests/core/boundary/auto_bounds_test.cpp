@@ -1,0 +1,137 @@
+#include <cmath>
+
+#include "abflat/flatten.h"
+#include "abflat/samples.h"
+#include "angle/constants.h"
+#include "boundary/chart_flattener.h"
+#include "catch.h"
+#include "support/meshes.h"
+#include "support/problems.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+PolygonMesh sample(const std::string& name) {
+  for (const Sample& s : samples())
+    if (s.name == name) return s.make(1);
+  throw std::runtime_error(name);
+}
+
+ChartReport flattened(const PolygonMesh& mesh, double t, Untangle untangle = Untangle::Auto,
+                      std::vector<VertexBound> bounds = {}) {
+  FlattenOptions options;
+  options.t = t;
+  options.untangle = untangle;
+  options.bounds = std::move(bounds);
+  const Result<FlattenResult> r = flatten(mesh, options);
+  INFO(r.status.message);
+  REQUIRE(r.ok());
+  return r.value.report.charts.front();
+}
+
+}  // namespace
+
+TEST_CASE("auto leaves a boundary free that does not cross itself") {
+  const PolygonMesh mesh = bumpyGrid(8, 8, 0.3, 1);
+  const ChartReport automatic = flattened(mesh, kAutoT), free = flattened(mesh, 2);
+  CHECK(automatic.valid);
+  CHECK(automatic.angularDistortion == free.angularDistortion);
+  CHECK(automatic.t == 2);
+  CHECK(automatic.bounds.empty());
+}
+
+TEST_CASE("every way of untangling gives a valid layout between free and convex") {
+  const PolygonMesh mesh = sample("alpha-band");
+  const ChartReport free = flattened(mesh, 2), convex = flattened(mesh, 1);
+  REQUIRE(free.boundaryCrossings > 0);
+  CHECK(free.problem.find("crosses itself") != std::string::npos);
+  REQUIRE(convex.valid);
+  for (const Untangle u : {Untangle::Auto, Untangle::Local, Untangle::Global, Untangle::Best}) {
+    const ChartReport r = flattened(mesh, kAutoT, u);
+    CHECK(r.valid);
+    CHECK(r.angularDistortion >= free.angularDistortion);
+    CHECK(r.angularDistortion <= convex.angularDistortion * (1 + 1e-9));
+  }
+  CHECK(flattened(mesh, 2, Untangle::Local).valid);
+  CHECK_FALSE(flattened(mesh, 2, Untangle::None).valid);
+}
+
+TEST_CASE("the global search returns the largest t in hundredths without a crossing") {
+  const PolygonMesh mesh = sample("alpha-band");
+  const ChartReport r = flattened(mesh, kAutoT, Untangle::Global);
+  REQUIRE(r.valid);
+  CHECK(r.t * 100 == Approx(std::round(r.t * 100)));
+  CHECK(flattened(mesh, r.t).valid);
+  CHECK_FALSE(flattened(mesh, r.t + 0.01).valid);
+}
+
+TEST_CASE("auto unfolds boundaries that cross when they are free") {
+  for (const char* file : {"camel-cut.obj", "cow-cut.off"}) {
+    const PolygonMesh mesh = sharedMesh(file);
+    if (mesh.faceCount() == 0) return;
+    const ChartReport r = flattened(mesh, kAutoT);
+    CHECK(r.valid);
+    CHECK(r.boundaryCrossings == 0);
+    CHECK(r.angularDistortion <= (std::string(file) == "camel-cut.obj" ? 0.00757 : 0.0064));
+  }
+}
+
+TEST_CASE("bounds of single vertices are kept, the others keep the common one") {
+  const PolygonMesh mesh = bumpyGrid(6, 6, 0.3, 2);
+  const DiskChart chart = chartOf(mesh);
+  const std::uint32_t vertex = chart.inputVertex[chart.vertexOfCorner[chart.boundary[7]]];
+  const ChartReport free = flattened(mesh, 2);
+  const ChartReport r = flattened(mesh, 2, Untangle::Auto, {{vertex, 0.7}});
+  REQUIRE(r.valid);
+  REQUIRE(r.bounds.size() == 1);
+  CHECK(r.bounds[0].vertex == vertex);
+  CHECK(r.angularDistortion > free.angularDistortion);
+
+  ChartFlattener flattener(chart, {});
+  std::vector<double> t(chart.boundary.size(), 2);
+  t[7] = 0.7;
+  const Attempt a = flattener.attempt(t, nullptr);
+  double angle = 0;
+  for (std::size_t c = 0; c < a.solution.angles.size(); ++c)
+    if (chart.vertexOfCorner[c] == chart.vertexOfCorner[chart.boundary[7]])
+      angle += a.solution.angles[c];
+  CHECK(angle == Approx(0.7 * kPi));
+}
+
+TEST_CASE("bounds that cannot be are refused") {
+  const PolygonMesh mesh = bumpyGrid(3, 3, 0.3, 2);
+  FlattenOptions options;
+  options.t = 1;
+  options.bounds = {{5, 1.0}};  // an interior vertex
+  CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
+  options.bounds = {{0, -1.0}};
+  CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
+  options.bounds.clear();
+  for (std::uint32_t v = 0; v < 4; ++v) options.bounds.push_back({v, 0.1});
+  CHECK(flatten(mesh, options).status.code == StatusCode::InfeasibleBound);
+}
+
+TEST_CASE("a warm start reaches the same layout as a cold one") {
+  const DiskChart chart = chartOf(bumpyGrid(10, 10, 0.4, 3));
+  ChartFlattener flattener(chart, {});
+  const std::size_t n = chart.boundary.size();
+  const Attempt free = flattener.attempt(std::vector<double>(n, 2), nullptr);
+  const Attempt cold = flattener.attempt(std::vector<double>(n, 1), nullptr);
+  const Attempt warm = flattener.attempt(std::vector<double>(n, 1), &free);
+  CHECK(warm.solution.history.size() <= cold.solution.history.size());
+  for (std::size_t i = 0; i < cold.uv.size(); ++i)
+    CHECK(warm.uv[i] == Approx(cold.uv[i]).margin(1e-6));
+}
+
+TEST_CASE("Tutte's embedding is valid and labelled") {
+  for (const PolygonMesh& mesh : {bumpyGrid(8, 8, 0.3, 1), cone(9, 1), sample("head")}) {
+    const DiskChart chart = chartOf(mesh);
+    const Attempt a = ChartFlattener(chart, {}).tutte("asked for");
+    CHECK(a.valid());
+    CHECK(a.solver == "tutte");
+    CHECK(a.fallbacks.size() == 1);
+    CHECK(a.validity.maxBoundaryAngle < kPi);
+  }
+}
