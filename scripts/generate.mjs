@@ -13,7 +13,7 @@ import {
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { renderFlattenDefaults, renderStatusCode } from './lib/generate-cpp.mjs';
+import { renderFlattenOptions, renderStatusCode } from './lib/generate-cpp.mjs';
 import { fillRegions } from './lib/generate-docs.mjs';
 import { renderTypeScript } from './lib/generate-ts.mjs';
 import { checkSchema } from './lib/schema.mjs';
@@ -27,7 +27,7 @@ export function renderAll(root) {
   const schema = checkSchema(JSON.parse(readFileSync(join(root, SCHEMA), 'utf8')));
   const files = new Map([
     ['core/include/abflat/generated/status_code.h', renderStatusCode(schema)],
-    ['core/include/abflat/generated/flatten_defaults.h', renderFlattenDefaults(schema)],
+    ['core/include/abflat/generated/flatten_options.h', renderFlattenOptions(schema)],
     ['wasm/src/generated.ts', renderTypeScript(schema)],
   ]);
   for (const path of documents(root)) {

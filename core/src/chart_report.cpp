@@ -48,7 +48,8 @@ std::string findProblem(const DiskChart& chart, const Attempt& a, const Validity
                 : "");
   }
   if (v.crossings.count > 0)
-    return "the boundary crosses itself at " + count(v.crossings.count, "place", "places");
+    return "the boundary crosses itself at " + count(v.crossings.count, "place", "places") +
+           "; a smaller t, down to 1, straightens it, and t = auto finds how much that takes";
   return {};
 }
 

@@ -14,17 +14,36 @@
 namespace abflat {
 namespace {
 
-/// Progress of the solver over all attempts: convergence is quadratic and takes 3 to 10 steps on
-/// most charts, so the bar slows down after that.
-SolverOptions solverOptions(const FlattenOptions& options, int& steps) {
-  SolverOptions out;
-  if (!options.progress) return out;
-  out.onStep = [&options, &steps](int, const NewtonStep& now) {
-    const double solved = 1 - std::exp(-++steps / 5.0);
-    return options.progress({"solve", steps, now.constraint, 0.05 + 0.8 * solved});
-  };
-  return out;
-}
+/// Tells the caller where a run is, and remembers when it asked to stop.
+class Monitor {
+ public:
+  explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
+
+  bool tell(const char* stage, double fraction) {
+    last_.stage = stage;
+    last_.fraction = std::max(last_.fraction, fraction);
+    if (callback_ && !stopped_ && !callback_(last_)) stopped_ = true;
+    return !stopped_;
+  }
+
+  /// Convergence is quadratic and takes 3 to 10 steps on most charts: the bar slows down after
+  /// that.
+  bool tellStep(const NewtonStep& now) {
+    last_.constraintResidual = now.constraint;
+    ++last_.newtonStep;
+    return tell("solve", share());
+  }
+
+  bool tellStage(const char* stage) { return tell(stage, share()); }
+  bool stopped() const { return stopped_; }
+
+ private:
+  double share() const { return 0.05 + 0.85 * (1 - std::exp(-last_.newtonStep / 5.0)); }
+
+  const ProgressCallback& callback_;
+  Progress last_;
+  bool stopped_ = false;
+};
 
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                      const FlattenOptions& options) {
@@ -45,12 +64,10 @@ std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
   Stopwatch watch;
-  const auto go = [&](const char* stage, double fraction) {
-    return !options.progress || options.progress({stage, 0, 0, fraction});
-  };
+  Monitor monitor(options.progress);
   const Status aborted{StatusCode::Aborted, "cancelled"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
-  if (!go("connectivity", 0)) return aborted;
+  if (!monitor.tell("connectivity", 0)) return aborted;
 
   const Surface surface = buildSurface(mesh);
   if (!surface.summary.disk.ok()) return surface.summary.disk;
@@ -61,15 +78,16 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Timings& timings = out.report.timings;
   const double connectivity = watch.lap();
 
-  if (!go("solve", 0.05)) return aborted;
-  int steps = 0;
-  ChartFlattener flattener(chart, solverOptions(options, steps));
+  if (!monitor.tellStage("solve")) return aborted;
+  SolverOptions solver;
+  solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
+  ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); });
   Attempt best = flattenChart(flattener, t.value, options);
-  if (best.solution.cancelled) return aborted;
+  if (best.solution.cancelled || monitor.stopped()) return aborted;
   timings = flattener.timings();
   timings.connectivity = connectivity;
 
-  if (!go("check", 0.9)) return aborted;
+  if (!monitor.tell("check", 0.92)) return aborted;
   watch.lap();
   out.uv = std::move(best.uv);
   for (double& x : out.uv) x *= chart.unit;
@@ -78,7 +96,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   timings.check += watch.lap();
 
   out.report.input = surface.summary;
-  out.report.optionT = options.t;
+  out.report.options = options;
   out.report.valid = out.report.charts.front().valid;
   out.vertexMap = chart.inputVertex;
   out.triangles = chart.vertexOfCorner;

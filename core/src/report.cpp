@@ -47,11 +47,18 @@ Json historyJson(const std::vector<NewtonStep>& history) {
   return out;
 }
 
+Json boundsJson(const std::vector<VertexBound>& bounds) {
+  Json out = Json::array();
+  for (const VertexBound& b : bounds) out.push_back({{"vertex", b.vertex}, {"t", b.t}});
+  return out;
+}
+
 Json chartJson(const ChartReport& c) {
   return {
       {"faces", c.faces},
       {"boundaryVertices", c.boundaryVertices},
       {"t", c.t},
+      {"bounds", boundsJson(c.bounds)},
       {"solver", c.solver},
       {"linearSolver", c.linearSolver},
       {"iterations", c.iterations},
@@ -68,8 +75,16 @@ Json chartJson(const ChartReport& c) {
       {"flippedTriangles", c.flippedTriangles},
       {"boundaryCrossings", c.boundaryCrossings},
       {"maxBoundaryAngle", c.maxBoundaryAngle},
+      {"fallbacks", c.fallbacks},
+      {"problem", c.problem},
       {"valid", c.valid},
   };
+}
+
+Json optionsJson(const FlattenOptionValues& options) {
+  Json out = Json::object();
+  forEachOption(options, [&](const char* name, const auto& value) { out[name] = value; });
+  return out;
 }
 
 Json timingsJson(const Timings& t) {
@@ -89,7 +104,7 @@ std::string reportJson(const Report& report) {
   Json out = {
       {"version", ABFLAT_VERSION},
       {"input", inputJson(report)},
-      {"options", {{"t", report.optionT}}},
+      {"options", optionsJson(report.options)},
       {"charts", charts},
       {"valid", report.valid},
       {"timings", timingsJson(report.timings)},

@@ -129,23 +129,49 @@ void addOutput(CLI::App& app, std::string& output) {
       ->type_name("OUT");
 }
 
+/// An option of the schema: its flag, range, default and help come from there.
+void addFlattenOption(CLI::App& app, FlattenOptionValues& values, int index) {
+  const OptionInfo& info = kFlattenOptions[index];
+  if (info.isSwitch) {
+    app.add_flag_callback(
+        info.flag, [&values, index] { setOption(values, index, 1); }, wrapped(info.help));
+    return;
+  }
+  const auto set = [&values, index](const std::string& text) {
+    const OptionInfo& option = kFlattenOptions[index];
+    const std::string wanted =
+        (option.isChoice ? "one of " : "a number ") + std::string(option.range);
+    bool isWord = false;
+    double value = wordValue(index, text, isWord);
+    if (!isWord && (option.isChoice || !isNumber(text, value)))
+      throw CLI::ValidationError(option.flag, "'" + text + "' is not " + wanted);
+    if (!setOption(values, index, value, isWord))
+      throw CLI::ValidationError(option.flag, "must be " + wanted + ", not " + text);
+  };
+  app.add_option_function<std::string>(info.flag, set, wrapped(info.help))
+      ->default_str(info.defaultText)
+      ->type_name(info.isChoice ? "WORD" : "NUMBER");
+}
+
 CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
   CLI::App* sub = app.add_subcommand(
       "flatten", "Flatten a mesh that is a disk and write it with its uv layout");
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
-  sub->add_option("--t", c.t, wrapped(defaults::kTHelp))
-      ->check(numberCheck(defaults::kTRange, defaults::isValidT))
-      ->capture_default_str()
-      ->type_name("NUMBER");
+  for (int i = 0; i < kFlattenOptionCount; ++i) addFlattenOption(*sub, c.options, i);
+  sub->add_option("--bounds", c.bounds,
+                  wrapped("text file with bounds for single boundary vertices, in place of the "
+                          "common t: a line 'VERTEX T' each, vertices counted from 0"))
+      ->check(notEmpty())
+      ->type_name("FILE");
   sub->add_option("--report", c.report,
                   wrapped("JSON file for what was done and how well; - for standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
   sub->add_flag("-q,--quiet", c.quiet, "no progress and no summary; errors are still printed");
   sub->footer(exitCodeHelp());
-  setUsage(*sub, "abflat flatten IN -o OUT [--t NUMBER] [--report FILE] [--quiet]");
+  setUsage(*sub, "abflat flatten IN -o OUT [OPTIONS]");
   return sub;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "abflat/generated/flatten_defaults.h"
+#include "abflat/flatten.h"
 #include "abflat/samples.h"
 
 namespace abflat::cli {
@@ -14,7 +14,8 @@ constexpr const char* kStandardStream = "-";
 struct FlattenCommand {
   std::string input, output;
   std::string report;  ///< empty: none is wanted
-  double t = defaults::kT;
+  FlattenOptionValues options;
+  std::string bounds;  ///< file with bounds of single vertices; empty: none
   bool quiet = false;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "abflat/flatten.h"
+#include "bounds_file.h"
 #include "commands.h"
 #include "input_file.h"
 #include "out_of_memory.h"
@@ -44,7 +45,7 @@ class FlattenRun {
                  stderr);
     if (report.valid) return static_cast<int>(ExitCode::Valid);
     complain(inputName(command_.input) +
-             ": the layout is written, but not valid: " + invalidText(report.charts.front()));
+             ": the layout is written, but not valid: " + report.charts.front().problem);
     return static_cast<int>(ExitCode::NotValid);
   }
 
@@ -63,7 +64,12 @@ class FlattenRun {
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
     FlattenOptions options;
-    options.t = command_.t;
+    static_cast<FlattenOptionValues&>(options) = command_.options;
+    if (!command_.bounds.empty()) {
+      Result<std::vector<VertexBound>> bounds = readBounds(command_.bounds);
+      if (!bounds.ok()) return bounds.status;
+      options.bounds = std::move(bounds.value);
+    }
     options.progress = [this](const Progress& p) {
       progress_.show(p);
       return true;
@@ -79,7 +85,7 @@ class FlattenRun {
   /// Adds what only the caller of the core knows.
   void complete(Report& report) const {
     report.path = command_.input;
-    report.optionT = command_.t;
+    report.options = command_.options;
     report.timings.read = readSeconds_;
     report.timings.write = writeSeconds_;
     report.timings.total = secondsSince(start_);

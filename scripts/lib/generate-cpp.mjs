@@ -1,6 +1,6 @@
 // The C++ side of the schema: two headers, excluded from clang-format.
 
-import { BOUNDS, pascalCase, rangeText } from './schema.mjs';
+import { BOUNDS, fullText, kebabCase, pascalCase, rangeText } from './schema.mjs';
 
 const HEADER = `// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
 // clang-format off
@@ -8,6 +8,9 @@ const HEADER = `// Generated from core/schema/abflat.json by scripts/generate.mj
 `;
 
 const CPP_TYPES = { number: 'double', integer: 'int', boolean: 'bool' };
+
+const cppType = (option) =>
+  option.type === 'choice' ? pascalCase(option.name) : CPP_TYPES[option.type];
 
 /** A JSON string is a valid C++ string literal as long as it is ASCII; the schema's texts are UTF-8 as is. */
 const literal = (text) => JSON.stringify(text);
@@ -77,48 +80,126 @@ export function renderStatusCode({ exitCodes, statuses }) {
   return `${parts.join('\n')}\n`;
 }
 
-function optionLines(option) {
-  const id = pascalCase(option.name);
-  const type = CPP_TYPES[option.type];
-  const lines = [`constexpr ${type} k${id} = ${option.default};`];
-  for (const bound of BOUNDS) {
-    if (bound in option)
-      lines.push(`constexpr ${type} k${id}${pascalCase(bound)} = ${option[bound]};`);
+/** The enum of a choice and its names. */
+function choiceParts({ name, text, choices }) {
+  const id = pascalCase(name);
+  return [
+    enumClass(
+      id,
+      `${pascalCase(text)}.`,
+      choices.map((choice, i) => [pascalCase(choice.name), i, choice.text]),
+    ),
+    switchFunction(
+      `inline const char* ${name}Name(${id} code)`,
+      id,
+      choices.map((choice) => [pascalCase(choice.name), literal(choice.name)]),
+      literal(''),
+    ),
+  ];
+}
+
+function numberOf(option, value) {
+  return Object.hasOwn(option.words ?? {}, value) ? option.words[value] : value;
+}
+
+function defaultOf(option) {
+  if (option.type === 'choice') return `${cppType(option)}::${pascalCase(option.default)}`;
+  return String(numberOf(option, option.default));
+}
+
+function wordConstants(option) {
+  return Object.entries(option.words ?? {}).map(
+    ([word, value]) =>
+      `/// "${word}" as a value of the option ${option.name}.\nconstexpr ${cppType(option)} k${pascalCase(word)}${pascalCase(option.name)} = ${value};`,
+  );
+}
+
+function infoRow(option) {
+  const cells = [
+    literal(option.name),
+    literal(`--${kebabCase(option.name)}`),
+    literal(String(option.default)),
+    literal(rangeText(option)),
+    literal(fullText(option)),
+    String(option.type === 'boolean'),
+    String(option.type === 'choice'),
+  ];
+  return `    {${cells.join(', ')}},`;
+}
+
+/** From the number by which JavaScript passes every option: choices by their index, words by their value. */
+function setCase(option, index) {
+  const id = option.name;
+  if (option.type === 'boolean')
+    return `    case ${index}:\n      options.${id} = value != 0;\n      return value == 0 || value == 1;`;
+  if (option.type === 'choice') {
+    return `    case ${index}:\n      options.${id} = static_cast<${cppType(option)}>(static_cast<int>(value));\n      return value >= 0 && value < ${option.choices.length};`;
   }
-  lines.push(`constexpr const char* k${id}Help = ${literal(option.text)};`);
-  if (type !== 'bool') {
-    lines.push(`constexpr const char* k${id}Range = ${literal(rangeText(option))};`);
-    lines.push(`/// Finite and within the bounds.`);
-    lines.push(
-      `constexpr bool isValid${id}(${type} value) {\n  return ${condition(option, type, id)};\n}`,
-    );
-  }
-  return `${lines.join('\n')}\n`;
+  return `    case ${index}:\n      options.${id} = static_cast<${cppType(option)}>(value);\n      return ${condition(option)};`;
+}
+
+/** Number of a word or choice as written on a command line. */
+function wordCases(option, index) {
+  const words =
+    option.type === 'choice'
+      ? option.choices.map(({ name }, i) => [name, i])
+      : Object.entries(option.words ?? {});
+  return words.map(
+    ([word, value]) =>
+      `  if (index == ${index} && text == ${literal(word)}) return found = true, ${value};`,
+  );
 }
 
 /** Comparisons that are false for NaN. */
-function condition(option, type, id) {
+function condition(option) {
   const operators = { above: '>', atLeast: '>=', below: '<', atMost: '<=' };
   const terms = BOUNDS.filter((bound) => bound in option).map(
-    (bound) => `value ${operators[bound]} k${id}${pascalCase(bound)}`,
+    (bound) => `value ${operators[bound]} ${option[bound]}`,
   );
   if (!('above' in option || 'atLeast' in option)) {
-    terms.push(`value >= std::numeric_limits<${type}>::lowest()`);
+    terms.push('value >= std::numeric_limits<double>::lowest()');
   }
   if (!('below' in option || 'atMost' in option)) {
-    terms.push(`value <= std::numeric_limits<${type}>::max()`);
+    terms.push('value <= std::numeric_limits<double>::max()');
   }
-  return terms.join(' && ');
+  const words = Object.values(option.words ?? {}).map((value) => `(isWord && value == ${value})`);
+  return words.length > 0 ? `(${terms.join(' && ')}) || ${words.join(' || ')}` : terms.join(' && ');
 }
 
-export function renderFlattenDefaults({ flattenOptions }) {
+function visitLine(option) {
+  const value =
+    option.type === 'choice' ? `${option.name}Name(options.${option.name})` : `options.${option.name}`;
+  const words = Object.entries(option.words ?? {}).map(
+    ([word, number]) => `  if (options.${option.name} == ${number})\n    visit("${option.name}", ${literal(word)});\n  else\n  `,
+  );
+  return `${words.join('')}  visit("${option.name}", ${value});`;
+}
+
+export function renderFlattenOptions({ flattenOptions }) {
+  const choices = flattenOptions.filter(({ type }) => type === 'choice');
+  const fields = flattenOptions.map(
+    (option) => `  /// ${fullText(option)}\n  ${cppType(option)} ${option.name} = ${defaultOf(option)};`,
+  );
   const parts = [
     HEADER,
-    '#include <limits>\n',
-    '/// Defaults, bounds and help texts of FlattenOptions.',
-    'namespace abflat::defaults {\n',
-    ...flattenOptions.map(optionLines),
-    '}  // namespace abflat::defaults',
+    '#include <limits>\n#include <string_view>\n',
+    'namespace abflat {\n',
+    ...choices.flatMap(choiceParts),
+    ...flattenOptions.flatMap(wordConstants),
+    '\n/// The options of flattening that are plain values, with their defaults.',
+    `struct FlattenOptionValues {\n${fields.join('\n')}\n};\n`,
+    '/// An option for people: names, default and range as on the command line.',
+    'struct OptionInfo {\n  const char* name;\n  const char* flag;\n  const char* defaultText;\n  const char* range;\n  const char* help;\n  bool isSwitch;  ///< takes no value\n  bool isChoice;  ///< takes one of the words of its range\n};\n',
+    '/// In the order of the numbers that setOption takes.',
+    `constexpr OptionInfo kFlattenOptions[] = {\n${flattenOptions.map(infoRow).join('\n')}\n};`,
+    `constexpr int kFlattenOptionCount = ${flattenOptions.length};\n`,
+    '/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`\n/// the numbers that stand for words are refused.',
+    `inline bool setOption(FlattenOptionValues& options, int index, double value,\n                      [[maybe_unused]] bool isWord = true) {\n  switch (index) {\n${flattenOptions.map(setCase).join('\n')}\n  }\n  return false;\n}\n`,
+    '/// The number that stands for a word ("auto") or a choice of an option.',
+    `inline double wordValue(int index, std::string_view text, bool& found) {\n${flattenOptions.flatMap(wordCases).join('\n')}\n  return found = false, 0;\n}\n`,
+    '/// Calls visit(name, value) for every option; words and choices are passed as text.',
+    `template <class Visit>\nvoid forEachOption(const FlattenOptionValues& options, Visit&& visit) {\n${flattenOptions.map(visitLine).join('\n')}\n}\n`,
+    '}  // namespace abflat',
   ];
   return `${parts.join('\n')}\n`;
 }

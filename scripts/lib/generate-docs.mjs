@@ -1,6 +1,6 @@
 // Tables between <!-- generated:NAME --> and <!-- /generated --> lines of the documentation.
 
-import { rangeText } from './schema.mjs';
+import { fullText, kebabCase, rangeText } from './schema.mjs';
 
 const TABLES = {
   'exit-codes': ({ exitCodes }) =>
@@ -18,10 +18,10 @@ const TABLES = {
       ['Option', 'Command line', 'Default', 'Range', 'Meaning'],
       flattenOptions.map((option) => [
         `\`${option.name}\``,
-        `\`--${option.name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}\``,
+        `\`--${kebabCase(option.name)}\``,
         `\`${option.default}\``,
         rangeText(option),
-        option.text,
+        fullText(option),
       ]),
     ),
 };

@@ -1,6 +1,6 @@
 // The TypeScript side of the schema.
 
-import { BOUNDS, OPTION_TYPES, rangeText } from './schema.mjs';
+import { BOUNDS, fullText, OPTION_TYPES, pascalCase, rangeText } from './schema.mjs';
 
 const HEADER = '// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.\n';
 
@@ -44,19 +44,39 @@ function exitParts(exitCodes) {
   ];
 }
 
+const union = (names) => names.map((name) => literal(name)).join(' | ');
+
+function tsType(option) {
+  if (option.type === 'choice') return pascalCase(option.name);
+  return [OPTION_TYPES[option.type], ...Object.keys(option.words ?? {}).map(literal)].join(' | ');
+}
+
+/** What a caller may pass, checked against the row below it by type. */
+function infoFields(option) {
+  const fields = ['type', 'default', ...BOUNDS].filter((key) => key in option);
+  const entries = fields.map((key) => `${key}: ${literal(option[key])}`);
+  if (option.words) entries.push(`words: ${object(Object.entries(option.words))}`);
+  if (option.choices)
+    entries.push(`choices: [${option.choices.map(({ name }) => literal(name)).join(', ')}]`);
+  entries.push(`text: ${literal(fullText(option))}`, `range: ${literal(rangeText(option))}`);
+  return `  ${option.name}: { ${entries.join(', ')} },`;
+}
+
 function optionParts(options) {
-  const types = options.map(({ name, type }) => `  readonly ${name}: ${OPTION_TYPES[type]};`);
+  const choices = options.filter(({ type }) => type === 'choice');
+  const aliases = choices.map(
+    ({ name, choices: list }) =>
+      `export type ${pascalCase(name)} = ${union(list.map((choice) => choice.name))};\n`,
+  );
+  const types = options.map((option) => `  ${option.name}: ${tsType(option)};`);
   const values = options.map((option) => `  ${option.name}: ${literal(option.default)},`);
-  const rows = options.map((option) => {
-    const fields = ['type', 'default', ...BOUNDS, 'text'].filter((key) => key in option);
-    const entries = fields.map((key) => [key, option[key]]);
-    return `  ${option.name}: ${object([...entries, ['range', rangeText(option)]])},`;
-  });
   return [
-    `export interface FlattenDefaults {\n${types.join('\n')}\n}\n`,
-    `export const FLATTEN_DEFAULTS: FlattenDefaults = {\n${values.join('\n')}\n};\n`,
-    '/** Type, default, bounds and help text of every option; `range` says the bounds in words. */',
-    `export const FLATTEN_OPTIONS = {\n${rows.join('\n')}\n} as const;`,
+    ...aliases,
+    '/** The options of flattening that are plain values. */',
+    `export interface FlattenOptionValues {\n${types.join('\n')}\n}\n`,
+    `export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {\n${values.join('\n')}\n};\n`,
+    '/** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */',
+    `export const FLATTEN_OPTIONS = {\n${options.map(infoFields).join('\n')}\n} as const;`,
   ];
 }
 

@@ -1,6 +1,11 @@
 // What core/schema/abflat.json may contain. Everything generated relies on these checks.
 
-export const OPTION_TYPES = { number: 'number', integer: 'number', boolean: 'boolean' };
+export const OPTION_TYPES = {
+  number: 'number',
+  integer: 'number',
+  boolean: 'boolean',
+  choice: 'string',
+};
 export const BOUNDS = ['above', 'atLeast', 'below', 'atMost'];
 
 const BOUND_WORDS = { above: 'above', atLeast: 'at least', below: 'below', atMost: 'at most' };
@@ -33,7 +38,9 @@ function checkUnique(entries, list) {
 function checkOption(option) {
   const jsType = OPTION_TYPES[option.type];
   if (!jsType) throw new Error(`option ${option.name}: unknown type "${option.type}"`);
-  if (typeof option.default !== jsType)
+  if (option.type === 'choice') return checkChoice(option);
+  const isWord = option.words && Object.hasOwn(option.words, option.default);
+  if (typeof option.default !== jsType && !isWord)
     throw new Error(`option ${option.name}: default is not a ${jsType}`);
   for (const bound of BOUNDS) {
     if (!(bound in option)) continue;
@@ -43,12 +50,30 @@ function checkOption(option) {
   }
 }
 
-/** "above 0 and at most 2" for people; empty without bounds. */
+function checkChoice(option) {
+  checkUnique(option.choices ?? [], `option ${option.name}`);
+  if (!option.choices?.some(({ name }) => name === option.default))
+    throw new Error(`option ${option.name}: default is not one of its choices`);
+}
+
+/** "above 0 and at most 2, or auto" for people; empty without bounds. */
 export function rangeText(option) {
-  const parts = BOUNDS.filter((bound) => bound in option);
-  return parts.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
+  if (option.type === 'choice') return option.choices.map(({ name }) => name).join(', ');
+  const bounds = BOUNDS.filter((bound) => bound in option);
+  const parts = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
+  return [parts, ...Object.keys(option.words ?? {})].filter(Boolean).join(', or ');
+}
+
+/** The text of an option with the meaning of its choices. */
+export function fullText(option) {
+  if (option.type !== 'choice') return option.text;
+  return `${option.text}: ${option.choices.map(({ name, text }) => `${name} = ${text}`).join('; ')}`;
 }
 
 export function pascalCase(name) {
   return name[0].toUpperCase() + name.slice(1);
+}
+
+export function kebabCase(name) {
+  return name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 }

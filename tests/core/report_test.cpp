@@ -31,13 +31,14 @@ TEST_CASE("the report has its keys in their order") {
   CHECK(keysOf(json) == Keys{"version", "input", "options", "charts", "valid", "timings"});
   CHECK(keysOf(json["input"]) == Keys{"path", "vertices", "faces", "triangles", "components",
                                       "boundaryLoops", "boundaryEdges", "genus"});
-  CHECK(keysOf(json["options"]) == Keys{"t"});
+  CHECK(keysOf(json["options"]) == Keys{"t", "untangle"});
   CHECK(keysOf(json["timings"]) ==
         Keys{"read", "connectivity", "solve", "layout", "check", "write", "total"});
   const Json& chart = json["charts"].at(0);
   CHECK(keysOf(chart) == Keys{"faces",
                               "boundaryVertices",
                               "t",
+                              "bounds",
                               "solver",
                               "linearSolver",
                               "iterations",
@@ -54,6 +55,8 @@ TEST_CASE("the report has its keys in their order") {
                               "flippedTriangles",
                               "boundaryCrossings",
                               "maxBoundaryAngle",
+                              "fallbacks",
+                              "problem",
                               "valid"});
   CHECK(keysOf(chart["history"].at(0)) ==
         Keys{"objective", "constraint", "gradient", "active", "step"});

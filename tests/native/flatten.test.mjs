@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { before, test } from 'node:test';
 import { hasTerminals, runAbflat, runOnTerminal } from '../support/run-abflat.mjs';
+import { DEFAULT_OPTIONS } from '../support/schema.mjs';
 import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
@@ -69,13 +70,13 @@ test('the report has its keys in their order', async (t) => {
   ]);
   const counts = { vertices: 81, faces: 128, triangles: 128, components: 1, boundaryLoops: 1 };
   assert.deepEqual(report.input, { path: 'in.obj', ...counts, boundaryEdges: 32, genus: 0 });
-  assert.deepEqual(report.options, { t: 1.5 });
+  assert.deepEqual(report.options, { ...DEFAULT_OPTIONS, t: 1.5 });
   assert.equal(report.charts.length, 1);
   const chart = report.charts[0];
   const keys =
-    'faces boundaryVertices t solver linearSolver iterations history constraintResidual converged ' +
+    'faces boundaryVertices t bounds solver linearSolver iterations history constraintResidual converged ' +
     'angularDistortion lengthDistortion quasiConformal stretch symmetricDirichlet areaDistortion ' +
-    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle valid';
+    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle fallbacks problem valid';
   assert.deepEqual(Object.keys(chart), keys.split(' '));
   assert.ok(chart.history.length > 0);
   for (const step of chart.history)
@@ -188,7 +189,7 @@ test('on a terminal there is progress, cleared at the end, and a summary', {
   assert.equal(progress.includes('\n'), false, 'one line, written over');
   assert.match(summary, /^ -> out\.obj\r\n/);
   assert.match(summary, /128 faces, 81 vertices/);
-  assert.match(summary, /t = 1, \d+ Newton steps/);
+  assert.match(summary, /t = 2, \d+ Newton steps/);
   assert.match(summary, /valid, \S+ s/);
 });
 

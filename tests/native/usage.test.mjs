@@ -5,11 +5,12 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { ROOT } from '../../scripts/lib/paths.mjs';
+import { kebabCase } from '../../scripts/lib/schema.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
+import { SCHEMA } from '../support/schema.mjs';
 import { TRIANGLE } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const schema = JSON.parse(readFileSync(join(ROOT, 'core/schema/abflat.json'), 'utf8'));
 const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 
 /** arguments, what the message must say. */
@@ -62,7 +63,7 @@ test('help goes to standard output and tells every exit code', async () => {
     const run = await runAbflat(args);
     assert.equal(run.code, 0);
     assert.equal(run.stderr, '');
-    for (const { code, text } of schema.exitCodes)
+    for (const { code, text } of SCHEMA.exitCodes)
       assert.ok(run.stdout.includes(`${code}  ${text}`));
   }
 });
@@ -70,9 +71,10 @@ test('help goes to standard output and tells every exit code', async () => {
 test('help of flatten tells its options, their meaning and defaults', async () => {
   const { stdout } = await runAbflat(['flatten', '--help']);
   const words = stdout.replaceAll(/\s+/g, ' ');
-  for (const { name, text, default: value } of schema.flattenOptions) {
+  for (const { name, type, text, default: value } of SCHEMA.flattenOptions) {
     assert.ok(words.includes(text));
-    assert.match(words, new RegExp(`--${name} NUMBER=${value}\\b`));
+    const shown = { choice: ` WORD=${value}`, boolean: '' }[type] ?? ` NUMBER=${value}`;
+    assert.match(words, new RegExp(`--${kebabCase(name)}${shown}\\b`));
   }
 });
 

@@ -81,8 +81,19 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
   return job->mesh.faceVertices.data();
 }
 
-EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, double t, int wantsObj) {
-  return finish(*job, flattenJob(*job, t, wantsObj != 0, reportProgress));
+/// Option number `index` of kFlattenOptions, as a number.
+EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
+  if (setOption(job->options, index, value)) return 0;
+  return finish(*job, {StatusCode::InvalidOption,
+                       "option " + std::to_string(index) + " is out of its range"});
+}
+
+EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
+  job->options.bounds.push_back({vertex, t});
+}
+
+EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj) {
+  return finish(*job, flattenJob(*job, wantsObj != 0, reportProgress));
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatInspect(Job* job) { return finish(*job, inspectJob(*job)); }

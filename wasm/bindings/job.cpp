@@ -62,16 +62,14 @@ Status readInput(Job& job) {
   return mesh.status;
 }
 
-Status flattenJob(Job& job, double t, bool wantsObj, const ProgressCallback& progress) {
+Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress) {
   const Clock::time_point started = Clock::now();
   progress({"read", 0, 0, 0});
   if (Status s = readInput(job); !s.ok()) return s;
   const double read = secondsSince(started);
 
-  FlattenOptions options;
-  options.t = t;
-  options.progress = progress;
-  Result<FlattenResult> flat = flatten(job.mesh, options);
+  job.options.progress = progress;
+  Result<FlattenResult> flat = flatten(job.mesh, job.options);
   if (!flat.ok()) return flat.status;
   job.result = std::move(flat.value);
 

@@ -17,6 +17,7 @@ struct Job {
   std::string source;  ///< bytes of a file; unused when the mesh came as arrays
   bool isFile = false;
   PolygonMesh mesh;
+  FlattenOptions options;
   FlattenResult result;
   std::vector<double> positions;  ///< 3 per output vertex, files only
   std::string obj;                ///< OBJ text, when asked for
@@ -38,7 +39,7 @@ Status readInput(Job& job);
 
 /// Fills everything that resultOf() returns. `progress` as in FlattenOptions, with the stages
 /// "read" and "write" added.
-Status flattenJob(Job& job, double t, bool wantsObj, const ProgressCallback& progress);
+Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress);
 
 Status inspectJob(Job& job);
 

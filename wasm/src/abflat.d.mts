@@ -8,7 +8,9 @@ export interface NativeModule {
   _abflatSource(job: number, bytes: number): number;
   _abflatPositions(job: number, count: number): number;
   _abflatIndices(job: number, count: number): number;
-  _abflatFlatten(job: number, t: number, wantsObj: number): number;
+  _abflatSetOption(job: number, index: number, value: number): number;
+  _abflatAddBound(job: number, vertex: number, t: number): void;
+  _abflatFlatten(job: number, wantsObj: number): number;
   _abflatInspect(job: number): number;
   _abflatLoad(job: number): number;
   _abflatSample(job: number, detail: number): number;

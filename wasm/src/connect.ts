@@ -1,6 +1,6 @@
 import { Client } from './client.js';
 import { AbflatError, messageOf } from './errors.js';
-import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, STATUS_NAMES } from './generated.js';
+import { STATUS_NAMES } from './generated.js';
 import { takeFile, takeMesh } from './input.js';
 import { MAX_MEMORY } from './memory.js';
 import type { Platform } from './platform.js';
@@ -18,6 +18,7 @@ import type {
   TriangleMesh,
 } from './types.js';
 import {
+  boundNumbers,
   checkBoolean,
   checkFunction,
   checkKeys,
@@ -26,6 +27,7 @@ import {
   checkSignal,
   checkString,
   KEYS,
+  optionNumbers,
 } from './validate.js';
 
 /** Loads the module, starts a worker and waits until it answers. */
@@ -53,8 +55,9 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
   checkKeys(options, KEYS.flatten);
-  const { t = FLATTEN_DEFAULTS.t, obj, transfer, signal, onProgress } = options;
-  checkNumber('t', t, FLATTEN_OPTIONS.t);
+  const { obj, transfer, signal, onProgress } = options;
+  const values = optionNumbers(options);
+  const bounds = boundNumbers(options.bounds);
   checkBoolean('obj', obj);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
@@ -62,7 +65,7 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
   const owned = takeMesh(mesh, transfer);
   const wantsProgress = onProgress !== undefined;
   return client.call<FlattenResult>(
-    { kind: 'flatten', mesh: owned.mesh, t, wantsObj: obj === true, wantsProgress },
+    { kind: 'flatten', mesh: owned.mesh, values, bounds, wantsObj: obj === true, wantsProgress },
     { transfer: owned.buffers, signal, onProgress },
   );
 }

@@ -4,7 +4,7 @@ import createNative, { type NativeModule } from './abflat.mjs';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
-import type { Answer, Description, OwnedMesh, Request } from './protocol.js';
+import type { Answer, Description, FlattenRequest, OwnedMesh, Request } from './protocol.js';
 import type { FlattenResult, MeshSummary, Progress, Report, TriangleMesh } from './types.js';
 
 /** The numbers are those of `Field` in wasm/bindings/job.h. */
@@ -107,12 +107,17 @@ export class Engine {
     };
   }
 
-  #flatten({ mesh, t, wantsObj }: Request & { kind: 'flatten' }): FlattenResult {
+  #flatten({ mesh, values, bounds, wantsObj }: FlattenRequest): FlattenResult {
     const started = performance.now();
     return this.#withJob((job) => {
       this.#writeMesh(job, mesh);
       const written = performance.now();
-      this.#check(job, this.#native._abflatFlatten(job, t, Number(wantsObj)));
+      values.forEach((value, index) => {
+        this.#check(job, this.#native._abflatSetOption(job, index, value));
+      });
+      for (let i = 0; i < bounds.length; i += 2)
+        this.#native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
+      this.#check(job, this.#native._abflatFlatten(job, Number(wantsObj)));
       const finished = performance.now();
       const result: FlattenResult = {
         uv: new Float64Array(this.#read(job, FIELD.uv)),

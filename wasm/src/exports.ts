@@ -4,7 +4,7 @@ export { AbflatError } from './errors.js';
 export {
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,
-  type FlattenDefaults,
+  type FlattenOptionValues,
   STATUS_NAMES,
   STATUSES,
   type StatusName,

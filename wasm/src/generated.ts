@@ -56,15 +56,21 @@ export const EXIT_CODES = [
   { code: 5, name: 'CannotWrite', text: 'the output cannot be written; an existing file is left as it was' },
 ] as const;
 
-export interface FlattenDefaults {
-  readonly t: number;
+export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';
+
+/** The options of flattening that are plain values. */
+export interface FlattenOptionValues {
+  t: number | 'auto';
+  untangle: Untangle;
 }
 
-export const FLATTEN_DEFAULTS: FlattenDefaults = {
-  t: 1,
+export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
+  t: 'auto',
+  untangle: 'auto',
 };
 
-/** Type, default, bounds and help text of every option; `range` says the bounds in words. */
+/** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const FLATTEN_OPTIONS = {
-  t: { type: 'number', default: 1, above: 0, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF)', range: 'above 0' },
+  t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
+  untangle: { type: 'choice', default: 'auto', choices: ['auto', 'none', 'local', 'global', 'best'], text: 'how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less', range: 'auto, none, local, global, best' },
 } as const;

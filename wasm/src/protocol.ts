@@ -11,9 +11,20 @@ export interface OwnedFile {
 /** A mesh in buffers that belong to the call. */
 export type OwnedMesh = MeshArrays | OwnedFile;
 
+export interface FlattenRequest {
+  kind: 'flatten';
+  mesh: OwnedMesh;
+  /** One number per option of FLATTEN_OPTIONS, in its order. */
+  values: number[];
+  /** Vertex and t of each bound in turn. */
+  bounds: number[];
+  wantsObj: boolean;
+  wantsProgress: boolean;
+}
+
 export type Request =
   | { kind: 'describe' }
-  | { kind: 'flatten'; mesh: OwnedMesh; t: number; wantsObj: boolean; wantsProgress: boolean }
+  | FlattenRequest
   | { kind: 'inspect'; mesh: OwnedMesh }
   | { kind: 'load'; mesh: OwnedFile }
   | { kind: 'sample'; name: string; detail: number };

@@ -1,3 +1,5 @@
+import type { FlattenOptionValues } from './generated.js';
+
 /** A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise. */
 export interface MeshArrays {
   positions: Float32Array | Float64Array;
@@ -28,9 +30,16 @@ export interface CallOptions {
   transfer?: boolean;
 }
 
-export interface FlattenOptions extends CallOptions {
-  /** Boundary control coefficient: boundary angles are at most t*pi. Default: see FLATTEN_DEFAULTS. */
-  t?: number;
+/** A bound of t*pi for the interior angle of the layout at one boundary vertex of the input. */
+export interface VertexBound {
+  vertex: number;
+  t: number;
+}
+
+/** The plain values are described, with their defaults, by FLATTEN_OPTIONS. */
+export interface FlattenOptions extends CallOptions, Partial<FlattenOptionValues> {
+  /** Bounds of single boundary vertices, in place of the common t. */
+  bounds?: VertexBound[];
   onProgress?: (progress: Progress) => void;
   /** Also return the input as OBJ text with the new texcoords. */
   obj?: boolean;
@@ -47,7 +56,11 @@ export interface NewtonStep {
 export interface ChartReport {
   faces: number;
   boundaryVertices: number;
+  /** The largest bound used: 2 and above is a free boundary. */
   t: number;
+  /** Boundary vertices with a bound below t. */
+  bounds: VertexBound[];
+  /** `activeSet`, `interiorPoint` or `tutte`. */
   solver: string;
   linearSolver: string;
   iterations: number;
@@ -65,6 +78,10 @@ export interface ChartReport {
   boundaryCrossings: number;
   /** Radians. */
   maxBoundaryAngle: number;
+  /** What was done beyond the plain solver, one sentence each. */
+  fallbacks: string[];
+  /** Why the chart is not valid, one sentence; empty when it is. */
+  problem: string;
   valid: boolean;
 }
 
@@ -81,7 +98,8 @@ export interface Report {
     boundaryEdges: number;
     genus: number;
   };
-  options: { t: number };
+  /** As asked. */
+  options: FlattenOptionValues;
   charts: ChartReport[];
   valid: boolean;
   timings: {

@@ -1,13 +1,13 @@
 // Checks what callers pass as options.
 
 import { AbflatError } from './errors.js';
-import { FLATTEN_OPTIONS } from './generated.js';
+import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, type FlattenOptionValues } from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
 
 const OF_CALL = ['signal', 'transfer'];
 export const KEYS = {
   create: ['maxMemory', 'wasmUrl', 'workerUrl'],
-  flatten: [...Object.keys(FLATTEN_OPTIONS), 'onProgress', 'obj', ...OF_CALL],
+  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'onProgress', 'obj', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
 };
@@ -71,4 +71,48 @@ export function checkNumber(name: string, value: unknown, rule: NumberRule): voi
 export function checkMaxMemory(value: unknown): void {
   const range = `of bytes from ${MIN_MEMORY} (16 MB) to ${MAX_MEMORY} (4 GB)`;
   checkNumber('maxMemory', value, { range, atLeast: MIN_MEMORY, atMost: MAX_MEMORY });
+}
+
+interface OptionRule extends NumberRule {
+  readonly type: string;
+  readonly words?: Readonly<Record<string, number>>;
+  readonly choices?: readonly string[];
+}
+
+/** The number by which the module takes an option: choices by their index, words by their value. */
+function optionNumber(name: string, value: unknown, rule: OptionRule): number {
+  if (rule.type === 'boolean') {
+    checkBoolean(name, value);
+    return Number(value);
+  }
+  if (rule.choices) {
+    const index = rule.choices.indexOf(value as string);
+    if (index >= 0) return index;
+    throw invalid(`${name} must be one of ${rule.range}; it is ${JSON.stringify(value)}.`);
+  }
+  if (typeof value === 'string' && rule.words && Object.hasOwn(rule.words, value))
+    return rule.words[value] as number;
+  checkNumber(name, value, rule);
+  return value as number;
+}
+
+/** All options of flattening, in the order of FLATTEN_OPTIONS. */
+export function optionNumbers(options: Partial<FlattenOptionValues>): number[] {
+  return Object.entries(FLATTEN_OPTIONS).map(([name, rule]) => {
+    const key = name as keyof FlattenOptionValues;
+    const value = options[key] === undefined ? FLATTEN_DEFAULTS[key] : options[key];
+    return optionNumber(name, value, rule);
+  });
+}
+
+export function boundNumbers(bounds: unknown): number[] {
+  if (bounds === undefined) return [];
+  if (!Array.isArray(bounds)) throw invalid('bounds must be an array of { vertex, t }.');
+  return bounds.flatMap((bound: { vertex?: unknown; t?: unknown } | null, i) => {
+    const vertex = bound?.vertex;
+    if (!Number.isInteger(vertex) || (vertex as number) < 0 || (vertex as number) >= 2 ** 32)
+      throw invalid(`bounds[${i}].vertex must be a vertex number.`);
+    checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
+    return [vertex as number, bound?.t as number];
+  });
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "abflat/generated/flatten_defaults.h"
+#include "abflat/generated/flatten_options.h"
 #include "abflat/inspect.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
@@ -25,27 +25,13 @@ struct Progress {
 /// StatusCode::Aborted).
 using ProgressCallback = std::function<bool(const Progress&)>;
 
-/// FlattenOptions::t: free where that leaves no crossing, otherwise the bounds with the least distortion.
-constexpr double kAutoT = 0;
-
-/// How crossings of the boundary are removed.
-enum class Untangle {
-  Auto,    ///< Best when t is kAutoT, None when it is a number
-  None,    ///< they stay, and the result is not valid
-  Local,   ///< tighten the bounds of the arcs that cross, and only those
-  Global,  ///< tighten all bounds alike
-  Best,    ///< Local or Global, whichever distorts less
-};
-
 /// A bound of t pi for one boundary vertex, in place of the common t. Of several for a vertex the last counts.
 struct VertexBound {
   std::uint32_t vertex = 0;  ///< of the input mesh
   double t = 0;
 };
 
-struct FlattenOptions {
-  double t = defaults::kT;  ///< boundary control coefficient, > 0, or kAutoT
-  Untangle untangle = Untangle::Auto;
+struct FlattenOptions : FlattenOptionValues {
   std::vector<VertexBound> bounds;
   ProgressCallback progress;
 };
@@ -95,7 +81,7 @@ struct Timings {
 struct Report {
   std::string path;
   MeshSummary input;
-  double optionT = 0;
+  FlattenOptionValues options;  ///< as asked
   std::vector<ChartReport> charts;
   bool valid = false;
   Timings timings;

@@ -23,8 +23,12 @@ std::string withFloor(const char* text, double floor) {
 
 }  // namespace
 
-ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options)
-    : chart_(chart), problem_(buildAngleProblem(chart)), solver_(problem_, std::move(options)) {}
+ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
+                               std::function<void(const char*)> onStage)
+    : chart_(chart),
+      problem_(buildAngleProblem(chart)),
+      solver_(problem_, std::move(options)),
+      onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
 
 Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {
   Attempt a;
@@ -71,9 +75,11 @@ Attempt ChartFlattener::tutte(const std::string& reason) {
 
 void ChartFlattener::layOutAndCheck(Attempt& a) {
   Stopwatch watch;
+  onStage_("layout");
   a.solver = a.solution.barrierFloor > 0 ? "interiorPoint" : "activeSet";
   a.uv = layOut(chart_, a.solution.angles);
   timings_.layout += watch.lap();
+  onStage_("check");
   a.validity = checkValidity(chart_, a.uv);
   a.angularDistortion = measureDistortion(chart_, a.uv).angular;
   timings_.check += watch.lap();

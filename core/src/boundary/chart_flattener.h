@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Attempt {
 /// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
 class ChartFlattener {
  public:
-  /// Keeps a reference to the chart.
-  ChartFlattener(const DiskChart& chart, SolverOptions options);
+  /// Keeps a reference to the chart. `onStage` hears "layout" and "check" as they begin.
+  ChartFlattener(const DiskChart& chart, SolverOptions options,
+                 std::function<void(const char*)> onStage = {});
 
   /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
   /// the interior point takes over with rising floors of its barrier.
@@ -48,6 +50,7 @@ class ChartFlattener {
   const DiskChart& chart_;
   AngleProblem problem_;
   AngleSolver solver_;
+  std::function<void(const char*)> onStage_;
   Timings timings_;
 };
 

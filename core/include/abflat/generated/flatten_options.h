@@ -1,0 +1,100 @@
+// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+// clang-format off
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+namespace abflat {
+
+/// How crossings of the boundary are removed.
+enum class Untangle : int {
+  Auto = 0,  ///< best when t is auto, none when it is a number
+  None = 1,  ///< crossings stay, and the result is not valid
+  Local = 2,  ///< tighten the bounds of the arcs that cross, and only those
+  Global = 3,  ///< tighten all bounds alike
+  Best = 4,  ///< local or global, whichever distorts less
+};
+
+inline const char* untangleName(Untangle code) {
+  switch (code) {
+    case Untangle::Auto:
+      return "auto";
+    case Untangle::None:
+      return "none";
+    case Untangle::Local:
+      return "local";
+    case Untangle::Global:
+      return "global";
+    case Untangle::Best:
+      return "best";
+  }
+  return "";
+}
+
+/// "auto" as a value of the option t.
+constexpr double kAutoT = 0;
+
+/// The options of flattening that are plain values, with their defaults.
+struct FlattenOptionValues {
+  /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
+  double t = 0;
+  /// how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
+  Untangle untangle = Untangle::Auto;
+};
+
+/// An option for people: names, default and range as on the command line.
+struct OptionInfo {
+  const char* name;
+  const char* flag;
+  const char* defaultText;
+  const char* range;
+  const char* help;
+  bool isSwitch;  ///< takes no value
+  bool isChoice;  ///< takes one of the words of its range
+};
+
+/// In the order of the numbers that setOption takes.
+constexpr OptionInfo kFlattenOptions[] = {
+    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
+    {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
+};
+constexpr int kFlattenOptionCount = 2;
+
+/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
+/// the numbers that stand for words are refused.
+inline bool setOption(FlattenOptionValues& options, int index, double value,
+                      [[maybe_unused]] bool isWord = true) {
+  switch (index) {
+    case 0:
+      options.t = static_cast<double>(value);
+      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+    case 1:
+      options.untangle = static_cast<Untangle>(static_cast<int>(value));
+      return value >= 0 && value < 5;
+  }
+  return false;
+}
+
+/// The number that stands for a word ("auto") or a choice of an option.
+inline double wordValue(int index, std::string_view text, bool& found) {
+  if (index == 0 && text == "auto") return found = true, 0;
+  if (index == 1 && text == "auto") return found = true, 0;
+  if (index == 1 && text == "none") return found = true, 1;
+  if (index == 1 && text == "local") return found = true, 2;
+  if (index == 1 && text == "global") return found = true, 3;
+  if (index == 1 && text == "best") return found = true, 4;
+  return found = false, 0;
+}
+
+/// Calls visit(name, value) for every option; words and choices are passed as text.
+template <class Visit>
+void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
+  if (options.t == 0)
+    visit("t", "auto");
+  else
+    visit("t", options.t);
+  visit("untangle", untangleName(options.untangle));
+}
+
+}  // namespace abflat
