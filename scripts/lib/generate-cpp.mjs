@@ -9,7 +9,10 @@ const HEADER = `// Generated from core/schema/abflat.json by scripts/generate.mj
 
 const CPP_TYPES = { number: 'double', integer: 'int', boolean: 'bool' };
 
-/** A JSON string is a valid C++ string literal as long as it is ASCII; the schema's texts are UTF-8 as is. */
+/**
+ * A JSON string is a valid C++ string literal as long as it is ASCII; the schema's texts are UTF-8
+ * as is.
+ */
 const literal = (text) => JSON.stringify(text);
 
 function enumClass(name, comment, entries) {

@@ -99,6 +99,7 @@ export class BoundControl {
       tick.append(create('span', 'tick-value', bound(t)));
       if (tick instanceof HTMLButtonElement) {
         tick.type = 'button';
+        tick.setAttribute('aria-label', `t = ${bound(t)}, ${name}`);
         tick.append(create('span', 'tick-name', name));
         tick.addEventListener('click', () => this.set(t));
       }
