@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Builds the command line program, the WebAssembly package and the page; each only where something changed.
+// Builds the command line program, the WebAssembly package and the page; each only where something
+// changed.
 // Usage: build.mjs [native] [wasm] [web]   (default: all; web includes wasm)
 
 import { join, relative } from 'node:path';
@@ -19,8 +20,13 @@ const COMMON_INPUTS = [
 ];
 const WASM_MODULE = ['build/wasm/abflat.mjs', 'build/wasm/abflat.wasm'];
 
+/** Without `tests` nothing is asked of Catch2, which only the tests need. */
 export async function buildNative({ tests = false } = {}) {
-  await cmakeBuild('native', { targets: tests ? ['abflat', 'abflat_core_tests'] : ['abflat'] });
+  await cmakeBuild('native', {
+    settings: tests ? { ABFLAT_TESTS: 'ON' } : {},
+    first: { ABFLAT_TESTS: 'OFF' },
+    targets: tests ? ['abflat', 'abflat_core_tests'] : ['abflat'],
+  });
   writeLicenses(join(BUILD, 'native'), 'native');
   return NATIVE_PROGRAM;
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Builds the WebAssembly package, then serves the page with live reload. Usage: npm run dev [-- vite options]
+// Builds the WebAssembly package, then serves the page with live reload. Usage: npm run dev [--
+// vite options]
 
 import { buildWasm } from './build.mjs';
 import { mustRun, runMain } from './lib/run.mjs';

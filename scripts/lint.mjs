@@ -1,10 +1,11 @@
 #!/usr/bin/env node
-// Checks formatting, likely mistakes, types and generated files. With --fix formats instead of complaining.
+// Checks formatting, likely mistakes, types and generated files. With --fix formats instead of
+// complaining.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
-import { buildWasm } from './build.mjs';
-import { cmakeBuild, JOBS } from './lib/cmake.mjs';
+import { buildNative, buildWasm } from './build.mjs';
+import { JOBS } from './lib/cmake.mjs';
 import { BUILD, ROOT } from './lib/paths.mjs';
 import { Failure, run, runMain } from './lib/run.mjs';
 import { filesBelow, fingerprint, stamp } from './lib/stamp.mjs';
@@ -28,9 +29,12 @@ async function biome(fix) {
   return code === 0;
 }
 
-/** The sources of core and native, several at a time; files that were clean are left out until something changes. */
+/**
+ * The sources of core and native, several at a time; files that were clean are left out until
+ * something changes.
+ */
 async function clangTidy() {
-  await cmakeBuild('native', { targets: ['abflat_core'] });
+  await buildNative();
   const headers = cppFiles().filter((path) => path.endsWith('.h'));
   const common = fingerprint([...headers, join(ROOT, '.clang-tidy'), join(ROOT, 'CMakeLists.txt')]);
   const database = join(BUILD, 'native');

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Builds what the tests need and runs them. The last line is the sum: "N passed, N failed, N skipped".
+// Builds what the tests need and runs them. The last line is the sum: "N passed, N failed, N
+// skipped".
 // Usage: test.mjs [core] [node] [browser] [sanitize]   (default: core node browser)
 
 import { join } from 'node:path';
@@ -44,7 +45,7 @@ const SUITES = {
     suites: [nodeSuite('web', 'Chromium', () => ({ CHROME_PATH: findChrome() }))],
   },
   sanitize: {
-    build: [() => cmakeBuild('sanitize', { settings: ['-DABFLAT_SANITIZE=ON'] })],
+    build: [() => cmakeBuild('sanitize', { settings: { ABFLAT_SANITIZE: 'ON' } })],
     suites: [
       {
         title: 'tests/core (Catch2, sanitizers)',

@@ -1,27 +1,50 @@
 // Configures and builds the C++ targets.
 
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { delimiter, join } from 'node:path';
-import { BUILD } from './paths.mjs';
+import { BUILD, ROOT } from './paths.mjs';
 import { DEBIAN_NODE_MODULES } from './requirements.mjs';
 import { mustRun, which } from './run.mjs';
 
 export const JOBS = String(process.env.ABFLAT_JOBS ?? availableParallelism());
 
-/** Builds into build/NAME. `wrapper` (emcmake) is put before cmake when configuring. */
-export async function cmakeBuild(
-  name,
-  { wrapper = [], settings = [], env = {}, targets = [] } = {},
-) {
+/**
+ * Builds into build/NAME. `settings` are CMake variables that must hold (the folder is configured
+ * again when they do not), `first` those that only a new folder gets. `wrapper` (emcmake) is put
+ * before cmake when configuring.
+ */
+export async function cmakeBuild(name, options = {}) {
+  const { wrapper = [], settings = {}, first = {}, env = {}, targets = [] } = options;
   const folder = join(BUILD, name);
-  if (!['build.ninja', 'Makefile'].some((file) => existsSync(join(folder, file)))) {
-    const generator = which('ninja') ? ['-G', 'Ninja'] : ['-G', 'Unix Makefiles'];
-    const command = [...wrapper, 'cmake', '-S', '.', '-B', folder, ...generator, ...settings];
+  const isNew = !isConfigured(folder);
+  // CMake refuses a folder that was configured elsewhere or only half.
+  if (isNew) rmSync(folder, { recursive: true, force: true });
+  if (isNew || !holds(folder, settings)) {
+    const generator = isNew ? ['-G', which('ninja') ? 'Ninja' : 'Unix Makefiles'] : [];
+    const variables = Object.entries({ ...(isNew ? first : {}), ...settings });
+    const defines = variables.map(([key, value]) => `-D${key}=${value}`);
+    const command = [...wrapper, 'cmake', '-S', ROOT, '-B', folder, ...generator, ...defines];
     await mustRun(command[0], command.slice(1), { env });
   }
   const only = targets.flatMap((target) => ['--target', target]);
   await mustRun('cmake', ['--build', folder, '--parallel', JOBS, ...only], { env });
+}
+
+function isConfigured(folder) {
+  return (
+    ['build.ninja', 'Makefile'].some((file) => existsSync(join(folder, file))) &&
+    existsSync(join(folder, 'CMakeCache.txt')) &&
+    holds(folder, { CMAKE_HOME_DIRECTORY: ROOT })
+  );
+}
+
+/** Whether variables have these values in the folder's cache. */
+function holds(folder, settings) {
+  const cache = readFileSync(join(folder, 'CMakeCache.txt'), 'utf8').split('\n');
+  return Object.entries(settings).every(([key, value]) =>
+    cache.some((line) => line.startsWith(`${key}:`) && line.endsWith(`=${value}`)),
+  );
 }
 
 /** Environment for emcc: its optimiser loads acorn from Debian's folder where emcc is Debian's. */

@@ -12,7 +12,10 @@ const CPP_TYPES = { number: 'double', integer: 'int', boolean: 'bool' };
 const cppType = (option) =>
   option.type === 'choice' ? pascalCase(option.name) : CPP_TYPES[option.type];
 
-/** A JSON string is a valid C++ string literal as long as it is ASCII; the schema's texts are UTF-8 as is. */
+/**
+ * A JSON string is a valid C++ string literal as long as it is ASCII; the schema's texts are UTF-8
+ * as is.
+ */
 const literal = (text) => JSON.stringify(text);
 
 function enumClass(name, comment, entries) {
@@ -168,9 +171,12 @@ function condition(option) {
 
 function visitLine(option) {
   const value =
-    option.type === 'choice' ? `${option.name}Name(options.${option.name})` : `options.${option.name}`;
+    option.type === 'choice'
+      ? `${option.name}Name(options.${option.name})`
+      : `options.${option.name}`;
   const words = Object.entries(option.words ?? {}).map(
-    ([word, number]) => `  if (options.${option.name} == ${number})\n    visit("${option.name}", ${literal(word)});\n  else\n  `,
+    ([word, number]) =>
+      `  if (options.${option.name} == ${number})\n    visit("${option.name}", ${literal(word)});\n  else\n  `,
   );
   return `${words.join('')}  visit("${option.name}", ${value});`;
 }
@@ -178,7 +184,8 @@ function visitLine(option) {
 export function renderFlattenOptions({ flattenOptions }) {
   const choices = flattenOptions.filter(({ type }) => type === 'choice');
   const fields = flattenOptions.map(
-    (option) => `  /// ${fullText(option)}\n  ${cppType(option)} ${option.name} = ${defaultOf(option)};`,
+    (option) =>
+      `  /// ${fullText(option)}\n  ${cppType(option)} ${option.name} = ${defaultOf(option)};`,
   );
   const parts = [
     HEADER,

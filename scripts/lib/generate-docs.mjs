@@ -31,7 +31,10 @@ function table(head, rows) {
   return [line(head), `|${head.map(() => '---').join('|')}|`, ...rows.map(line)].join('\n');
 }
 
-/** The document with its regions filled, undefined when it has none. Throws on an unknown or open region. */
+/**
+ * The document with its regions filled, undefined when it has none. Throws on an unknown or open
+ * region.
+ */
 export function fillRegions(text, schema, path) {
   const region = /^<!-- generated:([\w-]+) -->\n([\s\S]*?)^<!-- \/generated -->$/gm;
   const starts = text.match(/^<!-- generated:[\w-]+ -->$/gm) ?? [];

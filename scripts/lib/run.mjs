@@ -28,8 +28,10 @@ export function isProgram(path) {
 }
 
 /**
- * Runs a program and returns `{ code, output }`. Options: `cwd`, `env` (added to the environment), `capture`
- * (collect stdout + stderr in `output` instead of showing them), `echo` (collect and show), `seconds` (then it is ended).
+ * Runs a program and returns `{ code, output }`. Options: `cwd`, `env` (added to the environment),
+ * `capture`
+ * (collect stdout + stderr in `output` instead of showing them), `echo` (collect and show),
+ * `seconds` (then it is ended).
  */
 export function run(program, args, options = {}) {
   const { cwd = ROOT, env = {}, capture = false, echo = false, seconds = 0 } = options;
@@ -80,7 +82,9 @@ export async function mustRun(program, args, options = {}) {
   throw new Failure(`Failed (exit code ${code}): ${program} ${args.join(' ')}`);
 }
 
-/** Calls main and turns a Failure into its message and exit code 1; other errors keep their trace. */
+/**
+ * Calls main and turns a Failure into its message and exit code 1; other errors keep their trace.
+ */
 export async function runMain(main) {
   try {
     await main();

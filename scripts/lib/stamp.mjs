@@ -1,4 +1,5 @@
-// Remembers the content a step was made from, so that the step can be left out when nothing changed.
+// Remembers the content a step was made from, so that the step can be left out when nothing
+// changed.
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -7,7 +8,10 @@ import { BUILD, ROOT } from './paths.mjs';
 
 const NOT_SOURCES = new Set(['node_modules', 'dist', 'build', '.git', '.cache']);
 
-/** All files below the given files and folders (relative to the root), sorted; missing ones are left out. */
+/**
+ * All files below the given files and folders (relative to the root), sorted; missing ones are left
+ * out.
+ */
 export function filesBelow(paths, root = ROOT) {
   const found = [];
   const visit = (path) => {
@@ -35,7 +39,10 @@ export function fingerprint(files) {
   return hash.digest('hex');
 }
 
-/** A named stamp in the build folder: `isFresh(hash)` tells whether the last `set` was with the same hash. */
+/**
+ * A named stamp in the build folder: `isFresh(hash)` tells whether the last `set` was with the same
+ * hash.
+ */
 export function stamp(name) {
   const path = join(BUILD, 'stamps', name);
   return {
@@ -47,7 +54,10 @@ export function stamp(name) {
   };
 }
 
-/** Runs `make` unless `inputs` are as they were at its last success and every output exists. Returns whether it ran. */
+/**
+ * Runs `make` unless `inputs` are as they were at its last success and every output exists. Returns
+ * whether it ran.
+ */
 export async function unlessFresh(name, inputs, outputs, make) {
   const mark = stamp(name);
   const before = fingerprint(filesBelow(inputs));

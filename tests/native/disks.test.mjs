@@ -64,8 +64,7 @@ for (const file of SHARED_DISKS)
   test(`${file} at fixed and automatic t`, { skip: withoutShared }, async (t) => {
     assert.ok(existsSync(sharedMesh(file)));
     const at = tempFolder(t);
-    for (const bound of [2, 1.5, 1.05, 1, 0.98])
-      await flattened(at, sharedMesh(file), bound);
+    for (const bound of [2, 1.5, 1.05, 1, 0.98]) await flattened(at, sharedMesh(file), bound);
     const { code } = await flattened(at, sharedMesh(file), 'auto');
     assert.equal(code, 0);
   });

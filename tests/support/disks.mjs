@@ -79,7 +79,10 @@ function comb(random, size) {
     return vertex.get(key);
   };
   const square = (i, j) => {
-    faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+    faces.push(
+      [at(i, j), at(i + 1, j), at(i + 1, j + 1)],
+      [at(i, j), at(i + 1, j + 1), at(i, j + 1)],
+    );
   };
   for (let i = 0; i < 2 * teeth - 1; i++) square(i, 0);
   for (let i = 0; i < 2 * teeth - 1; i += 2) for (let j = 1; j <= length; j++) square(i, j);
@@ -88,8 +91,24 @@ function comb(random, size) {
 
 /** Closed sphere-like surface: an octahedron subdivided to about `size` faces and bumped. */
 function closedSphere(random, size) {
-  const positions = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
-  let faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+  const positions = [
+    [1, 0, 0],
+    [-1, 0, 0],
+    [0, 1, 0],
+    [0, -1, 0],
+    [0, 0, 1],
+    [0, 0, -1],
+  ];
+  let faces = [
+    [0, 2, 4],
+    [2, 1, 4],
+    [1, 3, 4],
+    [3, 0, 4],
+    [2, 0, 5],
+    [1, 2, 5],
+    [3, 1, 5],
+    [0, 3, 5],
+  ];
   while (faces.length * 4 <= Math.max(size, 32)) {
     const middle = new Map();
     const half = (a, b) => {
@@ -104,12 +123,25 @@ function closedSphere(random, size) {
     };
     faces = faces.flatMap(([a, b, c]) => {
       const [ab, bc, ca] = [half(a, b), half(b, c), half(c, a)];
-      return [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]];
+      return [
+        [a, ab, ca],
+        [ab, b, bc],
+        [ca, bc, c],
+        [ab, bc, ca],
+      ];
     });
   }
-  const waves = Array.from({ length: 5 }, () => [random() * 8 - 4, random() * 8 - 4, random() * 8 - 4, random() * 0.25]);
+  const waves = Array.from({ length: 5 }, () => [
+    random() * 8 - 4,
+    random() * 8 - 4,
+    random() * 8 - 4,
+    random() * 0.25,
+  ]);
   for (const p of positions) {
-    const r = waves.reduce((sum, [a, b, c, h]) => sum + h * Math.sin(a * p[0] + b * p[1] + c * p[2]), 1);
+    const r = waves.reduce(
+      (sum, [a, b, c, h]) => sum + h * Math.sin(a * p[0] + b * p[1] + c * p[2]),
+      1,
+    );
     for (let d = 0; d < 3; d++) p[d] *= r;
   }
   return { positions, faces };
@@ -170,7 +202,8 @@ function sphereCutAlongTree(random, size) {
   const cut = new Set();
   for (let tries = 0; cut.size < edges && tries < 100 * edges; tries++) {
     // Mostly grow at the tip, so that the cuts are long and branched.
-    const from = random() < 0.8 ? inTree[inTree.length - 1] : inTree[Math.floor(random() * inTree.length)];
+    const from =
+      random() < 0.8 ? inTree[inTree.length - 1] : inTree[Math.floor(random() * inTree.length)];
     const free = [...neighbours[from]].filter((v) => !seen.has(v));
     if (free.length === 0) {
       inTree.push(inTree[Math.floor(random() * inTree.length)]);
@@ -196,14 +229,27 @@ function needles(random, size) {
 }
 
 function valenceThree(random, size) {
-  const mesh = { positions: [[0, 0, 0], [1, 0, 0.2], [1, 1, 0], [0, 1, 0.3]], faces: [[0, 1, 2], [0, 2, 3]] };
+  const mesh = {
+    positions: [
+      [0, 0, 0],
+      [1, 0, 0.2],
+      [1, 1, 0],
+      [0, 1, 0.3],
+    ],
+    faces: [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+  };
   while (mesh.faces.length + 2 <= size) {
     const i = Math.floor(random() * mesh.faces.length);
     const [a, b, c] = mesh.faces[i];
     const w = [0.2 + random(), 0.2 + random(), 0.2 + random()];
     const total = w[0] + w[1] + w[2];
     const p = [0, 1, 2].map(
-      (d) => (w[0] * mesh.positions[a][d] + w[1] * mesh.positions[b][d] + w[2] * mesh.positions[c][d]) / total,
+      (d) =>
+        (w[0] * mesh.positions[a][d] + w[1] * mesh.positions[b][d] + w[2] * mesh.positions[c][d]) /
+        total,
     );
     const side = Math.hypot(...[0, 1, 2].map((d) => mesh.positions[a][d] - mesh.positions[b][d]));
     p[2] += 0.15 * side * (random() - 0.5);
@@ -237,7 +283,16 @@ function hubs(random, size) {
   return { positions, faces };
 }
 
-const FAMILIES = { heightField, spiral, comb, sphereWithHole, sphereCutAlongTree, needles, valenceThree, hubs };
+const FAMILIES = {
+  heightField,
+  spiral,
+  comb,
+  sphereWithHole,
+  sphereCutAlongTree,
+  needles,
+  valenceThree,
+  hubs,
+};
 
 /** Disk number n: its family cycles, its size spreads over 3 to `maxFaces` faces. */
 export function generatedDisk(n, maxFaces = 20000) {

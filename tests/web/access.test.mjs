@@ -20,7 +20,8 @@ function contrast(page, selector) {
       return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     };
     let behind = element;
-    while (channels(getComputedStyle(behind).backgroundColor)[3] < 255) behind = behind.parentElement;
+    while (channels(getComputedStyle(behind).backgroundColor)[3] < 255)
+      behind = behind.parentElement;
     const [low, high] = [
       luminance(getComputedStyle(element).color),
       luminance(getComputedStyle(behind).backgroundColor),

@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
-import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import { drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
-const SENTENCE = /^[A-Za-z][^]*\.$/;
+const SENTENCE = /^[A-Za-z].*\.$/s;
 
 test('a broken file is refused with a sentence, the open mesh stays', async (t) => {
   const page = await openPage(t);
@@ -74,4 +74,34 @@ test('without WebGL the page says so and still flattens', async (t) => {
   const page = await openPage(t, { webgl: false });
   assert.match(await textOf(page, '#mesh-stage'), /WebGL/);
   assert.equal(await textOf(page, '#badge'), 'Valid');
+});
+
+test('a program that cannot be loaded is reported', async (t) => {
+  const page = await openPage(t, {
+    prepare: (page) => page.route('**/*.wasm', (route) => route.fulfill({ status: 404 })),
+    expected: /404/,
+  });
+  assert.match(await page.locator('#alert p').first().innerText(), /wasm.*404/s);
+  assert.ok(await page.isDisabled('#export'));
+});
+
+test('a file chosen while the page still starts is opened', async (t) => {
+  let release;
+  const held = new Promise((resolve) => {
+    release = resolve;
+  });
+  const page = await openPage(t, {
+    prepare: (page) => {
+      page.on('load', async () => {
+        await drop(page, 'early.obj', grid(3));
+        release();
+      });
+      return page.route('**/*.wasm', async (route) => {
+        await held;
+        await route.continue();
+      });
+    },
+  });
+  assert.equal(await textOf(page, '#source'), 'early.obj');
+  assert.equal((await metrics(page)).Faces, '18');
 });

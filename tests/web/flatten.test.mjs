@@ -29,10 +29,13 @@ test('every sample can be chosen and is flattened', async (t) => {
   const names = await page
     .locator('#sample option:not([disabled])')
     .evaluateAll((options) => options.map((option) => option.value));
-  assert.deepEqual(
-    [...names].sort(),
-    ['alpha-band', 'head', 'hemisphere', 'three-balls', 'wavy-strip'],
-  );
+  assert.deepEqual([...names].sort(), [
+    'alpha-band',
+    'head',
+    'hemisphere',
+    'three-balls',
+    'wavy-strip',
+  ]);
   for (const name of names) {
     await page.selectOption('#sample', name);
     await settled(page);
@@ -70,12 +73,18 @@ test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mes
   assert.equal(name, 'waves-uv.obj');
   const text = readFileSync(path, 'utf8');
   assert.deepEqual(lines(text, 'v'), lines(mesh, 'v'));
-  const vertices = (face) => face.split(' ').slice(1).map((corner) => corner.split('/')[0]);
+  const vertices = (face) =>
+    face
+      .split(' ')
+      .slice(1)
+      .map((corner) => corner.split('/')[0]);
   assert.deepEqual(lines(text, 'f').map(vertices), lines(mesh, 'f').map(vertices));
   assert.equal(lines(text, 'vt').length, 81);
 });
 
-test('a chosen file exports what an independent judge calls valid', { skip: withoutShared }, async (t) => {
+test('a chosen file exports what an independent judge calls valid', {
+  skip: withoutShared,
+}, async (t) => {
   const page = await openPage(t);
   const path = tempFolder(t);
   for (const [file, bound] of [
@@ -102,7 +111,9 @@ test('a chosen file exports what an independent judge calls valid', { skip: with
   }
 });
 
-test('a layout that crosses itself is called not valid, with the reason', { skip: withoutShared }, async (t) => {
+test('a layout that crosses itself is called not valid, with the reason', {
+  skip: withoutShared,
+}, async (t) => {
   const page = await openPage(t);
   await page.fill('#t-number', '2');
   await page.setInputFiles('#file', sharedMesh('camel-cut.obj'));

@@ -81,7 +81,7 @@ test('numbers keep three digits and a bounded length', async () => {
   assert.equal(measure(0.0025234), '0.00252');
   assert.equal(measure(1.6777), '1.68');
   assert.equal(measure(12345.6), '12346');
-  assert.equal(measure(0.00001234), '1.23 e-5');
+  assert.equal(measure(0.00001234), '1.23e-5');
   assert.equal(measure(Number.NaN), 'not finite');
   assert.equal(duration(0.0361), '36\u202fms');
   assert.equal(duration(1.256), '1.26\u202fs');
@@ -110,7 +110,7 @@ async function startSession(t) {
   const { Session } = await load('session');
   const abflat = fakeAbflat();
   const log = [];
-  const session = new Session(abflat, {
+  const session = new Session(Promise.resolve(abflat), {
     started: (source, bound) => log.push(`started ${source.name} ${bound}`),
     progress: ({ fraction }) => log.push(`progress ${fraction}`),
     opened: (source) => log.push(`opened ${source.name}`),
@@ -130,6 +130,7 @@ const BALL = { kind: 'sample', name: 'ball' };
 test('session: reads, then flattens', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
   session.open(HEAD, 1);
+  await rest();
   calls[0].resolve(SQUARE);
   await rest();
   calls[1].onProgress({ fraction: 0.5 });
@@ -147,6 +148,7 @@ test('session: reads, then flattens', async (t) => {
 test('session: a quick run is shown before the next starts; a slow one is aborted for the latest wish', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
   session.open(HEAD, 1);
+  await rest();
   calls[0].resolve(SQUARE);
   await rest();
   session.flatten(1.1);
@@ -176,6 +178,7 @@ test('session: a quick run is shown before the next starts; a slow one is aborte
 test('session: cancelling drops the run and the wish; nothing comes late', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
   session.open(HEAD, 1);
+  await rest();
   calls[0].resolve(SQUARE);
   await rest();
   session.flatten(1.5);
@@ -188,6 +191,7 @@ test('session: cancelling drops the run and the wish; nothing comes late', async
   session.cancel();
   assert.equal(log.filter((line) => line === 'cancelled').length, 1);
   session.flatten(1.5);
+  await rest();
   calls[2].resolve({});
   await rest();
   assert.equal(log.at(-1), 'flattened head 1.5');
@@ -215,16 +219,30 @@ test('session: a mesh opened later wins over one that is still read', async (t) 
 test('session: what cannot be read leaves the mesh before, which can be flattened again', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
   session.open(HEAD, 1);
+  await rest();
   calls[0].resolve(SQUARE);
   await rest();
   calls[1].resolve({});
   await rest();
   session.open(BALL, 1);
+  await rest();
   calls[2].reject(new Error('no ball'));
   await rest();
   assert.equal(log.at(-1), 'failed ball null no ball');
   session.flatten(2);
+  await rest();
   calls[3].resolve({});
   await rest();
   assert.equal(log.at(-1), 'flattened head 2');
+});
+
+test('session: when abflat cannot start, that is what a mesh fails with', async () => {
+  const { Session } = await load('session');
+  const failures = [];
+  const session = new Session(Promise.reject(new Error('no module')), {
+    started: () => undefined,
+    failed: (source, t, error) => failures.push([source.name, t, error.message]),
+  });
+  await session.open(HEAD, 1);
+  assert.deepEqual(failures, [['head', null, 'no module']]);
 });

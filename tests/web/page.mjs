@@ -8,8 +8,11 @@ import { launchBrowser, serveFolder } from '../../web/scripts/browser.mjs';
 /** Nothing here is a race with the clock: this only ends a test that would never end. */
 const PATIENCE = 120_000;
 
-/** Opens the page; `t.after` closes it and checks that it logged no error. `options` are those of launchBrowser. */
-export async function openPage(t, options = {}) {
+/**
+ * Opens the page; `t.after` closes it and checks that it logged no error but those that `expected` matches. `prepare` is
+ * called with the page before it loads; other options are those of launchBrowser.
+ */
+export async function openPage(t, { prepare, expected, ...options } = {}) {
   const server = await serveFolder(join(ROOT, 'web/dist'));
   const browser = await launchBrowser(options);
   const problems = [];
@@ -21,9 +24,11 @@ export async function openPage(t, options = {}) {
   const page = browser.context.pages()[0] ?? (await browser.context.newPage());
   page.setDefaultTimeout(PATIENCE);
   page.on('console', (message) => {
-    if (message.type() === 'error') problems.push(message.text());
+    if (message.type() === 'error' && !expected?.test(message.text()))
+      problems.push(message.text());
   });
   page.on('pageerror', (error) => problems.push(String(error)));
+  await prepare?.(page);
   await page.goto(server.url);
   await settled(page);
   return page;
@@ -55,7 +60,9 @@ export async function drop(page, name, text) {
 export async function dropAndWait(page, name, text) {
   await drop(page, name, text);
   await page.waitForFunction(
-    (name) => document.querySelector('#source').textContent === name || document.querySelector('#alert').textContent !== '',
+    (name) =>
+      document.querySelector('#source').textContent === name ||
+      document.querySelector('#alert').textContent !== '',
     name,
   );
   await settled(page);

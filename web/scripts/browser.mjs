@@ -37,7 +37,8 @@ export async function serveFolder(folder) {
 /** Starts a browser with an empty profile. `context` are playwright's options of a context. */
 export async function launchBrowser({ webgl = true, ...context } = {}) {
   const executablePath = findChrome();
-  if (!executablePath) throw new Error('There is no Chromium or Chrome; name one with CHROME_PATH.');
+  if (!executablePath)
+    throw new Error('There is no Chromium or Chrome; name one with CHROME_PATH.');
   const profile = mkdtempSync(join(tmpdir(), 'abflat-browser-'));
   const browser = await chromium.launchPersistentContext(profile, {
     executablePath,

@@ -30,7 +30,7 @@ export class App implements SessionEvents {
   private outcome: Outcome | null = null;
 
   constructor(
-    abflat: Abflat,
+    abflat: Promise<Abflat>,
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this);

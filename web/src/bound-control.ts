@@ -1,10 +1,11 @@
-import { FLATTEN_DEFAULTS } from 'abflat';
 import { create, element } from './dom';
 import { bound } from './format';
 
 const LEAST = 0.9;
 const MOST = 2;
 const STEP = 0.01;
+/** Convex: what sets this method apart. */
+const FIRST = 1;
 const TICKS = [
   { t: 0.9, name: '' },
   { t: 1, name: 'convex' },
@@ -19,7 +20,7 @@ export class BoundControl {
   private readonly slider = element('t', HTMLInputElement);
   private readonly field = element('t-number', HTMLInputElement);
   private readonly hint = element('t-hint', HTMLElement);
-  private current: number = FLATTEN_DEFAULTS.t;
+  private current = FIRST;
 
   constructor(private readonly changed: (t: number) => void) {
     for (const input of [this.slider, this.field]) {
@@ -99,6 +100,7 @@ export class BoundControl {
       tick.append(create('span', 'tick-value', bound(t)));
       if (tick instanceof HTMLButtonElement) {
         tick.type = 'button';
+        tick.setAttribute('aria-label', `t = ${bound(t)}, ${name}`);
         tick.append(create('span', 'tick-name', name));
         tick.addEventListener('click', () => this.set(t));
       }

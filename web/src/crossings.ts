@@ -13,10 +13,7 @@ function crossing(p: Float64Array, [a, b, c, d]: number[]): [number, number] | n
   const [sideA, sideB] = [turn(p, c, d, a), turn(p, c, d, b)];
   if (sideC * sideD >= 0 || sideA * sideB >= 0) return null;
   const s = sideA / (sideA - sideB);
-  return [
-    p[2 * a] + s * (p[2 * b] - p[2 * a]),
-    p[2 * a + 1] + s * (p[2 * b + 1] - p[2 * a + 1]),
-  ];
+  return [p[2 * a] + s * (p[2 * b] - p[2 * a]), p[2 * a + 1] + s * (p[2 * b + 1] - p[2 * a + 1])];
 }
 
 /**

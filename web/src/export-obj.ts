@@ -4,7 +4,9 @@ import type { Outcome } from './session';
 export function exportObj({ source, result }: Outcome): string {
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.obj`;
   if (!result.obj) throw new Error('The result came without OBJ text.');
-  const url = URL.createObjectURL(new Blob([result.obj as Uint8Array<ArrayBuffer>], { type: 'model/obj' }));
+  const url = URL.createObjectURL(
+    new Blob([result.obj as Uint8Array<ArrayBuffer>], { type: 'model/obj' }),
+  );
   const link = document.createElement('a');
   link.href = url;
   link.download = name;

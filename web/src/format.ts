@@ -13,7 +13,7 @@ export function counted(n: number, singular: string, plural = `${singular}s`): s
 export function measure(x: number): string {
   if (!Number.isFinite(x)) return 'not finite';
   if (x === 0) return '0';
-  if (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e6) return x.toExponential(2).replace('e', ' e');
+  if (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e6) return x.toExponential(2);
   return Number(x.toPrecision(3)) >= 100 ? x.toFixed(0) : x.toPrecision(3);
 }
 

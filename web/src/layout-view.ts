@@ -4,7 +4,7 @@ import { CrossingMarks } from './crossing-marks';
 import { crossings } from './crossings';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import type { FlatMesh } from './mesh';
-import { boundingBox, perCorner } from './mesh';
+import { boundingBox, perCorner, toCorners } from './mesh';
 import type { Palette } from './palette';
 import { PanZoom } from './pan-zoom';
 import { Stage } from './stage';
@@ -63,8 +63,7 @@ export class LayoutView {
     const plane = toPlane(mesh.uv);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(perCorner(plane, 3, mesh.indices), 3));
-    const error = Float32Array.from(mesh.indices, (_, c) => errors[Math.floor(c / 3)]);
-    geometry.setAttribute('error', new BufferAttribute(error, 1));
+    geometry.setAttribute('error', new BufferAttribute(toCorners(errors), 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(plane, edges);

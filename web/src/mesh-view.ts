@@ -11,7 +11,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { BoundaryLines } from './boundary-lines';
 import { checkerCells } from './checker';
 import type { DisplayMesh, FlatMesh } from './mesh';
-import { boundingBox, facing, perCorner, vertexNormals } from './mesh';
+import { boundingBox, facing, perCorner, toCorners, vertexNormals } from './mesh';
 import type { Palette } from './palette';
 import { Stage } from './stage';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
@@ -60,16 +60,23 @@ export class MeshView {
   }
 
   /** Shows a mesh; `errors` (per triangle) only for one that is flattened. Keeps the point of view unless `isNew`. */
-  show(mesh: DisplayMesh | FlatMesh, edges: Uint32Array, errors: Float32Array | null, isNew: boolean): void {
+  show(
+    mesh: DisplayMesh | FlatMesh,
+    edges: Uint32Array,
+    errors: Float32Array | null,
+    isNew: boolean,
+  ): void {
     const geometry = new BufferGeometry();
     const unit = toUnitSphere(mesh.positions);
     geometry.setAttribute('position', new BufferAttribute(perCorner(unit, 3, mesh.indices), 3));
-    geometry.setAttribute('normal', new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3));
+    geometry.setAttribute(
+      'normal',
+      new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3),
+    );
     const cells = 'uv' in mesh ? checkerCells(mesh) : new Float32Array((2 * unit.length) / 3);
     geometry.setAttribute('uv', new BufferAttribute(perCorner(cells, 2, mesh.indices), 2));
     const perTriangle = errors ?? new Float32Array(mesh.indices.length / 3);
-    const error = Float32Array.from(mesh.indices, (_, c) => perTriangle[Math.floor(c / 3)]);
-    geometry.setAttribute('error', new BufferAttribute(error, 1));
+    geometry.setAttribute('error', new BufferAttribute(toCorners(perTriangle), 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(unit, edges);

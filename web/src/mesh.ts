@@ -85,7 +85,10 @@ export function vertexNormals(mesh: DisplayMesh): Float32Array {
  * The direction that an open surface faces, and how clearly: 1 for a plane, 0 for a closed surface.
  * The vector areas of a surface sum to that of its hole.
  */
-export function facing(mesh: DisplayMesh): { direction: [number, number, number]; clarity: number } {
+export function facing(mesh: DisplayMesh): {
+  direction: [number, number, number];
+  clarity: number;
+} {
   const areas = areaVectors(mesh);
   const sum = [0, 0, 0];
   let total = 0;
@@ -111,5 +114,12 @@ export function perCorner(
   indices.forEach((v, c) => {
     for (let d = 0; d < size; ++d) corners[size * c + d] = values[size * v + d];
   });
+  return corners;
+}
+
+/** One value per triangle copied to its three corners. */
+export function toCorners(perTriangle: Float32Array): Float32Array {
+  const corners = new Float32Array(3 * perTriangle.length);
+  for (let c = 0; c < corners.length; ++c) corners[c] = perTriangle[Math.floor(c / 3)];
   return corners;
 }

@@ -17,7 +17,8 @@ const METRICS: Metric[] = [
   },
   {
     label: 'Length distortion',
-    title: 'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
+    title:
+      'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
     value: (chart) => measure(chart.lengthDistortion),
   },
   {

@@ -43,7 +43,10 @@ function bindSamples(openSample: (name: string) => void): void {
   const select = element('sample', HTMLSelectElement);
   const none = new Option('Samples', '');
   none.disabled = true;
-  select.append(none, ...[...new Set(SAMPLE_NAMES)].map((name) => new Option(sampleTitle(name), name)));
+  select.append(
+    none,
+    ...[...new Set(SAMPLE_NAMES)].map((name) => new Option(sampleTitle(name), name)),
+  );
   select.value = '';
   select.addEventListener('change', () => openSample(select.value));
 }

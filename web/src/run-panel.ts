@@ -45,7 +45,8 @@ export class RunPanel {
   progress({ stage, newtonStep, constraintResidual, fraction }: Progress): void {
     this.bar.value = fraction;
     if (!this.bar.classList.contains('active')) return;
-    const step = newtonStep > 0 ? `, step ${newtonStep}, residual ${constraintResidual.toExponential(0)}` : '';
+    const step =
+      newtonStep > 0 ? `, step ${newtonStep}, residual ${constraintResidual.toExponential(0)}` : '';
     this.text.textContent = `${STAGES[stage]}${step}`;
   }
 

@@ -2,9 +2,7 @@ import type { Abflat, FlattenResult, MeshFile, MeshInput, Progress } from 'abfla
 import type { DisplayMesh } from './mesh';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
-export type Source =
-  | { kind: 'sample'; name: string }
-  | { kind: 'file'; name: string; file: File };
+export type Source = { kind: 'sample'; name: string } | { kind: 'file'; name: string; file: File };
 
 export interface Outcome {
   source: Source;
@@ -37,7 +35,7 @@ const PATIENCE = 150;
 /** Samples are made as fine as they look good. */
 const SAMPLE_DETAIL = 2;
 
-/** One mesh at a time, one run at a time; the latest wish wins. */
+/** One mesh at a time, one run at a time; the latest wish wins. Wishes are heard while abflat still starts. */
 export class Session {
   private opened: Opened | null = null;
   private running: AbortController | null = null;
@@ -46,7 +44,7 @@ export class Session {
   private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    private readonly abflat: Abflat,
+    private readonly abflat: Promise<Abflat>,
     private readonly events: SessionEvents,
   ) {}
 
@@ -98,7 +96,8 @@ export class Session {
     const controller = this.begin();
     this.events.started(source, t);
     try {
-      const result = await this.abflat.flatten(input, {
+      const abflat = await this.abflat;
+      const result = await abflat.flatten(input, {
         t,
         obj: true,
         signal: controller.signal,
@@ -138,12 +137,16 @@ export class Session {
   }
 
   private async read(source: Source, signal: AbortSignal): Promise<Opened> {
+    const abflat = await this.abflat;
     if (source.kind === 'sample') {
-      const mesh = await this.abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
+      const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
       return { source, input: mesh, mesh };
     }
-    const input: MeshFile = { bytes: new Uint8Array(await bytesOf(source.file)), name: source.name };
-    return { source, input, mesh: await this.abflat.load(input, { signal }) };
+    const input: MeshFile = {
+      bytes: new Uint8Array(await bytesOf(source.file)),
+      name: source.name,
+    };
+    return { source, input, mesh: await abflat.load(input, { signal }) };
   }
 }
 

@@ -1,5 +1,7 @@
 import { WebGLRenderer } from 'three';
 
+export class NoWebGl extends Error {}
+
 /** A canvas that fills its parent, is redrawn only when asked, and follows size and pixel density. */
 export class Stage {
   readonly renderer: WebGLRenderer;
@@ -7,7 +9,7 @@ export class Stage {
   height = 1;
   private isScheduled = false;
 
-  /** Throws when the browser offers no WebGL 2. */
+  /** Throws NoWebGl when the browser offers no WebGL 2. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly draw: () => void,
@@ -17,7 +19,7 @@ export class Stage {
       antialias: true,
       powerPreference: 'high-performance',
     });
-    if (!context) throw new Error('The browser offers no WebGL 2.');
+    if (!context) throw new NoWebGl('The browser offers no WebGL 2.');
     this.renderer = new WebGLRenderer({ canvas, context });
     new ResizeObserver(() => this.resize()).observe(parentOf(canvas));
   }

@@ -14,7 +14,7 @@ export class Views {
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
 
-  /** Throws when the browser offers no WebGL 2. */
+  /** Throws NoWebGl when the browser offers no WebGL 2. */
   constructor() {
     const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);

@@ -1,0 +1,55 @@
+#!/usr/bin/env node
+// Pictures of the page with a mesh in both themes, for the README.
+// Usage: screenshots.mjs MESH FOLDER   writes FOLDER/NAME-dark.png and FOLDER/NAME-light.png
+
+import { existsSync, mkdirSync, renameSync, statSync } from 'node:fs';
+import { join, parse } from 'node:path';
+import { WEB_DIST } from '../../scripts/lib/paths.mjs';
+import { Failure, runMain } from '../../scripts/lib/run.mjs';
+import { launchBrowser, serveFolder } from './browser.mjs';
+
+/** Large enough for the README, small enough for the repository. */
+const VIEWPORT = { width: 1200, height: 675 };
+
+/** Milliseconds; software rendering takes its time. */
+const PATIENCE = 120_000;
+
+async function photograph(url, mesh, theme, output) {
+  const browser = await launchBrowser({ colorScheme: theme, viewport: VIEWPORT });
+  try {
+    const page = browser.context.pages()[0] ?? (await browser.context.newPage());
+    page.setDefaultTimeout(PATIENCE);
+    await page.goto(url);
+    await page.setInputFiles('#file', mesh);
+    await page.waitForFunction(
+      (name) => document.querySelector('#source').textContent === name && !document.body.ariaBusy,
+      parse(mesh).base,
+    );
+    const refusal = await page.locator('#alert').innerText();
+    if (refusal) throw new Failure(refusal);
+    // The pictures are drawn in the next frame.
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+    const draft = `${output}.tmp`;
+    await page.screenshot({ path: draft, type: 'png', animations: 'disabled' });
+    renameSync(draft, output);
+  } finally {
+    await browser.close();
+  }
+}
+
+await runMain(async () => {
+  const [mesh, folder] = process.argv.slice(2);
+  if (!mesh || !folder) throw new Failure('Usage: screenshots.mjs MESH FOLDER');
+  if (!existsSync(mesh)) throw new Failure(`There is no file ${mesh}.`);
+  mkdirSync(folder, { recursive: true });
+  const server = await serveFolder(WEB_DIST);
+  try {
+    for (const theme of ['dark', 'light']) {
+      const output = join(folder, `${parse(mesh).name}-${theme}.png`);
+      await photograph(server.url, mesh, theme, output);
+      console.log(`${output}, ${Math.ceil(statSync(output).size / 1024)} KB`);
+    }
+  } finally {
+    server.close();
+  }
+});
