@@ -156,7 +156,11 @@ function sphereWithHole(random, size) {
 /** Cuts a mesh open along edges: corners that can be reached round a vertex without crossing a cut share a vertex. */
 export function cutOpen({ positions, faces }, isCut) {
   const edge = new Map();
-  faces.forEach((f, i) => f.forEach((v, k) => edge.set(`${v},${f[(k + 1) % 3]}`, 3 * i + k)));
+  for (const [i, [a, b, c]] of faces.entries()) {
+    edge.set(`${a},${b}`, 3 * i);
+    edge.set(`${b},${c}`, 3 * i + 1);
+    edge.set(`${c},${a}`, 3 * i + 2);
+  }
   const twin = (h) => {
     const f = faces[Math.floor(h / 3)];
     const a = f[h % 3];
@@ -177,25 +181,28 @@ export function cutOpen({ positions, faces }, isCut) {
   }
   const number = new Map();
   const out = { positions: [], faces: [] };
-  faces.forEach((f, i) =>
-    out.faces.push(
-      f.map((v, k) => {
-        const root = find(3 * i + k);
-        if (!number.has(root)) {
-          number.set(root, out.positions.length);
-          out.positions.push(positions[v]);
-        }
-        return number.get(root);
-      }),
-    ),
-  );
+  for (const [i, f] of faces.entries()) {
+    const corners = f.map((v, k) => {
+      const root = find(3 * i + k);
+      if (!number.has(root)) {
+        number.set(root, out.positions.length);
+        out.positions.push(positions[v]);
+      }
+      return number.get(root);
+    });
+    out.faces.push(corners);
+  }
   return out;
 }
 
 function sphereCutAlongTree(random, size) {
   const mesh = closedSphere(random, size);
   const neighbours = mesh.positions.map(() => new Set());
-  for (const f of mesh.faces) f.forEach((v, k) => neighbours[v].add(f[(k + 1) % 3]));
+  for (const [a, b, c] of mesh.faces) {
+    neighbours[a].add(b);
+    neighbours[b].add(c);
+    neighbours[c].add(a);
+  }
   const edges = Math.max(4, Math.floor((0.02 + 0.3 * random() ** 2) * mesh.positions.length));
   const inTree = [Math.floor(random() * mesh.positions.length)];
   const seen = new Set(inTree);
