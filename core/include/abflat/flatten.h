@@ -25,7 +25,8 @@ struct Progress {
 /// StatusCode::Aborted).
 using ProgressCallback = std::function<bool(const Progress&)>;
 
-/// A bound of t pi for one boundary vertex, in place of the common t. Of several for a vertex the last counts.
+/// A bound of t pi for one boundary vertex, in place of the common t. Of several for a vertex the
+/// last counts.
 struct VertexBound {
   std::uint32_t vertex = 0;  ///< of the input mesh
   double t = 0;
@@ -50,8 +51,8 @@ struct ChartReport {
   std::size_t boundaryVertices = 0;
   double t = 0;
   std::vector<VertexBound> bounds;  ///< boundary vertices with a bound below t, as used
-  std::string solver;        ///< "activeSet", "interiorPoint" or "tutte"
-  std::string linearSolver;  ///< "schur"
+  std::string solver;               ///< "activeSet", "interiorPoint" or "tutte"
+  std::string linearSolver;         ///< "schur"
   int iterations = 0;
   std::vector<NewtonStep> history;
   double constraintResidual = 0;
@@ -67,9 +68,9 @@ struct ChartReport {
   std::size_t flippedTriangles = 0;  ///< not positively oriented, by an exact predicate
   std::size_t boundaryCrossings =
       0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
-  double maxBoundaryAngle = 0;  ///< radians
+  double maxBoundaryAngle = 0;         ///< radians
   std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each
-  std::string problem;                 ///< why the chart is not valid, one sentence; empty when it is
+  std::string problem;  ///< why the chart is not valid, one sentence; empty when it is
   bool valid = false;
 };
 

@@ -33,8 +33,9 @@ struct AngleProblem {
 /// boundary vertex.
 AngleProblem buildAngleProblem(const DiskChart& chart);
 
-/// Upper bounds t_v pi of the angle sums at the chart's boundary vertices, in the order of chart.boundary: condition (4)
-/// with the boundary control coefficient. t >= 2 is classic ABF, which has no condition on the boundary.
+/// Upper bounds t_v pi of the angle sums at the chart's boundary vertices, in the order of
+/// chart.boundary: condition (4) with the boundary control coefficient. t >= 2 is classic ABF,
+/// which has no condition on the boundary.
 void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t);
 
 }  // namespace abflat
