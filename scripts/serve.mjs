@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Serves the built page. Usage: serve.mjs [--host ADDRESS] [--port N]   (or PORT in the
-// environment)
+// Serves the built page.
+// Usage: serve.mjs [--host ADDRESS] [--port N]   (or PORT in the environment)
 
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -99,10 +99,7 @@ function portOf(text) {
   return port;
 }
 
-/**
- * Serves web/dist until the process ends. `args`: --host [ADDRESS] (without: all addresses), --port
- * N.
- */
+/** Serves web/dist until the process ends. `args`: --host [ADDRESS], --port N. */
 export async function serve(args) {
   const plain = args.map((arg, i) =>
     arg === '--host' && !isAddress(args[i + 1]) ? '--host=0.0.0.0' : arg,

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Builds what the tests need and runs them. The last line is the sum: "N passed, N failed, N
-// skipped".
+// Builds what the tests need and runs them.
+// The last line is the sum: "N passed, N failed, N skipped".
 // Usage: test.mjs [core] [node] [browser] [sanitize]   (default: core node browser)
 
 import { join } from 'node:path';

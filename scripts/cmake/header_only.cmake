@@ -1,9 +1,8 @@
 # abflat_header_only(NAME ENTRY PACKAGE [PATH_SUFFIXES ...])
 #
 # Finds the header or folder ENTRY on the system and makes it the target abflat_NAME. Only that
-# entry is linked into
-# the build folder: adding all of /usr/include would hide the C library of a cross compiler such as
-# emcc.
+# entry is linked into the build folder: adding all of /usr/include would hide the C library of a
+# cross compiler such as emcc.
 function(abflat_header_only NAME ENTRY PACKAGE)
   cmake_parse_arguments(ARG "" "" "PATH_SUFFIXES" ${ARGN})
   find_path(ABFLAT_${NAME}_ROOT ${ENTRY} PATH_SUFFIXES ${ARG_PATH_SUFFIXES}

@@ -12,10 +12,7 @@ const CPP_TYPES = { number: 'double', integer: 'int', boolean: 'bool' };
 const cppType = (option) =>
   option.type === 'choice' ? pascalCase(option.name) : CPP_TYPES[option.type];
 
-/**
- * A JSON string is a valid C++ string literal as long as it is ASCII; the schema's texts are UTF-8
- * as is.
- */
+/** What JSON escapes, C++ reads the same way. */
 const literal = (text) => JSON.stringify(text);
 
 function enumClass(name, comment, entries) {

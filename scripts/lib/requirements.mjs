@@ -56,8 +56,7 @@ function emccWorks() {
 
 /**
  * `purpose` is what it is needed for. `apt`, `dnf`, `pacman`, `brew` are package names there; a
- * manager without an entry
- * does not have it, then `other` says where it comes from.
+ * manager without an entry does not have it, then `other` says where it comes from.
  */
 export const REQUIREMENTS = [
   {

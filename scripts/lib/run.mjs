@@ -29,9 +29,8 @@ export function isProgram(path) {
 
 /**
  * Runs a program and returns `{ code, output }`. Options: `cwd`, `env` (added to the environment),
- * `capture`
- * (collect stdout + stderr in `output` instead of showing them), `echo` (collect and show),
- * `seconds` (then it is ended).
+ * `capture` (collect stdout + stderr in `output` instead of showing them), `echo` (collect and
+ * show), `seconds` (then it is ended).
  */
 export function run(program, args, options = {}) {
   const { cwd = ROOT, env = {}, capture = false, echo = false, seconds = 0 } = options;
@@ -39,7 +38,8 @@ export function run(program, args, options = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
       cwd,
-      env: { ...process.env, ...env },
+      // PWD may name the folder through a link, which CMake would then take for another folder.
+      env: { ...process.env, PWD: cwd, ...env },
       stdio: piped ? ['ignore', 'pipe', 'pipe'] : 'inherit',
     });
     const chunks = [];
@@ -82,9 +82,7 @@ export async function mustRun(program, args, options = {}) {
   throw new Failure(`Failed (exit code ${code}): ${program} ${args.join(' ')}`);
 }
 
-/**
- * Calls main and turns a Failure into its message and exit code 1; other errors keep their trace.
- */
+/** Calls main; a Failure ends with its message and exit code 1, other errors keep their trace. */
 export async function runMain(main) {
   try {
     await main();

@@ -1,5 +1,4 @@
-// Remembers the content a step was made from, so that the step can be left out when nothing
-// changed.
+// Remembers what a step was made from, so that it can be left out when nothing changed.
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -8,10 +7,7 @@ import { BUILD, ROOT } from './paths.mjs';
 
 const NOT_SOURCES = new Set(['node_modules', 'dist', 'build', '.git', '.cache']);
 
-/**
- * All files below the given files and folders (relative to the root), sorted; missing ones are left
- * out.
- */
+/** All files below files and folders (relative to the root), sorted; missing ones left out. */
 export function filesBelow(paths, root = ROOT) {
   const found = [];
   const visit = (path) => {
@@ -39,10 +35,7 @@ export function fingerprint(files) {
   return hash.digest('hex');
 }
 
-/**
- * A named stamp in the build folder: `isFresh(hash)` tells whether the last `set` was with the same
- * hash.
- */
+/** A named stamp in the build folder: `isFresh` tells whether the last `set` was the same. */
 export function stamp(name) {
   const path = join(BUILD, 'stamps', name);
   return {

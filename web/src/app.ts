@@ -53,7 +53,7 @@ export class App implements SessionEvents {
   opened(source: Source, mesh: DisplayMesh): void {
     hideAlert();
     this.shown = source;
-    this.views?.showMesh(source, mesh);
+    this.views?.showMesh(mesh);
     this.bound.setBoundaryVertices(null);
     showSample(source.kind === 'sample' ? source.name : null);
     this.showTitle(source);
@@ -67,7 +67,6 @@ export class App implements SessionEvents {
     hideAlert();
     this.outcome = outcome;
     this.views?.showOutcome(outcome);
-    this.metrics.show(report);
     this.metrics.show(report);
     this.bound.setBoundaryVertices(report.charts[0].boundaryVertices);
     this.updateExport();

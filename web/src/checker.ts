@@ -29,9 +29,9 @@ function meanScale({ positions, indices, uv }: FlatMesh): number {
 
 /** uv in checker cells, 2 per vertex. The cell suits the typical place of the surface, not the most stretched one. */
 export function checkerCells(mesh: FlatMesh): Float32Array {
-  const { min, max } = boundingBox(mesh.positions, 3);
+  const { min, max } = boundingBox(mesh.positions, 3, mesh.indices);
   const diagonal = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
   const cell = (meanScale(mesh) * diagonal) / CELLS || 1;
-  const origin = boundingBox(mesh.uv, 2).min;
+  const origin = boundingBox(mesh.uv, 2, mesh.indices).min;
   return Float32Array.from(mesh.uv, (x, i) => (x - origin[i % 2]) / cell);
 }

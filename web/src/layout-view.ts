@@ -49,7 +49,7 @@ export class LayoutView {
 
   /** Shows a layout; `errors` per triangle. Keeps the point of view unless `isNew`. */
   show(mesh: FlatMesh, edges: Uint32Array, errors: Float32Array, isNew: boolean): void {
-    const { min, max } = boundingBox(mesh.uv, 2);
+    const { min, max } = boundingBox(mesh.uv, 2, mesh.indices);
     const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
     this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
     const toPlane = (points: Float64Array) => {

@@ -10,6 +10,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { BoundaryLines } from './boundary-lines';
 import { checkerCells } from './checker';
+import { fitInView } from './fit-in-view';
 import type { DisplayMesh, FlatMesh } from './mesh';
 import { boundingBox, facing, perCorner, toCorners, vertexNormals } from './mesh';
 import type { Palette } from './palette';
@@ -17,6 +18,8 @@ import { Stage } from './stage';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
 
 const FIELD_OF_VIEW = 32;
+/** Share of the view's width or height that a fitted mesh takes. */
+const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
@@ -36,6 +39,10 @@ export class MeshView {
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
   private readonly boundary = new BoundaryLines(1.75, true);
   private front = new Vector3(0, 0, 1);
+  /** Corners of the shown triangles, within the unit sphere. */
+  private corners: Float32Array = new Float32Array();
+  /** Until the user turns or zooms, the mesh stays fitted whatever happens to the pane. */
+  private isFitted = true;
   private isFlat = false;
   private showsDistortion = false;
   private wireOpacity = 0.5;
@@ -45,7 +52,7 @@ export class MeshView {
     this.stage = new Stage(
       canvas,
       () => this.draw(),
-      () => this.fitCamera(),
+      () => this.resized(),
     );
     this.surface.frustumCulled = false;
     this.scene.add(this.surface, this.boundary.object);
@@ -55,6 +62,9 @@ export class MeshView {
     this.controls.minDistance = 0.4;
     this.controls.maxDistance = 30;
     this.controls.addEventListener('change', () => this.stage.invalidate());
+    this.controls.addEventListener('start', () => {
+      this.isFitted = false;
+    });
     canvas.addEventListener('keydown', (event) => this.onKey(event));
     this.stage.resize();
   }
@@ -67,8 +77,9 @@ export class MeshView {
     isNew: boolean,
   ): void {
     const geometry = new BufferGeometry();
-    const unit = toUnitSphere(mesh.positions);
-    geometry.setAttribute('position', new BufferAttribute(perCorner(unit, 3, mesh.indices), 3));
+    const unit = toUnitSphere(mesh);
+    this.corners = perCorner(unit, 3, mesh.indices);
+    geometry.setAttribute('position', new BufferAttribute(this.corners, 3));
     geometry.setAttribute(
       'normal',
       new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3),
@@ -106,10 +117,22 @@ export class MeshView {
   }
 
   reset(): void {
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(this.front).setLength(this.fittingDistance());
+    this.stopDamping();
+    const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
+    const { target, distance } = fitInView(this.corners, this.front, up * this.camera.aspect, up);
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(this.front, distance);
     this.controls.update();
+    this.isFitted = true;
     this.stage.invalidate();
+  }
+
+  /** Ends a motion that is dying down: without damping an update uses up all of it. */
+  private stopDamping(): void {
+    const { enableDamping } = this.controls;
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = enableDamping;
   }
 
   private paint(): void {
@@ -119,18 +142,12 @@ export class MeshView {
     this.stage.invalidate();
   }
 
-  /** Distance from which the unit sphere fills the smaller side of the view. */
-  private fittingDistance(): number {
-    const half = (this.camera.fov * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
-    return 1.02 / Math.sin(narrow);
-  }
-
-  private fitCamera(): void {
+  private resized(): void {
     this.camera.aspect = this.stage.width / this.stage.height;
     this.camera.updateProjectionMatrix();
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     this.boundary.setResolution(this.stage.width, this.stage.height);
+    if (this.isFitted) this.reset();
   }
 
   private draw(): void {
@@ -159,6 +176,7 @@ export class MeshView {
   }
 
   private turn(theta: number, phi: number, zoom: number): void {
+    this.isFitted = false;
     const offset = this.camera.position.clone().sub(this.controls.target);
     const spherical = new Spherical().setFromVector3(offset);
     spherical.theta += theta;
@@ -182,13 +200,13 @@ function frontOf(mesh: DisplayMesh): Vector3 {
   return new Vector3().setFromSphericalCoords(1, polar, around);
 }
 
-/** Positions moved and scaled into the unit sphere round the box's centre: float32 keeps its digits. */
-function toUnitSphere(positions: Float64Array): Float32Array {
-  const { min, max } = boundingBox(positions, 3);
+/** Positions moved and scaled so that the triangles lie in the unit sphere round their box's centre: float32 keeps its digits. */
+function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
+  const { min, max } = boundingBox(positions, 3, indices);
   const center = min.map((low, d) => (low + max[d]) / 2);
   let radius = 0;
-  for (let i = 0; i < positions.length; i += 3) {
-    const [x, y, z] = center.map((c, d) => positions[i + d] - c);
+  for (const v of indices) {
+    const [x, y, z] = center.map((c, d) => positions[3 * v + d] - c);
     radius = Math.max(radius, Math.hypot(x, y, z));
   }
   return Float32Array.from(positions, (x, i) => (x - center[i % 3]) / (radius || 1));

@@ -14,23 +14,24 @@ export interface Box {
   max: [number, number, number];
 }
 
-/** Box round all coordinates; `dimension` is the number of coordinates per point (2 or 3). */
-export function boundingBox(coordinates: Float64Array, dimension: number): Box {
-  const min: Box['min'] = [0, 0, 0];
-  const max: Box['max'] = [0, 0, 0];
-  for (let d = 0; d < dimension; ++d) {
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = d; i < coordinates.length; i += dimension) {
-      low = Math.min(low, coordinates[i]);
-      high = Math.max(high, coordinates[i]);
-    }
-    if (low <= high) {
-      min[d] = low;
-      max[d] = high;
+/** Box round the points (`size` coordinates each) that `vertices` names. */
+export function boundingBox(points: Float64Array, size: number, vertices: Uint32Array): Box {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const v of vertices) {
+    for (let d = 0; d < size; ++d) {
+      const x = points[size * v + d];
+      if (x < low[d]) low[d] = x;
+      if (x > high[d]) high[d] = x;
     }
   }
-  return { min, max };
+  const box: Box = { min: [0, 0, 0], max: [0, 0, 0] };
+  for (let d = 0; d < size; ++d) {
+    if (low[d] > high[d]) continue;
+    box.min[d] = low[d];
+    box.max[d] = high[d];
+  }
+  return box;
 }
 
 /** Edges with exactly one triangle, as pairs of vertices in the direction of their triangle. */

@@ -37,9 +37,8 @@ export class Views {
   }
 
   /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
-  showMesh(source: Source, mesh: DisplayMesh): void {
-    const shown = { ...mesh, positions: upright(source, mesh.positions) };
-    this.mesh.show(shown, boundaryEdges(mesh.indices), null, true);
+  showMesh(mesh: DisplayMesh): void {
+    this.mesh.show(mesh, boundaryEdges(mesh.indices), null, true);
   }
 
   showOutcome(outcome: Outcome): void {
@@ -54,7 +53,7 @@ export class Views {
   }
 }
 
-function flatMesh({ source, result, mesh }: Outcome): FlatMesh {
+function flatMesh({ result, mesh }: Outcome): FlatMesh {
   const { indices, uv, vertexMap } = result;
   const positions =
     result.positions ??
@@ -62,13 +61,7 @@ function flatMesh({ source, result, mesh }: Outcome): FlatMesh {
       { length: 3 * vertexMap.length },
       (_, i) => mesh.positions[3 * vertexMap[Math.floor(i / 3)] + (i % 3)],
     );
-  return { positions: upright(source, positions), indices, uv };
-}
-
-/** Samples have z up and look along x; OBJ files usually have y up and look along z. */
-function upright(source: Source, positions: Float64Array): Float64Array {
-  if (source.kind === 'file') return positions;
-  return positions.map((_, i) => positions[i - (i % 3) + (((i % 3) + 1) % 3)]);
+  return { positions, indices, uv };
 }
 
 function bindToggle(id: string, changed: (isOn: boolean) => void): void {

@@ -1,0 +1,93 @@
+// The mesh in 3D: how it is first seen, and that the first look comes back.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { dropAndWait, openPage, settled } from './page.mjs';
+
+const CANVAS = '#mesh-canvas';
+
+/** Box of what is drawn, as shares of the canvas: `{ left, right, top, bottom }`, top is 0. */
+async function drawnBox(page) {
+  const picture = (await page.locator(CANVAS).screenshot()).toString('base64');
+  return page.evaluate(async (picture) => {
+    const bytes = Uint8Array.from(atob(picture), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]));
+    const { width, height } = image;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    const box = { left: 1, right: 0, top: 1, bottom: 0 };
+    // The pane's rounded corners are no background.
+    const background = data.slice(4 * (20 * width + 20), 4 * (20 * width + 20) + 3);
+    for (let y = 8; y < height - 8; y++)
+      for (let x = 8; x < width - 8; x++) {
+        const at = 4 * (y * width + x);
+        if (background.every((value, i) => Math.abs(value - data[at + i]) < 12)) continue;
+        box.left = Math.min(box.left, x / width);
+        box.right = Math.max(box.right, (x + 1) / width);
+        box.top = Math.min(box.top, y / height);
+        box.bottom = Math.max(box.bottom, (y + 1) / height);
+      }
+    return box;
+  }, picture);
+}
+
+function assertFits({ left, right, top, bottom }, what) {
+  assert.ok(Math.min(left, top) > 0.03 && Math.max(right, bottom) < 0.97, `${what} is not cut off`);
+  assert.ok(Math.max(right - left, bottom - top) > 0.7, `${what} fills the pane`);
+}
+
+/** Without damping a picture does not change any more once it is drawn. */
+const STILL = { reducedMotion: 'reduce' };
+
+test('every sample fills its pane; the head stands upright', async (t) => {
+  const page = await openPage(t, STILL);
+  const names = await page
+    .locator('#sample option:not([disabled])')
+    .evaluateAll((options) => options.map((option) => option.value));
+  for (const name of names) {
+    await page.selectOption('#sample', name);
+    await settled(page);
+    const box = await drawnBox(page);
+    assertFits(box, name);
+    if (name !== 'head') continue;
+    const { width, height } = await page.locator(CANVAS).boundingBox();
+    const across = (box.right - box.left) * width;
+    assert.ok(across < 0.8 * (box.bottom - box.top) * height, 'taller than wide');
+  }
+});
+
+test('a mesh far from the origin, with a stray vertex, fills its pane', async (t) => {
+  const page = await openPage(t, STILL);
+  const corners = [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ];
+  const square = corners.map(([x, y]) => `v ${4e6 + x} ${5e6 + y} 0`);
+  const text = `v 0 0 0\n${square.join('\n')}\nf 2 3 4 5\n`;
+  await dropAndWait(page, 'far.obj', text);
+  assertFits(await drawnBox(page), 'the square');
+});
+
+test('the mesh stays fitted in another size of the window, until it is turned', async (t) => {
+  const page = await openPage(t, STILL);
+  const fitted = await page.locator(CANVAS).screenshot();
+  await page.setViewportSize({ width: 390, height: 844 });
+  assertFits(await drawnBox(page), 'the mesh on a phone');
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.waitForFunction(() => document.querySelector('#mesh-canvas').clientWidth > 400);
+  assert.deepEqual(await page.locator(CANVAS).screenshot(), fitted);
+
+  const box = await page.locator(CANVAS).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 90, y + 20, { steps: 4 });
+  await page.mouse.up();
+  assert.notDeepEqual(await page.locator(CANVAS).screenshot(), fitted);
+  await page.click('#reset');
+  await page.mouse.move(0, 0);
+  assert.deepEqual(await page.locator(CANVAS).screenshot(), fitted);
+});
