@@ -17,6 +17,7 @@ const SANITIZER_ENV = {
   ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
   UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
   ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
+  ABFLAT_DISKS: '48', // an instrumented program is slow
 };
 
 /** The node tests of one folder. */
