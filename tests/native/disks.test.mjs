@@ -5,24 +5,10 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { generatedDisk, toObj } from '../support/disks.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
-import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
+import { FOLDED_DISKS, judge, MILD_DISKS, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
 const COUNT = Number(process.env.ABFLAT_DISKS ?? 300);
-const SHARED_DISKS = [
-  'nefertiti.off',
-  'body.off',
-  'cathead.obj',
-  'mannequin.off',
-  'hemisphere.obj',
-  'face.obj',
-  'inspired.obj',
-  'woody.obj',
-  'nonconvex-cap.off',
-  'camel-cut.obj',
-  'cow-cut.off',
-];
-
 /** Flattens and checks that exit code, report and judge (where there is one) tell the same story. */
 async function flattened(at, input, t) {
   const args = ['flatten', input, '-o', 'out.obj', '--t', String(t), '--report', 'r.json'];
@@ -60,7 +46,7 @@ describe(`${COUNT} generated disks`, () => {
   }
 });
 
-for (const file of SHARED_DISKS)
+for (const file of [...MILD_DISKS, ...FOLDED_DISKS])
   test(`${file} at fixed and automatic t`, { skip: withoutShared }, async (t) => {
     assert.ok(existsSync(sharedMesh(file)));
     const at = tempFolder(t);

@@ -4,20 +4,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { runAbflat } from '../support/run-abflat.mjs';
-import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
+import { judge, MILD_DISKS, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-
-const DISKS = [
-  'nefertiti.off',
-  'body.off',
-  'cathead.obj',
-  'mannequin.off',
-  'hemisphere.obj',
-  'face.obj',
-  'inspired.obj',
-  'woody.obj',
-  'nonconvex-cap.off',
-];
 
 const close = (a, b, tolerance) => Math.abs(a - b) <= tolerance * Math.max(1, Math.abs(b));
 
@@ -36,7 +24,7 @@ async function flattened(at, file, t) {
   return { ...run, report: JSON.parse(readFileSync(at('r.json'), 'utf8')) };
 }
 
-for (const file of DISKS)
+for (const file of MILD_DISKS)
   for (const bound of [2, 1])
     test(`${file} at t = ${bound} is valid and measures as reported`, {
       skip: withoutShared,

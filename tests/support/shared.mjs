@@ -11,6 +11,22 @@ const JUDGE = join(SHARED, 'verify/verify.mjs');
 /** Pass as the `skip` option of a test: false, or the reason that is printed. */
 export const withoutShared = existsSync(JUDGE) ? false : 'there is no ../shared folder';
 
+/** Disks of the collection that are valid at t = 2 and t = 1. */
+export const MILD_DISKS = [
+  'nefertiti.off',
+  'body.off',
+  'cathead.obj',
+  'mannequin.off',
+  'hemisphere.obj',
+  'face.obj',
+  'inspired.obj',
+  'woody.obj',
+  'nonconvex-cap.off',
+];
+
+/** Disks with long boundaries that cross when they are free. */
+export const FOLDED_DISKS = ['camel-cut.obj', 'cow-cut.off'];
+
 export const sharedMesh = (file) => join(SHARED, 'meshes', file);
 
 /** What the judge measures of an OBJ result: an object with `valid`, `failures`, `flipped`, ... */

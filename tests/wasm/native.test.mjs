@@ -7,20 +7,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { createAbflat, SAMPLE_NAMES } from 'abflat';
+import { MILD_DISKS } from '../support/shared.mjs';
 import { objNumbers, objText } from './support/meshes.mjs';
 import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
 
-const FILES = [
-  'nefertiti.off',
-  'body.off',
-  'cathead.obj',
-  'mannequin.off',
-  'hemisphere.obj',
-  'face.obj',
-  'inspired.obj',
-  'woody.obj',
-  'nonconvex-cap.off',
-];
 const T = [2, 1];
 /** Of the layout's size. */
 const TOLERANCE = 1e-9;
@@ -123,7 +113,7 @@ describe('generated samples', () => {
 });
 
 describe('real meshes', () => {
-  for (const name of FILES) {
+  for (const name of MILD_DISKS) {
     for (const t of T) {
       test(`${name} at t = ${t}`, NEEDS_MESHES, async () => {
         const { report } = await assertSame(join(MESHES, name), t);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/triangle_geometry.h"
+
 namespace abflat {
 namespace {
 
@@ -30,6 +32,17 @@ DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
     for (std::size_t d = 0; d < 3; ++d)
       chart.positions.push_back(mesh.positions[3 * v + d] / chart.unit);
   return chart;
+}
+
+double surfaceArea(const DiskChart& chart) {
+  double area = 0;
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+    area += norm(cross(edgeVector(chart.positions, v[0], v[1]),
+                       edgeVector(chart.positions, v[0], v[2]))) /
+            2;
+  }
+  return area;
 }
 
 }  // namespace abflat

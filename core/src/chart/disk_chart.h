@@ -24,6 +24,9 @@ struct DiskChart {
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(inputVertex.size()); }
 };
 
+/// Area of the surface, in `unit` squared.
+double surfaceArea(const DiskChart& chart);
+
 /// The whole surface as one chart. Precondition: surface.summary.disk is Ok.
 DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface);
 

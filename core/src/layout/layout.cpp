@@ -133,17 +133,6 @@ std::vector<double> place(const DiskChart& chart, const std::vector<Placement>& 
   return uv;
 }
 
-double area3d(const DiskChart& chart) {
-  double area = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
-    area += norm(cross(edgeVector(chart.positions, v[0], v[1]),
-                       edgeVector(chart.positions, v[0], v[2]))) /
-            2;
-  }
-  return area;
-}
-
 double areaUv(const DiskChart& chart, const std::vector<double>& uv) {
   double area = 0;
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
@@ -192,7 +181,7 @@ Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
   std::vector<double> uv = place(chart, order, frame);
   const std::vector<Point2> points = boundaryPoints(chart, uv);
   frame.rotation = findRotation(chart, points);
-  const double area = areaUv(chart, uv), wanted = area3d(chart);
+  const double area = areaUv(chart, uv), wanted = surfaceArea(chart);
   // A layout that is folded over itself may have no area; it keeps its size and the checks reject
   // it.
   if (area > 0 && wanted > 0) frame.logScale += std::log(wanted / area) / 2;

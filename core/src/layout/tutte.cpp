@@ -9,17 +9,6 @@
 namespace abflat {
 namespace {
 
-double area3d(const DiskChart& chart) {
-  double area = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
-    area += norm(cross(edgeVector(chart.positions, v[0], v[1]),
-                       edgeVector(chart.positions, v[0], v[2]))) /
-            2;
-  }
-  return area;
-}
-
 /// Boundary vertices on a circle of the chart's area; a shortest arc keeps them apart.
 void placeBoundary(const DiskChart& chart, std::vector<double>& uv) {
   std::vector<double> length;
@@ -33,7 +22,7 @@ void placeBoundary(const DiskChart& chart, std::vector<double>& uv) {
   const double least = kShortestArc * total / static_cast<double>(length.size());
   total = 0;
   for (double& l : length) total += l = std::max(l, least);
-  const double radius = std::sqrt(area3d(chart) / kPi);
+  const double radius = std::sqrt(surfaceArea(chart) / kPi);
   double passed = 0;
   for (std::size_t i = 0; i < length.size(); ++i) {
     const std::uint32_t v = chart.vertexOfCorner[chart.boundary[i]];
