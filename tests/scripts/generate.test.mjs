@@ -20,7 +20,7 @@ const REPO = fileURLToPath(new URL('../..', import.meta.url));
 const SCHEMA = 'core/schema/abflat.json';
 const OUTPUTS = [
   'core/include/abflat/generated/status_code.h',
-  'core/include/abflat/generated/flatten_defaults.h',
+  'core/include/abflat/generated/flatten_options.h',
   'wasm/src/generated.ts',
 ];
 
@@ -86,12 +86,35 @@ describe('in a copy', () => {
     });
     const { status, stderr } = generate(copy, '--check');
     assert.equal(status, 1);
-    assert.match(stderr, /flatten_defaults\.h/);
+    assert.match(stderr, /flatten_options\.h/);
     assert.match(stderr, /generated\.ts/);
     assert.doesNotMatch(stderr, /status_code\.h/);
     assert.equal(generate(copy).status, 0);
-    assert.match(read(OUTPUTS[1]), /constexpr double kT = 1\.25;/);
+    assert.match(read(OUTPUTS[1]), /\bdouble t = 1\.25;/);
     assert.match(read(OUTPUTS[2]), /\bt: 1\.25,/);
+  });
+
+  test('a choice becomes an enum and a union, a word its value', () => {
+    fresh();
+    changeSchema((schema) => {
+      const choices = ['soft', 'hard'].map((name) => ({ name, text: `${name} edges` }));
+      const texts = { default: 'hard', text: 'how edges are' };
+      schema.flattenOptions.push({ name: 'edgeKind', type: 'choice', choices, ...texts });
+    });
+    assert.equal(generate(copy).status, 0);
+    assert.match(read(OUTPUTS[1]), /EdgeKind edgeKind = EdgeKind::Hard;/);
+    assert.match(read(OUTPUTS[1]), /"--edge-kind"/);
+    assert.match(read(OUTPUTS[1]), /constexpr double kAutoT = 0;/);
+    assert.match(read(OUTPUTS[2]), /export type EdgeKind = 'soft' \| 'hard';/);
+    assert.match(read(OUTPUTS[2]), /\bt: number \| 'auto';/);
+  });
+
+  test('a default that is no choice is an error', () => {
+    fresh();
+    changeSchema((schema) => {
+      schema.flattenOptions.find(({ type }) => type === 'choice').default = 'sideways';
+    });
+    assert.match(generate(copy).stderr, /not one of its choices/);
   });
 
   test('regions of documents are filled, the rest of the document stays', () => {
