@@ -41,13 +41,13 @@ class Preconditioner {
 template <class Solver>
 LinearSolveResult run(Solver& solver, const Eigen::SparseMatrix<double>& matrix,
                       const Eigen::VectorXd& rhs, const LinearSolveOptions& options,
-                      const LinearOperator& preconditioner) {
+                      const LinearOperator& preconditioner, const Eigen::VectorXd& guess) {
   solver.preconditioner().set(preconditioner);
   solver.setTolerance(options.tolerance);
   solver.setMaxIterations(options.maxIterations);
   solver.compute(matrix);
   LinearSolveResult out;
-  out.x = solver.solve(rhs);
+  out.x = solver.solveWithGuess(rhs, guess);
   out.iterations = static_cast<int>(solver.iterations());
   const double norm = rhs.norm();
   out.residual = norm > 0 ? (matrix * out.x - rhs).norm() / norm : 0;
@@ -61,14 +61,18 @@ LinearSolveResult gmres(const Eigen::SparseMatrix<double>& matrix, const Eigen::
                         const LinearSolveOptions& options, const LinearOperator& preconditioner) {
   Eigen::GMRES<Eigen::SparseMatrix<double>, Preconditioner> solver;
   solver.set_restart(kRestart);
-  return run(solver, matrix, rhs, options, preconditioner);
+  return run(solver, matrix, rhs, options, preconditioner, Eigen::VectorXd::Zero(rhs.size()));
 }
 
 LinearSolveResult bicgstab(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& rhs,
                            const LinearSolveOptions& options,
                            const LinearOperator& preconditioner) {
   Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Preconditioner> solver;
-  return run(solver, matrix, rhs, options, preconditioner);
+  // From 0 it breaks down at once where only constraints are violated: their block is empty, so
+  // that r^T A r = 0.
+  Eigen::VectorXd guess = rhs;
+  if (preconditioner) preconditioner(rhs, guess);
+  return run(solver, matrix, rhs, options, preconditioner, guess);
 }
 
 }  // namespace abflat
