@@ -23,6 +23,16 @@ LinearSolveResult solveWith(LinearSolver solver, const KktSystem& kkt,
                                         : minres(matrix, kkt.rhs, options, preconditioner);
 }
 
+/// The multipliers of the point as the system scales them, below zeros for dx.
+Eigen::VectorXd oldMultipliers(const NewtonPoint& at, const KktSystem& kkt) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(kkt.rhs.size());
+  auto i = static_cast<Eigen::Index>(at.angles.size());
+  for (const double m : at.multipliers.triangle) out[i++] = m;
+  for (std::size_t r = 0; r < at.multipliers.row.size(); ++r)
+    out[i++] = at.multipliers.row[r] / kkt.rowScale[r];
+  return out;
+}
+
 }  // namespace
 
 KktStepSolver::KktStepSolver(const AngleProblem& problem, const KktOptions& options)
@@ -32,7 +42,11 @@ KktStepSolver::KktStepSolver(const AngleProblem& problem, const KktOptions& opti
 
 bool KktStepSolver::step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) {
   iterations_ = 0;
-  const KktSystem kkt = buildKkt(at, rows_, options_.formulation);
+  KktSystem kkt = buildKkt(at, rows_, options_.formulation);
+  // Solved for the change of the multipliers: the right-hand side then shrinks with the error, and
+  // a relative tolerance with it.
+  const Eigen::VectorXd old = oldMultipliers(at, kkt);
+  kkt.rhs -= kkt.matrix * old;
   LinearOperator preconditioner;
   if (preconditioner_) {
     if (!preconditioner_->factor(at.lin, at.active, kkt.rowScale)) return false;
@@ -40,10 +54,11 @@ bool KktStepSolver::step(const NewtonPoint& at, std::vector<double>& dx, Multipl
       preconditioner_->apply(in, out);
     };
   }
-  const LinearSolveResult r =
+  LinearSolveResult r =
       solveWith(options_.solver, kkt, {options_.tolerance, options_.maxIterations}, preconditioner);
   iterations_ = r.iterations;
   if (!r.x.allFinite() || !(r.residual <= kUsableResidual)) return false;
+  r.x += old;
   const double* x = r.x.data();
   const std::size_t corners = at.angles.size(), triangles = corners / 3;
   dx.assign(x, x + corners);
