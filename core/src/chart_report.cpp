@@ -69,7 +69,6 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
       r.bounds.push_back(
           {chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]], attempt.t[i]});
   r.solver = attempt.solver;
-  r.linearSolver = "schur";
   r.iterations = static_cast<int>(s.history.size());
   r.history = s.history;
   r.constraintResidual = s.constraintResidual;

@@ -53,6 +53,22 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
   return untangled(flattener, flattener.attempt(t, nullptr), options.untangle);
 }
 
+const char* linearSolverName(LinearSolver solver) {
+  switch (solver) {
+    case LinearSolver::Schur:
+      return "schur";
+    case LinearSolver::Minres:
+      return "minres";
+    case LinearSolver::Symmlq:
+      return "symmlq";
+    case LinearSolver::Gmres:
+      return "gmres";
+    case LinearSolver::Bicgstab:
+      return "bicgstab";
+  }
+  return "";
+}
+
 std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {
   std::vector<std::uint32_t> out(mesh.faceVertices.size());
   for (std::size_t c = 0; c < surface.triangulation.corner.size(); ++c)
@@ -66,6 +82,10 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Stopwatch watch;
   Monitor monitor(options.progress);
   const Status aborted{StatusCode::Aborted, "cancelled"};
+  if (options.formulation == Formulation::Product && options.linearSolver == LinearSolver::Schur)
+    return Status{StatusCode::InvalidOption,
+                  "the product formulation has no Schur elimination, because its Hessian is not "
+                  "diagonal; choose minres, symmlq, gmres or bicgstab as the linear solver"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   if (!monitor.tell("connectivity", 0)) return aborted;
 
@@ -81,7 +101,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   if (!monitor.tellStage("solve")) return aborted;
   SolverOptions solver;
   solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
-  ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); });
+  ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); },
+                           {options.linearSolver, options.formulation, options.precondition});
   Attempt best = flattenChart(flattener, t.value, options);
   if (best.solution.cancelled || monitor.stopped()) return aborted;
   timings = flattener.timings();
@@ -93,6 +114,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   for (double& x : out.uv) x *= chart.unit;
   const double common = *std::max_element(best.t.begin(), best.t.end());
   out.report.charts.push_back(makeChartReport(chart, best, common, out.uv));
+  ChartReport& chartReport = out.report.charts.back();
+  chartReport.linearSolver = linearSolverName(options.linearSolver);
+  chartReport.formulation = options.formulation == Formulation::Log ? "log" : "product";
   timings.check += watch.lap();
 
   out.report.input = surface.summary;

@@ -32,7 +32,17 @@ struct VertexBound {
   double t = 0;
 };
 
+/// How Newton's linear systems are solved: directly after elimination, or iteratively on the whole
+/// symmetric system (8).
+enum class LinearSolver { Schur, Minres, Symmlq, Gmres, Bicgstab };
+
+/// The wheel constraint: sum of logarithms (6), or the products (3) of classic ABF.
+enum class Formulation { Log, Product };
+
 struct FlattenOptions : FlattenOptionValues {
+  LinearSolver linearSolver = LinearSolver::Schur;
+  Formulation formulation = Formulation::Log;
+  bool precondition = true;  ///< of the iterative solvers
   std::vector<VertexBound> bounds;
   ProgressCallback progress;
 };
@@ -44,6 +54,9 @@ struct NewtonStep {
   double gradient = 0;       ///< largest |dL/dx| relative to the largest weight times angle
   std::uint32_t active = 0;  ///< boundary vertices held at their bound
   double step = 0;           ///< step length in (0, 1]
+  int linearIterations = 0;  ///< of the linear solver; 0 when it is direct
+  double linearSeconds = 0;  ///< spent on the linear system
+  std::uint32_t reweighted = 0;  ///< angles whose weight grew because they would not stay positive
 };
 
 struct ChartReport {
@@ -52,7 +65,8 @@ struct ChartReport {
   double t = 0;
   std::vector<VertexBound> bounds;  ///< boundary vertices with a bound below t, as used
   std::string solver;               ///< "activeSet", "interiorPoint" or "tutte"
-  std::string linearSolver;         ///< "schur"
+  std::string linearSolver;         ///< "schur", "minres", "symmlq", "gmres" or "bicgstab"
+  std::string formulation;          ///< "log" or "product"
   int iterations = 0;
   std::vector<NewtonStep> history;
   double constraintResidual = 0;

@@ -24,10 +24,10 @@ std::string withFloor(const char* text, double floor) {
 }  // namespace
 
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
-                               std::function<void(const char*)> onStage)
+                               std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
       problem_(buildAngleProblem(chart)),
-      solver_(problem_, std::move(options)),
+      solver_(problem_, std::move(options), linear),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
 
 Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {

@@ -29,7 +29,8 @@ class ChartFlattener {
  public:
   /// Keeps a reference to the chart. `onStage` hears "layout" and "check" as they begin.
   ChartFlattener(const DiskChart& chart, SolverOptions options,
-                 std::function<void(const char*)> onStage = {});
+                 std::function<void(const char*)> onStage = {},
+                 const KktOptions& linear = {LinearSolver::Schur});
 
   /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
   /// the interior point takes over with rising floors of its barrier.

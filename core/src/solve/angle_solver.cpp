@@ -11,16 +11,20 @@ constexpr int kInteriorPointSteps = 200;
 
 }  // namespace
 
-AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options)
-    : problem_(problem), options_(std::move(options)), system_(problem) {}
+AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
+                         const KktOptions& linear)
+    : problem_(problem), options_(std::move(options)), system_(problem) {
+  if (linear.solver != LinearSolver::Schur) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
+}
 
 AngleSolution AngleSolver::solve(const AngleSolution* start) {
   SolverOptions options = options_;
   options.maxSteps = kActiveSetSteps;
-  AngleSolution s = solveActiveSet(problem_, system_, options, start);
+  NewtonStepSolver& system = kkt_ ? static_cast<NewtonStepSolver&>(*kkt_) : system_;
+  AngleSolution s = solveActiveSet(problem_, system, options, start);
   if (s.converged || s.cancelled) return s;
   if (start) {
-    s = solveActiveSet(problem_, system_, options, nullptr);
+    s = solveActiveSet(problem_, system, options, nullptr);
     if (s.converged || s.cancelled) return s;
   }
   return solveWithFloor(kDefaultBarrierFloor);

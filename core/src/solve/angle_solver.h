@@ -5,6 +5,7 @@
 
 #include "angle/angle_problem.h"
 #include "solve/angle_solution.h"
+#include "solve/kkt_step_solver.h"
 #include "solve/newton_system.h"
 
 namespace abflat {
@@ -13,7 +14,8 @@ namespace abflat {
 class AngleSolver {
  public:
   /// Keeps a reference to the problem, whose bounds may change between calls.
-  AngleSolver(const AngleProblem& problem, SolverOptions options);
+  AngleSolver(const AngleProblem& problem, SolverOptions options,
+              const KktOptions& linear = {LinearSolver::Schur});
 
   /// `start`: a solution for other bounds to begin from, or null.
   AngleSolution solve(const AngleSolution* start);
@@ -26,6 +28,7 @@ class AngleSolver {
   const AngleProblem& problem_;
   SolverOptions options_;
   NewtonSystem system_;
+  std::unique_ptr<KktStepSolver> kkt_;  ///< null: Schur
 };
 
 }  // namespace abflat

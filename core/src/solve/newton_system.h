@@ -4,20 +4,25 @@
 #include <vector>
 
 #include "solve/linearization.h"
+#include "solve/newton_step_solver.h"
 #include "solve/schur_system.h"
 
 namespace abflat {
 
 /// The Newton system of a chart with its symbolic factorisation, which stays valid for all bounds,
 /// active sets and solvers.
-class NewtonSystem {
+class NewtonSystem : public NewtonStepSolver {
  public:
   /// Keeps a reference to the problem, of which only the connectivity is used here.
   explicit NewtonSystem(const AngleProblem& problem);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 
-  const ConstraintRows& rows() const { return rows_; }
+  const ConstraintRows& rows() const override { return rows_; }
+
+  bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) override {
+    return solve(at.lin, at.active, {}, dx, next);
+  }
 
   /// One step of eq. (8): the change dx of the angles and the new multipliers. For `compliance` see
   /// SchurSystem::assemble. False when the matrix cannot be factored.

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "solve/linear_solve.h"
+
+namespace abflat {
+
+/// Paige and Saunders 1975: the least residual over the Krylov space. The matrix is symmetric and
+/// may be indefinite, or singular when the system is consistent. `preconditioner` applies the
+/// inverse of a symmetric positive definite matrix; empty for none.
+LinearSolveResult minres(const LinearOperator& matrix, const Eigen::VectorXd& rhs,
+                         const LinearSolveOptions& options,
+                         const LinearOperator& preconditioner = {});
+
+}  // namespace abflat

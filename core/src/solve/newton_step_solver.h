@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solve/linearization.h"
+
+namespace abflat {
+
+/// Where Newton's method stands. Wheel multipliers belong to the logarithmic form (6).
+struct NewtonPoint {
+  const AngleProblem& problem;
+  const std::vector<double>& angles;
+  const Multipliers& multipliers;
+  const Linearization& lin;
+  const std::vector<std::uint8_t>& active;  ///< per vertex
+};
+
+/// Solves eq. (8) at a point: the change dx of the angles and the new multipliers.
+class NewtonStepSolver {
+ public:
+  virtual ~NewtonStepSolver() = default;
+  virtual const ConstraintRows& rows() const = 0;
+  /// False when the system cannot be solved.
+  virtual bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) = 0;
+  /// Iterations of the last step; 0 for a direct solver.
+  virtual int linearIterations() const { return 0; }
+};
+
+}  // namespace abflat

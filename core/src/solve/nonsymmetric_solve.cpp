@@ -1,0 +1,78 @@
+#include "solve/nonsymmetric_solve.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <unsupported/Eigen/IterativeSolvers>
+
+namespace abflat {
+namespace {
+
+constexpr int kRestart = 100;  ///< vectors that GMRES keeps
+
+/// A LinearOperator as Eigen's solvers want their preconditioners.
+class Preconditioner {
+ public:
+  void set(const LinearOperator& apply) { apply_ = apply; }
+  template <class Matrix>
+  Preconditioner& analyzePattern(const Matrix&) {
+    return *this;
+  }
+  template <class Matrix>
+  Preconditioner& factorize(const Matrix&) {
+    return *this;
+  }
+  template <class Matrix>
+  Preconditioner& compute(const Matrix&) {
+    return *this;
+  }
+  template <class Rhs>
+  Eigen::VectorXd solve(const Rhs& b) const {
+    const Eigen::VectorXd in = b;
+    if (!apply_) return in;
+    Eigen::VectorXd out(in.size());
+    apply_(in, out);
+    return out;
+  }
+  Eigen::ComputationInfo info() const { return Eigen::Success; }
+
+ private:
+  LinearOperator apply_;
+};
+
+template <class Solver>
+LinearSolveResult run(Solver& solver, const Eigen::SparseMatrix<double>& matrix,
+                      const Eigen::VectorXd& rhs, const LinearSolveOptions& options,
+                      const LinearOperator& preconditioner, const Eigen::VectorXd& guess) {
+  solver.preconditioner().set(preconditioner);
+  solver.setTolerance(options.tolerance);
+  solver.setMaxIterations(options.maxIterations);
+  solver.compute(matrix);
+  LinearSolveResult out;
+  out.x = solver.solveWithGuess(rhs, guess);
+  out.iterations = static_cast<int>(solver.iterations());
+  const double norm = rhs.norm();
+  out.residual = norm > 0 ? (matrix * out.x - rhs).norm() / norm : 0;
+  out.converged = solver.info() == Eigen::Success;
+  return out;
+}
+
+}  // namespace
+
+LinearSolveResult gmres(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& rhs,
+                        const LinearSolveOptions& options, const LinearOperator& preconditioner) {
+  Eigen::GMRES<Eigen::SparseMatrix<double>, Preconditioner> solver;
+  solver.set_restart(kRestart);
+  return run(solver, matrix, rhs, options, preconditioner, Eigen::VectorXd::Zero(rhs.size()));
+}
+
+LinearSolveResult bicgstab(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& rhs,
+                           const LinearSolveOptions& options,
+                           const LinearOperator& preconditioner) {
+  Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Preconditioner> solver;
+  // From 0 it breaks down at once where only constraints are violated: their block is empty, so
+  // that r^T A r = 0.
+  Eigen::VectorXd guess = rhs;
+  if (preconditioner) preconditioner(rhs, guess);
+  return run(solver, matrix, rhs, options, preconditioner, guess);
+}
+
+}  // namespace abflat

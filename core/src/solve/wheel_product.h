@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "angle/angle_problem.h"
+
+namespace abflat {
+
+/// The wheel constraint of an interior vertex as Sheffer and de Sturler wrote it, eq. (3):
+/// next - prev = 0, products of the sines of the angles after and before the vertex.
+struct WheelProduct {
+  double next = 1, prev = 1;
+  double value() const { return next - prev; }
+};
+
+/// One per vertex; those of boundary vertices mean nothing.
+std::vector<WheelProduct> wheelProducts(const AngleProblem& problem,
+                                        const std::vector<double>& angles);
+
+/// Corners round each vertex.
+struct VertexCorners {
+  std::vector<std::uint32_t> offset, corner;
+};
+VertexCorners cornersOfVertices(const AngleProblem& problem);
+
+/// Visits (row corner, column corner, value) of the second derivatives of vertex v's wheel: a full
+/// block on the corners of its rim, in contrast to the diagonal one of the logarithmic form.
+template <class Visit>
+void forEachSecondDerivative(const VertexCorners& corners, const std::vector<double>& cot,
+                             const WheelProduct& wheel, std::uint32_t v, Visit&& visit) {
+  for (std::uint32_t side = 1; side <= 2; ++side) {
+    const double p = side == 1 ? wheel.next : -wheel.prev;
+    const auto rim = [&](std::uint32_t i) {
+      const std::uint32_t c = corners.corner[i];
+      return c - c % 3 + (c % 3 + side) % 3;
+    };
+    for (std::uint32_t i = corners.offset[v]; i < corners.offset[v + 1]; ++i)
+      for (std::uint32_t j = corners.offset[v]; j < corners.offset[v + 1]; ++j)
+        visit(rim(i), rim(j), i == j ? -p : p * cot[rim(i)] * cot[rim(j)]);
+  }
+}
+
+}  // namespace abflat
