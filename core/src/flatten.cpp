@@ -53,22 +53,6 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
   return untangled(flattener, flattener.attempt(t, nullptr), options.untangle);
 }
 
-const char* linearSolverName(LinearSolver solver) {
-  switch (solver) {
-    case LinearSolver::Schur:
-      return "schur";
-    case LinearSolver::Minres:
-      return "minres";
-    case LinearSolver::Symmlq:
-      return "symmlq";
-    case LinearSolver::Gmres:
-      return "gmres";
-    case LinearSolver::Bicgstab:
-      return "bicgstab";
-  }
-  return "";
-}
-
 std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {
   std::vector<std::uint32_t> out(mesh.faceVertices.size());
   for (std::size_t c = 0; c < surface.triangulation.corner.size(); ++c)
@@ -114,9 +98,6 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   for (double& x : out.uv) x *= chart.unit;
   const double common = *std::max_element(best.t.begin(), best.t.end());
   out.report.charts.push_back(makeChartReport(chart, best, common, out.uv));
-  ChartReport& chartReport = out.report.charts.back();
-  chartReport.linearSolver = linearSolverName(options.linearSolver);
-  chartReport.formulation = options.formulation == Formulation::Log ? "log" : "product";
   timings.check += watch.lap();
 
   out.report.input = surface.summary;

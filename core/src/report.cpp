@@ -43,7 +43,8 @@ Json historyJson(const std::vector<NewtonStep>& history) {
                    {"constraint", s.constraint},
                    {"gradient", s.gradient},
                    {"active", s.active},
-                   {"step", s.step}});
+                   {"step", s.step},
+                   {"linearIterations", s.linearIterations}});
   return out;
 }
 
@@ -61,6 +62,7 @@ Json chartJson(const ChartReport& c) {
       {"bounds", boundsJson(c.bounds)},
       {"solver", c.solver},
       {"linearSolver", c.linearSolver},
+      {"formulation", c.formulation},
       {"iterations", c.iterations},
       {"history", historyJson(c.history)},
       {"constraintResidual", c.constraintResidual},

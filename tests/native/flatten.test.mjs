@@ -74,13 +74,13 @@ test('the report has its keys in their order', async (t) => {
   assert.equal(report.charts.length, 1);
   const chart = report.charts[0];
   const keys =
-    'faces boundaryVertices t bounds solver linearSolver iterations history constraintResidual converged ' +
+    'faces boundaryVertices t bounds solver linearSolver formulation iterations history constraintResidual converged ' +
     'angularDistortion lengthDistortion quasiConformal stretch symmetricDirichlet areaDistortion ' +
     'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle fallbacks problem valid';
   assert.deepEqual(Object.keys(chart), keys.split(' '));
   assert.ok(chart.history.length > 0);
   for (const step of chart.history)
-    assert.deepEqual(Object.keys(step), ['objective', 'constraint', 'gradient', 'active', 'step']);
+    assert.deepEqual(Object.keys(step), ['objective', 'constraint', 'gradient', 'active', 'step', 'linearIterations']);
   assert.deepEqual(Object.keys(chart.quasiConformal), ['mean', 'max']);
   assert.deepEqual(Object.keys(chart.stretch), ['l2', 'linf']);
   assert.deepEqual(Object.keys(chart.areaDistortion), ['min', 'max']);

@@ -51,6 +51,8 @@ export interface NewtonStep {
   gradient: number;
   active: number;
   step: number;
+  /** 0 with a direct solver. */
+  linearIterations: number;
 }
 
 export interface ChartReport {
@@ -63,6 +65,7 @@ export interface ChartReport {
   /** `activeSet`, `interiorPoint` or `tutte`. */
   solver: string;
   linearSolver: string;
+  formulation: string;
   iterations: number;
   history: NewtonStep[];
   constraintResidual: number;

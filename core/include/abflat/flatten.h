@@ -32,17 +32,8 @@ struct VertexBound {
   double t = 0;
 };
 
-/// How Newton's linear systems are solved: directly after elimination, or iteratively on the whole
-/// symmetric system (8).
-enum class LinearSolver { Schur, Minres, Symmlq, Gmres, Bicgstab };
-
-/// The wheel constraint: sum of logarithms (6), or the products (3) of classic ABF.
-enum class Formulation { Log, Product };
-
 struct FlattenOptions : FlattenOptionValues {
-  LinearSolver linearSolver = LinearSolver::Schur;
-  Formulation formulation = Formulation::Log;
-  bool precondition = true;  ///< of the iterative solvers
+  bool precondition = true;  ///< of the iterative linear solvers
   std::vector<VertexBound> bounds;
   ProgressCallback progress;
 };
@@ -56,7 +47,6 @@ struct NewtonStep {
   double step = 0;           ///< step length in (0, 1]
   int linearIterations = 0;  ///< of the linear solver; 0 when it is direct
   double linearSeconds = 0;  ///< spent on the linear system
-  std::uint32_t reweighted = 0;  ///< angles whose weight grew because they would not stay positive
 };
 
 struct ChartReport {

@@ -50,18 +50,6 @@ double stepLength(const std::vector<double>& x, const std::vector<double>& dx) {
   return step;
 }
 
-/// Counts the angles that a full step would take to 0 or below, and makes them heavier.
-std::uint32_t growWeights(AngleProblem& problem, const std::vector<double>& x,
-                          const std::vector<double>& dx, double factor) {
-  std::uint32_t count = 0;
-  for (std::size_t c = 0; c < x.size(); ++c) {
-    if (x[c] + dx[c] > 0) continue;
-    problem.weight[c] *= factor;
-    ++count;
-  }
-  return count;
-}
-
 void moveTowards(std::vector<double>& value, const std::vector<double>& target, double step) {
   for (std::size_t i = 0; i < value.size(); ++i) value[i] += step * (target[i] - value[i]);
 }
@@ -83,9 +71,8 @@ AngleSolution startFrom(const AngleProblem& problem, const ConstraintRows& rows,
 
 }  // namespace
 
-AngleSolution solveActiveSet(const AngleProblem& asked, NewtonStepSolver& system,
+AngleSolution solveActiveSet(const AngleProblem& problem, NewtonStepSolver& system,
                              const SolverOptions& options, const AngleSolution* start) {
-  AngleProblem problem = asked;  // with weights of its own
   const ConstraintRows& rows = system.rows();
   AngleSolution s = startFrom(problem, rows, start);
   Linearization lin;
@@ -106,8 +93,6 @@ AngleSolution solveActiveSet(const AngleProblem& asked, NewtonStepSolver& system
     NewtonStep now;
     now.linearSeconds = watch.lap();
     now.linearIterations = system.linearIterations();
-    if (options.weightGrowth > 1)
-      now.reweighted = growWeights(problem, s.angles, dx, options.weightGrowth);
     now.step = stepLength(s.angles, dx);
     for (std::size_t c = 0; c < dx.size(); ++c) s.angles[c] += now.step * dx[c];
     moveTowards(s.multipliers.row, next.row, now.step);

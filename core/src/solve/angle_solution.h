@@ -14,14 +14,13 @@ struct SolverOptions {
   double gradientTolerance = 1e-6;     ///< see gradientResidual
   double objectiveTolerance = 1e-9;    ///< relative change in one step
   int maxSteps = 100;
-  /// Factor on the weight of an angle that a full step would take to 0 (paper, section 6, and its
-  /// reference 18); 1: weights stay, only the step gets shorter.
-  double weightGrowth = 1;
   /// Called after each step; return false to stop early.
   std::function<bool(int step, const NewtonStep&)> onStep;
 };
 
 struct AngleSolution {
+  LinearSolver linearSolver = LinearSolver::Schur;
+  Formulation formulation = Formulation::Log;
   std::vector<double> angles;  ///< x, each in (0, pi), size 3F
   Multipliers multipliers;
   std::vector<std::uint8_t> active;  ///< per vertex: boundary vertices held at their bound

@@ -13,21 +13,24 @@ constexpr int kInteriorPointSteps = 200;
 
 AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
                          const KktOptions& linear)
-    : problem_(problem), options_(std::move(options)), system_(problem) {
+    : problem_(problem), options_(std::move(options)), linear_(linear), system_(problem) {
   if (linear.solver != LinearSolver::Schur) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 
 AngleSolution AngleSolver::solve(const AngleSolution* start) {
+  AngleSolution s = runActiveSet(start);
+  if (start && !s.converged && !s.cancelled) s = runActiveSet(nullptr);
+  return s.converged || s.cancelled ? s : solveWithFloor(kDefaultBarrierFloor);
+}
+
+AngleSolution AngleSolver::runActiveSet(const AngleSolution* start) {
   SolverOptions options = options_;
   options.maxSteps = kActiveSetSteps;
   NewtonStepSolver& system = kkt_ ? static_cast<NewtonStepSolver&>(*kkt_) : system_;
   AngleSolution s = solveActiveSet(problem_, system, options, start);
-  if (s.converged || s.cancelled) return s;
-  if (start) {
-    s = solveActiveSet(problem_, system, options, nullptr);
-    if (s.converged || s.cancelled) return s;
-  }
-  return solveWithFloor(kDefaultBarrierFloor);
+  s.linearSolver = linear_.solver;
+  s.formulation = linear_.formulation;
+  return s;
 }
 
 AngleSolution AngleSolver::solveWithFloor(double barrierFloor) {

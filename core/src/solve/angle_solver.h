@@ -25,8 +25,11 @@ class AngleSolver {
   AngleSolution solveWithFloor(double barrierFloor);
 
  private:
+  AngleSolution runActiveSet(const AngleSolution* start);
+
   const AngleProblem& problem_;
   SolverOptions options_;
+  KktOptions linear_;
   NewtonSystem system_;
   std::unique_ptr<KktStepSolver> kkt_;  ///< null: Schur
 };

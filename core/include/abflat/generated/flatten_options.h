@@ -32,6 +32,47 @@ inline const char* untangleName(Untangle code) {
   return "";
 }
 
+/// How the linear systems of Newton's method are solved.
+enum class LinearSolver : int {
+  Schur = 0,  ///< elimination to two rows a vertex and a sparse factorisation
+  Minres = 1,  ///< MINRES on the whole symmetric system, as in the paper
+  Symmlq = 2,  ///< SYMMLQ on the whole symmetric system, as in the paper
+  Gmres = 3,  ///< GMRES, as in classic ABF
+  Bicgstab = 4,  ///< BiCGSTAB, as in classic ABF
+};
+
+inline const char* linearSolverName(LinearSolver code) {
+  switch (code) {
+    case LinearSolver::Schur:
+      return "schur";
+    case LinearSolver::Minres:
+      return "minres";
+    case LinearSolver::Symmlq:
+      return "symmlq";
+    case LinearSolver::Gmres:
+      return "gmres";
+    case LinearSolver::Bicgstab:
+      return "bicgstab";
+  }
+  return "";
+}
+
+/// Form of the wheel condition.
+enum class Formulation : int {
+  Log = 0,  ///< the wheel condition as a sum of logarithms, eq. (6)
+  Product = 1,  ///< as a product, eq. (3), as in classic ABF; not with schur
+};
+
+inline const char* formulationName(Formulation code) {
+  switch (code) {
+    case Formulation::Log:
+      return "log";
+    case Formulation::Product:
+      return "product";
+  }
+  return "";
+}
+
 /// "auto" as a value of the option t.
 constexpr double kAutoT = 0;
 
@@ -41,6 +82,10 @@ struct FlattenOptionValues {
   double t = 0;
   /// how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
   Untangle untangle = Untangle::Auto;
+  /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
+  LinearSolver linearSolver = LinearSolver::Schur;
+  /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur
+  Formulation formulation = Formulation::Log;
 };
 
 /// An option for people: names, default and range as on the command line.
@@ -58,8 +103,10 @@ struct OptionInfo {
 constexpr OptionInfo kFlattenOptions[] = {
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
+    {"linearSolver", "--linear-solver", "schur", "schur, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
+    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur", false, true},
 };
-constexpr int kFlattenOptionCount = 2;
+constexpr int kFlattenOptionCount = 4;
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
 /// the numbers that stand for words are refused.
@@ -72,6 +119,12 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
     case 1:
       options.untangle = static_cast<Untangle>(static_cast<int>(value));
       return value >= 0 && value < 5;
+    case 2:
+      options.linearSolver = static_cast<LinearSolver>(static_cast<int>(value));
+      return value >= 0 && value < 5;
+    case 3:
+      options.formulation = static_cast<Formulation>(static_cast<int>(value));
+      return value >= 0 && value < 2;
   }
   return false;
 }
@@ -84,6 +137,13 @@ inline double wordValue(int index, std::string_view text, bool& found) {
   if (index == 1 && text == "local") return found = true, 2;
   if (index == 1 && text == "global") return found = true, 3;
   if (index == 1 && text == "best") return found = true, 4;
+  if (index == 2 && text == "schur") return found = true, 0;
+  if (index == 2 && text == "minres") return found = true, 1;
+  if (index == 2 && text == "symmlq") return found = true, 2;
+  if (index == 2 && text == "gmres") return found = true, 3;
+  if (index == 2 && text == "bicgstab") return found = true, 4;
+  if (index == 3 && text == "log") return found = true, 0;
+  if (index == 3 && text == "product") return found = true, 1;
   return found = false, 0;
 }
 
@@ -95,6 +155,8 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   else
     visit("t", options.t);
   visit("untangle", untangleName(options.untangle));
+  visit("linearSolver", linearSolverName(options.linearSolver));
+  visit("formulation", formulationName(options.formulation));
 }
 
 }  // namespace abflat
