@@ -80,7 +80,14 @@ test('the report has its keys in their order', async (t) => {
   assert.deepEqual(Object.keys(chart), keys.split(' '));
   assert.ok(chart.history.length > 0);
   for (const step of chart.history)
-    assert.deepEqual(Object.keys(step), ['objective', 'constraint', 'gradient', 'active', 'step', 'linearIterations']);
+    assert.deepEqual(Object.keys(step), [
+      'objective',
+      'constraint',
+      'gradient',
+      'active',
+      'step',
+      'linearIterations',
+    ]);
   assert.deepEqual(Object.keys(chart.quasiConformal), ['mean', 'max']);
   assert.deepEqual(Object.keys(chart.stretch), ['l2', 'linf']);
   assert.deepEqual(Object.keys(chart.areaDistortion), ['min', 'max']);
