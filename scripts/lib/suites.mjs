@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { BUILD, ROOT } from './paths.mjs';
 import { run } from './run.mjs';
 
-const SECONDS = 12 * 60;
+const SECONDS = 20 * 60;
 
 /** Runs a Catch2 program and counts its test cases. */
 export async function runCatch(program, env = {}) {

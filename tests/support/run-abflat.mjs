@@ -4,7 +4,8 @@ import { spawn, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { NATIVE_PROGRAM } from '../../scripts/lib/paths.mjs';
 
-const SECONDS = 120;
+/** A guard against hanging, not a demand on speed. */
+const SECONDS = 400;
 
 /** The program under test: build/native/abflat, or what ABFLAT_BIN names. */
 export const PROGRAM = process.env.ABFLAT_BIN ?? NATIVE_PROGRAM;
