@@ -206,14 +206,53 @@ CLI::App* addSample(CLI::App& app, SampleCommand& c) {
   return sub;
 }
 
+/// "2,1.05,auto" as values of t.
+std::vector<double> parseBounds(const std::string& text) {
+  constexpr int kIndexOfT = 0;
+  std::vector<double> out;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    FlattenOptionValues values;
+    bool isWord = false;
+    double t = wordValue(kIndexOfT, word, isWord);
+    if ((!isWord && !isNumber(word, t)) || !setOption(values, kIndexOfT, t, isWord))
+      throw CLI::ValidationError(
+          "--t", "'" + word + "' is not a number " + kFlattenOptions[kIndexOfT].range);
+    out.push_back(t);
+  }
+  if (out.empty()) throw CLI::ValidationError("--t", "the list is empty");
+  return out;
+}
+
+CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
+  CLI::App* sub = app.add_subcommand("sweep", "Compare the distortion of a mesh for several t");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  sub->add_option_function<std::string>(
+         "--t", [&c](const std::string& text) { c.t = parseBounds(text); },
+         wrapped("values of t separated by commas, each a number above 0, or auto"))
+      ->default_str("2,1.05,1,0.968")
+      ->type_name("LIST");
+  sub->add_option("--csv", c.csv,
+                  wrapped("CSV file to write instead of printing a table; - for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+  setUsage(*sub, "abflat sweep IN [--t LIST] [--csv FILE]");
+  sub->footer(
+      "A t that is not possible for the mesh, or gives no valid layout, is a row that says "
+      "so.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
 std::string usageError(const CLI::App& app, const CLI::Error& error) {
   const auto named = app.get_subcommands();
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
-    what =
-        "there is no command '" + app.remaining().front() + "'; known are flatten, inspect, sample";
+    what = "there is no command '" + app.remaining().front() +
+           "'; known are flatten, inspect, sample, sweep";
   else if (named.empty())
-    what = "name a command: flatten, inspect or sample";
+    what = "name a command: flatten, inspect, sample or sweep";
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
@@ -251,9 +290,11 @@ Command parseArguments(int argc, const char* const* argv) {
   FlattenCommand flatten;
   InspectCommand inspect;
   SampleCommand sample;
+  SweepCommand sweep;
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
+  const CLI::App* sweepApp = addSweep(app, sweep);
   try {
     app.parse(argc, argv);
     if (flattenApp->parsed()) checkTogether(flatten);
@@ -266,6 +307,7 @@ Command parseArguments(int argc, const char* const* argv) {
   if (flattenApp->parsed()) return flatten;
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;
+  if (sweepApp->parsed()) return sweep;
   return Finished{static_cast<int>(ExitCode::Usage)};
 }
 

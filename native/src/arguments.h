@@ -2,6 +2,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
@@ -29,12 +30,19 @@ struct SampleCommand {
   double detail = kMinSampleDetail;
 };
 
+struct SweepCommand {
+  std::string input;
+  std::vector<double> t = {2, 1.05, 1,
+                           0.968};  ///< those of the paper's table 2; kAutoT may be among them
+  std::string csv;                  ///< file to write; empty: a table for people
+};
+
 /// What the program has printed already (help, version, a usage error).
 struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand>;
+using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

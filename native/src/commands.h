@@ -8,5 +8,6 @@ namespace abflat::cli {
 int runFlatten(const FlattenCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
+int runSweep(const SweepCommand& command);
 
 }  // namespace abflat::cli

@@ -15,6 +15,7 @@ struct Runner {
   int operator()(const FlattenCommand& command) const { return runFlatten(command); }
   int operator()(const InspectCommand& command) const { return runInspect(command); }
   int operator()(const SampleCommand& command) const { return runSample(command); }
+  int operator()(const SweepCommand& command) const { return runSweep(command); }
 };
 
 int ended(const Status& status) {

@@ -1,0 +1,109 @@
+#include <iomanip>
+#include <sstream>
+
+#include "abflat/flatten.h"
+#include "commands.h"
+#include "input_file.h"
+#include "out_of_memory.h"
+#include "output_file.h"
+#include "paths.h"
+#include "terminal.h"
+
+namespace abflat::cli {
+namespace {
+
+/// What came of one t: a report, or the status that says why there is none.
+struct Row {
+  double t;
+  Result<FlattenResult> result;
+};
+
+std::string boundText(double t) {
+  if (t == kAutoT) return "auto";
+  std::ostringstream out;
+  out << t;
+  return out.str();
+}
+
+/// A cell of a CSV file; quoted, since sentences hold commas.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string csvText(const std::vector<Row>& rows) {
+  std::ostringstream out;
+  out << std::setprecision(10);
+  out << "t,used t,solver,steps,angular distortion,length "
+         "distortion,crossings,flipped,valid,seconds,problem\n";
+  for (const Row& row : rows) {
+    out << boundText(row.t) << ',';
+    if (!row.result.ok()) {
+      out << ",,,,,,,false,," << quoted(row.result.status.message) << '\n';
+      continue;
+    }
+    const ChartReport& c = row.result.value.report.charts.front();
+    const Timings& s = row.result.value.report.timings;
+    out << c.t << ',' << c.solver << ',' << c.iterations << ',' << c.angularDistortion << ','
+        << c.lengthDistortion << ',' << c.boundaryCrossings << ',' << c.flippedTriangles << ','
+        << (c.valid ? "true" : "false") << ',' << s.connectivity + s.solve + s.layout + s.check
+        << ',' << quoted(c.problem) << '\n';
+  }
+  return out.str();
+}
+
+std::string tableText(const std::vector<Row>& rows) {
+  std::ostringstream out;
+  out << std::setw(8) << "t" << std::setw(8) << "used" << std::setw(7) << "steps" << std::setw(12)
+      << "angular" << std::setw(12) << "length" << std::setw(11) << "crossings" << std::setw(9)
+      << "flipped" << std::setw(9) << "seconds"
+      << "  result\n";
+  for (const Row& row : rows) {
+    out << std::setw(8) << boundText(row.t);
+    if (!row.result.ok()) {
+      out << std::setw(68) << ""
+          << "  " << row.result.status.message << '\n';
+      continue;
+    }
+    const ChartReport& c = row.result.value.report.charts.front();
+    const Timings& s = row.result.value.report.timings;
+    out << std::setw(8) << boundText(c.t) << std::setw(7) << c.iterations << std::fixed
+        << std::setprecision(5) << std::setw(12) << c.angularDistortion << std::setprecision(4)
+        << std::setw(12) << c.lengthDistortion << std::setw(11) << c.boundaryCrossings
+        << std::setw(9) << c.flippedTriangles << std::setprecision(2) << std::setw(9)
+        << s.connectivity + s.solve + s.layout + s.check << std::defaultfloat << "  "
+        << (c.valid ? "valid" : c.problem) << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace
+
+int runSweep(const SweepCommand& command) {
+  const std::string name = inputName(command.input);
+  const auto ended = [](const Status& status) {
+    complain(status.message);
+    return exitCodeOf(status.code);
+  };
+  OutputFile out(command.csv.empty() ? kStandardStream : command.csv);
+  if (const Status s = out.check(); !s.ok()) return ended(s);
+  const Result<InputMesh> input = readInput(command.input);
+  if (!input.ok()) return ended(input.status);
+  std::vector<Row> rows;
+  for (const double t : command.t) {
+    FlattenOptions options;
+    options.t = t;
+    rows.push_back({t, orOutOfMemory(name, [&] { return flatten(input.value.mesh, options); })});
+    const Status& status = rows.back().result.status;
+    // What no t can change ends the sweep.
+    if (!status.ok() && status.code != StatusCode::InfeasibleBound)
+      return ended({status.code, name + ": " + status.message});
+  }
+  if (const Status s = out.write(command.csv.empty() ? tableText(rows) : csvText(rows)); !s.ok())
+    return ended(s);
+  const Status written = out.commit();
+  return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
+}
+
+}  // namespace abflat::cli
