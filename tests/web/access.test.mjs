@@ -120,7 +120,17 @@ for (const [name, width, height] of [
     });
     assert.ok(overflow[0] <= 0, 'no horizontal scrolling');
     if (height <= 720 || height === 844) assert.ok(overflow[1] <= 0, 'no vertical scrolling');
-    for (const id of ['open', 'sample', 'export', 'theme', 't', 't-number', 'cancel', 'fit']) {
+    for (const id of [
+      'open',
+      'sample',
+      'export',
+      'theme',
+      't',
+      't-auto',
+      't-number',
+      'cancel',
+      'fit',
+    ]) {
       await page.locator(`#${id}`).scrollIntoViewIfNeeded();
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.x >= 0 && box.x + box.width <= width, `${id} is inside`);

@@ -122,6 +122,27 @@ test('a layout that crosses itself is called not valid, with the reason', {
   assert.notEqual((await metrics(page)).Crossings, '0');
 });
 
+test('Auto untangles a boundary that crosses itself when it is free', async (t) => {
+  const page = await openPage(t);
+  await page.selectOption('#sample', 'alpha-band');
+  await settled(page);
+  await page.fill('#t-number', '2');
+  await settled(page);
+  assert.notEqual((await metrics(page)).Crossings, '0');
+  await page.click('#t-auto');
+  await settled(page);
+  assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'true');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal((await metrics(page)).Crossings, '0');
+  assert.match(await textOf(page, '#layout-info'), /^t = auto: free but for \d+ vertices$/);
+  assert.match(await textOf(page, '#t-hint'), /^auto: /);
+  await page.focus('#t');
+  await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'false');
+  assert.match(await textOf(page, '#layout-info'), /^t = \d/);
+});
+
 test('wireframe and distortion change the pictures', async (t) => {
   const page = await openPage(t);
   const plain = await picture(page, '#mesh-canvas');

@@ -3,7 +3,7 @@ import { hideAlert, showAlert } from './alert';
 import { BoundControl } from './bound-control';
 import { element } from './dom';
 import { exportObj } from './export-obj';
-import { bound, count, counted, duration } from './format';
+import { type Bound, bound, count, counted, duration } from './format';
 import type { DisplayMesh } from './mesh';
 import { MetricsPanel } from './metrics';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
@@ -40,7 +40,7 @@ export class App implements SessionEvents {
     void this.session.open({ kind: 'sample', name: FIRST_SAMPLE }, this.bound.t);
   }
 
-  started(source: Source, t: number | null): void {
+  started(source: Source, t: Bound | null): void {
     this.run.start(t === null ? `Reading ${titleOf(source)}` : `Flattening with t = ${bound(t)}`);
     document.body.setAttribute('aria-busy', 'true');
     this.markStale(t ?? this.bound.t);
@@ -69,9 +69,10 @@ export class App implements SessionEvents {
     this.views?.showOutcome(outcome);
     this.metrics.show(report);
     this.bound.setBoundaryVertices(report.charts[0].boundaryVertices);
+    if (outcome.t === 'auto') this.bound.showFound(report.charts[0]);
     this.updateExport();
     this.markStale(outcome.t);
-    element('layout-info', HTMLElement).textContent = `t = ${bound(outcome.t)}`;
+    element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
     const verdict = report.valid ? '' : ', not valid';
     this.finish(`Flattened in ${duration(report.timings.total)}${verdict}`, false);
   }
@@ -80,7 +81,7 @@ export class App implements SessionEvents {
     this.finish('Cancelled', this.markStale() || this.outcome === null);
   }
 
-  failed(source: Source, t: number | null, error: Error): void {
+  failed(source: Source, t: Bound | null, error: Error): void {
     const kept = this.outcome ? `The layout is still that of ${this.owner()}.` : '';
     showAlert(failure(source, t, error.message), kept);
     showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
@@ -102,7 +103,7 @@ export class App implements SessionEvents {
   }
 
   /** Marks layout and numbers when they do not belong to the mesh on screen and to t; returns whether that is so. */
-  private markStale(t = this.bound.t): boolean {
+  private markStale(t: Bound = this.bound.t): boolean {
     const isStale =
       this.outcome !== null && (this.outcome.source !== this.shown || this.outcome.t !== t);
     if (isStale) this.layoutNote.textContent = `Previous result: ${this.owner()}`;
@@ -135,9 +136,18 @@ export class App implements SessionEvents {
 }
 
 /** What went wrong as a sentence that names the mesh. */
-function failure(source: Source, t: number | null, message: string): string {
+function failure(source: Source, t: Bound | null, message: string): string {
   const text = message.replace(/\.$/, '');
   if (text.includes(source.name)) return `${text}.`;
   const what = t === null ? 'was not opened' : 'was not flattened';
   return `${titleOf(source)} ${what}: ${text}.`;
+}
+
+/** The t of a layout, and what the automatic choice came to. */
+function layoutInfo({ t, result }: Outcome): string {
+  const [chart] = result.report.charts;
+  const tightened = chart.bounds.length;
+  const but = tightened > 0 ? ` but for ${counted(tightened, 'vertex', 'vertices')}` : '';
+  const found = chart.t >= 2 ? 'free' : bound(chart.t);
+  return `t = ${bound(t)}${t === 'auto' ? `: ${found}${but}` : ''}`;
 }

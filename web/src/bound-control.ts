@@ -1,5 +1,6 @@
+import type { ChartReport } from 'abflat';
 import { create, element } from './dom';
-import { bound } from './format';
+import { type Bound, bound } from './format';
 
 const LEAST = 0.9;
 const MOST = 2;
@@ -20,9 +21,11 @@ export class BoundControl {
   private readonly slider = element('t', HTMLInputElement);
   private readonly field = element('t-number', HTMLInputElement);
   private readonly hint = element('t-hint', HTMLElement);
+  private readonly auto = element('t-auto', HTMLButtonElement);
   private current = FIRST;
+  private isAuto = false;
 
-  constructor(private readonly changed: (t: number) => void) {
+  constructor(private readonly changed: (t: Bound) => void) {
     for (const input of [this.slider, this.field]) {
       input.min = String(LEAST);
       input.max = String(MOST);
@@ -36,11 +39,24 @@ export class BoundControl {
     this.field.addEventListener('input', () => this.readField());
     this.field.addEventListener('change', () => this.show());
     this.field.addEventListener('keydown', (event) => this.onKey(event));
+    this.auto.addEventListener('click', () => {
+      if (this.isAuto) return this.set(this.current);
+      this.setAuto(true);
+      this.changed('auto');
+    });
     element('bound', HTMLFormElement).addEventListener('submit', (event) => event.preventDefault());
   }
 
-  get t(): number {
-    return this.current;
+  get t(): Bound {
+    return this.isAuto ? 'auto' : this.current;
+  }
+
+  /** Shows what the automatic choice came to. */
+  showFound(chart: ChartReport): void {
+    if (!this.isAuto) return;
+    this.current = Math.min(MOST, Math.max(LEAST, chart.t));
+    this.show();
+    this.hint.textContent = `auto: ${chart.t >= MOST ? 'free' : bound(chart.t)}`;
   }
 
   /** Hatches the part of the slider that is not possible: t is at least 1 - 2/n for n boundary vertices. */
@@ -51,10 +67,16 @@ export class BoundControl {
   }
 
   private set(t: number): void {
-    if (t === this.current) return;
+    if (t === this.current && !this.isAuto) return;
+    this.setAuto(false);
     this.current = t;
     this.show();
     this.changed(t);
+  }
+
+  private setAuto(isOn: boolean): void {
+    this.isAuto = isOn;
+    this.auto.setAttribute('aria-pressed', String(isOn));
   }
 
   private readField(): void {
@@ -65,7 +87,8 @@ export class BoundControl {
       this.hint.textContent = `from ${LEAST} to ${MOST}`;
       return;
     }
-    if (t === this.current) return;
+    if (t === this.current && !this.isAuto) return;
+    this.setAuto(false);
     this.current = t;
     this.showSlider();
     this.changed(t);

@@ -22,7 +22,10 @@ export function duration(seconds: number): string {
   return `${seconds < 9.95 ? seconds.toFixed(2) : seconds.toFixed(1)}\u202fs`;
 }
 
+/** What the user asks of the boundary. */
+export type Bound = number | 'auto';
+
 /** At most three decimals: 1, 1.05, 0.968. */
-export function bound(t: number): string {
-  return String(Math.round(t * 1000) / 1000);
+export function bound(t: Bound): string {
+  return t === 'auto' ? t : String(Math.round(t * 1000) / 1000);
 }

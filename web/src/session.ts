@@ -1,4 +1,5 @@
 import type { Abflat, FlattenResult, MeshFile, MeshInput, Progress } from 'abflat';
+import type { Bound } from './format';
 import type { DisplayMesh } from './mesh';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
@@ -6,21 +7,21 @@ export type Source = { kind: 'sample'; name: string } | { kind: 'file'; name: st
 
 export interface Outcome {
   source: Source;
-  t: number;
+  t: Bound;
   result: FlattenResult;
   mesh: DisplayMesh;
 }
 
 export interface SessionEvents {
   /** A mesh is being read, or flattened when `t` is given. */
-  started(source: Source, t: number | null): void;
+  started(source: Source, t: Bound | null): void;
   progress(progress: Progress): void;
   /** A mesh was read; whether it can be flattened is not known yet. */
   opened(source: Source, mesh: DisplayMesh): void;
   flattened(outcome: Outcome): void;
   cancelled(): void;
   /** `t` is null when the mesh could not be read. */
-  failed(source: Source, t: number | null, error: Error): void;
+  failed(source: Source, t: Bound | null, error: Error): void;
 }
 
 interface Opened {
@@ -40,7 +41,7 @@ export class Session {
   private opened: Opened | null = null;
   private running: AbortController | null = null;
   /** The t to flatten with as soon as the run in flight ends. */
-  private next: number | null = null;
+  private next: Bound | null = null;
   private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -49,7 +50,7 @@ export class Session {
   ) {}
 
   /** Reads a mesh and flattens it. On failure the previous one stays. */
-  async open(source: Source, t: number): Promise<void> {
+  async open(source: Source, t: Bound): Promise<void> {
     this.stop();
     const controller = this.begin();
     this.events.started(source, null);
@@ -67,7 +68,7 @@ export class Session {
   }
 
   /** Flattens the mesh with another t: at once, or as soon as the run in flight ends or has used up our patience. */
-  flatten(t: number): void {
+  flatten(t: Bound): void {
     if (!this.running) {
       if (this.opened) void this.run(t);
       return;
@@ -90,7 +91,7 @@ export class Session {
     void this.run(t);
   }
 
-  private async run(t: number): Promise<void> {
+  private async run(t: Bound): Promise<void> {
     if (!this.opened) return;
     const { source, input, mesh } = this.opened;
     const controller = this.begin();
