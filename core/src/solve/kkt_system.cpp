@@ -16,7 +16,6 @@ class KktBuilder {
         triangles_(at.problem.triangleCount()) {
     const auto n = static_cast<Eigen::Index>(corners_ + triangles_ + rows.count());
     out_.rhs.setZero(n);
-    out_.matrix.resize(n, n);
     out_.rowScale.assign(rows.count(), 1);
     if (formulation == Formulation::Product) wheels_ = wheelProducts(at.problem, at.angles);
   }
@@ -25,7 +24,7 @@ class KktBuilder {
     addTriangles();
     addBoundaryAndWheels();
     if (!wheels_.empty()) addWheelHessians();
-    out_.matrix.setFromTriplets(entries_.begin(), entries_.end());
+    out_.matrix = assembled(out_.rhs.size());
     return std::move(out_);
   }
 
@@ -36,6 +35,12 @@ class KktBuilder {
   void addPair(std::size_t r, std::size_t c, double value) {
     add(r, c, value);
     add(c, r, value);
+  }
+  Eigen::SparseMatrix<double> assembled(Eigen::Index n) const {
+    if (n == 0) return {};
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    return matrix;
   }
   std::size_t place(std::uint32_t row) const { return corners_ + triangles_ + row; }
   bool isOff(std::uint32_t v) const { return at_.problem.isBoundary[v] && !at_.active[v]; }

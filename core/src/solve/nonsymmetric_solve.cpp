@@ -26,10 +26,9 @@ class Preconditioner {
   }
   template <class Rhs>
   Eigen::VectorXd solve(const Rhs& b) const {
-    const Eigen::VectorXd in = b;
-    if (!apply_) return in;
-    Eigen::VectorXd out(in.size());
-    apply_(in, out);
+    if (!apply_) return b;
+    Eigen::VectorXd out(b.size());
+    apply_(b, out);
     return out;
   }
   Eigen::ComputationInfo info() const { return Eigen::Success; }
