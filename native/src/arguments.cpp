@@ -160,9 +160,10 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
   for (int i = 0; i < kFlattenOptionCount; ++i) addFlattenOption(*sub, c.options, i);
-  sub->add_option("--bounds", c.bounds,
-                  wrapped("text file with bounds for single boundary vertices, in place of the "
-                          "common t: a line 'VERTEX T' each, vertices counted from 0"))
+  sub->add_option(
+         "--bounds", c.bounds,
+         wrapped("text file with bounds for single boundary vertices, in place of the "
+                 "common t: a line 'VERTEX T' each, vertices counted from 0; - for standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
   sub->add_option("--report", c.report,
@@ -259,14 +260,29 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   return "abflat: " + what + "\nabflat" + command + " --help says how.\n";
 }
 
-/// What the options cannot say one by one.
+void refuse(const char* option, const std::string& what) {
+  throw CLI::ValidationError(option, what + "; give it a name of its own");
+}
+
+/// Whether writing `target` would lose what is read from `source`.
+bool replaces(const std::string& target, const std::string& source) {
+  return !target.empty() && !source.empty() && target != kStandardStream &&
+         isSameTarget(target, source);
+}
+
+/// What the options cannot say one by one. A mesh may be replaced by its own result.
 void checkTogether(const FlattenCommand& c) {
-  if (c.report.empty()) return;
-  if (isSameTarget(c.report, c.output))
-    throw CLI::ValidationError("--report",
-                               "is the same file as --output; give it a name of its own");
-  if (c.report != kStandardStream && isSameTarget(c.report, c.input))
-    throw CLI::ValidationError("--report", "would replace the input; give it a name of its own");
+  if (!c.report.empty() && isSameTarget(c.report, c.output))
+    refuse("--report", "is the same file as --output");
+  if (replaces(c.report, c.input)) refuse("--report", "would replace the input");
+  if (replaces(c.report, c.bounds)) refuse("--report", "would replace the file of --bounds");
+  if (replaces(c.output, c.bounds)) refuse("--output", "would replace the file of --bounds");
+  if (c.input == kStandardStream && c.bounds == kStandardStream)
+    throw CLI::ValidationError("--bounds", "standard input is the mesh already; name a file");
+}
+
+void checkTogether(const SweepCommand& c) {
+  if (replaces(c.csv, c.input)) refuse("--csv", "would replace the input");
 }
 
 }  // namespace
@@ -298,6 +314,7 @@ Command parseArguments(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     if (flattenApp->parsed()) checkTogether(flatten);
+    if (sweepApp->parsed()) checkTogether(sweep);
   } catch (const CLI::Success& request) {
     return Finished{app.exit(request)};
   } catch (const CLI::ParseError& error) {

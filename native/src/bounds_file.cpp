@@ -1,16 +1,16 @@
 #include "bounds_file.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <sstream>
+
+#include "input_file.h"
+#include "paths.h"
 
 namespace abflat::cli {
 
 Result<std::vector<VertexBound>> readBounds(const std::string& path) {
-  std::ifstream in(path);
-  if (!in)
-    return Status{StatusCode::UnreadableFile, "cannot read " + path + ": " + std::strerror(errno)};
+  const Result<std::string> text = readBytes(path);
+  if (!text.ok()) return text.status;
+  std::istringstream in(text.value);
   std::vector<VertexBound> bounds;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
@@ -22,7 +22,7 @@ Result<std::vector<VertexBound>> readBounds(const std::string& path) {
     const bool isVertex = first[0] != '-' && (vertex >> bound.vertex) && vertex.eof();
     if (!isVertex || !(words >> bound.t) || (words >> rest))
       return Status{StatusCode::ParseError,
-                    path + ":" + std::to_string(number) +
+                    inputName(path) + ":" + std::to_string(number) +
                         ": expected a vertex number and its t, such as '17 1.5'"};
     bounds.push_back(bound);
   }

@@ -63,6 +63,13 @@ class FlattenRun {
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
+    // The names cannot tell when one of them has no ending or is a link.
+    if (input_.format != MeshFormat::Obj && command_.output != kStandardStream &&
+        isSameTarget(command_.input, command_.output))
+      return Status{StatusCode::InvalidOption,
+                    name +
+                        ": the result is OBJ text and would replace this OFF file; give --output "
+                        "another name"};
     FlattenOptions options;
     static_cast<FlattenOptionValues&>(options) = command_.options;
     if (!command_.bounds.empty()) {
@@ -113,7 +120,7 @@ class FlattenRun {
     if (report_) {
       Report report;
       report.error = status;
-      if (exitCodeOf(status.code) == static_cast<int>(ExitCode::NotFlattenable) &&
+      if (exitCodeOf(status.code) != static_cast<int>(ExitCode::Unreadable) &&
           status.code != StatusCode::OutOfMemory)
         report.input = inspect(input_.mesh);
       complete(report);

@@ -35,6 +35,8 @@ std::string readAll(int file, std::string& bytes) {
   }
 }
 
+}  // namespace
+
 Result<std::string> readBytes(const std::string& path) {
   const bool isStandard = path == kStandardStream;
   const auto failure = [&](const std::string& reason) {
@@ -48,9 +50,6 @@ Result<std::string> readBytes(const std::string& path) {
   if (!problem.empty()) return failure(problem);
   return bytes;
 }
-
-}  // namespace
-
 Result<InputMesh> readInput(const std::string& path) {
   return orOutOfMemory(inputName(path), [&]() -> Result<InputMesh> {
     InputMesh out;

@@ -64,6 +64,13 @@ const REFUSED = [
     3,
     /a\.off:2: /,
   ],
+  [
+    'an OFF header that promises fewer faces',
+    'a.off',
+    TETRAHEDRON.replace('4 4 6', '4 3 6'),
+    3,
+    /a\.off:10: .*3 faces.*one more/,
+  ],
   ['an OFF file without counts', 'a.off', 'OFF\n', 3, /a\.off/],
   ['an empty OBJ file', 'a.obj', '', 3, /a\.obj: .*empty/],
   ['an empty OFF file', 'a.off', '', 3, /a\.off.*empty/],
@@ -130,6 +137,8 @@ const ACCEPTED = [
   ['negative indices', TRIANGLE.replace('f 1 2 3', 'f -3 -2 -1')],
   ['a vertex without faces', `v 9 9 9\n${TRIANGLE.replace('f 1 2 3', 'f 2 3 4')}`],
   ['no newline at the end', TRIANGLE.trimEnd()],
+  ['line ends of old Macs', TRIANGLE.replaceAll('\n', '\r')],
+  ['a comment that ends in a backslash', `# C:\\models\\\n${TRIANGLE}`],
 ];
 
 for (const [what, content] of ACCEPTED)
@@ -161,6 +170,25 @@ test('every truncation of a mesh ends with a documented exit code', async (t) =>
       );
       assert.equal(run.code === 0, run.stderr === '');
     }
+});
+
+test('a file of bounds that cannot be read ends with exit code 3', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('a.obj'), TRIANGLE);
+  writeFileSync(at('bad'), '# vertex t\n0 1.5\n1 wide\n');
+  mkdirSync(at('folder'));
+  for (const [bounds, sentence] of [
+    ['missing', /cannot read missing: No such file/],
+    ['folder', /cannot read folder: it is a folder/],
+    ['bad', /bad:3: expected a vertex number and its t/],
+  ]) {
+    const args = ['flatten', 'a.obj', '-o', 'out.obj', '--bounds', bounds];
+    const run = await runAbflat(args, { cwd: at() });
+    assert.equal(run.code, 3);
+    assert.match(run.stderr, sentence);
+    assert.match(run.stderr, /^abflat: [^\n]+\n$/);
+  }
+  assert.deepEqual(readdirSync(at()).sort(), ['a.obj', 'bad', 'folder']);
 });
 
 test('an input that cannot be opened ends with exit code 3', async (t) => {

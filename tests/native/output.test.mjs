@@ -111,6 +111,26 @@ test('a file can be replaced by its own result, again and again', async (t) => {
   assert.deepEqual(readdirSync(at()).sort(), ['in.obj', 'out.obj']);
 });
 
+test('an OFF file is not replaced by OBJ text, whatever it is called', async (t) => {
+  const at = prepared(t);
+  const off = 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
+  writeFileSync(at('mesh'), off);
+  symlinkSync('mesh', at('link.obj'));
+  for (const [input, output] of [
+    ['mesh', 'mesh'],
+    ['./mesh', 'mesh'],
+    ['mesh', 'link.obj'],
+  ]) {
+    const run = await flatten(at, [input, '-o', output, '--report', 'r.json']);
+    assert.equal(run.code, 2, run.stderr);
+    assert.match(run.stderr, /mesh: the result is OBJ text and would replace this OFF file/);
+    assert.equal(readFileSync(at('mesh'), 'utf8'), off);
+    const { error, input: counts } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    assert.deepEqual([error.code, counts.faces], ['InvalidOption', 1]);
+  }
+  assert.ok(lstatSync(at('link.obj')).isSymbolicLink());
+});
+
 test('permissions are those of the file that is replaced, or what umask asks for', async (t) => {
   const at = prepared(t);
   chmodSync(at('out.obj'), 0o604);

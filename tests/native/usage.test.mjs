@@ -36,7 +36,20 @@ const WRONG = [
   [[...FLATTEN, '--report', './sub/../out.obj'], /--report: is the same file as --output/],
   [[...FLATTEN, '--report', './in.obj'], /--report: would replace the input/],
   [['flatten', 'in.obj', '-o', '-', '--report', '-'], /--report: is the same file as --output/],
+  [
+    [...FLATTEN, '--bounds', 'b', '--report', './b'],
+    /--report: would replace the file of --bounds/,
+  ],
+  [
+    ['flatten', 'in.obj', '-o', 'b', '--bounds', 'b'],
+    /--output: would replace the file of --bounds/,
+  ],
+  [
+    ['flatten', '-', '-o', 'o.obj', '--bounds', '-'],
+    /--bounds: standard input is the mesh already/,
+  ],
   [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ/],
+  [['sweep', 'in.obj', '--csv', './in.obj'], /--csv: would replace the input/],
   [['inspect'], /IN/],
   [['sample'], /NAME/],
   [['sample', 'teapot', '-o', 'out.obj'], /no sample 'teapot'; known are hemisphere/],

@@ -26,8 +26,9 @@ Status validateArrays(const PolygonMesh& mesh);
 /// OBJ text of the mesh with texcoords: the faces in their order, corner order and degree.
 /// `uv` has 2 coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of
 /// faceVertices). When `sourceObj` is the OBJ text that `mesh` was read from, everything but
-/// texcoords and faces is copied from it byte for byte (positions, comments, groups, materials,
-/// normals); otherwise positions are written so that they read back to the same doubles.
+/// texcoords, what refers to them, and faces is copied from it byte for byte (positions, comments,
+/// groups, materials, normals); otherwise positions are written so that they read back to the same
+/// doubles.
 std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj = {});
 

@@ -9,11 +9,14 @@ namespace abflat {
 /// Takes the next word off `text` (separated by blanks and tabs); empty at the end.
 std::string_view takeWord(std::string_view& text);
 
-/// Correctly rounded; the whole word must be a number ("nan" and "inf" are numbers here).
+// Texts of numbers are the same in every locale.
+
+/// Correctly rounded; the whole word must be a number ("nan" and "inf" are numbers here). Beyond
+/// the range of doubles it is 0 or infinity.
 bool parseDouble(std::string_view word, double& value);
 bool parseInteger(std::string_view word, std::int64_t& value);
 
-/// The shortest text that reads back as the same double.
+/// A text that reads back as the same double: the shortest where the standard library has it.
 void appendDouble(std::string& out, double value);
 
 }  // namespace abflat

@@ -1,17 +1,22 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace abflat {
 
-/// One logical line of an OBJ text; a backslash at the end of a line joins it with the next.
+/// One logical line of an OBJ text. A backslash at the end of a line joins it with the next, unless
+/// that one begins a record of its own; this is done for the kinds that are named here. Others are
+/// skipped or copied, and so is what follows them; and the names they hold may be paths that end in
+/// a backslash.
 struct ObjLine {
-  enum class Kind { Vertex, Texcoord, Face, Other };
+  enum class Kind { Vertex, Texcoord, Face, Polyline, Other };
   Kind kind = Kind::Other;
-  std::size_t number = 0;  ///< of its first physical line, counted from 1
-  std::string_view text;   ///< with its line end
-  std::string_view
-      arguments;  ///< after the keyword, without comment and line end (may hold joined line ends)
+  std::size_t number = 0;      ///< of its first physical line, counted from 1
+  std::string_view text;       ///< with its line end
+  std::string_view arguments;  ///< between keyword and comment (may hold joined line ends)
+  std::string_view comment;    ///< with its #, without the line end; empty when there is none
+  bool isJoined = false;       ///< consists of several physical lines
 };
 
 /// Iterates the logical lines of an OBJ text.
@@ -25,9 +30,7 @@ class ObjLines {
   std::size_t number_ = 1;
 };
 
-/// Whether a logical line consists of several physical ones.
-inline bool isJoined(const ObjLine& line) {
-  return line.arguments.find('\n') != std::string_view::npos;
-}
+/// The arguments without what joins physical lines, kept in `storage` when there is any of it.
+std::string_view argumentsOf(const ObjLine& line, std::string& storage);
 
 }  // namespace abflat

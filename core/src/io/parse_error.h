@@ -12,4 +12,12 @@ inline Status parseError(std::string_view fileName, std::size_t line, const std:
           std::string(fileName) + ":" + std::to_string(line) + ": " + sentence};
 }
 
+/// A word of a file in quotes, for messages. Any bytes may stand there, and any number of them.
+inline std::string quoted(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string out = "'";
+  for (const char c : word.substr(0, kLongest)) out += c > ' ' && c <= '~' ? c : '?';
+  return out + (word.size() > kLongest ? "...'" : "'");
+}
+
 }  // namespace abflat

@@ -4,6 +4,7 @@
 #include "io/obj_lines.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
+#include "io/text_lines.h"
 
 namespace abflat {
 namespace {
@@ -20,13 +21,14 @@ bool endsWith(std::string_view name, std::string_view ending) {
 /// Whether the first line that says anything belongs to an OFF header.
 bool looksLikeOff(std::string_view bytes) {
   while (!bytes.empty()) {
-    const std::string_view line = bytes.substr(0, bytes.find('\n'));
-    const std::size_t begin = line.find_first_not_of(" \t\r");
+    const std::string_view line = bytes.substr(0, lineSize(bytes));
+    const std::size_t begin = line.find_first_not_of(" \t\r\n");
     if (begin != std::string_view::npos && line[begin] != '#') {
-      const std::string_view word = line.substr(begin, line.find_first_of(" \t\r", begin) - begin);
+      const std::size_t end = line.find_first_of(" \t\r\n", begin);
+      const std::string_view word = line.substr(begin, end - begin);
       return word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
     }
-    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+    bytes.remove_prefix(line.size());
   }
   return false;
 }
@@ -44,6 +46,7 @@ bool looksLikeObj(std::string_view bytes) {
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
   if (endsWith(fileName, ".obj")) return MeshFormat::Obj;
   if (endsWith(fileName, ".off")) return MeshFormat::Off;
+  if (hasByteOrderMark(bytes)) bytes.remove_prefix(kByteOrderMark.size());
   if (looksLikeOff(bytes)) return MeshFormat::Off;
   if (looksLikeObj(bytes)) return MeshFormat::Obj;
   return Status{StatusCode::UnreadableFile,
@@ -52,8 +55,7 @@ Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view byte
 }
 
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
-  // A byte order mark is no part of the text.
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  if (hasByteOrderMark(bytes)) bytes.remove_prefix(kByteOrderMark.size());
   return format == MeshFormat::Obj ? readObj(bytes, fileName) : readOff(bytes, fileName);
 }
 

@@ -33,8 +33,7 @@ struct StrictPass {
     ObjLine line;
     while (lines.next(line)) {
       if (line.kind == ObjLine::Kind::Vertex || line.kind == ObjLine::Kind::Face)
-        needsCleaning =
-            needsCleaning || isJoined(line) || line.text.find('#') != std::string_view::npos;
+        needsCleaning = needsCleaning || line.isJoined || !line.comment.empty();
       if (line.kind == ObjLine::Kind::Vertex) {
         if (Status s = vertex(line); !s.ok()) return s;
       } else if (line.kind == ObjLine::Kind::Face) {
@@ -55,7 +54,7 @@ struct StrictPass {
  private:
   Status vertex(const ObjLine& line) {
     std::string storage;
-    std::string_view words = joined(line, storage);
+    std::string_view words = argumentsOf(line, storage);
     for (int d = 0; d < 3; ++d) {
       const std::string_view word = takeWord(words);
       double value = 0;
@@ -64,10 +63,10 @@ struct StrictPass {
                           "the vertex has " + std::to_string(d) +
                               " coordinates instead of 3; is the file cut off?");
       if (!parseDouble(word, value))
-        return parseError(fileName, line.number, "'" + std::string(word) + "' is not a number");
+        return parseError(fileName, line.number, quoted(word) + " is not a number");
       if (!std::isfinite(value))
         return parseError(fileName, line.number,
-                          "the coordinate '" + std::string(word) + "' is not finite");
+                          "the coordinate " + quoted(word) + " is not finite");
       positions.push_back(value);
     }
     return {};
@@ -75,7 +74,7 @@ struct StrictPass {
 
   Status face(const ObjLine& line) {
     std::string storage;
-    std::string_view words = joined(line, storage);
+    std::string_view words = argumentsOf(line, storage);
     std::size_t count = 0;
     for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words), ++count)
       if (Status s = corner(line, word); !s.ok()) return s;
@@ -91,9 +90,8 @@ struct StrictPass {
   /// v, v/vt, v//vn or v/vt/vn
   Status corner(const ObjLine& line, std::string_view word) {
     const auto malformed = [&] {
-      return parseError(
-          fileName, line.number,
-          "'" + std::string(word) + "' is not a face corner (v, v/vt, v//vn or v/vt/vn)");
+      return parseError(fileName, line.number,
+                        quoted(word) + " is not a face corner (v, v/vt, v//vn or v/vt/vn)");
     };
     std::string_view rest = word;
     std::int64_t vertex = 0;
@@ -121,33 +119,20 @@ struct StrictPass {
     }
     return {};
   }
-
-  static std::string_view joined(const ObjLine& line, std::string& storage) {
-    if (!isJoined(line)) return line.arguments;
-    storage = line.arguments;
-    for (std::size_t i = 0; i < storage.size(); ++i)
-      if (storage[i] == '\n' || storage[i] == '\r' ||
-          (storage[i] == '\\' && i + 1 < storage.size() &&
-           (storage[i + 1] == '\n' || storage[i + 1] == '\r')))
-        storage[i] = ' ';
-    return storage;
-  }
 };
 
-/// The text with continued lines made into one and without comments: tinyobjloader knows neither
-/// inside a face.
+/// The vertices and faces alone, each on one line without a comment: tinyobjloader knows neither
+/// comments nor continuation inside of them.
 std::string cleaned(std::string_view text) {
-  std::string out;
+  std::string out, storage;
   out.reserve(text.size());
-  bool inComment = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    std::size_t skip = 0;
-    if (text[i] == '\\' && text.substr(i + 1, 1) == "\n") skip = 1;
-    if (text[i] == '\\' && text.substr(i + 1, 2) == "\r\n") skip = 2;
-    if (text[i] == '#') inComment = true;
-    if (text[i] == '\n') inComment = false;
-    if (!inComment) out.push_back(skip ? ' ' : text[i]);
-    i += skip;
+  ObjLines lines(text);
+  ObjLine line;
+  while (lines.next(line)) {
+    if (line.kind != ObjLine::Kind::Vertex && line.kind != ObjLine::Kind::Face) continue;
+    out += line.kind == ObjLine::Kind::Vertex ? "v " : "f ";
+    out += argumentsOf(line, storage);
+    out += '\n';
   }
   return out;
 }

@@ -4,9 +4,12 @@
 
 #include "io/number_text.h"
 #include "io/parse_error.h"
+#include "io/text_lines.h"
 
 namespace abflat {
 namespace {
+
+constexpr std::string_view kBlank = " \t\r\n";
 
 /// Lines that hold something, without comments and line ends.
 class OffLines {
@@ -15,15 +18,14 @@ class OffLines {
 
   bool next(std::string_view& line) {
     while (!rest_.empty()) {
-      const std::size_t newline = std::min(rest_.find('\n'), rest_.size());
-      line = rest_.substr(0, newline);
-      rest_.remove_prefix(std::min(newline + 1, rest_.size()));
+      line = rest_.substr(0, lineSize(rest_));
+      rest_.remove_prefix(line.size());
       ++number_;
       line = line.substr(0, line.find('#'));
-      while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
-        line.remove_suffix(1);
-      line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-      if (!line.empty()) return true;
+      const std::size_t begin = line.find_first_not_of(kBlank);
+      if (begin == std::string_view::npos) continue;
+      line = line.substr(begin, line.find_last_not_of(kBlank) + 1 - begin);
+      return true;
     }
     return false;
   }
@@ -34,6 +36,10 @@ class OffLines {
   std::string_view rest_;
   std::size_t number_ = 0;
 };
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
 
 bool isHeader(std::string_view word) {
   if (word.size() < 3 || word.substr(word.size() - 3) != "OFF") return false;
@@ -56,16 +62,17 @@ class OffReader {
     mesh_.faceOffsets.push_back(0);
     std::string_view line;
     for (std::size_t v = 0; v < vertices_; ++v) {
-      if (!lines_.next(line)) return cutOff(v, "vertices");
+      if (!lines_.next(line)) return cutOff(v, "vertex", "vertices");
       if (Status s = readVertex(line); !s.ok()) return s;
     }
     for (std::size_t f = 0; f < faces_; ++f) {
-      if (!lines_.next(line)) return cutOff(f, "faces");
+      if (!lines_.next(line)) return cutOff(f, "face", "faces");
       if (Status s = readFace(line); !s.ok()) return s;
     }
-    if (lines_.next(line))
-      return here("the file goes on after the " + std::to_string(vertices_) + " vertices and " +
-                  std::to_string(faces_) + " faces of its header");
+    // Exporters leave all sorts of things at the end; but another face is part of the mesh.
+    if (lines_.next(line) && readFace(line).ok())
+      return here("the header promises " + promised() + ", but here is one more face");
+    mesh_.faceVertices.resize(mesh_.faceOffsets.back());  // what looked like a face to begin with
     return std::move(mesh_);
   }
 
@@ -74,10 +81,13 @@ class OffReader {
     return parseError(fileName_, lines_.number(), sentence);
   }
 
-  Status cutOff(std::size_t read, const char* what) const {
-    return here("the header promises " + std::to_string(vertices_) + " vertices and " +
-                std::to_string(faces_) + " faces, but the file ends after " + std::to_string(read) +
-                " " + what);
+  std::string promised() const {
+    return counted(vertices_, "vertex", "vertices") + " and " + counted(faces_, "face", "faces");
+  }
+
+  Status cutOff(std::size_t read, const char* one, const char* many) const {
+    return here("the header promises " + promised() + ", but the file ends after " +
+                counted(read, one, many));
   }
 
   Status readHeader() {
@@ -86,8 +96,7 @@ class OffReader {
       return {StatusCode::ParseError, std::string(fileName_) + ": the file is empty"};
     std::string_view words = line;
     const std::string_view name = takeWord(words);
-    if (!isHeader(name))
-      return here("not an OFF file: it begins with '" + std::string(name.substr(0, 20)) + "'");
+    if (!isHeader(name)) return here("not an OFF file: it begins with " + quoted(name));
     std::string_view counts = words;
     std::string_view first = takeWord(counts);
     if (first == "BINARY") return here("binary OFF is not supported; save it as text");
@@ -111,9 +120,8 @@ class OffReader {
       if (word.empty())
         return here("the vertex has " + std::to_string(d) +
                     " coordinates instead of 3; is the file cut off?");
-      if (!parseDouble(word, value)) return here("'" + std::string(word) + "' is not a number");
-      if (!std::isfinite(value))
-        return here("the coordinate '" + std::string(word) + "' is not finite");
+      if (!parseDouble(word, value)) return here(quoted(word) + " is not a number");
+      if (!std::isfinite(value)) return here("the coordinate " + quoted(word) + " is not finite");
       mesh_.positions.push_back(value);
     }
     return {};
@@ -123,8 +131,7 @@ class OffReader {
     std::string_view words = line;
     std::int64_t count = 0;
     const std::string_view first = takeWord(words);
-    if (!parseInteger(first, count))
-      return here("'" + std::string(first) + "' is not a number of corners");
+    if (!parseInteger(first, count)) return here(quoted(first) + " is not a number of corners");
     if (count < 3)
       return here("the face has " + std::to_string(count) + " corners; at least 3 are needed");
     for (std::int64_t k = 0; k < count; ++k) {
@@ -133,8 +140,7 @@ class OffReader {
       if (word.empty())
         return here("the face has " + std::to_string(k) + " of its " + std::to_string(count) +
                     " corners; is the file cut off?");
-      if (!parseInteger(word, vertex))
-        return here("'" + std::string(word) + "' is not a vertex number");
+      if (!parseInteger(word, vertex)) return here(quoted(word) + " is not a vertex number");
       if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices_)
         return here("the face refers to vertex " + std::to_string(vertex) + ", but the file has " +
                     std::to_string(vertices_) + " vertices, counted from 0");

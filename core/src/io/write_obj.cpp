@@ -1,15 +1,10 @@
 #include "abflat/io.h"
 #include "io/number_text.h"
 #include "io/obj_lines.h"
+#include "io/text_lines.h"
 
 namespace abflat {
 namespace {
-
-std::string_view lineEnd(std::string_view text) {
-  const std::size_t newline = text.find('\n');
-  return newline != std::string_view::npos && newline > 0 && text[newline - 1] == '\r' ? "\r\n"
-                                                                                       : "\n";
-}
 
 void appendTexcoords(std::string& out, const std::vector<double>& uv, std::string_view eol) {
   for (std::size_t i = 0; i + 1 < uv.size(); i += 2) {
@@ -33,34 +28,55 @@ void appendCorner(std::string& out, std::string_view corner, std::uint32_t texco
   if (second != std::string_view::npos) out += corner.substr(second);
 }
 
+/// `f` with its corners and their new texcoords, of which `next` is the first.
+void appendFace(std::string& out, std::string_view corners,
+                const std::vector<std::uint32_t>& cornerUv, std::size_t& next) {
+  out += 'f';
+  for (std::string_view word = takeWord(corners); !word.empty(); word = takeWord(corners))
+    appendCorner(out, word, cornerUv[next++]);
+}
+
+/// `l` with its vertices: the texcoords they referred to are gone. Nobody has checked these words:
+/// what is not v/vt stays as it is.
+void appendPolyline(std::string& out, std::string_view points) {
+  out += 'l';
+  for (std::string_view word = takeWord(points); !word.empty(); word = takeWord(points)) {
+    const std::string_view vertex = word.substr(0, word.find('/'));
+    std::int64_t index = 0;
+    out += ' ';
+    out += parseInteger(vertex, index) ? vertex : word;
+  }
+}
+
 std::string rewriteObj(std::string_view source, const std::vector<double>& uv,
                        const std::vector<std::uint32_t>& cornerUv) {
-  std::string out;
+  std::string out, storage;
   out.reserve(source.size() + 24 * uv.size() + 8 * cornerUv.size());
-  const std::string_view eol = lineEnd(source);
+  if (hasByteOrderMark(source)) {
+    out += kByteOrderMark;
+    source.remove_prefix(kByteOrderMark.size());
+  }
+  const std::string_view firstEnd = lineEnd(source.substr(0, lineSize(source)));
+  const std::string_view eol = firstEnd.empty() ? "\n" : firstEnd;
   ObjLines lines(source);
   ObjLine line;
   std::size_t corner = 0;
-  bool texcoordsWritten = false;
   while (lines.next(line)) {
+    const bool isFace = line.kind == ObjLine::Kind::Face;
+    const bool isMapped =
+        line.kind == ObjLine::Kind::Polyline && line.arguments.find('/') != std::string_view::npos;
     if (line.kind == ObjLine::Kind::Texcoord) continue;
-    if (line.kind != ObjLine::Kind::Face) {
+    if (!isFace && !isMapped) {
       out += line.text;
       continue;
     }
-    if (!texcoordsWritten) {
-      if (!out.empty() && out.back() != '\n') out += eol;
-      appendTexcoords(out, uv, eol);
-      texcoordsWritten = true;
-    }
-    out += 'f';
-    std::string arguments(line.arguments);
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-      if (arguments[i] == '\\' || arguments[i] == '\r' || arguments[i] == '\n') arguments[i] = ' ';
-    std::string_view words = arguments;
-    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words))
-      appendCorner(out, word, cornerUv[corner++]);
-    out += eol;
+    const std::string_view arguments = argumentsOf(line, storage);
+    const std::string_view ownEnd = lineEnd(line.text), end = ownEnd.empty() ? eol : ownEnd;
+    if (isFace && corner == 0) appendTexcoords(out, uv, end);
+    if (isFace) appendFace(out, arguments, cornerUv, corner);
+    if (isMapped) appendPolyline(out, arguments);
+    if (!line.comment.empty()) out.append(" ").append(line.comment);
+    out += end;
   }
   return out;
 }

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstring>
 #include <random>
 
 #include "abflat/io.h"
@@ -56,9 +55,57 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
   checkError(obj(kTriangle + "\n\nf 1 2 4\n"), "a.obj:6: ", "vertex 4, but the file has 3");
   checkError(obj(kTriangle + "f 1 2 -4\n"), "a.obj:4: ", "vertex -4");
   checkError(obj(kTriangle + "f 0 1 2\n"), "a.obj:4: ", "counts from 1");
-  for (const char* corner : {"x", "1/x", "1/2/3/4", "1//", "1/", "/1", "1.5"})
+  for (const char* corner : {"x", "+-1", "1/x", "1/2/3/4", "1//", "1/", "/1", "1.5"})
     checkError(obj(kTriangle + "f 2 3 " + corner + "\n"), "a.obj:4: ", "is not a face corner");
   CHECK(obj(kTriangle).ok());  // a point cloud is readable
+}
+
+TEST_CASE("OBJ: comments and names that end in a backslash do not swallow the next line") {
+  // With and without a comment behind a vertex, which takes another way through the reader.
+  for (const std::string vertex : {"v 9 9 9\n", "v 9 9 9 # first\n"}) {
+    const Result<PolygonMesh> r =
+        obj("# from C:\\models\\\n" + vertex + "g C:\\a\\\n" + kTriangle + "usemtl b\\\nf 2 3 4\n");
+    INFO(r.status.message);
+    REQUIRE(r.ok());
+    CHECK(r.value.vertexCount() == 4);
+    CHECK(r.value.faceVertices == std::vector<std::uint32_t>{1, 2, 3});
+  }
+}
+
+TEST_CASE("OBJ: a backslash does not swallow a record of its own") {
+  const Result<PolygonMesh> r =
+      obj("v 9 9 9 \\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0 \\\nf 1 2 3\nl 1/1 2/1 \\\n f 2 3 4\n");
+  INFO(r.status.message);
+  REQUIRE(r.ok());
+  CHECK(r.value.vertexCount() == 4);
+  CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2, 1, 2, 3});
+  checkError(obj(kTriangle + "f 1 2 3 \\\nf 3 2 1\n"), "a.obj:4: ", "is not a face corner");
+}
+
+TEST_CASE("line ends are \\n, \\r\\n or \\r") {
+  const std::string texts[] = {"# c\n" + kTriangle + "f 1 \\\n2 3\ng x\nf 3 2 zz\n",
+                               "# c\nOFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 zz 1\n"};
+  const std::string places[] = {"a.obj:8: ", "a.off:8: "};
+  for (int format = 0; format < 2; ++format)
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      std::string text;
+      for (const char c : texts[format]) text += c == '\n' ? end : std::string(1, c);
+      INFO(format << " " << end.size());
+      checkError(format == 0 ? obj(text) : off(text), places[format], "'zz'");
+      text.replace(text.find("zz"), 2, format == 0 ? "1" : "2");
+      CHECK((format == 0 ? obj(text) : off(text)).value.faceCount() == 2);
+      CHECK(detectFormat("-", text).value == (format == 0 ? MeshFormat::Obj : MeshFormat::Off));
+    }
+}
+
+TEST_CASE("messages quote any bytes as short printable text") {
+  const std::string junk = "\x01\x1b[2J\xff" + std::string(100000, 'x');
+  for (const Result<PolygonMesh>& r : {obj("v 0 0 " + junk), obj(kTriangle + "f 1 2 " + junk),
+                                       off(junk), off("OFF\n1 1 0\n0 0 " + junk)}) {
+    CHECK(r.status.code == StatusCode::ParseError);
+    CHECK(r.status.message.size() < 150);
+    for (const char c : r.status.message) CHECK((c >= ' ' && c <= '~'));
+  }
 }
 
 TEST_CASE("OFF: headers, counts, extra columns and comments") {
@@ -82,10 +129,12 @@ TEST_CASE("OFF: what is wrong is named with its line") {
   checkError(off("OFF\n3 -1 0\n"), "a.off:2: ", "expected the numbers");
   checkError(off("OFF\nmany 1 0\n"), "a.off:2: ", "expected the numbers");
   checkError(off("OFF\n5 1 0\n" + vertices + "3 0 1 2\n"), "a.off:6: ", "ends after 4 vertices");
-  checkError(off("OFF\n3 2 0\n" + vertices + "3 0 1 2\n"), "a.off:6: ", "ends after 1 faces");
+  checkError(off("OFF\n3 2 0\n" + vertices + "3 0 1 2\n"),
+             "a.off:6: ", "2 faces, but the file ends after 1 face");
   checkError(off("OFF\n4 1 0\n" + vertices + "3 0 1 2\n"), "a.off:6: ", "ends after 0 faces");
   checkError(off("OFF\n2 1 0\n" + vertices + "3 0 1 2\n"), "a.off:5: ", "0 corners");
-  checkError(off("OFF\n3 1 0\n" + vertices + "3 0 1 2\n3 0 1 2\n"), "a.off:7: ", "goes on");
+  checkError(off("OFF\n3 1 0\n" + vertices + "3 0 1 2\n3 0 1 2\n"),
+             "a.off:7: ", "3 vertices and 1 face, but here is one more face");
   checkError(off("OFF\n9000000000000000000 9000000000000000000 0\n" + vertices),
              "a.off:5: ", "ends after 3 vertices");
   checkError(off("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), "a.off:4: ", "2 coordinates");
@@ -96,18 +145,64 @@ TEST_CASE("OFF: what is wrong is named with its line") {
   checkError(off("OFF\n3 1 0\n" + vertices + "3 0 -1 2\n"), "a.off:6: ", "vertex -1");
 }
 
-TEST_CASE("a file cut off anywhere is read or refused, never misread into something invalid") {
-  const std::string whole[] = {writeObj(bumpyGrid(2, 2, 0.3, 1), {}, {}),
-                               "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.25\n0 1 0\n3 0 1 2\n3 0 2 3\n"};
-  for (int format = 0; format < 2; ++format)
-    for (std::size_t n = 0; n < whole[format].size(); ++n) {
-      const Result<PolygonMesh> r =
-          format == 0 ? obj(whole[0].substr(0, n)) : off(whole[1].substr(0, n));
-      if (r.ok())
-        CHECK(validateArrays(r.value).ok());
-      else
-        CHECK(r.status.code == StatusCode::ParseError);
+TEST_CASE("OFF: remarks behind the last face are ignored") {
+  const std::string whole = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* rest :
+       {"\n\n", "# end\n", "END\n", "\x1a", "2 0 1\n", "made by hand", "3 0 1 by hand"}) {
+    const Result<PolygonMesh> r = off(whole + rest);
+    CHECK(r.ok());
+    CHECK(r.value.faceCount() == 1);
+    CHECK(r.value.faceVertices.size() == 3);
+  }
+}
+
+namespace {
+
+/// All there is in an OBJ file, in little space.
+const std::string kRichObj =
+    "\xEF\xBB\xBF# a\\\r\nmtllib a.mtl\r\nv 0 0 0 1 0 0 # red\r\nv 1e0 +0 -.5\r\nv 1 \\\r\n1 "
+    "0\r\nv "
+    "0 1 0\r\nvt 0 0\r\nvn 0 0 1\r\ng a b\r\nf 1/1/1 2//1 -2/1 \\\r\n 4\r\nl 1/1 2/1\r\nf 1 2 -1";
+const std::string kRichOff =
+    "CNOFF # a\n5 3 0\n0 0 0 0 0 1 1 0 0 1\n1 0 0\n1 1 0.25\n0 1 -1e-3\n# b\n2 2 2\n3 0 1 2 255 0 "
+    "0\n"
+    "3 0 2 3\n4 0 1 2 4\nend";
+
+/// Whether a text is read into something that holds together, or refused as it should be.
+bool isReadOrRefused(const std::string& text, bool isObj) {
+  const Result<PolygonMesh> r = isObj ? obj(text) : off(text);
+  return r.ok() ? validateArrays(r.value).ok() : r.status.code == StatusCode::ParseError;
+}
+
+}  // namespace
+
+TEST_CASE("a damaged file is read or refused, never misread into something invalid") {
+  REQUIRE(obj(kRichObj).ok());
+  REQUIRE(off(kRichOff).ok());
+  std::mt19937_64 random(1);
+  const std::string bytes = "\\\r\n\t #/+-.0123456789efvlOnaix\xff";
+  for (const bool isObj : {true, false}) {
+    const std::string& whole = isObj ? kRichObj : kRichOff;
+    for (std::size_t n = 0; n <= whole.size(); ++n)
+      CHECK(isReadOrRefused(whole.substr(0, n), isObj));
+    std::size_t refused = 0, bad = 0;
+    for (int i = 0; i < 20000; ++i) {
+      std::string text = whole;
+      for (std::size_t k = 1 + random() % 4; k > 0; --k) {
+        const std::size_t at = random() % text.size();
+        const std::size_t what = random() % 4;
+        if (what == 0) text[at] = bytes[random() % bytes.size()];
+        if (what == 1) text.insert(at, 1, bytes[random() % bytes.size()]);
+        if (what == 2 && text.size() > 16) text.erase(at, 1 + random() % 8);
+        if (what == 3) text.insert(at, 1, '\0');
+      }
+      refused += !(isObj ? obj(text) : off(text)).ok();
+      bad += !isReadOrRefused(text, isObj);
     }
+    CHECK(bad == 0);
+    CHECK(refused > 1000);
+    CHECK(refused < 19000);
+  }
 }
 
 TEST_CASE("the format is told by the name, or else by the content") {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+namespace abflat {
+
+/// UTF-8 files may begin with this; it is no part of their first line.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+inline bool hasByteOrderMark(std::string_view text) {
+  return text.substr(0, kByteOrderMark.size()) == kByteOrderMark;
+}
+
+/// Size of the first line with its end, which is "\n", "\r\n", "\r" or the end of the text.
+inline std::size_t lineSize(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') return i + 1;
+    if (text[i] == '\r') return i + (text.substr(i + 1, 1) == "\n" ? 2 : 1);
+  }
+  return text.size();
+}
+
+/// The end of a line that holds it: "\n", "\r\n", "\r" or nothing.
+inline std::string_view lineEnd(std::string_view line) {
+  if (line.empty() || (line.back() != '\n' && line.back() != '\r')) return {};
+  const bool isPair = line.size() > 1 && line.substr(line.size() - 2) == "\r\n";
+  return line.substr(line.size() - (isPair ? 2 : 1));
+}
+
+}  // namespace abflat
