@@ -88,6 +88,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   r.flippedTriangles = v.flippedTriangles;
   r.boundaryCrossings = v.crossings.count;
   r.maxBoundaryAngle = v.maxBoundaryAngle;
+  r.delaunay = attempt.delaunay;
   r.fallbacks = attempt.fallbacks;
   r.problem = findProblem(chart, attempt, v, uv);
   r.valid = r.problem.empty();

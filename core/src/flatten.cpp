@@ -5,6 +5,7 @@
 
 #include "abflat/io.h"
 #include "boundary/auto_bounds.h"
+#include "boundary/delaunay_step.h"
 #include "boundary/requested_bounds.h"
 #include "chart/disk_chart.h"
 #include "chart_report.h"
@@ -47,10 +48,13 @@ class Monitor {
 
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                      const FlattenOptions& options) {
-  if (options.t == kAutoT)
-    return flattenAutomatically(
-        flattener, t, options.untangle == Untangle::Auto ? Untangle::Best : options.untangle);
-  return untangled(flattener, flattener.attempt(t, nullptr), options.untangle);
+  const bool isAuto = options.t == kAutoT;
+  const Untangle untangle =
+      isAuto && options.untangle == Untangle::Auto ? Untangle::Best : options.untangle;
+  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle)
+                        : untangled(flattener, flattener.attempt(t, nullptr), untangle);
+  if (!options.delaunay || best.solution.cancelled) return best;
+  return madeDelaunay(flattener, std::move(best), untangle);
 }
 
 std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {

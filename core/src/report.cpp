@@ -43,7 +43,9 @@ Json historyJson(const std::vector<NewtonStep>& history) {
                    {"constraint", s.constraint},
                    {"gradient", s.gradient},
                    {"active", s.active},
+                   {"activeEdges", s.activeEdges},
                    {"step", s.step},
+                   {"reweighted", s.reweighted},
                    {"linearIterations", s.linearIterations}});
   return out;
 }
@@ -52,6 +54,15 @@ Json boundsJson(const std::vector<VertexBound>& bounds) {
   Json out = Json::array();
   for (const VertexBound& b : bounds) out.push_back({{"vertex", b.vertex}, {"t", b.t}});
   return out;
+}
+
+Json delaunayJson(const std::optional<DelaunayReport>& d) {
+  if (!d) return {};
+  return {{"edges", d->edges},
+          {"violatedBefore", d->violatedBefore},
+          {"violated", d->violated},
+          {"angularDistortionBefore", d->angularDistortionBefore},
+          {"resisting", d->resisting}};
 }
 
 Json chartJson(const ChartReport& c) {
@@ -77,6 +88,7 @@ Json chartJson(const ChartReport& c) {
       {"flippedTriangles", c.flippedTriangles},
       {"boundaryCrossings", c.boundaryCrossings},
       {"maxBoundaryAngle", c.maxBoundaryAngle},
+      {"delaunay", delaunayJson(c.delaunay)},
       {"fallbacks", c.fallbacks},
       {"problem", c.problem},
       {"valid", c.valid},

@@ -129,12 +129,16 @@ void addOutput(CLI::App& app, std::string& output) {
       ->type_name("OUT");
 }
 
+/// Whether a switch is off unless given; one that is on has a flag to turn it off.
+bool isOff(const OptionInfo& info) { return std::string_view(info.defaultText) == "false"; }
+
 /// An option of the schema: its flag, range, default and help come from there.
 void addFlattenOption(CLI::App& app, FlattenOptionValues& values, int index) {
   const OptionInfo& info = kFlattenOptions[index];
   if (info.isSwitch) {
     app.add_flag_callback(
-        info.flag, [&values, index] { setOption(values, index, 1); }, wrapped(info.help));
+        info.flag, [&values, index, on = isOff(info)] { setOption(values, index, on); },
+        wrapped(info.help));
     return;
   }
   const auto set = [&values, index](const std::string& text) {

@@ -27,6 +27,11 @@ std::string resultText(const Report& report, const std::string& inputName,
       << ", residual " << c.constraintResidual << "\n"
       << "  distortion: angles " << c.angularDistortion << ", lengths " << c.lengthDistortion
       << ", conformal " << c.quasiConformalMean << " (at most " << c.quasiConformalMax << ")\n";
+  if (c.delaunay)
+    out << "  Delaunay: " << c.delaunay->violated << " of "
+        << counted(c.delaunay->edges, "interior edge", "interior edges") << " violated, before "
+        << c.delaunay->violatedBefore << "; angles " << c.delaunay->angularDistortionBefore
+        << " before\n";
   for (const std::string& fallback : c.fallbacks) out << "  " << fallback << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();

@@ -1,6 +1,6 @@
 // The C++ side of the schema: two headers, excluded from clang-format.
 
-import { BOUNDS, fullText, kebabCase, pascalCase, rangeText } from './schema.mjs';
+import { BOUNDS, flagOf, fullText, pascalCase, rangeText } from './schema.mjs';
 
 const HEADER = `// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
 // clang-format off
@@ -117,7 +117,7 @@ function wordConstants(option) {
 function infoRow(option) {
   const cells = [
     literal(option.name),
-    literal(`--${kebabCase(option.name)}`),
+    literal(flagOf(option)),
     literal(String(option.default)),
     literal(rangeText(option)),
     literal(fullText(option)),

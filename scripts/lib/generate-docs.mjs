@@ -1,6 +1,6 @@
 // Tables between <!-- generated:NAME --> and <!-- /generated --> lines of the documentation.
 
-import { fullText, kebabCase, rangeText } from './schema.mjs';
+import { flagOf, fullText, rangeText } from './schema.mjs';
 
 const TABLES = {
   'exit-codes': ({ exitCodes }) =>
@@ -18,7 +18,7 @@ const TABLES = {
       ['Option', 'Command line', 'Default', 'Range', 'Meaning'],
       flattenOptions.map((option) => [
         `\`${option.name}\``,
-        `\`--${kebabCase(option.name)}\``,
+        `\`${flagOf(option)}\``,
         `\`${option.default}\``,
         rangeText(option),
         fullText(option),

@@ -70,6 +70,11 @@ export function fullText(option) {
   return `${option.text}: ${option.choices.map(({ name, text }) => `${name} = ${text}`).join('; ')}`;
 }
 
+/** The option on a command line; a boolean is named after what giving it does. */
+export function flagOf({ name, default: value }) {
+  return `--${value === true ? 'no-' : ''}${kebabCase(name)}`;
+}
+
 export function pascalCase(name) {
   return name[0].toUpperCase() + name.slice(1);
 }

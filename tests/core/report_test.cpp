@@ -31,7 +31,8 @@ TEST_CASE("the report has its keys in their order") {
   CHECK(keysOf(json) == Keys{"version", "input", "options", "charts", "valid", "timings"});
   CHECK(keysOf(json["input"]) == Keys{"path", "vertices", "faces", "triangles", "components",
                                       "boundaryLoops", "boundaryEdges", "genus"});
-  CHECK(keysOf(json["options"]) == Keys{"t", "untangle", "linearSolver", "formulation"});
+  CHECK(keysOf(json["options"]) == Keys{"t", "untangle", "linearSolver", "formulation",
+                                        "precondition", "adjacent", "delaunay"});
   CHECK(keysOf(json["timings"]) ==
         Keys{"read", "connectivity", "solve", "layout", "check", "write", "total"});
   const Json& chart = json["charts"].at(0);
@@ -56,11 +57,13 @@ TEST_CASE("the report has its keys in their order") {
                               "flippedTriangles",
                               "boundaryCrossings",
                               "maxBoundaryAngle",
+                              "delaunay",
                               "fallbacks",
                               "problem",
                               "valid"});
-  CHECK(keysOf(chart["history"].at(0)) ==
-        Keys{"objective", "constraint", "gradient", "active", "step", "linearIterations"});
+  CHECK(keysOf(chart["history"].at(0)) == Keys{"objective", "constraint", "gradient", "active",
+                                               "activeEdges", "step", "reweighted",
+                                               "linearIterations"});
   CHECK(keysOf(chart["quasiConformal"]) == Keys{"mean", "max"});
   CHECK(keysOf(chart["stretch"]) == Keys{"l2", "linf"});
   CHECK(keysOf(chart["areaDistortion"]) == Keys{"min", "max"});

@@ -68,6 +68,9 @@ export interface FlattenOptionValues {
   untangle: Untangle;
   linearSolver: LinearSolver;
   formulation: Formulation;
+  precondition: boolean;
+  adjacent: boolean;
+  delaunay: boolean;
 }
 
 export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
@@ -75,6 +78,9 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
   untangle: 'auto',
   linearSolver: 'schur',
   formulation: 'log',
+  precondition: true,
+  adjacent: false,
+  delaunay: false,
 };
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
@@ -83,4 +89,7 @@ export const FLATTEN_OPTIONS = {
   untangle: { type: 'choice', default: 'auto', choices: ['auto', 'none', 'local', 'global', 'best'], text: 'how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less', range: 'auto, none, local, global, best' },
   linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'minres', 'symmlq', 'gmres', 'bicgstab'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF', range: 'schur, minres, symmlq, gmres, bicgstab' },
   formulation: { type: 'choice', default: 'log', choices: ['log', 'product'], text: 'form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur', range: 'log, product' },
+  precondition: { type: 'boolean', default: true, text: 'precondition the iterative linear solvers; false: as in the paper', range: '' },
+  adjacent: { type: 'boolean', default: false, text: 'condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there', range: '' },
+  delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },
 } as const;

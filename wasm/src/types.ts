@@ -50,9 +50,26 @@ export interface NewtonStep {
   constraint: number;
   gradient: number;
   active: number;
+  /** Interior edges held at the Delaunay limit. */
+  activeEdges: number;
   step: number;
+  /** Angles that made the step shorter and weigh more from now on. */
+  reweighted: number;
   /** 0 with a direct solver. */
   linearIterations: number;
+}
+
+/** What became of the Delaunay condition. */
+export interface DelaunayReport {
+  /** Interior edges. */
+  edges: number;
+  /** Edges that were not Delaunay, by an exact in-circle test. */
+  violatedBefore: number;
+  /** The same of the result; 0: the layout is a Delaunay triangulation. */
+  violated: number;
+  angularDistortionBefore: number;
+  /** Edges, as two vertices of the input, that stay violated when the condition is met as far as possible. */
+  resisting: [number, number][];
 }
 
 export interface ChartReport {
@@ -81,6 +98,8 @@ export interface ChartReport {
   boundaryCrossings: number;
   /** Radians. */
   maxBoundaryAngle: number;
+  /** Null unless it was asked for. */
+  delaunay: DelaunayReport | null;
   /** What was done beyond the plain solver, one sentence each. */
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +35,6 @@ struct VertexBound {
 };
 
 struct FlattenOptions : FlattenOptionValues {
-  bool precondition = true;  ///< of the iterative linear solvers
   std::vector<VertexBound> bounds;
   ProgressCallback progress;
 };
@@ -44,9 +45,23 @@ struct NewtonStep {
   double constraint = 0;     ///< largest violation of any constraint, radians (wheels: of the log)
   double gradient = 0;       ///< largest |dL/dx| relative to the largest weight times angle
   std::uint32_t active = 0;  ///< boundary vertices held at their bound
-  double step = 0;           ///< step length in (0, 1]
+  std::uint32_t activeEdges = 0;  ///< interior edges held at the Delaunay limit
+  double step = 0;                ///< step length in (0, 1]
+  /// Angles that the full step would take to 0 or pi: they make it shorter and weigh more from now
+  /// on.
+  std::uint32_t reweighted = 0;
   int linearIterations = 0;  ///< of the linear solver; 0 when it is direct
   double linearSeconds = 0;  ///< spent on the linear system
+};
+
+/// What became of condition (9). Vertices are those of the input mesh.
+struct DelaunayReport {
+  std::size_t edges = 0;           ///< interior edges
+  std::size_t violatedBefore = 0;  ///< edges that were not Delaunay, by an exact in-circle test
+  std::size_t violated = 0;        ///< of the result; 0: the layout is a Delaunay triangulation
+  double angularDistortionBefore = 0;
+  /// Edges that stay violated when the condition is met as far as possible.
+  std::vector<std::array<std::uint32_t, 2>> resisting;
 };
 
 struct ChartReport {
@@ -72,7 +87,8 @@ struct ChartReport {
   std::size_t flippedTriangles = 0;  ///< not positively oriented, by an exact predicate
   std::size_t boundaryCrossings =
       0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
-  double maxBoundaryAngle = 0;         ///< radians
+  double maxBoundaryAngle = 0;             ///< radians
+  std::optional<DelaunayReport> delaunay;  ///< when it was asked for
   std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each
   std::string problem;  ///< why the chart is not valid, one sentence; empty when it is
   bool valid = false;

@@ -58,4 +58,17 @@ void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<
     problem.angleSum[chart.vertexOfCorner[chart.boundary[i]]] = t[i] < 2 ? t[i] * kPi : kUnbounded;
 }
 
+void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin) {
+  problem.edgeLimit = kPi - margin;
+  problem.edgeCorners.clear();
+  problem.edgeOfCorner.assign(chart.twin.size(), kNone);
+  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+    const std::uint32_t twin = chart.twin[h];
+    if (twin == kNone || twin < h) continue;
+    const auto edge = static_cast<std::uint32_t>(problem.edgeCorners.size());
+    problem.edgeCorners.push_back({prevCorner(h), prevCorner(twin)});
+    for (const std::uint32_t c : problem.edgeCorners.back()) problem.edgeOfCorner[c] = edge;
+  }
+}
+
 }  // namespace abflat

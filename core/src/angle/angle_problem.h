@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace abflat {
 ///              sums round interior vertices = 2 pi                     (1)
 ///              sum log sin(next) - log sin(prev) = 0 there             (6)
 ///              sums at boundary vertices <= bound                      (4), with t
+///              pairs opposite an interior edge <= limit                (9), only for Delaunay
 struct AngleProblem {
   std::vector<std::uint32_t> vertexOfCorner;  ///< size 3F
   std::vector<std::uint8_t> isBoundary;       ///< per vertex
@@ -22,6 +24,14 @@ struct AngleProblem {
   std::vector<double> weight;                 ///< w = 1/a^2, size 3F
   std::vector<double>
       angleSum;  ///< per vertex: 2 pi inside, the upper bound on the boundary (infinite: none)
+  std::vector<std::array<std::uint32_t, 2>>
+      edgeCorners;  ///< the two corners opposite each edge of condition (9); empty: no condition
+  std::vector<std::uint32_t>
+      edgeOfCorner;      ///< edge opposite the corner or kNone; empty like edgeCorners, or size 3F
+  double edgeLimit = 0;  ///< largest sum of the two angles opposite an edge
+  /// Condition (9) may be violated by this times its multiplier: the optimum of a quadratic penalty
+  /// of weight 1/compliance, which exists even where the condition cannot be met.
+  double edgeCompliance = 0;
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
@@ -37,5 +47,8 @@ AngleProblem buildAngleProblem(const DiskChart& chart);
 /// chart.boundary: condition (4) with the boundary control coefficient. t >= 2 is classic ABF,
 /// which has no condition on the boundary.
 void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t);
+
+/// Adds condition (9), alpha_1 + alpha_2 <= pi - margin, for every interior edge.
+void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin);
 
 }  // namespace abflat

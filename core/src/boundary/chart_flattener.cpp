@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "angle/constants.h"
 #include "check/distortion.h"
 #include "layout/layout.h"
 #include "layout/tutte.h"
@@ -15,10 +16,23 @@ namespace {
 /// Floors of the barrier to try one after another: each makes the smallest angles larger.
 constexpr double kFloors[] = {kDefaultBarrierFloor, 1e-1, 1};
 
+/// Of condition (9), one after another: the smaller, the less an edge that could give way resists.
+constexpr double kCompliances[] = {1, 0.1, 1e-2, 1e-3};
+/// Radians beyond pi, with the last of them.
+constexpr double kResisting = 1e-2;
+
 std::string withFloor(const char* text, double floor) {
   char out[200];
   std::snprintf(out, sizeof out, text, floor);
   return out;
+}
+
+std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solution) {
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < problem.weight.size(); ++c)
+    count += solution.weight[c] != problem.weight[c];
+  return std::to_string(count) + (count == 1 ? " angle weighs" : " angles weigh") +
+         " more, to stay away from 0 and pi";
 }
 
 }  // namespace
@@ -35,16 +49,20 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   a.t = t;
   setBounds(problem_, chart_, t);
   Stopwatch watch;
-  a.solution = solver_.solve(warm ? &warm->solution : nullptr);
+  const bool isDelaunay = !problem_.edgeCorners.empty();
+  a.solution = isDelaunay ? solver_.solveDelaunay(warm->solution)
+                          : solver_.solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
   if (a.solution.cancelled) return a;
+  if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
     a.fallbacks.push_back(
         withFloor("the active set stalled; interior point with a barrier floor of %g",
                   a.solution.barrierFloor));
   layOutAndCheck(a);
   for (const double floor : kFloors) {
-    if (a.validity.flippedTriangles == 0 || floor <= a.solution.barrierFloor) continue;
+    if (isDelaunay || a.validity.flippedTriangles == 0 || floor <= a.solution.barrierFloor)
+      continue;
     Attempt b = a;
     watch.lap();
     b.solution = solver_.solveWithFloor(floor);
@@ -56,6 +74,31 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
     a = std::move(b);
   }
   return a;
+}
+
+void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, chart_, margin); }
+
+std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
+  Stopwatch watch;
+  setBounds(problem_, chart_, from.t);
+  setDelaunay(problem_, chart_, 0);
+  AngleSolution best = from.solution;
+  for (const double compliance : kCompliances) {
+    problem_.edgeCompliance = compliance;
+    AngleSolution s = solver_.solveDelaunay(best);
+    if (s.cancelled) return {};
+    if (!s.converged) break;
+    best = std::move(s);
+  }
+  problem_.edgeCompliance = 0;
+  timings_.solve += watch.lap();
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t h = 0; h < chart_.twin.size(); ++h) {
+    if (chart_.twin[h] == kNone || chart_.twin[h] < h) continue;
+    const double sum = best.angles[prevCorner(h)] + best.angles[prevCorner(chart_.twin[h])];
+    if (sum > kPi + kResisting) out.push_back(h);
+  }
+  return out;
 }
 
 Attempt ChartFlattener::tutte(const std::string& reason) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Attempt {
   double angularDistortion = 0;
   std::string solver;                  ///< "activeSet", "interiorPoint" or "tutte"
   std::vector<std::string> fallbacks;  ///< one sentence each
+  std::optional<DelaunayReport> delaunay;
 
   bool valid() const { return validity.valid() && solution.converged; }
 };
@@ -35,6 +37,14 @@ class ChartFlattener {
   /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
   /// the interior point takes over with rising floors of its barrier.
   Attempt attempt(const std::vector<double>& t, const Attempt* warm);
+
+  /// From now on attempts also meet condition (9), with the given margin in radians, and need an
+  /// attempt to start from. There is no interior point to take over then.
+  void requireDelaunay(double margin);
+
+  /// Interior edges, as half-edges, that stay violated when condition (9) is met as far as
+  /// possible with the bounds of `from`.
+  std::vector<std::uint32_t> resistingEdges(const Attempt& from);
 
   /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
   /// angle is respected.

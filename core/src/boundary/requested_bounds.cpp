@@ -8,6 +8,10 @@
 namespace abflat {
 namespace {
 
+/// Condition (5), as t. At 2 itself two boundary edges would lie on each other, and rounding decide
+/// whether they cross.
+constexpr double kAdjacentBound = 2 - 1e-6;
+
 bool isBound(double t) { return t > 0 && std::isfinite(t); }
 
 /// The n boundary angles sum to (n - 2) pi, since interior vertices take 2 pi each.
@@ -35,7 +39,8 @@ Status checkFeasible(const std::vector<double>& t, double common) {
 Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options) {
   if (options.t != kAutoT && !isBound(options.t))
     return Status{StatusCode::InvalidOption, "t must be a number above 0, or auto"};
-  const double common = options.t == kAutoT ? 2 : options.t;
+  double common = options.t == kAutoT ? 2 : options.t;
+  if (options.adjacent) common = std::min(common, kAdjacentBound);
   std::vector<double> t(chart.boundary.size(), common);
   if (!options.bounds.empty()) {
     std::unordered_map<std::uint32_t, std::vector<std::size_t>>

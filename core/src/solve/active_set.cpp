@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "angle/constants.h"
 #include "stopwatch.h"
@@ -15,6 +16,10 @@ constexpr double kFractionToBoundary = 0.9;
 constexpr double kActiveScale = 1;
 /// Two steps in a row shorter than this: some angles want to be 0 and the method does not get on.
 constexpr double kStalledStep = 1e-3;
+/// A shorter step means that some angles are in the way: their weights are raised.
+constexpr double kBlockedStep = 0.1;
+/// Growth of the weight of an angle that would leave (0, pi).
+constexpr double kHeavier = 1.5;
 /// Below this constraint residual the exact Hessian is used.
 constexpr double kNearSolution = 0.1;
 
@@ -31,13 +36,24 @@ std::vector<double> startAngles(const AngleProblem& problem) {
   return x;
 }
 
-/// i is active iff mu_i + c g_i > 0.
-void updateActive(const AngleProblem& problem, const ConstraintRows& rows, const Linearization& lin,
-                  const std::vector<double>& multipliers, std::vector<std::uint8_t>& active) {
+/// i is active iff mu_i + c g_i > 0. The multiplier of an inactive constraint is 0 by definition.
+/// Returns whether anything changed.
+bool updateActive(const AngleProblem& problem, const ConstraintRows& rows, const Linearization& lin,
+                  AngleSolution& s) {
+  bool isChanged = false;
+  const auto update = [&](double& multiplier, double residual, std::uint8_t& active) {
+    const bool now = multiplier + kActiveScale * residual > 0;
+    isChanged |= now != (active != 0);
+    active = now;
+    if (!now) multiplier = 0;
+  };
   for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
     const std::uint32_t r = rows.ofVertex[v];
-    active[v] = problem.isBoundary[v] && multipliers[r] + kActiveScale * lin.residual[r] > 0;
+    if (problem.isBoundary[v]) update(s.multipliers.row[r], lin.residual[r], s.active[v]);
   }
+  for (std::size_t i = 0; i < s.activeEdge.size(); ++i)
+    update(s.multipliers.edge[i], lin.edgeResidual[i], s.activeEdge[i]);
+  return isChanged;
 }
 
 double stepLength(const std::vector<double>& x, const std::vector<double>& dx) {
@@ -48,6 +64,20 @@ double stepLength(const std::vector<double>& x, const std::vector<double>& dx) {
       step = kFractionToBoundary * room / std::abs(dx[c]);
   }
   return step;
+}
+
+/// Positivity (paper, section 6, after classic ABF): angles that the full step would take out of
+/// (0, pi) weigh more from now on. Returns how many.
+std::uint32_t raiseWeights(const std::vector<double>& x, const std::vector<double>& dx,
+                           std::vector<double>& weight) {
+  std::uint32_t count = 0;
+  for (std::size_t c = 0; c < x.size(); ++c) {
+    const double room = dx[c] < 0 ? x[c] : kPi - x[c];
+    if (std::abs(dx[c]) <= kFractionToBoundary * room) continue;
+    weight[c] *= kHeavier;
+    ++count;
+  }
+  return count;
 }
 
 void moveTowards(std::vector<double>& value, const std::vector<double>& target, double step) {
@@ -65,63 +95,116 @@ AngleSolution startFrom(const AngleProblem& problem, const ConstraintRows& rows,
     s.multipliers.row.assign(rows.count(), 0);
     s.multipliers.triangle.assign(problem.triangleCount(), 0);
   }
+  s.multipliers.edge.resize(problem.edgeCorners.size(), 0);
   s.active.assign(problem.vertexCount(), 0);
+  s.activeEdge.assign(problem.edgeCorners.size(), 0);
   return s;
 }
+
+/// The iteration. `problem_` is a copy: only its weights ever differ from the original's.
+class ActiveSet {
+ public:
+  ActiveSet(const AngleProblem& problem, NewtonStepSolver& system, const SolverOptions& options)
+      : original_(problem), problem_(problem), system_(system), options_(options) {}
+
+  AngleSolution run(const AngleSolution* start) {
+    s_ = startFrom(problem_, rows(), start);
+    relinearize();
+    updateActive(problem_, rows(), lin_, s_);
+    s_.constraintResidual = constraintResidual(problem_, rows(), lin_);
+    for (int step = 1; step <= options_.maxSteps; ++step) {
+      if (!takeStep()) break;
+      if (options_.onStep && !options_.onStep(step, s_.history.back())) {
+        s_.cancelled = true;
+        return std::move(s_);
+      }
+      if (s_.converged && !isRaised_) return std::move(s_);
+      if (s_.converged) tryOriginalWeights();
+      if (hasStalled(s_.history)) break;
+    }
+    return heavier_ ? withHistory(std::move(*heavier_)) : std::move(s_);
+  }
+
+ private:
+  const ConstraintRows& rows() const { return system_.rows(); }
+
+  void relinearize() {
+    const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution;
+    linearize(problem_, rows(), s_.angles, s_.multipliers.row, lin_,
+              near ? Curvature::Exact : Curvature::Clamped);
+    for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
+      lin_.edgeResidual[i] -= problem_.edgeCompliance * s_.multipliers.edge[i];
+  }
+
+  /// False when the iteration cannot go on.
+  bool takeStep() {
+    Stopwatch watch;
+    if (!system_.step({problem_, s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge}, dx_,
+                      next_))
+      return false;
+    NewtonStep now;
+    now.linearSeconds = watch.lap();
+    now.linearIterations = system_.linearIterations();
+    now.step = stepLength(s_.angles, dx_);
+    if (now.step < kBlockedStep) {
+      if (heavier_) return false;
+      now.reweighted = raiseWeights(s_.angles, dx_, problem_.weight);
+      isRaised_ = true;
+    }
+    for (std::size_t c = 0; c < dx_.size(); ++c) s_.angles[c] += now.step * dx_[c];
+    moveTowards(s_.multipliers.row, next_.row, now.step);
+    moveTowards(s_.multipliers.triangle, next_.triangle, now.step);
+    moveTowards(s_.multipliers.edge, next_.edge, now.step);
+
+    const double before = lin_.objective;
+    relinearize();
+    const bool isActiveChanged = updateActive(problem_, rows(), lin_, s_);
+    for (const std::uint8_t active : s_.active) now.active += active;
+    for (const std::uint8_t active : s_.activeEdge) now.activeEdges += active;
+    now.objective = lin_.objective;
+    now.constraint = s_.constraintResidual = constraintResidual(problem_, rows(), lin_);
+    now.gradient = gradientResidual(problem_, rows(), lin_, s_.multipliers);
+    s_.history.push_back(now);
+    s_.converged = now.constraint <= options_.constraintTolerance && !isActiveChanged &&
+                   (now.gradient <= options_.gradientTolerance ||
+                    std::abs(before - now.objective) <= options_.objectiveTolerance * before);
+    return std::isfinite(now.constraint) && std::isfinite(now.gradient);
+  }
+
+  /// The optimum for larger weights is known: it is kept, and the way to that of the original
+  /// weights may be free from there.
+  void tryOriginalWeights() {
+    s_.weight = problem_.weight;
+    heavier_ = std::make_unique<AngleSolution>(s_);
+    s_.weight.clear();
+    s_.converged = false;
+    problem_.weight = original_.weight;
+    isRaised_ = false;
+    relinearize();
+  }
+
+  AngleSolution withHistory(AngleSolution solution) {
+    solution.history = std::move(s_.history);
+    return solution;
+  }
+
+  const AngleProblem& original_;
+  AngleProblem problem_;
+  NewtonStepSolver& system_;
+  const SolverOptions& options_;
+  AngleSolution s_;
+  std::unique_ptr<AngleSolution> heavier_;  ///< converged with raised weights
+  bool isRaised_ = false;
+  Linearization lin_;
+  std::vector<double> dx_;
+  Multipliers next_;
+};
 
 }  // namespace
 
 AngleSolution solveActiveSet(const AngleProblem& problem, NewtonStepSolver& system,
                              const SolverOptions& options, const AngleSolution* start) {
-  const ConstraintRows& rows = system.rows();
-  AngleSolution s = startFrom(problem, rows, start);
-  Linearization lin;
-  const auto relinearize = [&] {
-    const bool near = !s.history.empty() && s.history.back().constraint < kNearSolution;
-    linearize(problem, rows, s.angles, s.multipliers.row, lin,
-              near ? Curvature::Exact : Curvature::Clamped);
-  };
-  relinearize();
-  updateActive(problem, rows, lin, s.multipliers.row, s.active);
-  s.constraintResidual = constraintResidual(problem, rows, lin);
-
-  std::vector<double> dx;
-  Multipliers next;
-  for (int step = 1; step <= options.maxSteps; ++step) {
-    Stopwatch watch;
-    if (!system.step({problem, s.angles, s.multipliers, lin, s.active}, dx, next)) return s;
-    NewtonStep now;
-    now.linearSeconds = watch.lap();
-    now.linearIterations = system.linearIterations();
-    now.step = stepLength(s.angles, dx);
-    for (std::size_t c = 0; c < dx.size(); ++c) s.angles[c] += now.step * dx[c];
-    moveTowards(s.multipliers.row, next.row, now.step);
-    moveTowards(s.multipliers.triangle, next.triangle, now.step);
-
-    const double before = lin.objective;
-    relinearize();
-    const std::vector<std::uint8_t> previous = s.active;
-    updateActive(problem, rows, lin, s.multipliers.row, s.active);
-    for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
-      now.active += s.active[v];
-      // The multiplier of an inactive constraint is 0 by definition.
-      if (problem.isBoundary[v] && !s.active[v]) s.multipliers.row[rows.ofVertex[v]] = 0;
-    }
-    now.objective = lin.objective;
-    now.constraint = s.constraintResidual = constraintResidual(problem, rows, lin);
-    now.gradient = gradientResidual(problem, rows, lin, s.multipliers);
-    s.history.push_back(now);
-    if (!std::isfinite(now.constraint) || !std::isfinite(now.gradient)) return s;
-    if (options.onStep && !options.onStep(step, now)) {
-      s.cancelled = true;
-      return s;
-    }
-    s.converged = now.constraint <= options.constraintTolerance && s.active == previous &&
-                  (now.gradient <= options.gradientTolerance ||
-                   std::abs(before - now.objective) <= options.objectiveTolerance * before);
-    if (s.converged || hasStalled(s.history)) return s;
-  }
-  return s;
+  return ActiveSet(problem, system, options).run(start);
 }
 
 }  // namespace abflat

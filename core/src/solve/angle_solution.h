@@ -23,7 +23,9 @@ struct AngleSolution {
   Formulation formulation = Formulation::Log;
   std::vector<double> angles;  ///< x, each in (0, pi), size 3F
   Multipliers multipliers;
-  std::vector<std::uint8_t> active;  ///< per vertex: boundary vertices held at their bound
+  std::vector<double> weight;            ///< as used, size 3F; empty: those of the problem
+  std::vector<std::uint8_t> active;      ///< per vertex: boundary vertices held at their bound
+  std::vector<std::uint8_t> activeEdge;  ///< per edge of condition (9)
   std::vector<NewtonStep> history;
   double constraintResidual = 0;
   bool converged = false;

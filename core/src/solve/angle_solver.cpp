@@ -1,12 +1,14 @@
 #include "solve/angle_solver.h"
 
 #include "solve/active_set.h"
+#include "solve/delaunay_system.h"
 #include "solve/interior_point.h"
 
 namespace abflat {
 namespace {
 
 constexpr int kActiveSetSteps = 30;
+constexpr int kDelaunaySteps = 60;
 constexpr int kInteriorPointSteps = 200;
 
 }  // namespace
@@ -39,6 +41,13 @@ AngleSolution AngleSolver::solveWithFloor(double barrierFloor) {
   options.common.maxSteps = kInteriorPointSteps;
   options.barrierFloor = barrierFloor;
   return solveInteriorPoint(problem_, system_, options);
+}
+
+AngleSolution AngleSolver::solveDelaunay(const AngleSolution& start) {
+  SolverOptions options = options_;
+  options.maxSteps = kDelaunaySteps;
+  DelaunaySystem system(problem_);
+  return solveActiveSet(problem_, system, options, &start);
 }
 
 }  // namespace abflat

@@ -24,6 +24,9 @@ class AngleSolver {
   /// smallest angle.
   AngleSolution solveWithFloor(double barrierFloor);
 
+  /// The active set alone, for a problem with condition (9). `start` as above.
+  AngleSolution solveDelaunay(const AngleSolution& start);
+
  private:
   AngleSolution runActiveSet(const AngleSolution* start);
 

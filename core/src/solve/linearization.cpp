@@ -33,6 +33,9 @@ void linearize(const AngleProblem& problem, const ConstraintRows& rows,
   out.objective = 0;
   for (std::uint32_t v = 0; v < problem.vertexCount(); ++v)
     out.residual[rows.ofVertex[v]] = -problem.angleSum[v];
+  out.edgeResidual.assign(problem.edgeCorners.size(), -problem.edgeLimit);
+  for (std::size_t i = 0; i < problem.edgeCorners.size(); ++i)
+    for (const std::uint32_t c : problem.edgeCorners[i]) out.edgeResidual[i] += x[c];
   for (std::uint32_t f = 0; f < problem.triangleCount(); ++f) {
     Element& e = out.elements[f];
     const std::array<double, 6> y = gatherRows(problem, rows, rowMultipliers, f);
@@ -77,6 +80,7 @@ double constraintResidual(const AngleProblem& problem, const ConstraintRows& row
     else
       worst = std::max({worst, std::abs(lin.residual[r]), std::abs(lin.residual[r + 1])});
   }
+  for (const double g : lin.edgeResidual) worst = std::max(worst, g);
   return worst;
 }
 
@@ -88,7 +92,9 @@ double gradientResidual(const AngleProblem& problem, const ConstraintRows& rows,
     const std::array<double, 3> z =
         applyTransposedJacobian(e, gatherRows(problem, rows, multipliers.row, f));
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const double g = e.gradient[k] + z[k] + multipliers.triangle[f];
+      double g = e.gradient[k] + z[k] + multipliers.triangle[f];
+      if (!problem.edgeOfCorner.empty() && problem.edgeOfCorner[3 * f + k] != kNone)
+        g += multipliers.edge[problem.edgeOfCorner[3 * f + k]];
       worst = std::max(worst, std::abs(g) * problem.target[3 * f + k] / 2);
     }
   }

@@ -18,10 +18,12 @@ struct ConstraintRows {
 };
 ConstraintRows numberRows(const AngleProblem& problem);
 
-/// Multipliers (eq. 8): one per row and one per triangle. Those of inactive rows are 0.
+/// Multipliers (eq. 8): one per row, per triangle and, with condition (9), per edge. Those of
+/// inactive rows and edges are 0.
 struct Multipliers {
   std::vector<double> row;
   std::vector<double> triangle;
+  std::vector<double> edge;
 };
 
 /// Logarithmic barrier -tau sum log x_c that keeps angles away from 0, with its dual variables z_c
@@ -40,6 +42,7 @@ enum class Curvature { Clamped, Exact };
 struct Linearization {
   std::vector<Element> elements;  ///< per triangle
   std::vector<double> residual;   ///< h and g per row: (1), (6) and, for boundary rows, sum - bound
+  std::vector<double> edgeResidual;  ///< per edge of condition (9): sum - limit
   double objective = 0;
 };
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,

@@ -13,7 +13,8 @@ struct NewtonPoint {
   const std::vector<double>& angles;
   const Multipliers& multipliers;
   const Linearization& lin;
-  const std::vector<std::uint8_t>& active;  ///< per vertex
+  const std::vector<std::uint8_t>& active;      ///< per vertex
+  const std::vector<std::uint8_t>& activeEdge;  ///< per edge of condition (9)
 };
 
 /// Solves eq. (8) at a point: the change dx of the angles and the new multipliers.

@@ -54,12 +54,11 @@ TEST_CASE("a higher floor keeps the smallest angle larger") {
   }
 }
 
-TEST_CASE("charts on which the active set stalls are solved by the interior point") {
+TEST_CASE("charts whose angles want to be 0 are solved by the interior point") {
   for (const char* file : {"camel-cut.obj", "cow-cut.off"}) {
     const PolygonMesh mesh = sharedMesh(file);
     if (mesh.faceCount() == 0) return;
     const AngleProblem problem = problemOf(mesh, 1);
-    CHECK_FALSE(byActiveSet(problem).converged);
     const AngleSolution s = byInteriorPoint(problem, kDefaultBarrierFloor);
     CHECK(s.converged);
     CHECK(s.constraintResidual <= 1e-10);

@@ -76,7 +76,7 @@ TEST_CASE("first and second derivatives of the product wheels match central diff
     linearize(problem, rows, x, point.multipliers.row, lin, Curvature::Exact);
     const std::vector<std::uint8_t> active(problem.vertexCount(), 1);
     const KktSystem kkt =
-        buildKkt({problem, x, point.multipliers, lin, active}, rows, Formulation::Product);
+        buildKkt({problem, x, point.multipliers, lin, active, {}}, rows, Formulation::Product);
     const auto row = static_cast<int>(n + n / 3 + rows.ofVertex[v] + 1);
     std::vector<double> g(n);
     for (std::size_t c = 0; c < n; ++c) g[c] = kkt.matrix.coeff(row, static_cast<int>(c));

@@ -86,6 +86,12 @@ struct FlattenOptionValues {
   LinearSolver linearSolver = LinearSolver::Schur;
   /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur
   Formulation formulation = Formulation::Log;
+  /// precondition the iterative linear solvers; false: as in the paper
+  bool precondition = true;
+  /// condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there
+  bool adjacent = false;
+  /// condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows
+  bool delaunay = false;
 };
 
 /// An option for people: names, default and range as on the command line.
@@ -105,8 +111,11 @@ constexpr OptionInfo kFlattenOptions[] = {
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
     {"linearSolver", "--linear-solver", "schur", "schur, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
     {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur", false, true},
+    {"precondition", "--no-precondition", "true", "", "precondition the iterative linear solvers; false: as in the paper", true, false},
+    {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
+    {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
 };
-constexpr int kFlattenOptionCount = 4;
+constexpr int kFlattenOptionCount = 7;
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
 /// the numbers that stand for words are refused.
@@ -125,6 +134,15 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
     case 3:
       options.formulation = static_cast<Formulation>(static_cast<int>(value));
       return value >= 0 && value < 2;
+    case 4:
+      options.precondition = value != 0;
+      return value == 0 || value == 1;
+    case 5:
+      options.adjacent = value != 0;
+      return value == 0 || value == 1;
+    case 6:
+      options.delaunay = value != 0;
+      return value == 0 || value == 1;
   }
   return false;
 }
@@ -157,6 +175,9 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   visit("untangle", untangleName(options.untangle));
   visit("linearSolver", linearSolverName(options.linearSolver));
   visit("formulation", formulationName(options.formulation));
+  visit("precondition", options.precondition);
+  visit("adjacent", options.adjacent);
+  visit("delaunay", options.delaunay);
 }
 
 }  // namespace abflat

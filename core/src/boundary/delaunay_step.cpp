@@ -1,0 +1,73 @@
+#include "boundary/delaunay_step.h"
+
+#include "boundary/auto_bounds.h"
+#include "check/delaunay.h"
+
+namespace abflat {
+namespace {
+
+/// Radians left to pi, one after another: coordinates are rounded, and on the limit itself rounding
+/// would decide.
+constexpr double kMargins[] = {1e-8, 1e-6, 1e-4};
+
+std::vector<std::array<std::uint32_t, 2>> inputEdges(const DiskChart& chart,
+                                                     const std::vector<std::uint32_t>& halfEdges) {
+  std::vector<std::array<std::uint32_t, 2>> out;
+  for (const std::uint32_t h : halfEdges)
+    out.push_back({chart.inputVertex[chart.vertexOfCorner[h]],
+                   chart.inputVertex[chart.vertexOfCorner[nextCorner(h)]]});
+  return out;
+}
+
+/// Why a Delaunay layout is not taken; empty when it is.
+std::string objection(const Attempt& next, const Attempt& before) {
+  if (!next.solution.converged) return "no layout with this connectivity was found";
+  if (next.validity.flippedTriangles > 0) return "its angles are too small to be drawn";
+  if (before.valid() && !next.valid())
+    return "its boundary crosses itself; a smaller t, or t = auto, prevents that";
+  return {};
+}
+
+}  // namespace
+
+Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untangle) {
+  const DiskChart& chart = flattener.chart();
+  const DelaunayCheck before = checkDelaunay(chart, attempt.uv);
+  DelaunayReport report;
+  report.edges = before.edges;
+  report.violated = report.violatedBefore = before.violated.size();
+  report.angularDistortionBefore = attempt.angularDistortion;
+  const auto keep = [&](const std::string& why) {
+    if (!why.empty()) attempt.fallbacks.push_back("not made Delaunay: " + why);
+    attempt.delaunay = report;
+    return std::move(attempt);
+  };
+  if (before.violated.empty()) return keep({});
+  if (attempt.solver == "tutte") return keep("there are no angles to start from");
+
+  std::string why;
+  for (const double margin : kMargins) {
+    flattener.requireDelaunay(margin);
+    Attempt next = untangled(flattener, flattener.attempt(attempt.t, &attempt), untangle);
+    if (next.solution.cancelled) return next;
+    why = objection(next, attempt);
+    if (!next.solution.converged) break;
+    if (!why.empty()) continue;
+    report.violated = checkDelaunay(chart, next.uv).violated.size();
+    if (report.violated > 0) {
+      why = std::to_string(report.violated) + " edges miss the limit by rounding";
+      report.violated = report.violatedBefore;
+      continue;
+    }
+    next.fallbacks.insert(next.fallbacks.begin(), attempt.fallbacks.begin(),
+                          attempt.fallbacks.end());
+    const std::vector<NewtonStep>& first = attempt.solution.history;
+    next.solution.history.insert(next.solution.history.begin(), first.begin(), first.end());
+    next.delaunay = report;
+    return next;
+  }
+  report.resisting = inputEdges(chart, flattener.resistingEdges(attempt));
+  return keep(why + "; " + std::to_string(report.resisting.size()) + " edges resist");
+}
+
+}  // namespace abflat
