@@ -172,7 +172,7 @@ export interface MethodResult {
   method: MethodKey;
   /** For people: "LSCM, free boundary". */
   title: string;
-  /** For the layout alone, without checking and measuring it. */
+  /** To lay out, check and measure, without reading and connectivity. */
   seconds: number;
   /** Mean over corners of ((x - alpha)/alpha)^2, x in uv and alpha in 3D. */
   angularDistortion: number | null;
