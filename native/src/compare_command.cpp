@@ -34,12 +34,15 @@ std::string formatted(const char* format, Values... values) {
   return text.data();
 }
 
-/// Decimals that line up as long as they fit.
+/// Decimals that line up where they fit, and what is only rounding as 0.
 std::string numberText(const Measure& measure, double value) {
-  constexpr double kWidest = 1e4;
+  constexpr double kWidest = 1e4, kNoise = 1e-12;
+  const double narrowest = std::pow(10.0, 1 - measure.decimals);
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return "infinite";
-  return value < kWidest ? formatted("%.*f", measure.decimals, value) : formatted("%.2e", value);
+  if (value >= kWidest) return formatted("%.2e", value);
+  if (value > kNoise && value < narrowest) return formatted("%.1e", value);
+  return formatted("%.*f", measure.decimals, value);
 }
 
 /// The least of the valid layouts, as it is printed: what looks equal is equally good.
