@@ -224,6 +224,8 @@ export interface TriangleMesh {
 /** A worker that takes one call after the other, in the order they were made. */
 export interface Abflat {
   flatten(mesh: MeshInput, options?: FlattenOptions): Promise<FlattenResult>;
+  /** The layouts of abflat beside those of well-known methods; fails where `flatten` would. */
+  compare(mesh: MeshInput, options?: CompareOptions): Promise<Comparison>;
   inspect(mesh: MeshInput, options?: CallOptions): Promise<MeshSummary>;
   /** The triangles of an OBJ or OFF file, to show it even if it is not a disk. */
   load(file: MeshFile, options?: CallOptions): Promise<TriangleMesh>;
