@@ -66,8 +66,10 @@ std::string rowText(const MethodResult& row, const std::vector<MethodResult>& ro
 
 std::string tableText(const Comparison& comparison, const std::string& name) {
   const MeshSummary& input = comparison.input;
-  std::string out = name + formatted(": %zu triangles, %zu vertices, %zu on the boundary\n\n",
-                                     input.triangles, input.vertices, input.boundaryEdges);
+  std::string out =
+      name + formatted(": %zu %s, %zu vertices, %zu on the boundary\n\n", input.triangles,
+                       input.triangles == 1 ? "triangle" : "triangles", input.vertices,
+                       input.boundaryEdges);
   out += formatted("%-24s%9s", "method", "seconds");
   for (const Measure& m : kMeasures) out += formatted("%11s ", m.title);
   out += formatted("%8s%11s  %s\n", "flipped", "crossings", "valid");

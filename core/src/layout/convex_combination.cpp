@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "angle/constants.h"
+#include "layout/sparse_assembly.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -27,7 +28,7 @@ System makeSystem(const DiskChart& chart, const std::vector<double>& weight,
   int n = 0;
   for (int& u : s.unknown)
     if (u == 0) u = n++;
-  std::vector<Eigen::Triplet<double>> entries;
+  SparseEntries entries;
   s.rhs = Eigen::MatrixXd::Zero(n, 2);
   for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
     // Every interior vertex begins one half-edge to each neighbour.
@@ -41,8 +42,7 @@ System makeSystem(const DiskChart& chart, const std::vector<double>& weight,
       for (Eigen::Index d = 0; d < 2; ++d)
         s.rhs(row, d) += weight[h] * uv[2 * b + static_cast<std::size_t>(d)];
   }
-  s.matrix.resize(n, n);
-  s.matrix.setFromTriplets(entries.begin(), entries.end());
+  s.matrix = assembled(n, entries);
   return s;
 }
 
@@ -71,8 +71,9 @@ std::vector<double> boundaryOnCircle(const DiskChart& chart) {
   constexpr double kShortestArc = 0.1;  // of the mean
   const double least = kShortestArc * total / static_cast<double>(length.size());
   total = 0;
-  for (double& l : length) total += l = std::max(l, least);
-  const double radius = std::sqrt(surfaceArea(chart) / kPi);
+  for (double& l : length) total += l = least > 0 ? std::max(l, least) : 1;
+  const double area = surfaceArea(chart);
+  const double radius = area > 0 ? std::sqrt(area / kPi) : 1;
   double passed = 0;
   for (std::size_t i = 0; i < length.size(); ++i) {
     const std::uint32_t v = chart.vertexOfCorner[chart.boundary[i]];

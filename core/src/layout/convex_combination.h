@@ -14,8 +14,8 @@ struct Embedding {
 };
 
 /// Boundary vertices on a circle of the chart's area, spaced by 3D edge length (a shortest arc
-/// keeps them apart), lower left corner of the circle's bounding box at the origin. Interior
-/// vertices are at 0.
+/// keeps them apart), of radius 1 where there is no area; lower left corner of the circle's
+/// bounding box at the origin. Interior vertices are at 0.
 std::vector<double> boundaryOnCircle(const DiskChart& chart);
 
 /// Weight of each half-edge: how much its first vertex, if interior, is drawn to its second one.

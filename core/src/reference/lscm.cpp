@@ -2,7 +2,9 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <tuple>
 
+#include "layout/sparse_assembly.h"
 #include "mesh/triangle_geometry.h"
 #include "reference/corner_angles.h"
 
@@ -10,7 +12,6 @@ namespace abflat {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
-using Entries = std::vector<Eigen::Triplet<double>>;
 
 double squaredDistance(const DiskChart& chart, std::uint32_t v, const Vec3& p) {
   double sum = 0;
@@ -43,8 +44,8 @@ struct Reduced {
 Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown,
                     const Eigen::VectorXd& pinned) {
   const int n = 1 + *std::max_element(unknown.begin(), unknown.end());
-  Reduced out{Matrix(n, n), Eigen::VectorXd::Zero(n)};
-  Entries entries;
+  Reduced out{{}, Eigen::VectorXd::Zero(n)};
+  SparseEntries entries;
   entries.reserve(static_cast<std::size_t>(energy.nonZeros()));
   for (Eigen::Index c = 0; c < energy.outerSize(); ++c)
     for (Matrix::InnerIterator e(energy, c); e; ++e) {
@@ -56,7 +57,7 @@ Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown,
       else
         out.rhs[row] -= e.value() * pinned[c];
     }
-  out.matrix.setFromTriplets(entries.begin(), entries.end());
+  out.matrix = assembled(n, entries);
   return out;
 }
 
@@ -64,7 +65,7 @@ Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown,
 
 Matrix conformalEnergy(const DiskChart& chart) {
   const auto n = static_cast<int>(chart.vertexCount());
-  Entries entries;
+  SparseEntries entries;
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
     const std::array<double, 3> angle =
         anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f]);
@@ -90,9 +91,7 @@ Matrix conformalEnergy(const DiskChart& chart) {
       entries.emplace_back(column, row, value);
     }
   }
-  Matrix out(2 * n, 2 * n);
-  out.setFromTriplets(entries.begin(), entries.end());
-  return out;
+  return assembled(2 * Eigen::Index{n}, entries);
 }
 
 std::array<std::uint32_t, 2> findPins(const DiskChart& chart) {
