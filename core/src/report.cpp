@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "abflat/compare.h"
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 
@@ -110,6 +111,44 @@ Json timingsJson(const Timings& t) {
   };
 }
 
+Json summaryJson(const MeshSummary& s, const std::string& path) {
+  return {
+      {"path", path},
+      {"vertices", s.vertices},
+      {"unreferencedVertices", s.unreferencedVertices},
+      {"faces", s.faces},
+      {"triangles", s.triangles},
+      {"components", s.components},
+      {"boundaryLoops", s.boundaryLoops},
+      {"boundaryEdges", s.boundaryEdges},
+      {"nonManifoldEdges", s.nonManifoldEdges},
+      {"orientationConflicts", s.orientationConflicts},
+      {"degenerateFaces", s.degenerateFaces},
+      {"eulerCharacteristic", s.eulerCharacteristic},
+      {"genus", s.genus},
+      {"disk",
+       {{"ok", s.disk.ok()}, {"code", statusName(s.disk.code)}, {"message", s.disk.message}}},
+  };
+}
+
+Json methodJson(const MethodResult& m) {
+  return {
+      {"method", m.method},
+      {"title", m.title},
+      {"seconds", m.seconds},
+      {"angularDistortion", m.angularDistortion},
+      {"lengthDistortion", m.lengthDistortion},
+      {"areaDistortion", m.areaDistortion},
+      {"areaRatio", {{"min", m.areaRatioMin}, {"max", m.areaRatioMax}}},
+      {"quasiConformal", {{"mean", m.quasiConformalMean}, {"max", m.quasiConformalMax}}},
+      {"symmetricDirichlet", m.symmetricDirichlet},
+      {"flippedTriangles", m.flippedTriangles},
+      {"boundaryCrossings", m.boundaryCrossings},
+      {"valid", m.valid},
+      {"problem", m.problem},
+  };
+}
+
 }  // namespace
 
 std::string reportJson(const Report& report) {
@@ -128,24 +167,16 @@ std::string reportJson(const Report& report) {
   return text(out);
 }
 
-std::string inspectJson(const MeshSummary& s, const std::string& path) {
-  return text({
-      {"path", path},
-      {"vertices", s.vertices},
-      {"unreferencedVertices", s.unreferencedVertices},
-      {"faces", s.faces},
-      {"triangles", s.triangles},
-      {"components", s.components},
-      {"boundaryLoops", s.boundaryLoops},
-      {"boundaryEdges", s.boundaryEdges},
-      {"nonManifoldEdges", s.nonManifoldEdges},
-      {"orientationConflicts", s.orientationConflicts},
-      {"degenerateFaces", s.degenerateFaces},
-      {"eulerCharacteristic", s.eulerCharacteristic},
-      {"genus", s.genus},
-      {"disk",
-       {{"ok", s.disk.ok()}, {"code", statusName(s.disk.code)}, {"message", s.disk.message}}},
-  });
+std::string inspectJson(const MeshSummary& summary, const std::string& path) {
+  return text(summaryJson(summary, path));
+}
+
+std::string compareJson(const Comparison& comparison, const std::string& path) {
+  Json methods = Json::array();
+  for (const MethodResult& row : comparison.methods) methods.push_back(methodJson(row));
+  return text({{"version", ABFLAT_VERSION},
+               {"input", summaryJson(comparison.input, path)},
+               {"methods", methods}});
 }
 
 }  // namespace abflat

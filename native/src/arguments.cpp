@@ -250,14 +250,32 @@ CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
   return sub;
 }
 
+CLI::App* addCompare(CLI::App& app, CompareCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "compare", "Compare the layouts of a mesh by abflat, Tutte, mean value, harmonic and LSCM");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  sub->add_option("--json", c.json,
+                  wrapped("JSON file to write instead of printing a table, with all measures; - "
+                          "for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+  setUsage(*sub, "abflat compare IN [--json FILE]");
+  sub->footer(
+      "A method that gives no valid layout is a row that says so; the exit code is 0 all the "
+      "same.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
 std::string usageError(const CLI::App& app, const CLI::Error& error) {
   const auto named = app.get_subcommands();
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'; known are flatten, inspect, sample, sweep";
+           "'; known are flatten, inspect, sample, sweep, compare";
   else if (named.empty())
-    what = "name a command: flatten, inspect, sample or sweep";
+    what = "name a command: flatten, inspect, sample, sweep or compare";
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
@@ -289,6 +307,10 @@ void checkTogether(const SweepCommand& c) {
   if (replaces(c.csv, c.input)) refuse("--csv", "would replace the input");
 }
 
+void checkTogether(const CompareCommand& c) {
+  if (replaces(c.json, c.input)) refuse("--json", "would replace the input");
+}
+
 }  // namespace
 
 Command parseArguments(int argc, const char* const* argv) {
@@ -311,14 +333,17 @@ Command parseArguments(int argc, const char* const* argv) {
   InspectCommand inspect;
   SampleCommand sample;
   SweepCommand sweep;
+  CompareCommand compare;
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
   const CLI::App* sweepApp = addSweep(app, sweep);
+  const CLI::App* compareApp = addCompare(app, compare);
   try {
     app.parse(argc, argv);
     if (flattenApp->parsed()) checkTogether(flatten);
     if (sweepApp->parsed()) checkTogether(sweep);
+    if (compareApp->parsed()) checkTogether(compare);
   } catch (const CLI::Success& request) {
     return Finished{app.exit(request)};
   } catch (const CLI::ParseError& error) {
@@ -329,6 +354,7 @@ Command parseArguments(int argc, const char* const* argv) {
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;
   if (sweepApp->parsed()) return sweep;
+  if (compareApp->parsed()) return compare;
   return Finished{static_cast<int>(ExitCode::Usage)};
 }
 

@@ -37,12 +37,18 @@ struct SweepCommand {
   std::string csv;                  ///< file to write; empty: a table for people
 };
 
+struct CompareCommand {
+  std::string input;
+  std::string json;  ///< file to write; empty: a table for people
+};
+
 /// What the program has printed already (help, version, a usage error).
 struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand>;
+using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand,
+                             CompareCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

@@ -204,6 +204,7 @@ test('lack of memory ends with exit code 4 and a sentence', async (t) => {
   const commands = [
     ['flatten', 'in.obj', '-o', 'out.obj'],
     ['sample', 'head', '--detail', '1000', '-o', 'out.obj'],
+    ['compare', 'in.obj', '--json', 'out.json'],
   ];
   for (const args of commands) {
     const run = await runAbflat(args, { cwd: at(), wrapper });

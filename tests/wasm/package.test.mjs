@@ -78,24 +78,38 @@ test('npm pack contains the licences and no sources', () => {
   );
 });
 
-test('the example for Node in the README runs', () => {
-  const { node } = examples();
-  assert.ok(node, 'there is no example');
+/** Runs an example of the README in a folder of its own; `check` gets the output and the folder. */
+function runExample(name, check) {
+  const code = examples()[name];
+  assert.ok(code, 'there is no example');
   const folder = mkdtempSync(join(tmpdir(), 'abflat-readme-'));
   try {
     symlinkSync(join(ROOT, 'node_modules'), join(folder, 'node_modules'));
-    writeFileSync(join(folder, 'example.mjs'), node);
+    writeFileSync(join(folder, 'example.mjs'), code);
     writeFileSync(join(folder, 'mesh.obj'), EXAMPLE_OBJ);
     const { status, stdout, stderr } = spawnSync(process.execPath, ['example.mjs'], {
       cwd: folder,
       encoding: 'utf8',
     });
     assert.equal(status, 0, stderr);
-    assert.match(stdout, /true/);
-    assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
+    check(stdout, folder);
   } finally {
     rmSync(folder, { recursive: true });
   }
+}
+
+test('the example for Node in the README runs', () => {
+  runExample('node', (stdout, folder) => {
+    assert.match(stdout, /true/);
+    assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
+  });
+});
+
+test('the example of a comparison in the README runs', () => {
+  runExample('compare', (stdout) => {
+    assert.match(stdout, /^abflat, t = auto true 0\.\d+$/m);
+    assert.match(stdout, /^LSCM, free (true|false) 0\.\d+$/m);
+  });
 });
 
 test('the README names every status, option and setting', () => {
@@ -107,7 +121,15 @@ test('the README names every status, option and setting', () => {
         .match(new RegExp(`interface ${name} [^{]*{(.*?)^}`, 'ms'))[1]
         .matchAll(/^ {4}(\w+)\??[:(]/gm),
     ].map(([, field]) => field);
-  const names = ['CallOptions', 'FlattenOptions', 'CreateOptions', 'FlattenResult', 'Abflat'];
+  const names = [
+    'CallOptions',
+    'FlattenOptions',
+    'CreateOptions',
+    'FlattenResult',
+    'Comparison',
+    'MethodResult',
+    'Abflat',
+  ];
   for (const field of [...names.flatMap(fields), ...STATUS_NAMES.slice(1)]) {
     assert.ok(text.includes(`\`${field}`), `README.md does not mention ${field}`);
   }

@@ -96,6 +96,10 @@ EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj) {
   return finish(*job, flattenJob(*job, wantsObj != 0, reportProgress));
 }
 
+EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {
+  return finish(*job, compareJob(*job, reportProgress));
+}
+
 EMSCRIPTEN_KEEPALIVE int abflatInspect(Job* job) { return finish(*job, inspectJob(*job)); }
 
 EMSCRIPTEN_KEEPALIVE int abflatLoad(Job* job) { return finish(*job, loadJob(*job)); }
@@ -111,6 +115,16 @@ EMSCRIPTEN_KEEPALIVE const void* abflatResultData(const Job* job, int field) {
 /// In bytes.
 EMSCRIPTEN_KEEPALIVE std::size_t abflatResultSize(const Job* job, int field) {
   return resultOf(*job, static_cast<Field>(field)).size;
+}
+
+/// The layout by method number `method` of a comparison.
+EMSCRIPTEN_KEEPALIVE const void* abflatMethodUvData(const Job* job, int method) {
+  return methodUvOf(*job, static_cast<std::size_t>(method)).data;
+}
+
+/// In bytes.
+EMSCRIPTEN_KEEPALIVE std::size_t abflatMethodUvSize(const Job* job, int method) {
+  return methodUvOf(*job, static_cast<std::size_t>(method)).size;
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatStatusCount() { return abflat::kStatusCodeCount; }

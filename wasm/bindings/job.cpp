@@ -51,6 +51,8 @@ Bytes resultOf(const Job& job, Field field) {
   return {};
 }
 
+Bytes methodUvOf(const Job& job, std::size_t method) { return bytesOf(job.methods[method].uv); }
+
 Status readInput(Job& job) {
   if (!job.isFile) return validateArrays(job.mesh);
   const Result<MeshFormat> format = detectFormat(job.name, job.source);
@@ -83,6 +85,21 @@ Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress) {
   job.result.report.timings.total = secondsSince(started);
   job.text = reportJson(job.result.report);
   progress({"write", 0, 0, 1});
+  return {};
+}
+
+Status compareJob(Job& job, const ProgressCallback& progress) {
+  progress({"read", 0, 0, 0});
+  if (Status s = readInput(job); !s.ok()) return s;
+  Result<Comparison> compared = compare(job.mesh, {progress});
+  if (!compared.ok()) return compared.status;
+  Comparison& comparison = compared.value;
+  if (job.isFile) job.positions = gatherPositions(job.mesh, comparison.vertexMap);
+  job.text = compareJson(comparison, job.name);
+  job.methods = std::move(comparison.methods);
+  job.result.triangles = std::move(comparison.triangles);
+  job.result.vertexMap = std::move(comparison.vertexMap);
+  progress({job.methods.back().method.c_str(), 0, 0, 1});
   return {};
 }
 

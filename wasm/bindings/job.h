@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/compare.h"
 #include "abflat/flatten.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
@@ -19,9 +20,10 @@ struct Job {
   PolygonMesh mesh;
   FlattenOptions options;
   FlattenResult result;
-  std::vector<double> positions;  ///< 3 per output vertex, files only
-  std::string obj;                ///< OBJ text, when asked for
-  std::string text;               ///< JSON on success, otherwise the message of the error
+  std::vector<MethodResult> methods;  ///< of a comparison
+  std::vector<double> positions;      ///< 3 per output vertex, files only
+  std::string obj;                    ///< OBJ text, when asked for
+  std::string text;                   ///< JSON on success, otherwise the message of the error
 };
 
 /// What JavaScript can read from a finished job; the numbers are those of `Field` in engine.ts.
@@ -34,12 +36,19 @@ struct Bytes {
 
 Bytes resultOf(const Job& job, Field field);
 
+/// The layout by one method of a comparison, in the order of its JSON; empty where there is none.
+Bytes methodUvOf(const Job& job, std::size_t method);
+
 /// Parses the file, or checks the arrays. Errors: those of detectFormat, readMesh, validateArrays.
 Status readInput(Job& job);
 
 /// Fills everything that resultOf() returns. `progress` as in FlattenOptions, with the stages
 /// "read" and "write" added.
 Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress);
+
+/// Fills what resultOf() returns but uv, and job.methods. `progress` as in CompareOptions, with the
+/// stage "read" added.
+Status compareJob(Job& job, const ProgressCallback& progress);
 
 Status inspectJob(Job& job);
 

@@ -11,11 +11,14 @@ export interface NativeModule {
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatFlatten(job: number, wantsObj: number): number;
+  _abflatCompare(job: number): number;
   _abflatInspect(job: number): number;
   _abflatLoad(job: number): number;
   _abflatSample(job: number, detail: number): number;
   _abflatResultData(job: number, field: number): number;
   _abflatResultSize(job: number, field: number): number;
+  _abflatMethodUvData(job: number, method: number): number;
+  _abflatMethodUvSize(job: number, method: number): number;
   _abflatStatusCount(): number;
   _abflatStatusName(code: number): number;
   _abflatSampleCount(): number;

@@ -3,8 +3,7 @@
 
 import { ABORTED, AbflatError, abortError } from './errors.js';
 import type { Platform, WorkerHandle } from './platform.js';
-import type { Answer, FromWorker, Request } from './protocol.js';
-import type { Progress } from './types.js';
+import type { Answer, AnyProgress, FromWorker, Request } from './protocol.js';
 
 const TERMINATED = 'terminate() was called.';
 
@@ -17,13 +16,14 @@ export interface ClientSettings {
 export interface CallSettings {
   transfer?: ArrayBuffer[];
   signal?: AbortSignal;
-  onProgress?: (progress: Progress) => void;
+  /** A method: the caller knows which progress its request makes. */
+  onProgress?(progress: AnyProgress): void;
 }
 
 interface Call {
   request: Request;
   transfer: ArrayBuffer[];
-  onProgress?: (progress: Progress) => void;
+  onProgress?: (progress: AnyProgress) => void;
   resolve(answer: Answer): void;
   reject(error: unknown): void;
 }
@@ -125,7 +125,7 @@ export class Client {
   }
 
   /** A listener that throws ends its call with what it threw. */
-  #report(progress: Progress): void {
+  #report(progress: AnyProgress): void {
     const call = this.#running;
     try {
       call?.onProgress?.(progress);

@@ -8,6 +8,8 @@ import type { Description } from './protocol.js';
 import type {
   Abflat,
   CallOptions,
+  CompareOptions,
+  Comparison,
   CreateOptions,
   FlattenOptions,
   FlattenResult,
@@ -46,6 +48,7 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
   }
   return {
     flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
+    compare: async (mesh, settings = {}) => compare(client, mesh, settings),
     inspect: async (mesh, settings = {}) => inspect(client, mesh, settings),
     load: async (file, settings = {}) => load(client, file, settings),
     sample: async (name, settings = {}) => sample(client, name, settings),
@@ -66,6 +69,19 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
   const wantsProgress = onProgress !== undefined;
   return client.call<FlattenResult>(
     { kind: 'flatten', mesh: owned.mesh, values, bounds, wantsObj: obj === true, wantsProgress },
+    { transfer: owned.buffers, signal, onProgress },
+  );
+}
+
+function compare(client: Client, mesh: MeshInput, options: CompareOptions): Promise<Comparison> {
+  checkKeys(options, KEYS.compare);
+  const { transfer, signal, onProgress } = options;
+  checkFunction('onProgress', onProgress);
+  checkSignal(signal);
+  client.checkUsable(signal);
+  const owned = takeMesh(mesh, transfer);
+  return client.call<Comparison>(
+    { kind: 'compare', mesh: owned.mesh, wantsProgress: onProgress !== undefined },
     { transfer: owned.buffers, signal, onProgress },
   );
 }

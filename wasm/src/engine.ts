@@ -4,8 +4,15 @@ import createNative, { type NativeModule } from './abflat.mjs';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
-import type { Answer, Description, FlattenRequest, OwnedMesh, Request } from './protocol.js';
-import type { FlattenResult, MeshSummary, Progress, Report, TriangleMesh } from './types.js';
+import type {
+  Answer,
+  AnyProgress,
+  Description,
+  FlattenRequest,
+  OwnedMesh,
+  Request,
+} from './protocol.js';
+import type { Comparison, FlattenResult, MeshSummary, Report, TriangleMesh } from './types.js';
 
 /** The numbers are those of `Field` in wasm/bindings/job.h. */
 const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, text: 5 } as const;
@@ -14,7 +21,7 @@ const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, text: 5 }
 class OutOfMemory extends Error {}
 
 interface Hooks {
-  onProgress(progress: Progress): void;
+  onProgress(progress: AnyProgress): void;
 }
 
 export class Engine {
@@ -55,8 +62,13 @@ export class Engine {
         print: ignore,
         printErr: ignore, // repeats what is thrown
         onProgress: (stage, newtonStep, constraintResidual, fraction) => {
-          const name = readString(memory, stage) as Progress['stage'];
-          hooks.onProgress({ stage: name, newtonStep, constraintResidual, fraction });
+          const name = readString(memory, stage);
+          hooks.onProgress({
+            stage: name,
+            newtonStep,
+            constraintResidual,
+            fraction,
+          } as AnyProgress);
         },
         onOutOfMemory: () => {
           throw new OutOfMemory();
@@ -71,7 +83,7 @@ export class Engine {
   }
 
   /** Throws AbflatError; when the module trapped or ran out of memory, `isBroken` is set then. */
-  run(request: Request, onProgress: (progress: Progress) => void = ignore): Answer {
+  run(request: Request, onProgress: (progress: AnyProgress) => void = ignore): Answer {
     this.#hooks.onProgress = onProgress;
     try {
       return this.#run(request);
@@ -88,6 +100,8 @@ export class Engine {
         return this.#describe();
       case 'flatten':
         return this.#flatten(request);
+      case 'compare':
+        return this.#withJob((job) => this.#compare(job, request.mesh));
       case 'inspect':
         return this.#withJob((job) => this.#inspect(job, request.mesh));
       case 'load':
@@ -134,6 +148,27 @@ export class Engine {
       timings.total = (now - started) / 1000;
       return result;
     });
+  }
+
+  #compare(job: number, mesh: OwnedMesh): Comparison {
+    this.#writeMesh(job, mesh);
+    const native = this.#native;
+    this.#check(job, native._abflatCompare(job));
+    const found = JSON.parse(this.#readText(job)) as Pick<
+      Comparison,
+      'version' | 'input' | 'methods'
+    >;
+    for (const [i, method] of found.methods.entries()) {
+      const start = native._abflatMethodUvData(job, i);
+      method.uv = new Float64Array(this.#copy(start, native._abflatMethodUvSize(job, i)));
+    }
+    const result: Comparison = {
+      ...found,
+      indices: new Uint32Array(this.#read(job, FIELD.indices)),
+      vertexMap: new Uint32Array(this.#read(job, FIELD.vertexMap)),
+    };
+    if ('bytes' in mesh) result.positions = new Float64Array(this.#read(job, FIELD.positions));
+    return result;
   }
 
   #inspect(job: number, mesh: OwnedMesh): MeshSummary {
@@ -205,10 +240,15 @@ export class Engine {
 
   /** A copy of a result. */
   #read(job: number, field: number): ArrayBuffer {
-    const start = this.#native._abflatResultData(job, field) >>> 0;
-    const size = this.#native._abflatResultSize(job, field) >>> 0;
+    const start = this.#native._abflatResultData(job, field);
+    return this.#copy(start, this.#native._abflatResultSize(job, field));
+  }
+
+  /** Address and bytes as the module returns them. */
+  #copy(address: number, bytes: number): ArrayBuffer {
+    const start = address >>> 0;
     try {
-      return this.#memory.buffer.slice(start, start + size);
+      return this.#memory.buffer.slice(start, start + (bytes >>> 0));
     } catch (error) {
       throw error instanceof RangeError ? new OutOfMemory() : error;
     }

@@ -1,7 +1,15 @@
 // What client and worker say to each other. One call at a time: the worker answers it before the client sends the next.
 
 import type { StatusName } from './generated.js';
-import type { FlattenResult, MeshArrays, MeshSummary, Progress, TriangleMesh } from './types.js';
+import type {
+  CompareProgress,
+  Comparison,
+  FlattenResult,
+  MeshArrays,
+  MeshSummary,
+  Progress,
+  TriangleMesh,
+} from './types.js';
 
 export interface OwnedFile {
   bytes: Uint8Array;
@@ -25,6 +33,7 @@ export interface FlattenRequest {
 export type Request =
   | { kind: 'describe' }
   | FlattenRequest
+  | { kind: 'compare'; mesh: OwnedMesh; wantsProgress: boolean }
   | { kind: 'inspect'; mesh: OwnedMesh }
   | { kind: 'load'; mesh: OwnedFile }
   | { kind: 'sample'; name: string; detail: number };
@@ -35,7 +44,9 @@ export interface Description {
   samples: string[];
 }
 
-export type Answer = Description | FlattenResult | MeshSummary | TriangleMesh;
+export type Answer = Description | FlattenResult | Comparison | MeshSummary | TriangleMesh;
+
+export type AnyProgress = Progress | CompareProgress;
 
 export type ToWorker =
   | { type: 'start'; module: WebAssembly.Module; maxMemory: number }
@@ -43,6 +54,6 @@ export type ToWorker =
 
 /** `isSpent`: the worker cannot or should not take another call. */
 export type FromWorker =
-  | { type: 'progress'; progress: Progress }
+  | { type: 'progress'; progress: AnyProgress }
   | { type: 'done'; answer: Answer; isSpent: boolean }
   | { type: 'failed'; code: StatusName; message: string; isSpent: boolean };

@@ -3,8 +3,7 @@
 import { Engine } from './engine.js';
 import { AbflatError, messageOf } from './errors.js';
 import { KEPT_MEMORY } from './memory.js';
-import type { Answer, FromWorker, Request, ToWorker } from './protocol.js';
-import type { Progress } from './types.js';
+import type { Answer, AnyProgress, FromWorker, Request, ToWorker } from './protocol.js';
 
 /** About 30 a second. */
 const PROGRESS_PAUSE_MS = 33;
@@ -31,8 +30,8 @@ async function answer(port: Port, request: Request, starting?: Promise<Engine>):
   try {
     engine = await starting;
     if (!engine) throw new Error('the worker was not started');
-    const wantsProgress = request.kind === 'flatten' && request.wantsProgress;
-    const post = (progress: Progress) => port.post({ type: 'progress', progress });
+    const wantsProgress = 'wantsProgress' in request && request.wantsProgress;
+    const post = (progress: AnyProgress) => port.post({ type: 'progress', progress });
     const value = engine.run(request, wantsProgress ? throttle(post) : undefined);
     const isSpent = engine.heapBytes > KEPT_MEMORY;
     port.post({ type: 'done', answer: value, isSpent }, buffersOf(value));
@@ -44,8 +43,8 @@ async function answer(port: Port, request: Request, starting?: Promise<Engine>):
 }
 
 /** Lets through what begins a stage, what ends the work, and otherwise one message in a while. */
-function throttle(post: (progress: Progress) => void): (progress: Progress) => void {
-  let stage: Progress['stage'] | undefined;
+function throttle(post: (progress: AnyProgress) => void): (progress: AnyProgress) => void {
+  let stage: AnyProgress['stage'] | undefined;
   let last = Number.NEGATIVE_INFINITY;
   return (progress) => {
     const now = performance.now();
@@ -58,7 +57,8 @@ function throttle(post: (progress: Progress) => void): (progress: Progress) => v
 }
 
 function buffersOf(value: Answer): ArrayBuffer[] {
-  return Object.values(value)
+  const layouts = 'methods' in value ? value.methods.map(({ uv }) => uv) : [];
+  return [...Object.values(value), ...layouts]
     .filter((field) => ArrayBuffer.isView(field))
     .map((view) => view.buffer as ArrayBuffer);
 }

@@ -8,6 +8,7 @@ const OF_CALL = ['signal', 'transfer'];
 export const KEYS = {
   create: ['maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'onProgress', 'obj', ...OF_CALL],
+  compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
 };

@@ -11,19 +11,6 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Smallest angle made up for a triangle of zero area, whose own angles say nothing: small enough
-/// to cost its neighbours little, large enough to be drawn.
-constexpr double kMadeUpAngle = 1e-3;
-
-std::array<double, 3> targetAngles(const DiskChart& chart, std::uint32_t f) {
-  std::array<double, 3> alpha = cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f]);
-  if (!isDegenerate(alpha)) return alpha;
-  double sum = 0;
-  for (double& a : alpha) sum += a = std::max(a, kMadeUpAngle);
-  for (double& a : alpha) a *= kPi / sum;
-  return alpha;
-}
-
 }  // namespace
 
 AngleProblem buildAngleProblem(const DiskChart& chart) {
@@ -38,7 +25,8 @@ AngleProblem buildAngleProblem(const DiskChart& chart) {
   p.target.resize(p.vertexOfCorner.size());
   std::vector<double> sum(chart.vertexCount(), 0);
   for (std::uint32_t f = 0; f < p.triangleCount(); ++f) {
-    const std::array<double, 3> alpha = targetAngles(chart, f);
+    const std::array<double, 3> alpha =
+        anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f]);
     for (std::uint32_t k = 0; k < 3; ++k) {
       p.target[3 * f + k] = alpha[k];
       sum[p.vertexOfCorner[3 * f + k]] += alpha[k];

@@ -106,7 +106,7 @@ Attempt ChartFlattener::tutte(const std::string& reason) {
   Attempt a;
   a.t.assign(chart_.boundary.size(), 1);
   a.solver = "tutte";
-  a.uv = tutteEmbedding(chart_);
+  a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
   a.solution.converged = true;
   a.validity = checkValidity(chart_, a.uv);

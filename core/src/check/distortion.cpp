@@ -87,7 +87,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   }
   const double scale = std::sqrt(total3d / totalUv);
   Distortion out;
-  double angular = 0, quasi = 0, stretch = 0, dirichlet = 0, area = 0;
+  double angular = 0, quasi = 0, stretch = 0, dirichlet = 0, area = 0, areaLog = 0;
   std::size_t measured = 0;
   out.areaMin = std::numeric_limits<double>::infinity();
   out.areaMax = 0;
@@ -105,6 +105,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
     out.quasiConformalMax = std::max(out.quasiConformalMax, s1 / s2);
     out.stretchLinf = measured == 1 ? 1 / s2 : std::max(out.stretchLinf, 1 / s2);
     const double ratio = scale * scale * t.areaUv / t.area3d;
+    areaLog += t.area3d * std::abs(std::log(std::abs(ratio)));
     out.areaMin = std::min(out.areaMin, ratio);
     out.areaMax = std::max(out.areaMax, ratio);
   }
@@ -114,6 +115,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   out.quasiConformalMean = quasi / area;
   out.stretchL2 = std::sqrt(stretch / area);
   out.symmetricDirichlet = dirichlet / area;
+  out.areaLog = areaLog / area;
   return out;
 }
 

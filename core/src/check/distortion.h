@@ -18,6 +18,7 @@ struct Distortion {
   double stretchLinf = 1;           ///< largest 1/s2
   double symmetricDirichlet = 1;    ///< (s1^2 + s2^2 + 1/s1^2 + 1/s2^2)/4
   double areaMin = 1, areaMax = 1;  ///< s1 s2
+  double areaLog = 0;               ///< mean of |log(s1 s2)|
 };
 Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& uv);
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "angle/constants.h"
+
 namespace abflat {
 
 using Vec3 = std::array<double, 3>;
@@ -49,6 +51,20 @@ constexpr double kDegenerateAngle = 1e-9;
 
 inline bool isDegenerate(const std::array<double, 3>& angles) {
   return std::min({angles[0], angles[1], angles[2]}) < kDegenerateAngle;
+}
+
+/// Smallest angle made up for a triangle of zero area, whose own angles say nothing: small enough
+/// to cost its neighbours little, large enough to be drawn.
+constexpr double kMadeUpAngle = 1e-3;
+
+inline std::array<double, 3> anglesOrMadeUp(const std::vector<double>& positions,
+                                            const std::uint32_t* v) {
+  std::array<double, 3> alpha = cornerAngles(positions, v);
+  if (!isDegenerate(alpha)) return alpha;
+  double sum = 0;
+  for (double& a : alpha) sum += a = std::max(a, kMadeUpAngle);
+  for (double& a : alpha) a *= kPi / sum;
+  return alpha;
 }
 
 }  // namespace abflat

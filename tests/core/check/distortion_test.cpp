@@ -49,6 +49,16 @@ TEST_CASE("an affine map has the distortion of its singular values") {
   CHECK(d.length > 0.01);
 }
 
+TEST_CASE("area distortion is the mean size of the logarithm of the area ratios") {
+  // A square of two equal triangles that become 3 to 1: 3/2 and 1/2 at equal total area.
+  const DiskChart chart =
+      chartOf(makeTriangleMesh({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3}));
+  const Distortion d = measureDistortion(chart, {0, 0, 3, 0, 1, 1, 0, 1});
+  CHECK(d.areaLog == Approx((std::log(1.5) + std::log(2)) / 2));
+  CHECK(d.areaMin == Approx(0.5));
+  CHECK(d.areaMax == Approx(1.5));
+}
+
 TEST_CASE("flipped triangles and boundary angles are seen") {
   const DiskChart chart = chartOf(bumpyGrid(6, 5, 0, 1));
   std::vector<double> uv = mapped(chart, 1, 0, 0, 1);

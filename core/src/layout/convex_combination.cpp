@@ -1,0 +1,106 @@
+#include "layout/convex_combination.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+
+#include "angle/constants.h"
+#include "layout/sparse_assembly.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+struct System {
+  std::vector<int> unknown;  ///< row of each interior vertex; -1 on the boundary
+  Matrix matrix;
+  Eigen::MatrixXd rhs;  ///< columns u and v
+};
+
+System makeSystem(const DiskChart& chart, const std::vector<double>& weight,
+                  const std::vector<double>& uv) {
+  System s;
+  s.unknown.assign(chart.vertexCount(), 0);
+  for (const std::uint32_t h : chart.boundary) s.unknown[chart.vertexOfCorner[h]] = -1;
+  int n = 0;
+  for (int& u : s.unknown)
+    if (u == 0) u = n++;
+  SparseEntries entries;
+  s.rhs = Eigen::MatrixXd::Zero(n, 2);
+  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+    // Every interior vertex begins one half-edge to each neighbour.
+    const std::uint32_t b = chart.vertexOfCorner[nextCorner(h)];
+    const int row = s.unknown[chart.vertexOfCorner[h]];
+    if (row < 0) continue;
+    entries.emplace_back(row, row, weight[h]);
+    if (s.unknown[b] >= 0)
+      entries.emplace_back(row, s.unknown[b], -weight[h]);
+    else
+      for (Eigen::Index d = 0; d < 2; ++d)
+        s.rhs(row, d) += weight[h] * uv[2 * b + static_cast<std::size_t>(d)];
+  }
+  s.matrix = assembled(n, entries);
+  return s;
+}
+
+/// Empty matrix when the factorisation fails.
+Eigen::MatrixXd solve(const System& s, bool isSymmetric) {
+  if (isSymmetric) {
+    const Eigen::SimplicialLDLT<Matrix> factor(s.matrix);
+    return factor.info() == Eigen::Success ? Eigen::MatrixXd(factor.solve(s.rhs))
+                                           : Eigen::MatrixXd();
+  }
+  const Eigen::SparseLU<Matrix> factor(s.matrix);
+  return factor.info() == Eigen::Success ? Eigen::MatrixXd(factor.solve(s.rhs)) : Eigen::MatrixXd();
+}
+
+}  // namespace
+
+std::vector<double> boundaryOnCircle(const DiskChart& chart) {
+  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()), 0);
+  std::vector<double> length;
+  double total = 0;
+  for (const std::uint32_t h : chart.boundary) {
+    length.push_back(norm(
+        edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
+    total += length.back();
+  }
+  constexpr double kShortestArc = 0.1;  // of the mean
+  const double least = kShortestArc * total / static_cast<double>(length.size());
+  total = 0;
+  for (double& l : length) total += l = least > 0 ? std::max(l, least) : 1;
+  const double area = surfaceArea(chart);
+  const double radius = area > 0 ? std::sqrt(area / kPi) : 1;
+  double passed = 0;
+  for (std::size_t i = 0; i < length.size(); ++i) {
+    const std::uint32_t v = chart.vertexOfCorner[chart.boundary[i]];
+    uv[2 * v] = radius * (1 + std::cos(2 * kPi * passed / total));
+    uv[2 * v + 1] = radius * (1 + std::sin(2 * kPi * passed / total));
+    passed += length[i];
+  }
+  return uv;
+}
+
+Embedding embedByWeights(const DiskChart& chart, const HalfEdgeWeights& weights,
+                         std::vector<double> uv) {
+  Embedding out{std::move(uv), {}};
+  const System s = makeSystem(chart, weights.weight, out.uv);
+  if (s.rhs.rows() == 0) return out;
+  const Eigen::MatrixXd solved = solve(s, weights.isSymmetric);
+  if (solved.rows() == 0 || !solved.allFinite()) {
+    out.problem =
+        "the linear system for the interior vertices cannot be solved: its weights are "
+        "too far apart or cancel";
+    return out;
+  }
+  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+    if (s.unknown[v] >= 0)
+      for (std::size_t d = 0; d < 2; ++d)
+        out.uv[2 * v + d] = solved(s.unknown[v], static_cast<Eigen::Index>(d));
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,60 @@
+#include "reference/pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace abflat {
+namespace {
+
+double totalArea(const DiskChart& chart, const std::vector<double>& uv) {
+  double area = 0;
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+    const double *a = &uv[2 * v[0]], *b = &uv[2 * v[1]], *c = &uv[2 * v[2]];
+    area += std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+  }
+  return area;
+}
+
+std::array<double, 2> center(const std::vector<double>& uv) {
+  std::array<double, 2> sum{0, 0};
+  for (std::size_t i = 0; i < uv.size(); ++i) sum[i % 2] += uv[i];
+  const double count = static_cast<double>(uv.size()) / 2;
+  return {sum[0] / count, sum[1] / count};
+}
+
+/// Cosine and sine of the rotation of `uv` onto `model`.
+std::array<double, 2> rotationOnto(const std::vector<double>& model,
+                                   const std::vector<double>& uv) {
+  const auto from = center(uv), to = center(model);
+  double re = 0, im = 0;
+  for (std::size_t i = 0; i < uv.size(); i += 2) {
+    const double x = uv[i] - from[0], y = uv[i + 1] - from[1];
+    const double p = model[i] - to[0], q = model[i + 1] - to[1];
+    re += x * p + y * q;
+    im += x * q - y * p;
+  }
+  const double length = std::hypot(re, im);
+  if (!(length > 0) || !std::isfinite(length)) return {1, 0};
+  return {re / length, im / length};
+}
+
+}  // namespace
+
+void pose(const DiskChart& chart, const std::vector<double>& model, std::vector<double>& uv) {
+  const double area = totalArea(chart, uv), wanted = surfaceArea(chart);
+  const double scale = area > 0 && wanted > 0 ? std::sqrt(wanted / area) : 1;
+  const auto [c, s] =
+      model.size() == uv.size() ? rotationOnto(model, uv) : std::array<double, 2>{1, 0};
+  std::array<double, 2> low{INFINITY, INFINITY};
+  for (std::size_t i = 0; i < uv.size(); i += 2) {
+    const double x = scale * uv[i], y = scale * uv[i + 1];
+    uv[i] = c * x - s * y;
+    uv[i + 1] = s * x + c * y;
+    for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], uv[i + d]);
+  }
+  for (std::size_t i = 0; i < uv.size(); ++i) uv[i] -= low[i % 2];
+}
+
+}  // namespace abflat
