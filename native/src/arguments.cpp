@@ -250,14 +250,48 @@ CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
   return sub;
 }
 
+CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "reproduce", "Repeat the experiments of the paper: tables, convergence, figures");
+  sub->group("Commands");
+  sub->add_option("--meshes", c.meshes,
+                  wrapped("folder whose OBJ and OFF files are used beside the generated models"))
+      ->check(notEmpty())
+      ->type_name("DIR");
+  sub->add_option("-o,--out", c.out, wrapped("folder to write to; made when it is missing"))
+      ->required()
+      ->check(notEmpty())
+      ->type_name("DIR");
+  sub->add_option_function<std::string>(
+         "--only",
+         [&c](const std::string& part) {
+           c.wantsTables = part == "tables";
+           c.wantsConvergence = part == "convergence";
+           c.wantsFigures = part == "figures";
+         },
+         wrapped("one part of it: tables, convergence or figures"))
+      ->check(CLI::IsMember({"tables", "convergence", "figures"}))
+      ->type_name("PART");
+  sub->add_flag_callback(
+      "--no-precondition", [&c] { c.precondition = false; },
+      wrapped("iterative linear solvers without preconditioner, as in the paper; slow"));
+  sub->add_flag("-q,--quiet", c.quiet, "no progress; errors are still printed");
+  setUsage(*sub, "abflat reproduce [--meshes DIR] --out DIR [OPTIONS]");
+  sub->footer(
+      "A mesh that cannot be read or is no disk is a row that says so. DIR/index.html shows all "
+      "results.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
 std::string usageError(const CLI::App& app, const CLI::Error& error) {
   const auto named = app.get_subcommands();
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'; known are flatten, inspect, sample, sweep";
+           "'; known are flatten, inspect, sample, sweep, reproduce";
   else if (named.empty())
-    what = "name a command: flatten, inspect, sample or sweep";
+    what = "name a command: flatten, inspect, sample, sweep or reproduce";
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
@@ -311,10 +345,12 @@ Command parseArguments(int argc, const char* const* argv) {
   InspectCommand inspect;
   SampleCommand sample;
   SweepCommand sweep;
+  ReproduceCommand reproduce;
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
   const CLI::App* sweepApp = addSweep(app, sweep);
+  const CLI::App* reproduceApp = addReproduce(app, reproduce);
   try {
     app.parse(argc, argv);
     if (flattenApp->parsed()) checkTogether(flatten);
@@ -329,6 +365,7 @@ Command parseArguments(int argc, const char* const* argv) {
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;
   if (sweepApp->parsed()) return sweep;
+  if (reproduceApp->parsed()) return reproduce;
   return Finished{static_cast<int>(ExitCode::Usage)};
 }
 

@@ -37,12 +37,21 @@ struct SweepCommand {
   std::string csv;                  ///< file to write; empty: a table for people
 };
 
+struct ReproduceCommand {
+  std::string meshes;  ///< folder; empty: the generated models only
+  std::string out;     ///< folder
+  bool wantsTables = true, wantsConvergence = true, wantsFigures = true;
+  bool precondition = true;
+  bool quiet = false;
+};
+
 /// What the program has printed already (help, version, a usage error).
 struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand>;
+using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand,
+                             ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

@@ -9,5 +9,6 @@ int runFlatten(const FlattenCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
 int runSweep(const SweepCommand& command);
+int runReproduce(const ReproduceCommand& command);
 
 }  // namespace abflat::cli

@@ -16,6 +16,7 @@ struct Runner {
   int operator()(const InspectCommand& command) const { return runInspect(command); }
   int operator()(const SampleCommand& command) const { return runSample(command); }
   int operator()(const SweepCommand& command) const { return runSweep(command); }
+  int operator()(const ReproduceCommand& command) const { return runReproduce(command); }
 };
 
 int ended(const Status& status) {
