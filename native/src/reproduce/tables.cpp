@@ -133,8 +133,8 @@ std::vector<std::string> tableNotes() {
   return {
       "Angular distortion: mean over corners of ((x - α)/α)², x in uv, α in 3D.",
       "Length distortion: mean over edges of (sL/l - 1)², L in uv, l in 3D, s = Σl/ΣL. Per 1.5 F: "
-      "the same sum divided by 1.5 times the number of faces, which is how the paper's values come "
-      "out.",
+      "the same sum divided by 1.5 times the number of faces, which gives the paper's "
+      "values of its Body.",
       "Crossings: pairs of boundary edges that cross or touch; flipped: triangles that are not "
       "positively "
       "oriented; both by exact predicates.",

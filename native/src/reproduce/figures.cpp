@@ -1,0 +1,90 @@
+#include "reproduce/figures.h"
+
+#include <sstream>
+
+#include "abflat/draw.h"
+#include "out_of_memory.h"
+
+namespace abflat::cli {
+namespace {
+
+/// Beyond it a dot of the picture stands for hundreds of rows.
+constexpr std::size_t kMaxMatrixFaces = 6000;
+constexpr double kSmallPanel = 300;
+
+std::string boundTitle(double t) {
+  if (t == kAutoT) return "t = auto";
+  std::ostringstream out;
+  out << "t = " << t;
+  if (t == 2) out << " (free boundary)";
+  if (t == 1) out << " (convex)";
+  return out.str();
+}
+
+Drawing layoutAt(Experiment& e, double t, double size) {
+  LayoutDrawingOptions options;
+  options.size = size;
+  options.title = boundTitle(t);
+  const Result<FlattenResult>& flat = e.flattened(t);
+  return flat.ok() ? drawLayout(flat.value, options) : drawReason(flat.status.message, options);
+}
+
+Figure figure(const Experiment& e, int number, const std::string& what,
+              const std::vector<Drawing>& drawings) {
+  const std::string heading = e.model().name + ": " + what;
+  return {number, "figure-" + std::to_string(number) + "-" + e.model().fileStem + ".svg",
+          e.model().name, svgFile(heading, drawings, drawings.size())};
+}
+
+Figure boundaries(Experiment& e) {
+  std::vector<Drawing> panels;
+  for (const double t : {2.0, 1.0, kAutoT}) panels.push_back(layoutAt(e, t, 380));
+  return figure(e, 2, "free, convex and automatic boundary", panels);
+}
+
+Figure boundaryControl(Experiment& e) {
+  std::vector<Drawing> panels;
+  for (const double t : {2.0, 1.05, 1.0, 0.98, 0.968})
+    panels.push_back(layoutAt(e, t, kSmallPanel));
+  return figure(e, 8, "effect of the boundary control coefficient t", panels);
+}
+
+Result<Figure> systemMatrix(const Experiment& e) {
+  std::vector<Drawing> panels;
+  for (const Formulation form : {Formulation::Log, Formulation::Product}) {
+    Result<Drawing> panel =
+        orOutOfMemory(e.model().name, [&] { return drawKktMatrix(e.mesh(), 1, form); });
+    if (!panel.ok()) return panel.status;
+    panels.push_back(std::move(panel.value));
+  }
+  return figure(e, 4, "system matrix (8) at t = 1", panels);
+}
+
+}  // namespace
+
+std::string figureHeading(int number) {
+  switch (number) {
+    case 2:
+      return "Figure 2: free, convex and automatic boundary";
+    case 4:
+      return "Figure 4: the system matrix";
+    case 6:
+      return "Figure 6: Delaunay layouts";
+    case 8:
+      return "Figure 8: the boundary control coefficient t";
+  }
+  return "Figure " + std::to_string(number);
+}
+
+std::vector<Figure> makeFigures(Experiment& e) {
+  std::vector<Figure> out;
+  if (!e.status().ok()) return out;
+  out.push_back(boundaries(e));
+  if (e.summary().triangles <= kMaxMatrixFaces)
+    if (Result<Figure> matrix = systemMatrix(e); matrix.ok())
+      out.push_back(std::move(matrix.value));
+  out.push_back(boundaryControl(e));
+  return out;
+}
+
+}  // namespace abflat::cli
