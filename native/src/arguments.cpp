@@ -272,9 +272,9 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
          wrapped("one part of it: tables, convergence or figures"))
       ->check(CLI::IsMember({"tables", "convergence", "figures"}))
       ->type_name("PART");
-  sub->add_flag_callback(
-      "--no-precondition", [&c] { c.precondition = false; },
-      wrapped("iterative linear solvers without preconditioner, as in the paper; slow"));
+  for (int i = 0; i < kFlattenOptionCount; ++i)
+    if (kFlattenOptions[i].name == std::string("precondition"))
+      addFlattenOption(*sub, c.options, i);
   sub->add_flag("-q,--quiet", c.quiet, "no progress; errors are still printed");
   setUsage(*sub, "abflat reproduce [--meshes DIR] --out DIR [OPTIONS]");
   sub->footer(

@@ -41,7 +41,7 @@ struct ReproduceCommand {
   std::string meshes;  ///< folder; empty: the generated models only
   std::string out;     ///< folder
   bool wantsTables = true, wantsConvergence = true, wantsFigures = true;
-  bool precondition = true;
+  FlattenOptionValues options;  ///< precondition only
   bool quiet = false;
 };
 

@@ -43,12 +43,14 @@ class Reproduction {
     if (command_.wantsTables) addRows(tables_, e);
     if (!e.status().ok()) page_.remarks.push_back(e.model().name + ": " + e.status().message);
     if (command_.wantsConvergence) {
-      const std::string plot = addConvergence(convergence_, e, command_.precondition);
+      const std::string plot = addConvergence(convergence_, e, command_.options.precondition);
       const std::string file = "convergence-" + e.model().fileStem + ".svg";
       if (Status s = addPicture("Convergence", file, e.model().name, plot); !s.ok()) return s;
     }
     if (!command_.wantsFigures) return {};
-    for (const Figure& f : makeFigures(e))
+    const FigureSet set = makeFigures(e);
+    page_.remarks.insert(page_.remarks.end(), set.remarks.begin(), set.remarks.end());
+    for (const Figure& f : set.figures)
       if (Status s = addPicture(figureHeading(f.number), f.file, f.title, f.svg); !s.ok()) return s;
     return {};
   }

@@ -15,7 +15,7 @@ const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 
 /** arguments, what the message must say. */
 const WRONG = [
-  [[], /flatten, inspect, sample or sweep/],
+  [[], /flatten, inspect, sample, sweep or reproduce/],
   [['unwrap'], /no command 'unwrap'/],
   [['flatten'], /IN/],
   [['flatten', 'in.obj'], /--output/],

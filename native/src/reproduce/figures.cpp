@@ -8,7 +8,6 @@
 namespace abflat::cli {
 namespace {
 
-/// Beyond it a dot of the picture stands for hundreds of rows.
 constexpr std::size_t kMaxMatrixFaces = 6000;
 constexpr double kSmallPanel = 300;
 
@@ -50,6 +49,11 @@ Figure boundaryControl(Experiment& e) {
 }
 
 Result<Figure> systemMatrix(const Experiment& e) {
+  if (const std::size_t faces = e.summary().triangles; faces > kMaxMatrixFaces)
+    return Status{StatusCode::InvalidOption,
+                  "left out: with " + std::to_string(faces) +
+                      " faces a dot would stand for hundreds of rows; drawn up to " +
+                      std::to_string(kMaxMatrixFaces)};
   std::vector<Drawing> panels;
   for (const Formulation form : {Formulation::Log, Formulation::Product}) {
     Result<Drawing> panel =
@@ -76,14 +80,17 @@ std::string figureHeading(int number) {
   return "Figure " + std::to_string(number);
 }
 
-std::vector<Figure> makeFigures(Experiment& e) {
-  std::vector<Figure> out;
+FigureSet makeFigures(Experiment& e) {
+  FigureSet out;
   if (!e.status().ok()) return out;
-  out.push_back(boundaries(e));
-  if (e.summary().triangles <= kMaxMatrixFaces)
-    if (Result<Figure> matrix = systemMatrix(e); matrix.ok())
-      out.push_back(std::move(matrix.value));
-  out.push_back(boundaryControl(e));
+  out.figures.push_back(boundaries(e));
+  Result<Figure> matrix = systemMatrix(e);
+  if (matrix.ok())
+    out.figures.push_back(std::move(matrix.value));
+  else
+    out.remarks.push_back(figureHeading(4) + " of " + e.model().name + ": " +
+                          matrix.status.message);
+  out.figures.push_back(boundaryControl(e));
   return out;
 }
 

@@ -18,8 +18,12 @@ struct Figure {
 /// What the paper's figure of this number shows, for a heading.
 std::string figureHeading(int number);
 
-/// Figures 2, 4, 6 and 8 of one mesh; none when it cannot be flattened. The system matrix is left
-/// out for meshes of which a picture could show nothing.
-std::vector<Figure> makeFigures(Experiment& experiment);
+struct FigureSet {
+  std::vector<Figure> figures;
+  std::vector<std::string> remarks;  ///< what was left out and why, one sentence each
+};
+
+/// The figures of one mesh; none when it cannot be flattened.
+FigureSet makeFigures(Experiment& experiment);
 
 }  // namespace abflat::cli

@@ -19,10 +19,13 @@ constexpr const char* kHead = R"(<!doctype html>
   p, ul { max-width: 75ch; }
   .table { overflow-x: auto; background: #fff; border: 1px solid #dde2e9; border-radius: 8px; }
   table { border-collapse: collapse; font-size: 13px; width: 100%; }
-  th, td { padding: .35rem .7rem; text-align: left; vertical-align: top; border-bottom: 1px solid #e9edf2; }
+  th, td { padding: .35rem .6rem; text-align: left; vertical-align: top; border-bottom: 1px solid #e9edf2; }
   tbody tr:last-child td { border-bottom: 0; }
   th { position: sticky; top: 0; background: #fff; font-weight: 600; vertical-align: bottom; }
-  .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+  td:first-child { white-space: nowrap; }
+  td:last-child { min-width: 15rem; }
+  td.number { white-space: nowrap; }
+  .number { text-align: right; font-variant-numeric: tabular-nums; }
   figure { margin: 0 0 1.5rem; overflow-x: auto; background: #fff; border: 1px solid #dde2e9; border-radius: 8px; }
   img { display: block; max-width: 100%; height: auto; }
   @media print { body { background: #fff; padding: 0; } figure { break-inside: avoid; } }

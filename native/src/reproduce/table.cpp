@@ -36,6 +36,12 @@ Cell::Cell(double value, int decimals) {
   rounded << std::fixed << std::setprecision(decimals) << value;
   exact = full.str();
   shown = rounded.str();
+  const bool vanishes = value != 0 && shown.find_first_of("123456789") == std::string::npos;
+  if (vanishes) {
+    std::ostringstream small;
+    small << std::setprecision(2) << value;
+    shown = small.str();
+  }
 }
 
 std::string csvText(const Table& table) {

@@ -68,7 +68,7 @@ Cells firstRow(Experiment& e) {
   }
   const Result<FlattenResult>& result = e.flattened(1);
   Cells row = {e.model().name, e.summary().triangles,
-               result.ok() ? Cell(secondsOf(result.value.report), 2) : Cell()};
+               result.ok() ? Cell(secondsOf(result.value.report), 3) : Cell()};
   Cells cells = resultCells(result);
   const std::string problem = cells.back().exact;
   cells.pop_back();
