@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "abflat/draw.h"
@@ -24,7 +25,8 @@ using Point = std::array<double, 2>;
 class Fit {
  public:
   Fit(const std::vector<double>& uv, double size) {
-    Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Point low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
     for (std::size_t i = 0; i < uv.size(); ++i) {
       if (!std::isfinite(uv[i])) continue;
       low[i % 2] = std::min(low[i % 2], uv[i]);
@@ -211,13 +213,13 @@ Drawing drawLayout(const FlattenResult& flat, const LayoutDrawingOptions& option
   SvgWriter out;
   paintTitle(out, options.title);
   const std::size_t marked = LayoutPainter(flat, options).paint(out);
-  double y = kTitleHeight + options.size + 16;
+  const double y = kTitleHeight + options.size + 16;
   out.text(kPadding, y, distortions(chart), {{"font-size", 13}, {"fill", kMuted}});
   const std::string_view colour = chart.valid ? kGood : kBad;
-  out.text(kPadding, y += 18, verdict(chart),
+  out.text(kPadding, y + 18, verdict(chart),
            {{"font-size", 13}, {"font-weight", "600"}, {"fill", colour}});
   if (options.marksNonDelaunay)
-    out.text(kPadding, y += 18,
+    out.text(kPadding, y + 36,
              marked == 0 ? "every edge is Delaunay"
                          : counted(marked, "edge is not Delaunay", "edges are not Delaunay"),
              {{"font-size", 13}, {"fill", marked == 0 ? kGood : kHighlight}});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "abflat/draw.h"
@@ -40,7 +41,7 @@ std::string powerText(int mantissa, int exponent) {
 class Axes {
  public:
   Axes(const std::vector<Curve>& curves, const PlotOptions& options) : options_(options) {
-    double low = INFINITY, high = -INFINITY;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Curve& curve : curves) {
       last_ = std::max(last_, static_cast<int>(curve.y.size()));
       for (const double y : curve.y) {

@@ -48,12 +48,16 @@ Figure boundaryControl(Experiment& e) {
   return figure(e, 8, "effect of the boundary control coefficient t", panels);
 }
 
+/// Empty, or why no picture of it is made.
+std::string whyNoMatrix(const Experiment& e) {
+  const std::size_t faces = e.summary().triangles;
+  if (faces <= kMaxMatrixFaces) return "";
+  return "left out: with " + std::to_string(faces) +
+         " faces a dot would stand for hundreds of rows; drawn up to " +
+         std::to_string(kMaxMatrixFaces);
+}
+
 Result<Figure> systemMatrix(const Experiment& e) {
-  if (const std::size_t faces = e.summary().triangles; faces > kMaxMatrixFaces)
-    return Status{StatusCode::InvalidOption,
-                  "left out: with " + std::to_string(faces) +
-                      " faces a dot would stand for hundreds of rows; drawn up to " +
-                      std::to_string(kMaxMatrixFaces)};
   std::vector<Drawing> panels;
   for (const Formulation form : {Formulation::Log, Formulation::Product}) {
     Result<Drawing> panel =
@@ -84,12 +88,14 @@ FigureSet makeFigures(Experiment& e) {
   FigureSet out;
   if (!e.status().ok()) return out;
   out.figures.push_back(boundaries(e));
-  Result<Figure> matrix = systemMatrix(e);
-  if (matrix.ok())
-    out.figures.push_back(std::move(matrix.value));
-  else
-    out.remarks.push_back(figureHeading(4) + " of " + e.model().name + ": " +
-                          matrix.status.message);
+  std::string reason = whyNoMatrix(e);
+  if (reason.empty()) {
+    Result<Figure> matrix = systemMatrix(e);
+    reason = matrix.status.message;
+    if (matrix.ok()) out.figures.push_back(std::move(matrix.value));
+  }
+  if (!reason.empty())
+    out.remarks.push_back(figureHeading(4) + " of " + e.model().name + ": " + reason);
   out.figures.push_back(boundaryControl(e));
   return out;
 }

@@ -50,6 +50,13 @@ std::string link(int section, const std::string& text) {
   return "<a href=\"#s" + std::to_string(section) + "\">" + htmlEscaped(text) + "</a>\n";
 }
 
+std::string figureHtml(const PagePicture& picture) {
+  const std::string file = htmlEscaped(picture.file);
+  const std::string text = htmlEscaped(picture.section + ", " + picture.title);
+  return "<figure><a href=\"" + file + "\"><img loading=\"lazy\" src=\"" + file + "\" alt=\"" +
+         text + "\"></a></figure>\n";
+}
+
 }  // namespace
 
 std::string pageHtml(const PageContent& content) {
@@ -68,9 +75,7 @@ std::string pageHtml(const PageContent& content) {
   std::string section;
   for (const PagePicture& picture : content.pictures) {
     if (picture.section != section) start(section = picture.section);
-    const std::string file = htmlEscaped(picture.file);
-    body += "<figure><a href=\"" + file + "\"><img loading=\"lazy\" src=\"" + file + "\" alt=\"" +
-            htmlEscaped(picture.section + ", " + picture.title) + "\"></a></figure>\n";
+    body += figureHtml(picture);
   }
   if (!content.remarks.empty()) {
     start("What is not shown");
