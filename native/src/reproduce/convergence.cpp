@@ -63,7 +63,7 @@ std::string strayed(const ChartReport& c, const Method& m) {
   if (c.linearSolver == linearSolverName(m.solver) &&
       c.formulation == formulationName(m.formulation))
     return "";
-  return "did not converge; " + c.solver + " with " + c.linearSolver + " found the result";
+  return "did not converge; fell back to " + c.solver + " with " + c.linearSolver;
 }
 
 /// Curves of one mesh, with a line of the legend each.

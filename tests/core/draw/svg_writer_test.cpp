@@ -22,7 +22,7 @@ TEST_CASE("XML text holds neither markup nor what XML forbids", "[draw]") {
   CHECK(xmlText("α² ≤ 𝛼") == "α² ≤ 𝛼");
   const std::string replacement = "\xEF\xBF\xBD";
   for (const std::string& bad : {std::string("\x01"), std::string("\0", 1), std::string("\xFF"),
-                                std::string("\xC3"), std::string("\xC0\xAF").substr(0, 1)})
+                                 std::string("\xC3"), std::string("\xC0\xAF").substr(0, 1)})
     CHECK(xmlText("a" + bad + "b") == "a" + replacement + "b");
   // A surrogate: three bytes, none of which stands for a character.
   CHECK(xmlText("\xED\xA0\x80") == replacement + replacement + replacement);
