@@ -26,6 +26,9 @@ Drawing drawLayout(const FlattenResult& flat, const LayoutDrawingOptions& option
 /// The same frame with a sentence in place of a layout that does not exist.
 Drawing drawReason(const std::string& reason, const LayoutDrawingOptions& options);
 
+/// The mesh itself, shaded, from where most of it shows its outside.
+Drawing drawSurface(const PolygonMesh& mesh, const LayoutDrawingOptions& options);
+
 /// The non-zeros of the system matrix (8) at the solution for a mesh that is a disk, with its
 /// blocks: Hessian, triangles, vertices, wheels, active bounds. Errors: those of flatten.
 Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation formulation);

@@ -9,14 +9,12 @@
 #include "check/crossings.h"
 #include "check/orientation.h"
 #include "draw/layout_outline.h"
-#include "draw/svg_writer.h"
-#include "draw/theme.h"
+#include "draw/panel.h"
 
 namespace abflat {
 namespace {
 
-constexpr double kTitleHeight = 26, kCaptionHeight = 62, kPadding = 10;
-constexpr double kUnitsPerPixel = 10;  // of path data
+constexpr double kCaptionHeight = 62;
 constexpr std::size_t kMaxMarks = 400;
 
 using Point = std::array<double, 2>;
@@ -66,10 +64,7 @@ class LayoutPainter {
 
   /// How many edges were marked as not Delaunay.
   std::size_t paint(SvgWriter& out) {
-    out.open("g", {{"transform", "translate(0 " + svgNumber(kTitleHeight) + ") scale(0.1)"},
-                   {"stroke-linejoin", "round"},
-                   {"stroke-linecap", "round"},
-                   {"fill", "none"}});
+    openSquare(out);
     paintSurface(out);
     const std::size_t marked = options_.marksNonDelaunay ? paintNonDelaunay(out) : 0;
     const SvgPath boundary = loop();
@@ -200,10 +195,6 @@ std::string distortions(const ChartReport& c) {
   out.precision(3);
   out << "distortion: angles " << c.angularDistortion << ", lengths " << c.lengthDistortion;
   return out.str();
-}
-
-void paintTitle(SvgWriter& out, const std::string& title) {
-  out.text(kPadding, 16, title, {{"font-size", 15}, {"font-weight", "600"}});
 }
 
 }  // namespace

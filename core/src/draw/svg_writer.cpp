@@ -25,6 +25,9 @@ std::size_t xmlCharacterLength(std::string_view text) {
   return isOverlong || isSurrogate || isTooLarge || isNoncharacter ? 0 : length;
 }
 
+/// 0 for what no picture can show.
+long long rounded(double value) { return std::abs(value) < 1e12 ? std::llround(value) : 0; }
+
 }  // namespace
 
 std::string svgNumber(double value) {
@@ -92,7 +95,7 @@ void SvgWriter::text(double x, double y, std::string_view content, SvgAttributes
 }
 
 void SvgPath::go(char command, double x, double y) {
-  const long long toX = std::llround(x), toY = std::llround(y);
+  const long long toX = rounded(x), toY = rounded(y);
   const long long dx = toX - x_, dy = toY - y_;
   if (command == 'l' && dx == 0 && dy == 0) return;
   const bool isRepeated = command == last_;

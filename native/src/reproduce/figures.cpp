@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t kMaxMatrixFaces = 6000;
 constexpr double kSmallPanel = 300;
+/// A picture of more faces would take megabytes.
+constexpr std::size_t kMaxSurfaceFaces = 12000;
 
 std::string boundTitle(double t) {
   if (t == kAutoT) return "t = auto";
@@ -28,6 +30,15 @@ Drawing layoutAt(Experiment& e, double t, double size) {
   return flat.ok() ? drawLayout(flat.value, options) : drawReason(flat.status.message, options);
 }
 
+/// The mesh itself, as the first panel.
+std::vector<Drawing> startPanels(const Experiment& e, double size) {
+  if (e.summary().faces > kMaxSurfaceFaces) return {};
+  LayoutDrawingOptions options;
+  options.size = size;
+  options.title = "original";
+  return {drawSurface(e.mesh(), options)};
+}
+
 Figure figure(const Experiment& e, int number, const std::string& what,
               const std::vector<Drawing>& drawings) {
   const std::string heading = e.model().name + ": " + what;
@@ -36,13 +47,14 @@ Figure figure(const Experiment& e, int number, const std::string& what,
 }
 
 Figure boundaries(Experiment& e) {
-  std::vector<Drawing> panels;
-  for (const double t : {2.0, 1.0, kAutoT}) panels.push_back(layoutAt(e, t, 380));
+  constexpr double kPanel = 360;
+  std::vector<Drawing> panels = startPanels(e, kPanel);
+  for (const double t : {2.0, 1.0, kAutoT}) panels.push_back(layoutAt(e, t, kPanel));
   return figure(e, 2, "free, convex and automatic boundary", panels);
 }
 
 Figure boundaryControl(Experiment& e) {
-  std::vector<Drawing> panels;
+  std::vector<Drawing> panels = startPanels(e, kSmallPanel);
   for (const double t : {2.0, 1.05, 1.0, 0.98, 0.968})
     panels.push_back(layoutAt(e, t, kSmallPanel));
   return figure(e, 8, "effect of the boundary control coefficient t", panels);

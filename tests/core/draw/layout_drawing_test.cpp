@@ -1,7 +1,8 @@
-#include "abflat/draw.h"
-
+#include <algorithm>
 #include <limits>
 
+#include "abflat/draw.h"
+#include "abflat/samples.h"
 #include "catch.h"
 
 using namespace abflat;
@@ -64,6 +65,27 @@ TEST_CASE("coordinates that are not finite, and no coordinates at all, still mak
   CHECK(body.find("inf") == std::string::npos);
   flat.uv.assign(8, 0);
   CHECK_FALSE(drawLayout(flat, {}).body.empty());
+}
+
+TEST_CASE("a surface is drawn with all of its faces, flat ones and extreme ones too", "[draw]") {
+  // Each face closes its path once; the only other z is that of font-size.
+  const auto facesIn = [](const std::string& body) {
+    long out = 0;
+    for (std::size_t at = body.find('z'); at != std::string::npos; at = body.find('z', at + 1))
+      if (body.compare(at - 1, 3, "ize") != 0) ++out;
+    return out;
+  };
+  for (const Sample& sample : samples()) {
+    const PolygonMesh mesh = sample.make(1);
+    CHECK(facesIn(drawSurface(mesh, {}).body) == static_cast<long>(mesh.faceCount()));
+  }
+  for (const double size : {0.0, 1e-300, 1e300}) {
+    const PolygonMesh mesh = makeTriangleMesh({0, 0, 0, size, 0, 0, 0, size, size}, {0, 1, 2});
+    const std::string body = drawSurface(mesh, {}).body;
+    CHECK(facesIn(body) == 1);
+    CHECK(body.find("nan") == std::string::npos);
+  }
+  CHECK(facesIn(drawSurface({}, {}).body) == 0);
 }
 
 TEST_CASE("a plot stands even when values are zero, missing or not finite", "[draw]") {
