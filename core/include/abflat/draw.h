@@ -16,7 +16,7 @@ struct Drawing {
 struct LayoutDrawingOptions {
   double size = 380;              ///< of the square that the layout is fitted into
   std::string title;              ///< above it, such as "t = 1"
-  bool marksNonDelaunay = false;  ///< edges whose opposite angles sum to more than pi
+  bool marksNonDelaunay = false;  ///< interior edges, by an exact in-circle test
 };
 
 /// A layout: edges thin, boundary thick, flipped triangles filled, crossings of the boundary

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "abflat/draw.h"
-#include "angle/constants.h"
 #include "check/crossings.h"
+#include "check/in_circle.h"
 #include "check/orientation.h"
 #include "draw/layout_outline.h"
 #include "draw/panel.h"
@@ -126,18 +126,20 @@ class LayoutPainter {
               {{"d", flipped.data()}, {"fill", kBad}, {"stroke", kBad}, {"stroke-width", 8}});
   }
 
-  double angleAt(std::uint32_t apex, std::uint32_t a, std::uint32_t b) const {
-    const double *p = uv(apex), *q = uv(a), *r = uv(b);
-    const Point u{q[0] - p[0], q[1] - p[1]}, w{r[0] - p[0], r[1] - p[1]};
-    return std::atan2(std::abs(u[0] * w[1] - u[1] * w[0]), u[0] * w[0] + u[1] * w[1]);
+  /// Both triangles at the edge are upright and neither's circumcircle holds the other's apex.
+  bool isDelaunay(const std::array<std::uint32_t, 4>& edge) const {
+    const auto [from, to, left, right] = edge;
+    return orientation(uv(from), uv(to), uv(left)) > 0 &&
+           orientation(uv(to), uv(from), uv(right)) > 0 &&
+           inCircle(uv(from), uv(to), uv(left), uv(right)) <= 0;
   }
 
   std::size_t paintNonDelaunay(SvgWriter& out) const {
-    constexpr double kTolerance = 1e-9;  // radians: cocircular corners are no defect
     SvgPath quads, edges;
     std::size_t count = 0;
-    for (const auto& [from, to, left, right] : outline_.inner) {
-      if (angleAt(left, from, to) + angleAt(right, from, to) <= kPi + kTolerance) continue;
+    for (const auto& edge : outline_.inner) {
+      if (isDelaunay(edge)) continue;
+      const auto [from, to, left, right] = edge;
       ++count;
       const Point a = at(from), b = at(to), c = at(left), d = at(right);
       quads.moveTo(a[0], a[1]);

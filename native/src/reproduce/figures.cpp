@@ -60,6 +60,25 @@ Figure boundaryControl(Experiment& e) {
   return figure(e, 8, "effect of the boundary control coefficient t", panels);
 }
 
+/// The convex layout with the edges that are not Delaunay marked, and what condition (9) makes of
+/// it.
+Figure delaunayLayouts(Experiment& e) {
+  LayoutDrawingOptions drawing;
+  drawing.size = 380;
+  std::vector<Drawing> panels = startPanels(e, drawing.size);
+  drawing.marksNonDelaunay = true;
+  for (const bool delaunay : {false, true}) {
+    FlattenOptions options;
+    options.t = 1;
+    options.delaunay = delaunay;
+    drawing.title = delaunay ? "t = 1, Delaunay" : boundTitle(1);
+    const Result<FlattenResult> flat = delaunay ? e.flattenedWith(options) : e.flattened(1);
+    panels.push_back(flat.ok() ? drawLayout(flat.value, drawing)
+                               : drawReason(flat.status.message, drawing));
+  }
+  return figure(e, 6, "Delaunay layout", panels);
+}
+
 /// Empty, or why no picture of it is made.
 std::string whyNoMatrix(const Experiment& e) {
   const std::size_t faces = e.summary().triangles;
@@ -108,6 +127,7 @@ FigureSet makeFigures(Experiment& e) {
   }
   if (!reason.empty())
     out.remarks.push_back(figureHeading(4) + " of " + e.model().name + ": " + reason);
+  out.figures.push_back(delaunayLayouts(e));
   out.figures.push_back(boundaryControl(e));
   return out;
 }
