@@ -122,7 +122,9 @@ describe('pictures', () => {
     const files = readdirSync(at('deep/out'));
     const stems = [...SAMPLES, 'bumps', 'a--b-----c-'];
     const wanted = stems.flatMap((stem) =>
-      ['convergence', 'figure-2', 'figure-4', 'figure-6', 'figure-8'].map((kind) => `${kind}-${stem}.svg`),
+      ['convergence', 'figure-2', 'figure-4', 'figure-6', 'figure-8'].map(
+        (kind) => `${kind}-${stem}.svg`,
+      ),
     );
     for (const file of wanted) assert.ok(files.includes(file), file);
     const page = readFileSync(at('deep/out/index.html'), 'utf8');

@@ -87,7 +87,10 @@ test('help of flatten tells its options, their meaning and defaults', async () =
   for (const { name, type, text, default: value } of SCHEMA.flattenOptions) {
     assert.ok(words.includes(text));
     const shown = { choice: ` WORD=${value}`, boolean: '' }[type] ?? ` NUMBER=${value}`;
-    assert.match(words, new RegExp(`--${value === true ? 'no-' : ''}${kebabCase(name)}${shown}\\b`));
+    assert.match(
+      words,
+      new RegExp(`--${value === true ? 'no-' : ''}${kebabCase(name)}${shown}\\b`),
+    );
   }
 });
 

@@ -60,6 +60,11 @@ Figure boundaryControl(Experiment& e) {
   return figure(e, 8, "effect of the boundary control coefficient t", panels);
 }
 
+bool isDelaunay(const FlattenResult& flat) {
+  const auto& delaunay = flat.report.charts.front().delaunay;
+  return delaunay.has_value() && delaunay->violated == 0;
+}
+
 /// The convex layout with the edges that are not Delaunay marked, and what condition (9) makes of
 /// it.
 Figure delaunayLayouts(Experiment& e) {
@@ -73,6 +78,8 @@ Figure delaunayLayouts(Experiment& e) {
     options.delaunay = delaunay;
     drawing.title = delaunay ? "t = 1, Delaunay" : boundTitle(1);
     const Result<FlattenResult> flat = delaunay ? e.flattenedWith(options) : e.flattened(1);
+    if (delaunay && flat.ok() && !isDelaunay(flat.value))
+      drawing.title = "t = 1, no Delaunay layout found";
     panels.push_back(flat.ok() ? drawLayout(flat.value, drawing)
                                : drawReason(flat.status.message, drawing));
   }
