@@ -268,14 +268,48 @@ CLI::App* addCompare(CLI::App& app, CompareCommand& c) {
   return sub;
 }
 
+CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "reproduce", "Repeat the experiments of the paper: tables, convergence, figures");
+  sub->group("Commands");
+  sub->add_option("--meshes", c.meshes,
+                  wrapped("folder whose OBJ and OFF files are used beside the generated models"))
+      ->check(notEmpty())
+      ->type_name("DIR");
+  sub->add_option("-o,--out", c.out, wrapped("folder to write to; made when it is missing"))
+      ->required()
+      ->check(notEmpty())
+      ->type_name("DIR");
+  sub->add_option_function<std::string>(
+         "--only",
+         [&c](const std::string& part) {
+           c.wantsTables = part == "tables";
+           c.wantsConvergence = part == "convergence";
+           c.wantsFigures = part == "figures";
+         },
+         wrapped("one part of it: tables, convergence or figures"))
+      ->check(CLI::IsMember({"tables", "convergence", "figures"}))
+      ->type_name("PART");
+  for (int i = 0; i < kFlattenOptionCount; ++i)
+    if (kFlattenOptions[i].name == std::string("precondition"))
+      addFlattenOption(*sub, c.options, i);
+  sub->add_flag("-q,--quiet", c.quiet, "no progress; errors are still printed");
+  setUsage(*sub, "abflat reproduce [--meshes DIR] --out DIR [OPTIONS]");
+  sub->footer(
+      "A mesh that cannot be read or is no disk is a row that says so. DIR/index.html shows all "
+      "results.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
 std::string usageError(const CLI::App& app, const CLI::Error& error) {
   const auto named = app.get_subcommands();
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'; known are flatten, inspect, sample, sweep, compare";
+           "'; known are flatten, inspect, sample, sweep, compare, reproduce";
   else if (named.empty())
-    what = "name a command: flatten, inspect, sample, sweep or compare";
+    what = "name a command: flatten, inspect, sample, sweep, compare or reproduce";
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
@@ -334,11 +368,13 @@ Command parseArguments(int argc, const char* const* argv) {
   SampleCommand sample;
   SweepCommand sweep;
   CompareCommand compare;
+  ReproduceCommand reproduce;
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
   const CLI::App* sweepApp = addSweep(app, sweep);
   const CLI::App* compareApp = addCompare(app, compare);
+  const CLI::App* reproduceApp = addReproduce(app, reproduce);
   try {
     app.parse(argc, argv);
     if (flattenApp->parsed()) checkTogether(flatten);
@@ -355,6 +391,7 @@ Command parseArguments(int argc, const char* const* argv) {
   if (sampleApp->parsed()) return sample;
   if (sweepApp->parsed()) return sweep;
   if (compareApp->parsed()) return compare;
+  if (reproduceApp->parsed()) return reproduce;
   return Finished{static_cast<int>(ExitCode::Usage)};
 }
 

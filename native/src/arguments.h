@@ -42,13 +42,21 @@ struct CompareCommand {
   std::string json;  ///< file to write; empty: a table for people
 };
 
+struct ReproduceCommand {
+  std::string meshes;  ///< folder; empty: the generated models only
+  std::string out;     ///< folder
+  bool wantsTables = true, wantsConvergence = true, wantsFigures = true;
+  FlattenOptionValues options;  ///< precondition only
+  bool quiet = false;
+};
+
 /// What the program has printed already (help, version, a usage error).
 struct Finished {
   int exitCode = 0;
 };
 
 using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand,
-                             CompareCommand>;
+                             CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

@@ -10,5 +10,6 @@ int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
 int runSweep(const SweepCommand& command);
 int runCompare(const CompareCommand& command);
+int runReproduce(const ReproduceCommand& command);
 
 }  // namespace abflat::cli

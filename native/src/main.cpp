@@ -17,6 +17,7 @@ struct Runner {
   int operator()(const SampleCommand& command) const { return runSample(command); }
   int operator()(const SweepCommand& command) const { return runSweep(command); }
   int operator()(const CompareCommand& command) const { return runCompare(command); }
+  int operator()(const ReproduceCommand& command) const { return runReproduce(command); }
 };
 
 int ended(const Status& status) {

@@ -120,7 +120,7 @@ function infoRow(option) {
     literal(flagOf(option)),
     literal(String(option.default)),
     literal(rangeText(option)),
-    literal(fullText(option)),
+    literal(option.default === true ? `without ${fullText(option)}` : fullText(option)),
     String(option.type === 'boolean'),
     String(option.type === 'choice'),
   ];

@@ -3,27 +3,11 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { parseCsv } from '../support/csv.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-
-/** Rows of a CSV text as objects; the last column may hold commas. */
-function parseCsv(text) {
-  const [head, ...rows] = text.trimEnd().split('\n');
-  const keys = head.split(',');
-  return rows.map((row) => {
-    const parts = [];
-    let rest = row;
-    for (let k = 0; k < keys.length - 1; k++) {
-      const comma = rest.indexOf(',');
-      parts.push(rest.slice(0, comma));
-      rest = rest.slice(comma + 1);
-    }
-    parts.push(rest.slice(1, -1).replaceAll('""', '"'));
-    return Object.fromEntries(keys.map((key, i) => [key, parts[i]]));
-  });
-}
 
 test('a table has one row for each t, also for one that is not possible', async (t) => {
   const at = tempFolder(t);

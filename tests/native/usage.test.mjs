@@ -15,7 +15,7 @@ const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 
 /** arguments, what the message must say. */
 const WRONG = [
-  [[], /flatten, inspect, sample, sweep or compare/],
+  [[], /flatten, inspect, sample, sweep, compare or reproduce/],
   [['unwrap'], /no command 'unwrap'/],
   [['flatten'], /IN/],
   [['flatten', 'in.obj'], /--output/],
@@ -87,7 +87,10 @@ test('help of flatten tells its options, their meaning and defaults', async () =
   for (const { name, type, text, default: value } of SCHEMA.flattenOptions) {
     assert.ok(words.includes(text));
     const shown = { choice: ` WORD=${value}`, boolean: '' }[type] ?? ` NUMBER=${value}`;
-    assert.match(words, new RegExp(`--${value === true ? 'no-' : ''}${kebabCase(name)}${shown}\\b`));
+    assert.match(
+      words,
+      new RegExp(`--${value === true ? 'no-' : ''}${kebabCase(name)}${shown}\\b`),
+    );
   }
 });
 

@@ -109,6 +109,21 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[2]), /\bt: number \| 'auto';/);
   });
 
+  test('a switch that is on by default is switched off by its flag', () => {
+    fresh();
+    changeSchema((schema) => {
+      for (const [name, value] of Object.entries({ softEdges: true, hardEdges: false }))
+        schema.flattenOptions.push({ name, type: 'boolean', default: value, text: `${name}!` });
+    });
+    write('README.md', '<!-- generated:flatten-options -->\n<!-- /generated -->\n');
+    assert.equal(generate(copy).status, 0);
+    assert.match(read(OUTPUTS[1]), /bool softEdges = true;/);
+    assert.match(read(OUTPUTS[1]), /"--no-soft-edges", "true", "", "softEdges!", true,/);
+    assert.match(read(OUTPUTS[1]), /"--hard-edges", "false", "", "hardEdges!", true,/);
+    assert.match(read(OUTPUTS[2]), /\bsoftEdges: boolean;/);
+    assert.match(read('README.md'), /\| `softEdges` \| `--no-soft-edges` \| `true` \|/);
+  });
+
   test('a default that is no choice is an error', () => {
     fresh();
     changeSchema((schema) => {

@@ -86,7 +86,7 @@ struct FlattenOptionValues {
   LinearSolver linearSolver = LinearSolver::Schur;
   /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur
   Formulation formulation = Formulation::Log;
-  /// precondition the iterative linear solvers; false: as in the paper
+  /// preconditioning of the iterative linear solvers (the paper has none)
   bool precondition = true;
   /// condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there
   bool adjacent = false;
@@ -111,7 +111,7 @@ constexpr OptionInfo kFlattenOptions[] = {
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
     {"linearSolver", "--linear-solver", "schur", "schur, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
     {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur", false, true},
-    {"precondition", "--no-precondition", "true", "", "precondition the iterative linear solvers; false: as in the paper", true, false},
+    {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
 };

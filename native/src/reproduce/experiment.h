@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "reproduce/paper_numbers.h"
+
+namespace abflat::cli {
+
+/// One mesh to experiment on; read when its turn comes.
+struct Model {
+  std::string name;         ///< for people, unique
+  std::string fileStem;     ///< for names of files, unique, letters, digits, dots and dashes
+  std::string path;         ///< empty: a generated sample
+  std::string_view sample;  ///< its name; empty: a file
+  const PaperModel* paper = nullptr;
+};
+
+/// The generated models that look like those of the paper, then the OBJ and OFF files of a folder
+/// by name; an empty `folder` adds none. Errors: UnreadableFile.
+Result<std::vector<Model>> findModels(const std::string& folder);
+
+/// Seconds of everything between arrays in and arrays out, as `sweep` counts them.
+double secondsOf(const Report& report);
+
+/// A mesh with its layouts, each computed when it is first asked for.
+class Experiment {
+ public:
+  explicit Experiment(const Model& model);
+
+  const Model& model() const { return model_; }
+  /// Why nothing can be done with the mesh: it cannot be read or is no disk.
+  const Status& status() const { return status_; }
+  const PolygonMesh& mesh() const { return mesh_; }
+  const MeshSummary& summary() const { return summary_; }
+
+  const Result<FlattenResult>& flattened(double t);
+  Result<FlattenResult> flattenedWith(const FlattenOptions& options) const;
+
+ private:
+  const Model& model_;
+  PolygonMesh mesh_;
+  MeshSummary summary_;
+  Status status_;
+  std::map<double, Result<FlattenResult>> results_;
+};
+
+}  // namespace abflat::cli

@@ -1,0 +1,27 @@
+#include "reproduce/output_folder.h"
+
+#include <filesystem>
+
+#include "output_file.h"
+
+namespace abflat::cli {
+
+namespace fs = std::filesystem;
+
+Status OutputFolder::prepare() const {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  std::error_code ignored;  // then it is no folder
+  if (error || !fs::is_directory(path_, ignored))
+    return {StatusCode::CannotWrite,
+            "cannot make the folder " + path_ + (error ? ": " + error.message() : "")};
+  return OutputFile((fs::path(path_) / "index.html").string()).check();
+}
+
+Status OutputFolder::write(const std::string& name, std::string_view bytes) const {
+  OutputFile file((fs::path(path_) / name).string());
+  if (Status s = file.write(bytes); !s.ok()) return s;
+  return file.commit();
+}
+
+}  // namespace abflat::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "abflat/status.h"
+
+namespace abflat::cli {
+
+/// A folder for results: created when it is missing, files of the same name replaced, others left
+/// alone.
+class OutputFolder {
+ public:
+  explicit OutputFolder(std::string path) : path_(std::move(path)) {}
+
+  /// Makes the folder and asks whether files can be written there. Errors: CannotWrite.
+  Status prepare() const;
+  /// Errors: CannotWrite.
+  Status write(const std::string& name, std::string_view bytes) const;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace abflat::cli
