@@ -1,0 +1,17 @@
+#pragma once
+
+#include "solve/cholesky/graph.h"
+
+namespace abflat {
+
+/// A smaller graph of the same shape: clusters of about four neighbouring vertices become one.
+struct CoarseGraph {
+  WeightedGraph graph;
+  std::vector<std::uint32_t> edgeWeight;  ///< per neighbour: edges of the first graph it stands for
+  std::vector<std::uint32_t> cluster;     ///< vertex of the finer graph -> vertex of this one
+};
+
+/// `edgeWeight` of the finer graph; empty: all 1.
+CoarseGraph coarsen(const WeightedGraph& fine, const std::vector<std::uint32_t>& edgeWeight);
+
+}  // namespace abflat
