@@ -8,20 +8,22 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr unsigned kClusterSize = 4;
 
-std::uint32_t scatter(std::uint32_t v) { return (v * 2654435761u) >> 16; }
+std::uint32_t scatter(std::uint32_t v, std::uint32_t seed) {
+  return ((v + 977 * seed) * 2654435761u) >> 16;
+}
 
 /// Numbers often run along rows of a mesh. Visiting them in order would make clusters, and after a
 /// few levels the whole graph, longer in that direction.
-std::uint32_t visited(std::uint32_t i, std::uint32_t n) {
+std::uint32_t visited(std::uint32_t i, std::uint32_t n, std::uint32_t seed) {
   constexpr std::uint32_t kWindow = 1024, kStride = 619;
   const std::uint32_t begin = i - i % kWindow;
-  return begin + kWindow <= n ? begin + (i % kWindow) * kStride % kWindow : i;
+  return begin + kWindow <= n ? begin + ((i + 31 * seed) * (kStride + 2 * seed)) % kWindow : i;
 }
 
 /// Clusters of a vertex and its most strongly connected free neighbours; a vertex left alone joins
 /// the lightest cluster beside it.
 std::uint32_t findClusters(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeWeight,
-                           std::vector<std::uint32_t>& cluster) {
+                           std::uint32_t seed, std::vector<std::uint32_t>& cluster) {
   std::uint64_t total = 0;
   for (const std::uint32_t w : g.weight) total += w;
   // Keeps clusters of similar weight, so that coarse cuts can be balanced.
@@ -29,7 +31,7 @@ std::uint32_t findClusters(const WeightedGraph& g, const std::vector<std::uint32
   std::vector<std::uint64_t> weight;
   cluster.assign(g.size(), kNone);
   for (std::uint32_t i = 0; i < g.size(); ++i) {
-    const std::uint32_t v = visited(i, g.size());
+    const std::uint32_t v = visited(i, g.size(), seed);
     if (cluster[v] != kNone) continue;
     const auto id = static_cast<std::uint32_t>(weight.size());
     std::uint64_t sum = g.weight[v];
@@ -37,7 +39,7 @@ std::uint32_t findClusters(const WeightedGraph& g, const std::vector<std::uint32
     cluster[v] = id;
     for (unsigned member = 1; member < kClusterSize; ++member) {
       std::uint32_t best = kNone, bestWeight = 0;
-      const std::uint32_t degree = g.degree(v), skip = scatter(v) % std::max(degree, 1u);
+      const std::uint32_t degree = g.degree(v), skip = scatter(v, seed) % std::max(degree, 1u);
       for (std::uint32_t k = 0; k < degree; ++k) {
         const std::size_t e = g.offset[v] + (k + skip < degree ? k + skip : k + skip - degree);
         const std::uint32_t u = g.neighbour[e], w = edgeWeight.empty() ? 1 : edgeWeight[e];
@@ -68,9 +70,10 @@ std::uint32_t findClusters(const WeightedGraph& g, const std::vector<std::uint32
 
 }  // namespace
 
-CoarseGraph coarsen(const WeightedGraph& fine, const std::vector<std::uint32_t>& edgeWeight) {
+CoarseGraph coarsen(const WeightedGraph& fine, const std::vector<std::uint32_t>& edgeWeight,
+                    std::uint32_t seed) {
   CoarseGraph out;
-  const std::uint32_t n = findClusters(fine, edgeWeight, out.cluster);
+  const std::uint32_t n = findClusters(fine, edgeWeight, seed, out.cluster);
   std::vector<std::uint32_t> memberBegin(n + 1, 0), member(fine.size());
   for (const std::uint32_t c : out.cluster) ++memberBegin[c + 1];
   for (std::uint32_t c = 0; c < n; ++c) memberBegin[c + 1] += memberBegin[c];

@@ -11,7 +11,8 @@ struct CoarseGraph {
   std::vector<std::uint32_t> cluster;     ///< vertex of the finer graph -> vertex of this one
 };
 
-/// `edgeWeight` of the finer graph; empty: all 1.
-CoarseGraph coarsen(const WeightedGraph& fine, const std::vector<std::uint32_t>& edgeWeight);
+/// `edgeWeight` of the finer graph; empty: all 1. Another seed makes other clusters.
+CoarseGraph coarsen(const WeightedGraph& fine, const std::vector<std::uint32_t>& edgeWeight,
+                    std::uint32_t seed = 0);
 
 }  // namespace abflat

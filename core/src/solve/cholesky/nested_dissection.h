@@ -5,7 +5,7 @@
 namespace abflat {
 
 struct DissectionOptions {
-  std::uint32_t leafVertices = 100;  ///< parts of at most this size are ordered by minimum degree
+  std::uint32_t leafVertices = 200;  ///< parts of at most this size are ordered by minimum degree
 };
 
 /// Elimination order of the vertices: entry k is the vertex eliminated k-th. Recursively, the two

@@ -6,34 +6,42 @@
 namespace abflat {
 namespace {
 
-constexpr int kPasses = 8;
+constexpr int kPasses = 16;
+/// Moves without success before a pass ends, besides one per vertex of the separator.
+constexpr std::size_t kPatience = 200;
 /// A part may weigh this share of both parts.
 constexpr double kLargestPart = 0.6;
 
 /// Moving a separator vertex to a part pulls its neighbours in the other part into the separator.
+/// All moves of a pass go the same way: the separator sweeps over the other part, past obstacles,
+/// and the best place on its way counts.
 class Refinement {
  public:
   Refinement(const WeightedGraph& graph, Separation& separation)
-      : g_(graph), s_(separation), version_(graph.size(), 0), locked_(graph.size(), 0) {}
+      : g_(graph),
+        s_(separation),
+        version_(graph.size(), 0),
+        to_(separation.weight[0] < separation.weight[1] ? 0 : 1) {
+    for (std::uint32_t v = 0; v < g_.size(); ++v)
+      if (s_.set[v] == 2) separator_.push_back(v);
+  }
 
   /// True when the separator became lighter or the parts better balanced.
   bool pass() {
     heap_ = {};
     log_.clear();
-    touched_.clear();
-    for (std::uint32_t v = 0; v < g_.size(); ++v)
-      if (s_.set[v] == 2) push(v);
+    for (const std::uint32_t v : separator_) push(v);
     const Score before = score();
     Score best = before;
     std::size_t bestLength = 0;
-    const std::size_t patience = 40 + heap_.size() / 8;
+    const std::size_t patience = kPatience + heap_.size();
     int fruitless = 0;
     while (!heap_.empty() && static_cast<std::size_t>(fruitless) < patience) {
       const Move m = heap_.top();
       heap_.pop();
       if (m.version != version_[m.vertex] || s_.set[m.vertex] != 2) continue;
-      if (locked_[m.vertex] || !fits(m)) continue;
-      apply(m);
+      if (!fits(m.vertex)) continue;
+      apply(m.vertex);
       ++fruitless;
       if (score() < best) {
         best = score();
@@ -42,7 +50,13 @@ class Refinement {
       }
     }
     while (log_.size() > bestLength) undo();
-    for (const std::uint32_t v : touched_) locked_[v] = 0;
+    for (const Change& c : log_) separator_.push_back(c.vertex);
+    std::sort(separator_.begin(), separator_.end());
+    separator_.erase(std::unique(separator_.begin(), separator_.end()), separator_.end());
+    separator_.erase(std::remove_if(separator_.begin(), separator_.end(),
+                                    [&](std::uint32_t v) { return s_.set[v] != 2; }),
+                     separator_.end());
+    to_ = to_ == 0;
     return best < before;
   }
 
@@ -50,11 +64,9 @@ class Refinement {
   struct Move {
     std::int64_t gain;
     std::uint32_t vertex, version;
-    std::uint8_t part;
     bool operator<(const Move& o) const {
       if (gain != o.gain) return gain < o.gain;
-      if (vertex != o.vertex) return vertex > o.vertex;
-      return part > o.part;
+      return vertex > o.vertex;
     }
   };
   struct Score {
@@ -77,25 +89,20 @@ class Refinement {
     return {s_.weight[2] + (unbalanced ? worst : 0), worst - std::min(a, b)};
   }
 
-  std::int64_t gain(std::uint32_t v, std::uint8_t part) const {
+  std::int64_t gain(std::uint32_t v) const {
     std::int64_t sum = g_.weight[v];
     for (const std::uint32_t* u = g_.begin(v); u != g_.end(v); ++u)
-      if (s_.set[*u] == 1 - part) sum -= g_.weight[*u];
+      if (s_.set[*u] == 1 - to_) sum -= g_.weight[*u];
     return sum;
   }
 
-  bool fits(const Move& m) const {
-    const double here = static_cast<double>(s_.weight[m.part] + g_.weight[m.vertex]);
-    const double other = static_cast<double>(s_.weight[1 - m.part]);
-    return s_.weight[m.part] < s_.weight[1 - m.part] || here <= kLargestPart * (here + other);
+  bool fits(std::uint32_t v) const {
+    const auto here = static_cast<double>(s_.weight[to_] + g_.weight[v]);
+    const auto other = static_cast<double>(s_.weight[1 - to_]);
+    return s_.weight[to_] < s_.weight[1 - to_] || here <= kLargestPart * (here + other);
   }
 
-  void push(std::uint32_t v) {
-    ++version_[v];
-    if (locked_[v]) return;
-    for (const std::uint8_t part : {std::uint8_t{0}, std::uint8_t{1}})
-      heap_.push({gain(v, part), v, version_[v], part});
-  }
+  void push(std::uint32_t v) { heap_.push({gain(v), v, ++version_[v]}); }
 
   void set(std::uint32_t v, std::uint8_t to) {
     s_.weight[s_.set[v]] -= g_.weight[v];
@@ -103,12 +110,10 @@ class Refinement {
     s_.set[v] = to;
   }
 
-  void apply(const Move& m) {
-    const std::uint32_t v = m.vertex;
+  void apply(std::uint32_t v) {
     stale_.clear();
     for (const std::uint32_t* u = g_.begin(v); u != g_.end(v); ++u) {
-      if (s_.set[*u] == 2) stale_.push_back(*u);
-      if (s_.set[*u] != 1 - m.part) continue;
+      if (s_.set[*u] != 1 - to_) continue;
       log_.push_back({*u, s_.set[*u], false});
       set(*u, 2);
       stale_.push_back(*u);
@@ -116,9 +121,7 @@ class Refinement {
         if (s_.set[*x] == 2 && *x != v) stale_.push_back(*x);
     }
     log_.push_back({v, 2, true});
-    set(v, m.part);
-    locked_[v] = 1;
-    touched_.push_back(v);
+    set(v, to_);
     std::sort(stale_.begin(), stale_.end());
     stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
     for (const std::uint32_t u : stale_) push(u);
@@ -134,18 +137,19 @@ class Refinement {
   const WeightedGraph& g_;
   Separation& s_;
   std::vector<std::uint32_t> version_;
-  std::vector<std::uint8_t> locked_;
+  std::uint8_t to_;  ///< the part that grows
   std::priority_queue<Move> heap_;
   std::vector<Change> log_;
-  std::vector<std::uint32_t> touched_, stale_;
+  std::vector<std::uint32_t> separator_, stale_;
 };
 
 }  // namespace
 
 void refineSeparator(const WeightedGraph& graph, Separation& separation) {
   Refinement refinement(graph, separation);
-  for (int pass = 0; pass < kPasses && refinement.pass(); ++pass) {
-  }
+  int fruitless = 0;
+  for (int pass = 0; pass < kPasses && fruitless < 2; ++pass)
+    fruitless = refinement.pass() ? 0 : fruitless + 1;
 }
 
 }  // namespace abflat
