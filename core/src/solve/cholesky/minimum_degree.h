@@ -16,7 +16,7 @@ class LocalMinimumDegree {
  private:
   const WeightedGraph& g_;
   std::vector<std::uint32_t> local_;  ///< 1 + number in the current set, 0 outside
-  std::vector<std::uint32_t> halo_, weight_;
+  std::vector<std::uint32_t> halo_;
   std::vector<std::uint64_t> adjacency_;  ///< bit matrix
 };
 

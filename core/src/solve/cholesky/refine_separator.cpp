@@ -6,8 +6,8 @@
 namespace abflat {
 namespace {
 
-constexpr int kPasses = 16;
-/// Moves without success before a pass ends, besides one per vertex of the separator.
+constexpr int kPasses = 10;
+/// Moves without success before a pass ends: at most this number and one per separator vertex.
 constexpr std::size_t kPatience = 200;
 /// A part may weigh this share of both parts.
 constexpr double kLargestPart = 0.6;
@@ -34,7 +34,8 @@ class Refinement {
     const Score before = score();
     Score best = before;
     std::size_t bestLength = 0;
-    const std::size_t patience = kPatience + heap_.size();
+    const std::size_t sweep = heap_.size();
+    const std::size_t patience = std::min(kPatience + sweep, 20 + 2 * sweep);
     int fruitless = 0;
     while (!heap_.empty() && static_cast<std::size_t>(fruitless) < patience) {
       const Move m = heap_.top();

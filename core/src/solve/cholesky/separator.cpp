@@ -14,7 +14,7 @@ constexpr std::uint32_t kUnreached = 0xffffffffu;
 constexpr int kSmoothingRounds = 3;
 /// Graphs of at most this size are cut directly, from several places.
 constexpr std::uint32_t kSmallGraph = 120;
-constexpr std::uint32_t kTries = 5;
+constexpr std::uint32_t kTries = 3;
 /// A graph of about 1/16 of the size is cut several times: its cuts have nearly the final length,
 /// at little cost.
 constexpr int kLevelOfTries = 2;

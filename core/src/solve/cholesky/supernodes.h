@@ -18,9 +18,9 @@ struct Supernodes {
 /// What a panel costs, in the time of one multiply-add in the dense kernels. Supernodes are joined
 /// where that makes the sum smaller.
 struct PanelCost {
-  double perPanel = 4000;
+  double perPanel = 500;
   double perRow = 60;
-  double perUpdateEntry = 4;  ///< of the square that is added to the parent
+  double perUpdateEntry = 2;  ///< of the square that is added to the parent
 };
 
 Supernodes findSupernodes(const WeightedGraph& graph, const EliminationTree& tree,
