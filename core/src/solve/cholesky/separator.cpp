@@ -12,7 +12,10 @@ constexpr std::uint32_t kUnreached = 0xffffffffu;
 /// Rounds in which the difference of distances is averaged with the neighbours': straightens the
 /// steps of a distance that counts edges.
 constexpr int kSmoothingRounds = 3;
-/// Graphs of at most this size are cut directly, from several places.
+/// Graphs of at most this size are cut without coarsening: 3 % more work for the factorisation, a
+/// quarter less for the ordering.
+constexpr std::uint32_t kMediumGraph = 4000;
+/// Coarsening ends at this size, and the coarsest graph is cut from several places.
 constexpr std::uint32_t kSmallGraph = 120;
 constexpr std::uint32_t kTries = 3;
 /// A graph of about 1/16 of the size is cut several times: its cuts have nearly the final length,
@@ -178,7 +181,9 @@ bool cutByLevels(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeW
 
 Separation separate(const WeightedGraph& g) {
   Separation s;
-  return cutByLevels(g, {}, 0, 0, s) ? s : splitComponents(g);
+  const bool isConnected =
+      g.size() <= kMediumGraph ? cutFrom(g, 0, s) : cutByLevels(g, {}, 0, 0, s);
+  return isConnected ? s : splitComponents(g);
 }
 
 }  // namespace abflat
