@@ -10,6 +10,7 @@
 #include "chart/disk_chart.h"
 #include "chart_report.h"
 #include "mesh/surface.h"
+#include "solve/kkt_step_solver.h"
 #include "stopwatch.h"
 
 namespace abflat {
@@ -70,7 +71,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Stopwatch watch;
   Monitor monitor(options.progress);
   const Status aborted{StatusCode::Aborted, "cancelled"};
-  if (options.formulation == Formulation::Product && options.linearSolver == LinearSolver::Schur)
+  if (options.formulation == Formulation::Product && isEliminated(options.linearSolver))
     return Status{StatusCode::InvalidOption,
                   "the product formulation has no Schur elimination, because its Hessian is not "
                   "diagonal; choose minres, symmlq, gmres or bicgstab as the linear solver"};

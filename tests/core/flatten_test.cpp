@@ -214,6 +214,15 @@ TEST_CASE("every linear solver and formulation gives the same layout and is repo
         CHECK(std::abs(r.value.uv[i] - wanted.uv[i]) < 1e-6);
     }
   FlattenOptions options;
+  options.t = 1;
+  options.linearSolver = LinearSolver::Eigen;
+  const Result<FlattenResult> eigen = flatten(mesh, options);
+  REQUIRE(eigen.ok());
+  CHECK(eigen.value.report.charts.front().linearSolver == "eigen");
+  for (std::size_t i = 0; i < wanted.uv.size(); ++i)
+    CHECK(std::abs(eigen.value.uv[i] - wanted.uv[i]) < 1e-9);
   options.formulation = Formulation::Product;
+  CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
+  options.linearSolver = LinearSolver::Schur;
   CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
 }

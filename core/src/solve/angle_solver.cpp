@@ -15,8 +15,11 @@ constexpr int kInteriorPointSteps = 200;
 
 AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
                          const KktOptions& linear)
-    : problem_(problem), options_(std::move(options)), linear_(linear), system_(problem) {
-  if (linear.solver != LinearSolver::Schur) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
+    : problem_(problem),
+      options_(std::move(options)),
+      linear_(linear),
+      system_(problem, linear.solver) {
+  if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 
 AngleSolution AngleSolver::solve(const AngleSolution* start) {

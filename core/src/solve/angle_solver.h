@@ -34,7 +34,7 @@ class AngleSolver {
   SolverOptions options_;
   KktOptions linear_;
   NewtonSystem system_;
-  std::unique_ptr<KktStepSolver> kkt_;  ///< null: Schur
+  std::unique_ptr<KktStepSolver> kkt_;  ///< null: elimination
 };
 
 }  // namespace abflat

@@ -2,19 +2,38 @@
 
 namespace abflat {
 
-NewtonSystem::NewtonSystem(const AngleProblem& problem)
+NewtonSystem::NewtonSystem(const AngleProblem& problem, LinearSolver solver)
     : rows_(numberRows(problem)), schur_(problem, rows_) {
-  factor_.analyzePattern(schur_.matrix());
+  const Eigen::SparseMatrix<double>& m = schur_.matrix();
+  if (solver == LinearSolver::Eigen) {
+    eigen_ = std::make_unique<EigenFactor>();
+    eigen_->analyzePattern(m);
+  } else {
+    cholesky_ = std::make_unique<Cholesky>(std::make_shared<const CholeskySymbolic>(
+        analyzePattern({rows_.count(), m.outerIndexPtr(), m.innerIndexPtr()})));
+  }
+}
+
+bool NewtonSystem::solveRows(std::vector<double>& rows) {
+  const Eigen::VectorXd& rhs = schur_.rightHandSide();
+  if (eigen_) {
+    eigen_->factorize(schur_.matrix());
+    if (eigen_->info() != Eigen::Success) return false;
+    const Eigen::VectorXd solved = eigen_->solve(rhs);
+    rows.assign(solved.begin(), solved.end());
+    return true;
+  }
+  if (!cholesky_->factorize(schur_.matrix().valuePtr()).isOk()) return false;
+  rows.assign(rhs.begin(), rhs.end());
+  cholesky_->solve(rows.data());
+  return true;
 }
 
 bool NewtonSystem::solve(const Linearization& lin, const std::vector<std::uint8_t>& active,
                          const std::vector<double>& compliance, std::vector<double>& dx,
                          Multipliers& multipliers) {
   schur_.assemble(lin, active, compliance);
-  factor_.factorize(schur_.matrix());
-  if (factor_.info() != Eigen::Success) return false;
-  const Eigen::VectorXd solved = factor_.solve(schur_.rightHandSide());
-  multipliers.row.assign(solved.begin(), solved.end());
+  if (!solveRows(multipliers.row)) return false;
   schur_.backSubstitute(lin, multipliers.row, dx, multipliers.triangle);
   return true;
 }

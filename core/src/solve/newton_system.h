@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <memory>
 #include <vector>
 
+#include "abflat/generated/flatten_options.h"
+#include "solve/cholesky/cholesky.h"
 #include "solve/linearization.h"
 #include "solve/newton_step_solver.h"
 #include "solve/schur_system.h"
@@ -13,8 +16,9 @@ namespace abflat {
 /// active sets and solvers.
 class NewtonSystem : public NewtonStepSolver {
  public:
-  /// Keeps a reference to the problem, of which only the connectivity is used here.
-  explicit NewtonSystem(const AngleProblem& problem);
+  /// Keeps a reference to the problem, of which only the connectivity is used here. `solver`: Eigen
+  /// factors with Eigen's SimplicialLDLT, as the reference; any other with Cholesky.
+  explicit NewtonSystem(const AngleProblem& problem, LinearSolver solver = LinearSolver::Schur);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 
@@ -31,9 +35,14 @@ class NewtonSystem : public NewtonStepSolver {
              Multipliers& multipliers);
 
  private:
+  using EigenFactor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+  bool solveRows(std::vector<double>& rows);
+
   ConstraintRows rows_;
   SchurSystem schur_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  std::unique_ptr<Cholesky> cholesky_;  ///< null: Eigen
+  std::unique_ptr<EigenFactor> eigen_;  ///< null: Cholesky
 };
 
 }  // namespace abflat

@@ -17,7 +17,6 @@ namespace {
 
 constexpr LinearSolver kIterative[] = {LinearSolver::Minres, LinearSolver::Symmlq,
                                        LinearSolver::Gmres, LinearSolver::Bicgstab};
-constexpr const char* kNames[] = {"schur", "minres", "symmlq", "gmres", "bicgstab"};
 
 SolverOptions toTheEnd() {
   SolverOptions options;
@@ -52,7 +51,7 @@ void compareAll(const char* name, const PolygonMesh& mesh, double t) {
       double worst = 0;
       for (std::size_t c = 0; c < s.angles.size(); ++c)
         worst = std::max(worst, std::abs(s.angles[c] - wanted.angles[c]));
-      printRow(name, kNames[static_cast<int>(solver)], form, true, s, worst);
+      printRow(name, linearSolverName(solver), form, true, s, worst);
       CHECK(s.converged);
       CHECK(worst <= 1e-8);
     }

@@ -35,16 +35,19 @@ inline const char* untangleName(Untangle code) {
 /// How the linear systems of Newton's method are solved.
 enum class LinearSolver : int {
   Schur = 0,  ///< elimination to two rows a vertex and a sparse factorisation
-  Minres = 1,  ///< MINRES on the whole symmetric system, as in the paper
-  Symmlq = 2,  ///< SYMMLQ on the whole symmetric system, as in the paper
-  Gmres = 3,  ///< GMRES, as in classic ABF
-  Bicgstab = 4,  ///< BiCGSTAB, as in classic ABF
+  Eigen = 1,  ///< the same elimination, factored by Eigen's SimplicialLDLT
+  Minres = 2,  ///< MINRES on the whole symmetric system, as in the paper
+  Symmlq = 3,  ///< SYMMLQ on the whole symmetric system, as in the paper
+  Gmres = 4,  ///< GMRES, as in classic ABF
+  Bicgstab = 5,  ///< BiCGSTAB, as in classic ABF
 };
 
 inline const char* linearSolverName(LinearSolver code) {
   switch (code) {
     case LinearSolver::Schur:
       return "schur";
+    case LinearSolver::Eigen:
+      return "eigen";
     case LinearSolver::Minres:
       return "minres";
     case LinearSolver::Symmlq:
@@ -60,7 +63,7 @@ inline const char* linearSolverName(LinearSolver code) {
 /// Form of the wheel condition.
 enum class Formulation : int {
   Log = 0,  ///< the wheel condition as a sum of logarithms, eq. (6)
-  Product = 1,  ///< as a product, eq. (3), as in classic ABF; not with schur
+  Product = 1,  ///< as a product, eq. (3), as in classic ABF; not with schur or eigen
 };
 
 inline const char* formulationName(Formulation code) {
@@ -82,9 +85,9 @@ struct FlattenOptionValues {
   double t = 0;
   /// how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
   Untangle untangle = Untangle::Auto;
-  /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
+  /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
   LinearSolver linearSolver = LinearSolver::Schur;
-  /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur
+  /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
   Formulation formulation = Formulation::Log;
   /// preconditioning of the iterative linear solvers (the paper has none)
   bool precondition = true;
@@ -109,8 +112,8 @@ struct OptionInfo {
 constexpr OptionInfo kFlattenOptions[] = {
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
-    {"linearSolver", "--linear-solver", "schur", "schur, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
-    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur", false, true},
+    {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
+    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
     {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
@@ -130,7 +133,7 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
       return value >= 0 && value < 5;
     case 2:
       options.linearSolver = static_cast<LinearSolver>(static_cast<int>(value));
-      return value >= 0 && value < 5;
+      return value >= 0 && value < 6;
     case 3:
       options.formulation = static_cast<Formulation>(static_cast<int>(value));
       return value >= 0 && value < 2;
@@ -156,10 +159,11 @@ inline double wordValue(int index, std::string_view text, bool& found) {
   if (index == 1 && text == "global") return found = true, 3;
   if (index == 1 && text == "best") return found = true, 4;
   if (index == 2 && text == "schur") return found = true, 0;
-  if (index == 2 && text == "minres") return found = true, 1;
-  if (index == 2 && text == "symmlq") return found = true, 2;
-  if (index == 2 && text == "gmres") return found = true, 3;
-  if (index == 2 && text == "bicgstab") return found = true, 4;
+  if (index == 2 && text == "eigen") return found = true, 1;
+  if (index == 2 && text == "minres") return found = true, 2;
+  if (index == 2 && text == "symmlq") return found = true, 3;
+  if (index == 2 && text == "gmres") return found = true, 4;
+  if (index == 2 && text == "bicgstab") return found = true, 5;
   if (index == 3 && text == "log") return found = true, 0;
   if (index == 3 && text == "product") return found = true, 1;
   return found = false, 0;

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+
+#include "solve/cholesky/front_kernel.h"
+#include "solve/cholesky/symbolic.h"
+
+namespace abflat {
+
+struct CholeskyOptions {
+  /// False: a negative pivot is a failure, as in a Cholesky factorisation proper.
+  bool allowNegative = true;
+  /// A pivot of at most this share of the diagonal entry in the matrix counts as 0.
+  double pivotTolerance = 0;
+  SimdWidth simd = widestSimd();  ///< results do not depend on it
+};
+
+struct CholeskyStatus {
+  enum class Code : std::uint8_t { Ok, ZeroPivot, NegativePivot, NotFinite, OutOfMemory };
+  Code code = Code::Ok;
+  std::uint32_t column = 0;  ///< of the matrix, where a pivot fails
+  double pivot = 0;
+  bool isOk() const { return code == Code::Ok; }
+};
+
+/// P A P^T = L S L^T of a symmetric matrix, L lower triangular and S a diagonal of signs: for
+/// positive definite matrices, and for others whose pivots need no exchange.
+class Cholesky {
+ public:
+  explicit Cholesky(std::shared_ptr<const CholeskySymbolic> symbolic, CholeskyOptions options = {})
+      : symbolic_(std::move(symbolic)), options_(options) {}
+
+  const CholeskySymbolic& symbolic() const { return *symbolic_; }
+
+  /// `values` in the order of the pattern that was analysed.
+  CholeskyStatus factorize(const double* values);
+
+  /// After a factorisation that succeeded, and until the next: replaces the columns of b, each
+  /// `size` long and one after another, by the solutions.
+  void solve(double* b, std::size_t columns = 1) const;
+
+  std::uint32_t negativePivots() const { return negativePivots_; }
+
+ private:
+  bool allocate();
+  void assemble(std::uint32_t supernode, const double* values);
+  CholeskyStatus failure(std::uint32_t supernode, const PivotFailure& failure) const;
+
+  std::shared_ptr<const CholeskySymbolic> symbolic_;
+  CholeskyOptions options_;
+  std::unique_ptr<double[]> factor_;
+  std::unique_ptr<double[]> sign_, leastPivot_;  ///< per column of the factor
+  std::uint32_t negativePivots_ = 0;
+};
+
+}  // namespace abflat

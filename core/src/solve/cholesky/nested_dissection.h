@@ -1,0 +1,16 @@
+#pragma once
+
+#include "solve/cholesky/graph.h"
+
+namespace abflat {
+
+struct DissectionOptions {
+  std::uint32_t leafVertices = 200;  ///< parts of at most this size are ordered by minimum degree
+};
+
+/// Elimination order of the vertices: entry k is the vertex eliminated k-th. Recursively, the two
+/// parts of a separation come before its separator.
+std::vector<std::uint32_t> nestedDissection(const WeightedGraph& graph,
+                                            const DissectionOptions& options);
+
+}  // namespace abflat

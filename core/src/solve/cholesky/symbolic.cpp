@@ -1,0 +1,130 @@
+#include "solve/cholesky/symbolic.h"
+
+#include <algorithm>
+
+namespace abflat {
+namespace {
+
+/// From places of vertices to places of rows.
+void expandRows(const CompressedGraph& c, const Supernodes& s, CholeskySymbolic& out) {
+  const std::vector<std::uint32_t>& weight = c.graph.weight;
+  std::vector<std::uint32_t> firstRow(1, 0);
+  out.place.resize(out.size);
+  for (const std::uint32_t v : s.order) {
+    for (std::uint32_t r = 0; r < weight[v]; ++r)
+      out.place[c.firstRow[v] + r] = firstRow.back() + r;
+    firstRow.push_back(firstRow.back() + weight[v]);
+  }
+  for (const std::uint32_t f : s.first) out.firstColumn.push_back(firstRow[f]);
+  out.rowsBegin.push_back(0);
+  for (std::uint32_t p = 0; p < s.size(); ++p) {
+    for (std::size_t i = s.rowsBegin[p]; i < s.rowsBegin[p + 1]; ++i)
+      for (std::uint32_t r = firstRow[s.rows[i]]; r < firstRow[s.rows[i] + 1]; ++r)
+        out.rows.push_back(r);
+    out.rowsBegin.push_back(out.rows.size());
+  }
+  out.parent = s.parent;
+}
+
+void numberInParents(CholeskySymbolic& s) {
+  s.inParent.resize(s.rows.size());
+  for (std::uint32_t c = 0; c < s.supernodes(); ++c) {
+    const std::uint32_t p = s.parent[c];
+    if (p == kNoParent) continue;
+    const std::uint32_t* row = s.rows.data() + s.rowsBegin[p];
+    std::uint32_t below = 0;
+    for (std::size_t i = s.rowsBegin[c]; i < s.rowsBegin[c + 1]; ++i) {
+      if (s.rows[i] < s.firstColumn[p + 1]) {
+        s.inParent[i] = s.rows[i] - s.firstColumn[p];
+        continue;
+      }
+      while (row[below] != s.rows[i]) ++below;
+      s.inParent[i] = s.columns(p) + below;
+    }
+  }
+}
+
+/// The update matrices of a supernode and of its children lie in different stacks, so that each
+/// stack grows and shrinks at its end only.
+void measure(CholeskySymbolic& s) {
+  s.panelBegin.assign(1, 0);
+  s.stack.assign(s.supernodes(), 0);
+  for (std::uint32_t p = s.supernodes(); p-- > 0;)
+    if (s.parent[p] != kNoParent) s.stack[p] = !s.stack[s.parent[p]];
+  std::array<std::size_t, 2> used{};
+  std::vector<std::size_t> childrenSize(s.supernodes(), 0);
+  for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
+    const std::size_t columns = s.columns(p), below = s.rowsBelow(p), rows = columns + below;
+    s.panelBegin.push_back(s.panelBegin.back() + rows * columns);
+    s.factorEntries += rows * columns - columns * (columns - 1) / 2;
+    for (std::size_t j = 0; j < columns; ++j)
+      s.flops += static_cast<double>(rows - j) * static_cast<double>(rows - j);
+    s.maxFrontRows = std::max(s.maxFrontRows, static_cast<std::uint32_t>(rows));
+    used[s.stack[p]] += below * below;
+    s.stackSize[s.stack[p]] = std::max(s.stackSize[s.stack[p]], used[s.stack[p]]);
+    used[!s.stack[p]] -= childrenSize[p];
+    if (s.parent[p] != kNoParent) childrenSize[s.parent[p]] += below * below;
+  }
+}
+
+/// Where each entry of the matrix is added.
+void placeEntries(const LowerPattern& pattern, CholeskySymbolic& s) {
+  std::vector<std::uint32_t> supernodeOf(s.size);
+  for (std::uint32_t p = 0; p < s.supernodes(); ++p)
+    std::fill(supernodeOf.begin() + s.firstColumn[p], supernodeOf.begin() + s.firstColumn[p + 1],
+              p);
+  const auto forEach = [&](auto&& visit) {
+    for (std::uint32_t c = 0; c < s.size; ++c)
+      for (int k = pattern.columnStart[c]; k < pattern.columnStart[c + 1]; ++k) {
+        const auto r = static_cast<std::uint32_t>(pattern.row[k]);
+        if (r < c) continue;
+        const std::uint32_t a = s.place[r], b = s.place[c];
+        visit(static_cast<std::uint32_t>(k), std::max(a, b), std::min(a, b));
+      }
+  };
+  s.entriesBegin.assign(s.supernodes() + 1, 0);
+  forEach([&](std::uint32_t, std::uint32_t, std::uint32_t column) {
+    ++s.entriesBegin[supernodeOf[column] + 1];
+  });
+  for (std::uint32_t p = 0; p < s.supernodes(); ++p) s.entriesBegin[p + 1] += s.entriesBegin[p];
+  s.entries.resize(s.entriesBegin.back());
+  struct Position {
+    std::uint32_t row, column;
+  };
+  std::vector<Position> position(s.entries.size());
+  std::vector<std::size_t> fill(s.entriesBegin.begin(), s.entriesBegin.end() - 1);
+  forEach([&](std::uint32_t source, std::uint32_t row, std::uint32_t column) {
+    const std::size_t i = fill[supernodeOf[column]]++;
+    s.entries[i].source = source;
+    position[i] = {row, column};
+  });
+  std::vector<std::uint32_t> inFront(s.size);
+  for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
+    const std::uint32_t columns = s.columns(p), front = columns + s.rowsBelow(p);
+    for (std::uint32_t j = 0; j < columns; ++j) inFront[s.firstColumn[p] + j] = j;
+    for (std::uint32_t i = columns; i < front; ++i)
+      inFront[s.rows[s.rowsBegin[p] + i - columns]] = i;
+    for (std::size_t i = s.entriesBegin[p]; i < s.entriesBegin[p + 1]; ++i)
+      s.entries[i].target =
+          inFront[position[i].row] + (position[i].column - s.firstColumn[p]) * front;
+  }
+}
+
+}  // namespace
+
+CholeskySymbolic analyzePattern(const LowerPattern& pattern,
+                                const CholeskyAnalysisOptions& options) {
+  CholeskySymbolic s;
+  s.size = pattern.rows;
+  s.values = pattern.rows ? static_cast<std::uint32_t>(pattern.columnStart[pattern.rows]) : 0;
+  const CompressedGraph c = compressGraph(pattern);
+  const EliminationTree tree =
+      eliminationTree(c.graph, nestedDissection(c.graph, options.dissection));
+  expandRows(c, findSupernodes(c.graph, tree, options.panelCost), s);
+  numberInParents(s);
+  measure(s);
+  placeEntries(pattern, s);
+  return s;
+}
+
+}  // namespace abflat

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <string>
+
+#include "abflat/mesh.h"
+
+namespace abflat::bench {
+
+/// Rectangle of about `faces` triangles on a sphere, with noise in all coordinates.
+PolygonMesh noisyCap(unsigned faces);
+
+/// Each triangle becomes four.
+PolygonMesh subdivided(const PolygonMesh& mesh);
+
+/// Lower triangle of the cotangent Laplacian, weights at least 1e-3, plus 1e-3 on the diagonal.
+Eigen::SparseMatrix<double> cotangentLaplacian(const PolygonMesh& mesh);
+
+/// Lower triangle of the first Newton step's matrix; empty, with a message, where the mesh is not a
+/// disk.
+Eigen::SparseMatrix<double> schurMatrix(const PolygonMesh& mesh, std::string& message);
+
+}  // namespace abflat::bench

@@ -1,0 +1,58 @@
+#include "solve/newton_system.h"
+
+#include <cmath>
+
+#include "catch.h"
+#include "solve/active_set.h"
+#include "support/meshes.h"
+#include "support/problems.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Largest difference of the angles that the two factorisations lead to; both must converge, or
+/// neither.
+double difference(const AngleProblem& problem) {
+  SolverOptions options;
+  options.maxSteps = 30;
+  NewtonSystem own(problem), eigen(problem, LinearSolver::Eigen);
+  const AngleSolution a = solveActiveSet(problem, own, options);
+  const AngleSolution b = solveActiveSet(problem, eigen, options);
+  CHECK(a.converged == b.converged);
+  double worst = 0;
+  if (a.converged)
+    for (std::size_t c = 0; c < a.angles.size(); ++c)
+      worst = std::max(worst, std::abs(a.angles[c] - b.angles[c]));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("both factorisations lead to the same angles on generated disks") {
+  for (const PolygonMesh& mesh :
+       {bumpyGrid(1, 1, 0.2, 1), bumpyGrid(9, 7, 0.4, 2), bumpyGrid(60, 45, 0.3, 3), cone(7, 1)})
+    for (const double t : {0.98, 2.0}) CHECK(difference(problemOf(mesh, t)) < 1e-9);
+}
+
+TEST_CASE("both factorisations lead to the same angles on every shared mesh") {
+  int disks = 0;
+  for (const char* file :
+       {"beetle-nonmanifold.obj", "body.off", "bunny-closed.off", "camel-cut.obj", "cathead.obj",
+        "cow-cut.off", "face.obj", "fertility-genus4.off", "genus3.off", "halftunnel-quads.off",
+        "hemisphere.obj", "inspired.obj", "mannequin.off", "nefertiti.off", "nonconvex-cap.off",
+        "spot-uv.obj", "suzanne-quads.obj", "teapot-5parts.obj", "woody.obj"}) {
+    const PolygonMesh mesh = sharedMesh(file);
+    if (mesh.faceCount() == 0) return;
+    const Surface surface = buildSurface(mesh);
+    if (!surface.summary.disk.ok()) continue;
+    ++disks;
+    const DiskChart chart = makeDiskChart(mesh, surface);
+    for (const double t : {1.0, 2.0}) {
+      INFO(file << " t = " << t);
+      CHECK(difference(problemOf(chart, t)) < 1e-9);
+    }
+  }
+  CHECK(disks > 5);
+}
