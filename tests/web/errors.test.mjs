@@ -54,7 +54,7 @@ test('an impossible t is refused, the layout of the last one stays', async (t) =
   await settled(page);
   assert.match(await textOf(page, '#alert'), /0\.93/);
   await page.locator('#layout-note').waitFor();
-  assert.match(await textOf(page, '#layout-note'), /t = 1$/);
+  assert.match(await textOf(page, '#layout-note'), /t = auto$/);
   await page.fill('#t-number', '1');
   await page.waitForFunction(() => document.querySelector('#alert').textContent === '');
   await settled(page);
@@ -65,9 +65,10 @@ test('a number outside the range is marked and not used', async (t) => {
   const page = await openPage(t);
   await page.fill('#t-number', '7');
   assert.equal(await page.getAttribute('#t-number', 'aria-invalid'), 'true');
-  assert.equal(await page.inputValue('#t'), '1');
+  assert.equal(await page.inputValue('#t'), '2');
   await page.locator('#t-number').blur();
-  assert.equal(await page.inputValue('#t-number'), '1');
+  assert.equal(await page.inputValue('#t-number'), '2');
+  assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'true');
 });
 
 test('without WebGL the page says so and still flattens', async (t) => {

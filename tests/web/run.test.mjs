@@ -59,10 +59,10 @@ test('a newer mesh replaces a run in flight; Escape cancels', async (t) => {
 test('of many wishes for t the last one is shown', async (t) => {
   const page = await openPage(t);
   await page.focus('#t');
-  for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowRight');
-  for (let i = 0; i < 10; i++) await page.keyboard.press('ArrowLeft');
+  for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowLeft');
+  for (let i = 0; i < 10; i++) await page.keyboard.press('ArrowRight');
   await settled(page);
-  assert.equal(await page.inputValue('#t-number'), '1.3');
-  assert.equal(await textOf(page, '#layout-info'), 't = 1.3');
+  assert.equal(await page.inputValue('#t-number'), '1.7');
+  assert.equal(await textOf(page, '#layout-info'), 't = 1.7');
   assert.equal(await textOf(page, '#alert'), '');
 });

@@ -1,12 +1,10 @@
-import type { ChartReport } from 'abflat';
+import { type ChartReport, FLATTEN_DEFAULTS } from 'abflat';
 import { create, element } from './dom';
 import { type Bound, bound } from './format';
 
 const LEAST = 0.9;
 const MOST = 2;
 const STEP = 0.01;
-/** Convex: what sets this method apart. */
-const FIRST = 1;
 const TICKS = [
   { t: 0.9, name: '' },
   { t: 1, name: 'convex' },
@@ -22,8 +20,9 @@ export class BoundControl {
   private readonly field = element('t-number', HTMLInputElement);
   private readonly hint = element('t-hint', HTMLElement);
   private readonly auto = element('t-auto', HTMLButtonElement);
-  private current = FIRST;
-  private isAuto = false;
+  /** With auto the t that was found; free until then. */
+  private current = MOST;
+  private isAuto = FLATTEN_DEFAULTS.t === 'auto';
 
   constructor(private readonly changed: (t: Bound) => void) {
     for (const input of [this.slider, this.field]) {
@@ -34,6 +33,7 @@ export class BoundControl {
     // The paper's examples need three decimals, arrow keys steps of one hundredth.
     this.field.step = 'any';
     this.addTicks();
+    this.setAuto(this.isAuto);
     this.show();
     this.slider.addEventListener('input', () => this.set(this.slider.valueAsNumber));
     this.field.addEventListener('input', () => this.readField());
@@ -42,6 +42,7 @@ export class BoundControl {
     this.auto.addEventListener('click', () => {
       if (this.isAuto) return this.set(this.current);
       this.setAuto(true);
+      this.showSlider();
       this.changed('auto');
     });
     element('bound', HTMLFormElement).addEventListener('submit', (event) => event.preventDefault());
@@ -51,12 +52,17 @@ export class BoundControl {
     return this.isAuto ? 'auto' : this.current;
   }
 
+  /** Asks for t, as if the user had moved the slider there. */
+  choose(t: Bound): void {
+    if (t !== 'auto') this.set(t);
+    else if (!this.isAuto) this.auto.click();
+  }
+
   /** Shows what the automatic choice came to. */
   showFound(chart: ChartReport): void {
     if (!this.isAuto) return;
     this.current = Math.min(MOST, Math.max(LEAST, chart.t));
     this.show();
-    this.hint.textContent = `auto: ${chart.t >= MOST ? 'free' : bound(chart.t)}`;
   }
 
   /** Hatches the part of the slider that is not possible: t is at least 1 - 2/n for n boundary vertices. */
@@ -110,9 +116,10 @@ export class BoundControl {
 
   private showSlider(): void {
     this.slider.valueAsNumber = this.current;
-    this.slider.setAttribute('aria-valuetext', `${bound(this.current)}, ${meaning(this.current)}`);
+    const hint = `${this.isAuto ? 'auto: ' : ''}${meaning(this.current)}`;
+    this.slider.setAttribute('aria-valuetext', `${bound(this.current)}, ${hint}`);
     this.slider.style.setProperty('--value', String((this.current - LEAST) / (MOST - LEAST)));
-    this.hint.textContent = meaning(this.current);
+    this.hint.textContent = hint;
   }
 
   private addTicks(): void {
@@ -134,7 +141,7 @@ export class BoundControl {
 
 /** What t means for the boundary's interior angles. */
 function meaning(t: number): string {
-  if (t >= MOST) return 'free boundary';
-  if (t === 1) return 'convex boundary';
-  return `angles up to ${Math.round(180 * t * 10) / 10}°`;
+  if (t >= MOST) return 'free';
+  if (t === 1) return 'convex';
+  return `up to ${Math.round(180 * t * 10) / 10}°`;
 }

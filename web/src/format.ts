@@ -9,6 +9,11 @@ export function counted(n: number, singular: string, plural = `${singular}s`): s
   return `${count(n)} ${n === 1 ? singular : plural}`;
 }
 
+/** With a capital at its beginning. */
+export function sentence(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
 /** Three significant digits, without an exponent where that stays short. */
 export function measure(x: number): string {
   if (!Number.isFinite(x)) return 'not finite';

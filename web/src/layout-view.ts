@@ -1,12 +1,12 @@
 import { BufferAttribute, BufferGeometry, Mesh, OrthographicCamera, Scene } from 'three';
 import { BoundaryLines } from './boundary-lines';
-import { CrossingMarks } from './crossing-marks';
 import { crossings } from './crossings';
 import { createLayoutMaterial, paintLayout } from './layout-material';
-import type { FlatMesh } from './mesh';
 import { boundingBox, perCorner, toCorners } from './mesh';
 import type { Palette } from './palette';
 import { PanZoom } from './pan-zoom';
+import type { FlatPicture } from './picture';
+import { DOT, PointMarks, RING } from './point-marks';
 import { Stage } from './stage';
 
 /** Css pixels between a fitted layout and the border of its pane. */
@@ -22,7 +22,8 @@ export class LayoutView {
   private readonly material = createLayoutMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
   private readonly boundary = new BoundaryLines(2.25, false);
-  private readonly marks = new CrossingMarks();
+  private readonly dots = new PointMarks({ ...DOT, depthTest: false });
+  private readonly rings = new PointMarks({ ...RING, depthTest: false });
   private readonly panZoom: PanZoom;
   /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
   private size: [number, number] = [1, 1];
@@ -43,12 +44,12 @@ export class LayoutView {
       () => this.resized(),
     );
     this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object, this.marks.object);
+    this.scene.add(this.surface, this.boundary.object, this.dots.object, this.rings.object);
     this.stage.resize();
   }
 
-  /** Shows a layout; `errors` per triangle. Keeps the point of view unless `isNew`. */
-  show(mesh: FlatMesh, edges: Uint32Array, errors: Float32Array, isNew: boolean): void {
+  /** Shows a layout. Keeps the point of view unless `isNew`. */
+  show({ mesh, edges, errors, tightened }: FlatPicture, isNew: boolean): void {
     const { min, max } = boundingBox(mesh.uv, 2, mesh.indices);
     const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
     this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
@@ -67,7 +68,8 @@ export class LayoutView {
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(plane, edges);
-    this.marks.show(toPlane(crossings(mesh.uv, edges, MOST_MARKS)));
+    this.dots.show(perCorner(plane, 3, tightened));
+    this.rings.show(toPlane(crossings(mesh.uv, edges, MOST_MARKS)));
     if (isNew || this.isFitted) this.fit();
     else this.stage.invalidate();
   }
@@ -76,7 +78,8 @@ export class LayoutView {
     this.stage.renderer.setClearColor(palette.background);
     paintLayout(this.material, palette);
     this.boundary.setColor(palette.boundary);
-    this.marks.setColor(palette.flipped);
+    this.dots.setColor(palette.tightened);
+    this.rings.setColor(palette.flipped);
     this.stage.invalidate();
   }
 
@@ -96,7 +99,7 @@ export class LayoutView {
 
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
-    this.marks.setPixelRatio(this.stage.pixelRatio);
+    for (const marks of [this.dots, this.rings]) marks.setPixelRatio(this.stage.pixelRatio);
     this.boundary.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.fit();
   }

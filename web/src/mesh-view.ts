@@ -11,9 +11,11 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { BoundaryLines } from './boundary-lines';
 import { checkerCells } from './checker';
 import { fitInView } from './fit-in-view';
-import type { DisplayMesh, FlatMesh } from './mesh';
+import type { DisplayMesh } from './mesh';
 import { boundingBox, facing, perCorner, toCorners, vertexNormals } from './mesh';
 import type { Palette } from './palette';
+import type { FlatPicture, Picture } from './picture';
+import { DOT, PointMarks } from './point-marks';
 import { Stage } from './stage';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
 
@@ -38,6 +40,7 @@ export class MeshView {
   private readonly material = createSurfaceMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
   private readonly boundary = new BoundaryLines(1.75, true);
+  private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private front = new Vector3(0, 0, 1);
   /** Corners of the shown triangles, within the unit sphere. */
   private corners: Float32Array = new Float32Array();
@@ -55,7 +58,7 @@ export class MeshView {
       () => this.resized(),
     );
     this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object);
+    this.scene.add(this.surface, this.boundary.object, this.dots.object);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -69,13 +72,10 @@ export class MeshView {
     this.stage.resize();
   }
 
-  /** Shows a mesh; `errors` (per triangle) only for one that is flattened. Keeps the point of view unless `isNew`. */
-  show(
-    mesh: DisplayMesh | FlatMesh,
-    edges: Uint32Array,
-    errors: Float32Array | null,
-    isNew: boolean,
-  ): void {
+  /** Shows a mesh, with a checkerboard when it is flattened. Keeps the point of view unless `isNew`. */
+  show(picture: Picture | FlatPicture, isNew: boolean): void {
+    const { mesh, edges } = picture;
+    const flat = 'errors' in picture ? picture : null;
     const geometry = new BufferGeometry();
     const unit = toUnitSphere(mesh);
     this.corners = perCorner(unit, 3, mesh.indices);
@@ -84,14 +84,15 @@ export class MeshView {
       'normal',
       new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3),
     );
-    const cells = 'uv' in mesh ? checkerCells(mesh) : new Float32Array((2 * unit.length) / 3);
+    const cells = flat ? checkerCells(flat.mesh) : new Float32Array((2 * unit.length) / 3);
     geometry.setAttribute('uv', new BufferAttribute(perCorner(cells, 2, mesh.indices), 2));
-    const perTriangle = errors ?? new Float32Array(mesh.indices.length / 3);
+    const perTriangle = flat?.errors ?? new Float32Array(mesh.indices.length / 3);
     geometry.setAttribute('error', new BufferAttribute(toCorners(perTriangle), 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(unit, edges);
-    this.isFlat = errors !== null;
+    this.dots.show(perCorner(unit, 3, flat?.tightened ?? new Uint32Array()));
+    this.isFlat = flat !== null;
     this.paint();
     if (!isNew) return;
     this.front = frontOf(mesh);
@@ -102,6 +103,7 @@ export class MeshView {
     this.stage.renderer.setClearColor(palette.background);
     paintSurface(this.material, palette);
     this.boundary.setColor(palette.boundary);
+    this.dots.setColor(palette.tightened);
     this.wireOpacity = palette.wireOpacity;
     this.paint();
   }
@@ -146,6 +148,7 @@ export class MeshView {
     this.camera.aspect = this.stage.width / this.stage.height;
     this.camera.updateProjectionMatrix();
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
+    this.dots.setPixelRatio(this.stage.pixelRatio);
     this.boundary.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.reset();
   }

@@ -1,6 +1,6 @@
 import type { ChartReport, Report } from 'abflat';
 import { create, element } from './dom';
-import { count, counted, duration, measure } from './format';
+import { count, duration, measure, sentence } from './format';
 
 interface Metric {
   label: string;
@@ -96,18 +96,5 @@ export class MetricsPanel {
 
 /** One sentence on why a result is valid or not. */
 export function verdict({ charts: [chart], valid }: Report): string {
-  if (valid) return 'No flipped triangles, no crossings';
-  const reasons: string[] = [];
-  if (chart.flippedTriangles > 0)
-    reasons.push(`${counted(chart.flippedTriangles, 'triangle is', 'triangles are')} flipped`);
-  if (chart.boundaryCrossings > 0)
-    reasons.push(`the boundary crosses itself ${times(chart.boundaryCrossings)}`);
-  if (!chart.converged)
-    reasons.push(`the solver did not converge (residual ${measure(chart.constraintResidual)})`);
-  const sentence = reasons.join(', ');
-  return sentence.charAt(0).toUpperCase() + sentence.slice(1);
-}
-
-function times(n: number): string {
-  return n === 1 ? 'once' : `${count(n)} times`;
+  return valid ? 'No flipped triangles, no crossings' : sentence(chart.problem);
 }

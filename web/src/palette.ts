@@ -13,6 +13,7 @@ export interface Palette {
   fill: Color;
   edge: Color;
   flipped: Color;
+  tightened: Color;
   /** Low to high. */
   ramp: Color[];
 }
@@ -35,6 +36,7 @@ export function readPalette(): Palette {
     fill: color('fill'),
     edge: color('edge'),
     flipped: color('flipped'),
+    tightened: color('tightened'),
     ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),
   };
 }

@@ -1,10 +1,10 @@
-import { angleErrors } from './angle-error';
 import { element } from './dom';
 import { LayoutView } from './layout-view';
-import type { DisplayMesh, FlatMesh } from './mesh';
-import { boundaryEdges } from './mesh';
+import { showMarksLegend } from './marks-legend';
+import type { DisplayMesh } from './mesh';
 import { MeshView } from './mesh-view';
 import { readPalette } from './palette';
+import { meshPicture, outcomePicture } from './picture';
 import type { Outcome, Source } from './session';
 import { RAMP_MOST } from './shader-parts';
 
@@ -38,30 +38,18 @@ export class Views {
 
   /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
   showMesh(mesh: DisplayMesh): void {
-    this.mesh.show(mesh, boundaryEdges(mesh.indices), null, true);
+    this.mesh.show(meshPicture(mesh), true);
   }
 
   showOutcome(outcome: Outcome): void {
-    const flat = flatMesh(outcome);
-    const edges = boundaryEdges(flat.indices);
-    const errors = angleErrors(flat);
+    const picture = outcomePicture(outcome);
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
     // The point of view was chosen when the mesh was opened.
-    this.mesh.show(flat, edges, errors, false);
-    this.layout.show(flat, edges, errors, isNew);
+    this.mesh.show(picture, false);
+    this.layout.show(picture, isNew);
+    showMarksLegend(outcome.result.report.charts[0]);
   }
-}
-
-function flatMesh({ result, mesh }: Outcome): FlatMesh {
-  const { indices, uv, vertexMap } = result;
-  const positions =
-    result.positions ??
-    Float64Array.from(
-      { length: 3 * vertexMap.length },
-      (_, i) => mesh.positions[3 * vertexMap[Math.floor(i / 3)] + (i % 3)],
-    );
-  return { positions, indices, uv };
 }
 
 function bindToggle(id: string, changed: (isOn: boolean) => void): void {

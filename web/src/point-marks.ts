@@ -1,0 +1,79 @@
+import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
+
+// Nearer by a little than the surface that the point lies on, which would hide parts of the mark.
+const VERTEX = /* glsl */ `
+  uniform float size;
+  void main() {
+    gl_PointSize = size;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    gl_Position.z -= 0.0015 * gl_Position.w;
+  }
+`;
+
+// `hole`: radius of the hole relative to that of the mark.
+const FRAGMENT = /* glsl */ `
+  uniform float size, hole;
+  uniform vec3 color;
+  void main() {
+    float radius = length(gl_PointCoord - 0.5) * size;
+    float outer = size / 2.0 - 0.5;
+    float cover = 1.0 - smoothstep(outer - 0.5, outer + 0.5, radius);
+    if (hole > 0.0) cover *= smoothstep(hole * outer - 0.5, hole * outer + 0.5, radius);
+    if (cover <= 0.0) discard;
+    gl_FragColor = vec4(color, cover);
+    #include <colorspace_fragment>
+  }
+`;
+
+export interface MarkStyle {
+  /** Css pixels across. */
+  size: number;
+  /** Radius of the hole of a ring relative to its own; 0 for a dot. */
+  hole: number;
+  depthTest: boolean;
+}
+
+/** Tightened vertices: small enough to tell neighbours apart. */
+export const DOT = { size: 7, hole: 0 };
+/** Crossings: the ring leaves what is in it to be seen. */
+export const RING = { size: 26, hole: 0.82 };
+
+/** Dots or rings of one size on the screen. */
+export class PointMarks {
+  private readonly material: ShaderMaterial;
+  readonly object: Points<BufferGeometry, ShaderMaterial>;
+
+  constructor(private readonly style: MarkStyle) {
+    this.material = new ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      transparent: true,
+      depthTest: style.depthTest,
+      uniforms: {
+        size: { value: style.size },
+        hole: { value: style.hole },
+        color: { value: new Color() },
+      },
+    });
+    this.object = new Points(new BufferGeometry(), this.material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = 2;
+    this.show(new Float32Array());
+  }
+
+  /** xyz per point. */
+  show(points: Float32Array): void {
+    this.object.geometry.dispose();
+    this.object.geometry = new BufferGeometry();
+    this.object.geometry.setAttribute('position', new BufferAttribute(points, 3));
+    this.object.visible = points.length > 0;
+  }
+
+  setColor(color: Color): void {
+    this.material.uniforms.color.value = color;
+  }
+
+  setPixelRatio(ratio: number): void {
+    this.material.uniforms.size.value = this.style.size * ratio;
+  }
+}
