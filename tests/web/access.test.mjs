@@ -50,8 +50,19 @@ test('the theme follows the system, can be switched and is remembered', async (t
 test('text has contrast in both themes', async (t) => {
   // Without transitions, so that colours are what they will be.
   const page = await openPage(t, { reducedMotion: 'reduce' });
+  await page.click('#details-toggle');
+  await page.mouse.move(0, 0);
   for (const theme of ['dark', 'light']) {
-    for (const selector of ['#open', '#mesh-info', '#reason', '#t-hint', '#wireframe', '#run-text'])
+    for (const selector of [
+      '#open',
+      '#mesh-info',
+      '#reason',
+      '#t-hint',
+      '#wireframe',
+      '#run-text',
+      '#tab-sweep',
+      '#solver-readout',
+    ])
       assert.ok((await contrast(page, selector)) >= 4.5, `${selector} in the ${theme} theme`);
     await page.click('#theme');
   }
@@ -59,24 +70,29 @@ test('text has contrast in both themes', async (t) => {
 
 test('Tab reaches every control, in the order of the page', async (t) => {
   const page = await openPage(t);
+  // By script, so that Tab begins at the beginning.
+  await page.evaluate(() => document.querySelector('#details-toggle').click());
+  // Of tabs and of a chart's columns Tab reaches one, arrow keys the others.
   const expected = await page.evaluate(() =>
-    [...document.querySelectorAll('button, input, select, canvas[tabindex]')]
-      .filter((element) => element.checkVisibility() && !element.disabled)
-      .map((element) => element.id || element.textContent),
+    [...document.querySelectorAll('button, input, select, canvas[tabindex], rect[tabindex]')]
+      .filter((element) => element.checkVisibility() && !element.disabled && element.tabIndex === 0)
+      .map((element) => element.id || element.ariaLabel || element.textContent),
   );
+  assert.ok(expected.length >= 20);
   const reached = [];
   for (let i = 0; i < expected.length; i++) {
     await page.keyboard.press('Tab');
     reached.push(
       await page.evaluate(() => {
-        const { id, textContent } = document.activeElement;
-        return id || textContent;
+        const { id, ariaLabel, textContent } = document.activeElement;
+        return id || ariaLabel || textContent;
       }),
     );
-    const outline = await page.evaluate(
-      () => getComputedStyle(document.activeElement).outlineStyle,
-    );
-    assert.equal(outline, 'solid', `focus is visible on ${reached.at(-1)}`);
+    const mark = await page.evaluate(() => {
+      const { outlineStyle, stroke } = getComputedStyle(document.activeElement);
+      return [outlineStyle, stroke];
+    });
+    assert.notDeepEqual(mark, ['none', 'none'], `focus is visible on ${reached.at(-1)}`);
   }
   assert.deepEqual(reached, expected);
 });
@@ -139,16 +155,30 @@ for (const [name, width, height] of [
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.width > 250 && box.height > 120, `${id} has room: ${JSON.stringify(box)}`);
     }
+    await page.click('#details-toggle');
+    for (const tab of await page.getByRole('tab').all()) {
+      await tab.click();
+      const scrollWidth = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(scrollWidth <= width, 'no horizontal scrolling with the details open');
+      for (const id of ['details-close', 'layout-canvas']) {
+        await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+        const box = await page.locator(`#${id}`).boundingBox();
+        assert.ok(box.x >= 0 && box.x + box.width <= width, `${id} is inside`);
+      }
+    }
   });
 }
 
 test('nothing moves while t is dragged', async (t) => {
   const page = await openPage(t);
+  await page.click('#details-toggle');
   const places = () =>
     page.evaluate(() =>
-      [...document.querySelectorAll('.pane, canvas, .dock > *, .metric, #cancel, #t-number')].map(
-        (element) => JSON.stringify(element.getBoundingClientRect()),
-      ),
+      [
+        ...document.querySelectorAll(
+          '.pane, canvas, .dock > *, .metric, #cancel, #t-number, .chart-picture',
+        ),
+      ].map((element) => JSON.stringify(element.getBoundingClientRect())),
     );
   const before = await places();
   await page.focus('#t');

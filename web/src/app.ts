@@ -1,6 +1,7 @@
 import type { Abflat, Progress } from 'abflat';
 import { hideAlert, showAlert } from './alert';
 import { BoundControl } from './bound-control';
+import { Details } from './details';
 import { element } from './dom';
 import { exportObj } from './export-obj';
 import { type Bound, bound, count, counted, duration } from './format';
@@ -10,6 +11,9 @@ import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
 import { RunPanel } from './run-panel';
 import type { Outcome, SessionEvents, Source } from './session';
 import { Session } from './session';
+import { SolverTab } from './solver-tab';
+import { flattenIfPossible } from './sweep';
+import { SweepTab } from './sweep-tab';
 import { bindTheme } from './theme';
 import type { Views } from './views';
 
@@ -17,9 +21,19 @@ import type { Views } from './views';
 export class App implements SessionEvents {
   private readonly session: Session;
   private readonly bound = new BoundControl((t) => this.session.flatten(t));
-  private readonly metrics = new MetricsPanel();
+  private readonly details = new Details(() => undefined);
+  private readonly metrics = new MetricsPanel(() => this.showNotes());
+  private readonly solver = new SolverTab();
+  private readonly sweep = new SweepTab(
+    (t, signal) =>
+      this.session.aside(
+        (abflat, input, signal) => flattenIfPossible(abflat, input, t, signal),
+        signal,
+      ),
+    (t) => this.bound.choose(t),
+  );
   private readonly run = new RunPanel(
-    () => this.session.cancel(),
+    () => this.session.cancel() || this.sweep.stop(),
     () => this.session.flatten(this.bound.t),
   );
   private readonly exportButton = element('export', HTMLButtonElement);
@@ -54,6 +68,7 @@ export class App implements SessionEvents {
     hideAlert();
     this.shown = source;
     this.views?.showMesh(mesh);
+    this.sweep.clear();
     this.bound.setBoundaryVertices(null);
     showSample(source.kind === 'sample' ? source.name : null);
     this.showTitle(source);
@@ -68,6 +83,8 @@ export class App implements SessionEvents {
     this.outcome = outcome;
     this.views?.showOutcome(outcome);
     this.metrics.show(report);
+    this.solver.show(report.charts[0]);
+    this.sweep.setCurrent(report.charts[0].t);
     this.bound.setBoundaryVertices(report.charts[0].boundaryVertices);
     if (outcome.t === 'auto') this.bound.showFound(report.charts[0]);
     this.updateExport();
@@ -111,6 +128,11 @@ export class App implements SessionEvents {
     element('layout-stage', HTMLElement).classList.toggle('stale', isStale);
     this.metrics.markStale(isStale ? this.owner() : null);
     return isStale;
+  }
+
+  private showNotes(): void {
+    this.details.openAt('solver');
+    element('notes', HTMLElement).scrollIntoView({ block: 'nearest' });
   }
 
   private showTitle(source: Source): void {

@@ -1,6 +1,7 @@
 import type { ChartReport, Report } from 'abflat';
 import { create, element } from './dom';
-import { count, duration, measure, sentence } from './format';
+import { count, counted, duration, measure, sentence } from './format';
+import { notes } from './notes';
 
 interface Metric {
   label: string;
@@ -60,6 +61,7 @@ export class MetricsPanel {
   private readonly panel = element('result', HTMLElement);
   private readonly badge = element('badge', HTMLElement);
   private readonly reason = element('reason', HTMLElement);
+  private readonly notesButton = element('notes-button', HTMLButtonElement);
   private verdict = '';
   private readonly values = METRICS.map(({ label, title }) => {
     const value = create('dd', '', '\u2013');
@@ -70,6 +72,11 @@ export class MetricsPanel {
     return value;
   });
 
+  /** `showNotes` opens them. */
+  constructor(showNotes: () => void) {
+    this.notesButton.addEventListener('click', showNotes);
+  }
+
   show(report: Report): void {
     const [chart] = report.charts;
     METRICS.forEach(({ value, isBad }, i) => {
@@ -79,6 +86,9 @@ export class MetricsPanel {
     this.badge.textContent = report.valid ? 'Valid' : 'Not valid';
     this.badge.className = report.valid ? 'badge good' : 'badge bad';
     this.verdict = verdict(report);
+    const noteCount = notes(chart).length;
+    this.notesButton.textContent = counted(noteCount, 'note');
+    this.notesButton.hidden = noteCount === 0;
     this.markStale(null);
   }
 

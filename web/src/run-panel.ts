@@ -22,7 +22,7 @@ export class RunPanel {
   private readonly live = element('live', HTMLElement);
   private delay: number | undefined;
 
-  constructor(cancel: () => void, again: () => void) {
+  constructor(cancel: () => unknown, again: () => void) {
     this.cancelButton.addEventListener('click', cancel);
     this.againButton.addEventListener('click', again);
     document.addEventListener('keydown', (event) => {

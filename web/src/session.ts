@@ -1,4 +1,5 @@
 import type { Abflat, FlattenResult, MeshFile, MeshInput, Progress } from 'abflat';
+import { Background } from './background';
 import type { Bound } from './format';
 import type { DisplayMesh } from './mesh';
 
@@ -42,6 +43,7 @@ export class Session {
   private running: AbortController | null = null;
   /** The t to flatten with as soon as the run in flight ends. */
   private next: Bound | null = null;
+  private readonly background = new Background();
   private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -78,10 +80,24 @@ export class Session {
     this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
   }
 
-  cancel(): void {
-    if (!this.running) return;
+  /** Returns whether there was anything to cancel. */
+  cancel(): boolean {
+    if (!this.running) return false;
     this.stop();
+    this.background.resume();
     this.events.cancelled();
+    return true;
+  }
+
+  /** Does something with the open mesh while no run is in flight; a run interrupts it, and it starts over. */
+  aside<T>(
+    work: (abflat: Abflat, input: MeshInput, signal: AbortSignal) => Promise<T>,
+    signal: AbortSignal,
+  ): Promise<T> {
+    return this.background.run(async (signal) => {
+      if (!this.opened) throw new Error('Open a mesh first.');
+      return work(await this.abflat, this.opened.input, signal);
+    }, signal);
   }
 
   private replaceRun(): void {
@@ -114,6 +130,7 @@ export class Session {
 
   private begin(): AbortController {
     this.next = null;
+    this.background.pause();
     this.running = new AbortController();
     return this.running;
   }
@@ -127,6 +144,7 @@ export class Session {
     const wish = this.next;
     this.next = null;
     if (wish !== null) void this.run(wish);
+    else if (!this.running) this.background.resume();
   }
 
   private stop(): void {
