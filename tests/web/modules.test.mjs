@@ -77,7 +77,7 @@ test('crossings are found where they are, and only there', async () => {
 });
 
 test('numbers keep three digits and a bounded length', async () => {
-  const { measure, duration, bound } = await load('format');
+  const { measure, brief, duration, bound } = await load('format');
   assert.equal(measure(0.0025234), '0.00252');
   assert.equal(measure(1.6777), '1.68');
   assert.equal(measure(12345.6), '12346');
@@ -86,7 +86,11 @@ test('numbers keep three digits and a bounded length', async () => {
   assert.equal(duration(0.0361), '36\u202fms');
   assert.equal(duration(1.256), '1.26\u202fs');
   assert.equal(bound(0.968), '0.968');
-  for (let x = 1e-9; x < 1e12; x *= 3.7) assert.ok(measure(x).length <= 9, measure(x));
+  for (let x = 1e-9; x < 1e12; x *= 3.7) {
+    assert.ok(measure(x).length <= 9, measure(x));
+    assert.ok(brief(x).length <= 7, brief(x));
+    assert.ok(Math.abs(Number(brief(x)) - x) <= 0.06 * x, brief(x));
+  }
 });
 
 /** An abflat whose runs end when the test says so. */
@@ -101,9 +105,12 @@ function fakeAbflat() {
     calls,
     sample: (name, options) => call('sample', { name }, options),
     load: (file, options) => call('load', { name: file.name }, options),
-    flatten: (_, { t, ...options }) => call('flatten', { t }, options),
+    flatten: (_, { t, delaunay, ...options }) => call('flatten', { t, delaunay }, options),
   };
 }
+
+const at = (t) => ({ t, delaunay: false });
+const textOf = (settings) => String(settings ? settings.t : null);
 
 async function startSession(t) {
   t.mock.timers.enable({ apis: ['setTimeout'] });
@@ -111,12 +118,14 @@ async function startSession(t) {
   const abflat = fakeAbflat();
   const log = [];
   const session = new Session(Promise.resolve(abflat), {
-    started: (source, bound) => log.push(`started ${source.name} ${bound}`),
+    started: (source, settings) => log.push(`started ${source.name} ${textOf(settings)}`),
     progress: ({ fraction }) => log.push(`progress ${fraction}`),
     opened: (source) => log.push(`opened ${source.name}`),
-    flattened: (outcome) => log.push(`flattened ${outcome.source.name} ${outcome.t}`),
+    flattened: (outcome) =>
+      log.push(`flattened ${outcome.source.name} ${textOf(outcome.settings)}`),
     cancelled: () => log.push('cancelled'),
-    failed: (source, bound, error) => log.push(`failed ${source.name} ${bound} ${error.message}`),
+    failed: (source, settings, error) =>
+      log.push(`failed ${source.name} ${textOf(settings)} ${error.message}`),
   });
   const rest = async () => {
     for (let i = 0; i < 10; i++) await Promise.resolve();
@@ -127,9 +136,52 @@ async function startSession(t) {
 const HEAD = { kind: 'sample', name: 'head' };
 const BALL = { kind: 'sample', name: 'ball' };
 
+test('session: another condition is another wish, at the same t', async (t) => {
+  const { session, calls, rest } = await startSession(t);
+  session.open(HEAD, at(1));
+  await rest();
+  calls[0].resolve(SQUARE);
+  await rest();
+  session.flatten({ t: 1, delaunay: true });
+  calls[1].resolve({});
+  await rest();
+  assert.deepEqual(
+    calls.slice(1).map(({ t, delaunay }) => [t, delaunay]),
+    [
+      [1, false],
+      [1, true],
+    ],
+  );
+});
+
+test('session: what runs aside gives way to a run', async (t) => {
+  const { session, calls, rest } = await startSession(t);
+  const aside = session.aside(
+    (abflat, input, signal) => abflat.flatten(input, { t: 9, signal }),
+    new AbortController().signal,
+  );
+  session.open(HEAD, at(1));
+  await rest();
+  calls[0].resolve(SQUARE);
+  await rest();
+  calls[1].resolve({});
+  await rest();
+  assert.equal(calls[2].t, 9);
+  session.flatten(at(1.5));
+  await rest();
+  assert.equal(calls[2].signal.aborted, true);
+  assert.equal(calls[3].t, 1.5);
+  assert.equal(calls.length, 4, 'it waits');
+  calls[3].resolve({});
+  await rest();
+  assert.equal(calls[4].t, 9);
+  calls[4].resolve('done');
+  assert.equal(await aside, 'done');
+});
+
 test('session: reads, then flattens', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, 1);
+  session.open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
@@ -147,18 +199,18 @@ test('session: reads, then flattens', async (t) => {
 
 test('session: a quick run is shown before the next starts; a slow one is aborted for the latest wish', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, 1);
+  session.open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
-  session.flatten(1.1);
-  session.flatten(1.2);
+  session.flatten(at(1.1));
+  session.flatten(at(1.2));
   calls[1].resolve({});
   await rest();
   assert.equal(calls.length, 3);
   assert.equal(calls[2].t, 1.2);
-  session.flatten(1.3);
-  session.flatten(1.4);
+  session.flatten(at(1.3));
+  session.flatten(at(1.4));
   assert.equal(calls[2].signal.aborted, false);
   t.mock.timers.tick(10_000);
   await rest();
@@ -177,11 +229,11 @@ test('session: a quick run is shown before the next starts; a slow one is aborte
 
 test('session: cancelling drops the run and the wish; nothing comes late', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, 1);
+  session.open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
-  session.flatten(1.5);
+  session.flatten(at(1.5));
   session.cancel();
   calls[1].onProgress({ fraction: 0.9 });
   t.mock.timers.tick(10_000);
@@ -190,7 +242,7 @@ test('session: cancelling drops the run and the wish; nothing comes late', async
   assert.equal(log.at(-1), 'cancelled');
   session.cancel();
   assert.equal(log.filter((line) => line === 'cancelled').length, 1);
-  session.flatten(1.5);
+  session.flatten(at(1.5));
   await rest();
   calls[2].resolve({});
   await rest();
@@ -199,8 +251,8 @@ test('session: cancelling drops the run and the wish; nothing comes late', async
 
 test('session: a mesh opened later wins over one that is still read', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, 1);
-  session.open(BALL, 1);
+  session.open(HEAD, at(1));
+  session.open(BALL, at(1));
   await rest();
   assert.equal(calls[0].signal.aborted, true);
   calls[1].resolve(SQUARE);
@@ -218,18 +270,18 @@ test('session: a mesh opened later wins over one that is still read', async (t) 
 
 test('session: what cannot be read leaves the mesh before, which can be flattened again', async (t) => {
   const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, 1);
+  session.open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
   calls[1].resolve({});
   await rest();
-  session.open(BALL, 1);
+  session.open(BALL, at(1));
   await rest();
   calls[2].reject(new Error('no ball'));
   await rest();
   assert.equal(log.at(-1), 'failed ball null no ball');
-  session.flatten(2);
+  session.flatten(at(2));
   await rest();
   calls[3].resolve({});
   await rest();
@@ -241,9 +293,9 @@ test('session: when abflat cannot start, that is what a mesh fails with', async 
   const failures = [];
   const session = new Session(Promise.reject(new Error('no module')), {
     started: () => undefined,
-    failed: (source, t, error) => failures.push([source.name, t, error.message]),
+    failed: (source, settings, error) => failures.push([source.name, settings, error.message]),
   });
-  await session.open(HEAD, 1);
+  await session.open(HEAD, at(1));
   assert.deepEqual(failures, [['head', null, 'no module']]);
 });
 
@@ -328,10 +380,11 @@ test('background work gives way to a run, starts over, and ends for good when it
 
 test('notes: why a layout is not valid, what was done, which vertices are tightened', async () => {
   const { notes } = await load('notes');
-  assert.deepEqual(notes({ problem: '', fallbacks: [], bounds: [] }), []);
+  assert.deepEqual(notes({ problem: '', fallbacks: [], bounds: [], delaunay: null }), []);
   const chart = {
     problem: 'the boundary crosses itself',
     fallbacks: ['the active set stalled; interior point'],
+    delaunay: null,
     bounds: [
       { vertex: 3, t: 1.25 },
       { vertex: 9, t: 1.125 },

@@ -1,45 +1,60 @@
-import type { Abflat, Progress } from 'abflat';
+import type { Abflat, Comparison, MethodResult, Progress } from 'abflat';
 import { hideAlert, showAlert } from './alert';
 import { BoundControl } from './bound-control';
 import { Details } from './details';
-import { element } from './dom';
+import { bindToggle, element } from './dom';
 import { exportObj } from './export-obj';
-import { type Bound, bound, count, counted, duration } from './format';
+import { count, counted, duration } from './format';
 import type { DisplayMesh } from './mesh';
+import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
+import { flatPicture } from './picture';
 import { RunPanel } from './run-panel';
-import type { Outcome, SessionEvents, Source } from './session';
-import { Session } from './session';
+import type { Outcome, SessionEvents, Settings, Source } from './session';
+import { Session, sameSettings } from './session';
 import { SolverTab } from './solver-tab';
 import { flattenIfPossible } from './sweep';
 import { SweepTab } from './sweep-tab';
 import { bindTheme } from './theme';
 import type { Views } from './views';
+import { failure, layoutInfo, settingsText } from './words';
 
 /** Connects the session with what is on the page. */
 export class App implements SessionEvents {
   private readonly session: Session;
-  private readonly bound = new BoundControl((t) => this.session.flatten(t));
-  private readonly details = new Details(() => undefined);
+  private readonly bound = new BoundControl(() => this.session.flatten(this.settings));
+  private readonly details = new Details((tab) => {
+    if (tab === 'methods') this.methods.leave();
+  });
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
-        (abflat, input, signal) => flattenIfPossible(abflat, input, t, signal),
+        (abflat, input, signal) =>
+          flattenIfPossible(abflat, input, { ...this.settings, t }, signal),
         signal,
       ),
     (t) => this.bound.choose(t),
   );
+  private readonly methods = new MethodsTab(
+    (signal, onProgress) =>
+      this.session.aside(
+        (abflat, input, signal) => abflat.compare(input, { signal, onProgress }),
+        signal,
+      ),
+    (method, comparison) => this.showMethod(method, comparison),
+  );
   private readonly run = new RunPanel(
-    () => this.session.cancel() || this.sweep.stop(),
-    () => this.session.flatten(this.bound.t),
+    () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
+    () => this.session.flatten(this.settings),
   );
   private readonly exportButton = element('export', HTMLButtonElement);
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
+  private delaunay = false;
   /** The last result. */
   private outcome: Outcome | null = null;
 
@@ -49,15 +64,28 @@ export class App implements SessionEvents {
   ) {
     this.session = new Session(abflat, this);
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    bindOpen((source) => void this.session.open(source, this.bound.t));
+    bindOpen((source) => void this.session.open(source, this.settings));
     this.exportButton.addEventListener('click', () => this.export());
-    void this.session.open({ kind: 'sample', name: FIRST_SAMPLE }, this.bound.t);
+    element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
+    bindToggle('delaunay', (isOn) => {
+      this.delaunay = isOn;
+      this.sweep.clear();
+      this.session.flatten(this.settings);
+    });
+    void this.session.open({ kind: 'sample', name: FIRST_SAMPLE }, this.settings);
   }
 
-  started(source: Source, t: Bound | null): void {
-    this.run.start(t === null ? `Reading ${titleOf(source)}` : `Flattening with t = ${bound(t)}`);
+  private get settings(): Settings {
+    return { t: this.bound.t, delaunay: this.delaunay };
+  }
+
+  started(source: Source, settings: Settings | null): void {
+    this.methods.leave();
+    this.run.start(
+      settings ? `Flattening with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
+    );
     document.body.setAttribute('aria-busy', 'true');
-    this.markStale(t ?? this.bound.t);
+    this.markStale(settings ?? this.settings);
   }
 
   progress(progress: Progress): void {
@@ -69,6 +97,7 @@ export class App implements SessionEvents {
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
+    this.methods.clear();
     this.bound.setBoundaryVertices(null);
     showSample(source.kind === 'sample' ? source.name : null);
     this.showTitle(source);
@@ -81,15 +110,14 @@ export class App implements SessionEvents {
     const { report } = outcome.result;
     hideAlert();
     this.outcome = outcome;
-    this.views?.showOutcome(outcome);
+    this.showResult(outcome);
     this.metrics.show(report);
     this.solver.show(report.charts[0]);
     this.sweep.setCurrent(report.charts[0].t);
     this.bound.setBoundaryVertices(report.charts[0].boundaryVertices);
-    if (outcome.t === 'auto') this.bound.showFound(report.charts[0]);
+    if (outcome.settings.t === 'auto') this.bound.showFound(report.charts[0]);
     this.updateExport();
-    this.markStale(outcome.t);
-    element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
+    this.markStale(outcome.settings);
     const verdict = report.valid ? '' : ', not valid';
     this.finish(`Flattened in ${duration(report.timings.total)}${verdict}`, false);
   }
@@ -98,12 +126,12 @@ export class App implements SessionEvents {
     this.finish('Cancelled', this.markStale() || this.outcome === null);
   }
 
-  failed(source: Source, t: Bound | null, error: Error): void {
+  failed(source: Source, settings: Settings | null, error: Error): void {
     const kept = this.outcome ? `The layout is still that of ${this.owner()}.` : '';
-    showAlert(failure(source, t, error.message), kept);
+    showAlert(failure(source, settings, error.message), kept);
     showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
     const isStale = this.markStale();
-    if (t === null) this.finish(`${titleOf(source)} was not opened`, isStale);
+    if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish('Not flattened', false);
   }
 
@@ -115,19 +143,45 @@ export class App implements SessionEvents {
   /** What the last result belongs to, for people. */
   private owner(): string {
     if (!this.outcome) return '';
-    const t = `t = ${bound(this.outcome.t)}`;
-    return `${titleOf(this.outcome.source)}, ${t}`;
+    return `${titleOf(this.outcome.source)}, ${settingsText(this.outcome.settings)}`;
   }
 
-  /** Marks layout and numbers when they do not belong to the mesh on screen and to t; returns whether that is so. */
-  private markStale(t: Bound = this.bound.t): boolean {
+  /** Marks layout and numbers when they do not belong to the mesh on screen and to the settings; returns whether that is so. */
+  private markStale(settings: Settings = this.settings): boolean {
     const isStale =
-      this.outcome !== null && (this.outcome.source !== this.shown || this.outcome.t !== t);
+      this.outcome !== null &&
+      (this.outcome.source !== this.shown || !sameSettings(this.outcome.settings, settings));
     if (isStale) this.layoutNote.textContent = `Previous result: ${this.owner()}`;
     this.layoutNote.hidden = !isStale;
     element('layout-stage', HTMLElement).classList.toggle('stale', isStale);
     this.metrics.markStale(isStale ? this.owner() : null);
     return isStale;
+  }
+
+  private showResult(outcome: Outcome): void {
+    this.views?.showOutcome(outcome);
+    element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
+  }
+
+  /** Shows the layout of another method in place of the result, which stays what is exported; null: the result again. */
+  private showMethod(method: MethodResult | null, comparison: Comparison): void {
+    element('method-note', HTMLElement).hidden = method === null;
+    if (!this.outcome) return;
+    this.metrics.markStale(method ? this.owner() : null);
+    if (!method) {
+      this.showResult(this.outcome);
+      return;
+    }
+    const picture = flatPicture({ ...comparison, uv: method.uv }, this.outcome.mesh, null);
+    this.views?.showFlat(picture, { ...method, bounds: [], delaunay: null });
+    element('layout-info', HTMLElement).textContent = method.title;
+    element('method-note-text', HTMLElement).textContent =
+      `Comparison, not exported: ${method.title}`;
+  }
+
+  private backToResult(): void {
+    this.methods.leave();
+    element('layout-canvas', HTMLCanvasElement).focus();
   }
 
   private showNotes(): void {
@@ -155,21 +209,4 @@ export class App implements SessionEvents {
     const size = this.outcome.result.obj?.length ?? 0;
     this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`);
   }
-}
-
-/** What went wrong as a sentence that names the mesh. */
-function failure(source: Source, t: Bound | null, message: string): string {
-  const text = message.replace(/\.$/, '');
-  if (text.includes(source.name)) return `${text}.`;
-  const what = t === null ? 'was not opened' : 'was not flattened';
-  return `${titleOf(source)} ${what}: ${text}.`;
-}
-
-/** The t of a layout, and what the automatic choice came to. */
-function layoutInfo({ t, result }: Outcome): string {
-  const [chart] = result.report.charts;
-  const tightened = chart.bounds.length;
-  const but = tightened > 0 ? ` but for ${counted(tightened, 'vertex', 'vertices')}` : '';
-  const found = chart.t >= 2 ? 'free' : bound(chart.t);
-  return `t = ${bound(t)}${t === 'auto' ? `: ${found}${but}` : ''}`;
 }

@@ -1,9 +1,9 @@
 import { element } from './dom';
 
 /** The tabs, as their ids in the page. */
-export type Tab = 'solver' | 'sweep';
+export type Tab = 'solver' | 'sweep' | 'methods';
 
-const TABS: Tab[] = ['solver', 'sweep'];
+const TABS: Tab[] = ['solver', 'sweep', 'methods'];
 
 /** The pane that opens beside the layout: one of its tabs at a time. */
 export class Details {

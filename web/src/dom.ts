@@ -15,3 +15,13 @@ export function create<K extends keyof HTMLElementTagNameMap>(
   made.textContent = text;
   return made;
 }
+
+/** Makes a button stay pressed until it is pressed again. */
+export function bindToggle(id: string, changed: (isOn: boolean) => void): void {
+  const button = element(id, HTMLButtonElement);
+  button.addEventListener('click', () => {
+    const isOn = button.getAttribute('aria-pressed') !== 'true';
+    button.setAttribute('aria-pressed', String(isOn));
+    changed(isOn);
+  });
+}

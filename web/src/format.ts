@@ -22,6 +22,13 @@ export function measure(x: number): string {
   return Number(x.toPrecision(3)) >= 100 ? x.toFixed(0) : x.toPrecision(3);
 }
 
+/** Two significant digits, for narrow tables. */
+export function brief(x: number): string {
+  if (x === 0 || !Number.isFinite(x)) return measure(x);
+  if (Math.abs(x) < 9.5e-5 || Math.abs(x) >= 9.95e3) return x.toExponential(1);
+  return Math.abs(x) < 99.5 ? x.toPrecision(2) : x.toFixed(0);
+}
+
 export function duration(seconds: number): string {
   if (seconds < 0.0995) return `${Math.max(1, Math.round(1000 * seconds))}\u202fms`;
   return `${seconds < 9.95 ? seconds.toFixed(2) : seconds.toFixed(1)}\u202fs`;

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, Mesh, OrthographicCamera, Scene } from 'three';
-import { BoundaryLines } from './boundary-lines';
 import { crossings } from './crossings';
+import { EdgeLines } from './edge-lines';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { boundingBox, perCorner, toCorners } from './mesh';
 import type { Palette } from './palette';
@@ -21,7 +21,8 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
-  private readonly boundary = new BoundaryLines(2.25, false);
+  private readonly boundary = new EdgeLines(2.25, false);
+  private readonly resisting = new EdgeLines(2.5, false);
   private readonly dots = new PointMarks({ ...DOT, depthTest: false });
   private readonly rings = new PointMarks({ ...RING, depthTest: false });
   private readonly panZoom: PanZoom;
@@ -44,12 +45,18 @@ export class LayoutView {
       () => this.resized(),
     );
     this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object, this.dots.object, this.rings.object);
+    this.scene.add(
+      this.surface,
+      this.boundary.object,
+      this.resisting.object,
+      this.dots.object,
+      this.rings.object,
+    );
     this.stage.resize();
   }
 
   /** Shows a layout. Keeps the point of view unless `isNew`. */
-  show({ mesh, edges, errors, tightened }: FlatPicture, isNew: boolean): void {
+  show({ mesh, edges, errors, tightened, resisting }: FlatPicture, isNew: boolean): void {
     const { min, max } = boundingBox(mesh.uv, 2, mesh.indices);
     const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
     this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
@@ -68,6 +75,7 @@ export class LayoutView {
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(plane, edges);
+    this.resisting.show(plane, resisting);
     this.dots.show(perCorner(plane, 3, tightened));
     this.rings.show(toPlane(crossings(mesh.uv, edges, MOST_MARKS)));
     if (isNew || this.isFitted) this.fit();
@@ -78,6 +86,7 @@ export class LayoutView {
     this.stage.renderer.setClearColor(palette.background);
     paintLayout(this.material, palette);
     this.boundary.setColor(palette.boundary);
+    this.resisting.setColor(palette.flipped);
     this.dots.setColor(palette.tightened);
     this.rings.setColor(palette.flipped);
     this.stage.invalidate();
@@ -100,7 +109,8 @@ export class LayoutView {
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     for (const marks of [this.dots, this.rings]) marks.setPixelRatio(this.stage.pixelRatio);
-    this.boundary.setResolution(this.stage.width, this.stage.height);
+    for (const lines of [this.boundary, this.resisting])
+      lines.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.fit();
   }
 

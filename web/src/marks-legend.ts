@@ -1,13 +1,23 @@
-import type { ChartReport } from 'abflat';
+import type { DelaunayReport, VertexBound } from 'abflat';
 import { create, element } from './dom';
-import { counted } from './format';
+import { counted, measure } from './format';
 
-/** Says what the marks in the views are, as far as there are any. */
-export function showMarksLegend({ bounds, boundaryCrossings }: ChartReport): void {
+/** What of a report is said beside the layout. */
+export interface Marked {
+  bounds: VertexBound[];
+  boundaryCrossings: number;
+  delaunay: DelaunayReport | null;
+  angularDistortion: number | null;
+}
+
+/** Says what the marks in the views are, as far as there are any, and what the Delaunay condition costs. */
+export function showMarksLegend(marked: Marked): void {
+  const { bounds, boundaryCrossings, delaunay } = marked;
   const lines: [string, string][] = [];
   if (bounds.length > 0)
     lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
   if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);
+  if (delaunay) lines.push(delaunayLine(marked.angularDistortion ?? 0, delaunay));
   const box = element('marks', HTMLElement);
   box.replaceChildren(
     ...lines.map(([mark, text]) => {
@@ -17,4 +27,14 @@ export function showMarksLegend({ bounds, boundaryCrossings }: ChartReport): voi
     }),
   );
   box.hidden = lines.length === 0;
+}
+
+function delaunayLine(
+  angularDistortion: number,
+  { resisting, angularDistortionBefore }: DelaunayReport,
+): [string, string] {
+  if (resisting.length > 0)
+    return ['line', `${counted(resisting.length, 'edge resists', 'edges resist')} Delaunay`];
+  const change = `${measure(angularDistortionBefore)} \u2192 ${measure(angularDistortion)}`;
+  return ['edge', `Delaunay, angular distortion ${change}`];
 }

@@ -8,8 +8,8 @@ import {
   Vector3,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { BoundaryLines } from './boundary-lines';
 import { checkerCells } from './checker';
+import { EdgeLines } from './edge-lines';
 import { fitInView } from './fit-in-view';
 import type { DisplayMesh } from './mesh';
 import { boundingBox, facing, perCorner, toCorners, vertexNormals } from './mesh';
@@ -39,7 +39,7 @@ export class MeshView {
   private readonly controls: OrbitControls;
   private readonly material = createSurfaceMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
-  private readonly boundary = new BoundaryLines(1.75, true);
+  private readonly boundary = new EdgeLines(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private front = new Vector3(0, 0, 1);
   /** Corners of the shown triangles, within the unit sphere. */

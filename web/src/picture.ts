@@ -18,6 +18,8 @@ export interface FlatPicture extends Picture {
   errors: Float32Array;
   /** Vertices with a tightened bound. */
   tightened: Uint32Array;
+  /** Edges that cannot be made Delaunay, as pairs of vertices. */
+  resisting: Uint32Array;
 }
 
 /** The arrays of a result, as abflat gives them. */
@@ -49,7 +51,20 @@ export function flatPicture(
   const bounded = new Set(chart?.bounds.map(({ vertex }) => vertex));
   // Each boundary vertex begins one boundary edge.
   const tightened = edges.filter((v, i) => i % 2 === 0 && bounded.has(vertexMap[v]));
-  return { mesh, edges, errors: angleErrors(mesh), tightened };
+  const resisting = edgesOf(layout, chart?.delaunay?.resisting ?? []);
+  return { mesh, edges, errors: angleErrors(mesh), tightened, resisting };
+}
+
+/** Edges of the layout, as pairs of its vertices, that are `asked` for by vertices of the input. */
+function edgesOf({ indices, vertexMap }: Layout, asked: [number, number][]): Uint32Array {
+  const key = (a: number, b: number) => `${Math.min(a, b)} ${Math.max(a, b)}`;
+  const left = new Set(asked.map(([a, b]) => key(a, b)));
+  const found: number[] = [];
+  for (let h = 0; left.size > 0 && h < indices.length; ++h) {
+    const [a, b] = [indices[h], indices[h % 3 === 2 ? h - 2 : h + 1]];
+    if (left.delete(key(vertexMap[a], vertexMap[b]))) found.push(a, b);
+  }
+  return Uint32Array.from(found);
 }
 
 function pick(positions: Float64Array, vertexMap: Uint32Array): Float64Array {

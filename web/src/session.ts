@@ -6,23 +6,33 @@ import type { DisplayMesh } from './mesh';
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
 export type Source = { kind: 'sample'; name: string } | { kind: 'file'; name: string; file: File };
 
+/** What the user can ask of a layout. */
+export interface Settings {
+  t: Bound;
+  delaunay: boolean;
+}
+
+export function sameSettings(a: Settings, b: Settings): boolean {
+  return a.t === b.t && a.delaunay === b.delaunay;
+}
+
 export interface Outcome {
   source: Source;
-  t: Bound;
+  settings: Settings;
   result: FlattenResult;
   mesh: DisplayMesh;
 }
 
 export interface SessionEvents {
-  /** A mesh is being read, or flattened when `t` is given. */
-  started(source: Source, t: Bound | null): void;
+  /** A mesh is being read, or flattened when there are `settings`. */
+  started(source: Source, settings: Settings | null): void;
   progress(progress: Progress): void;
   /** A mesh was read; whether it can be flattened is not known yet. */
   opened(source: Source, mesh: DisplayMesh): void;
   flattened(outcome: Outcome): void;
   cancelled(): void;
-  /** `t` is null when the mesh could not be read. */
-  failed(source: Source, t: Bound | null, error: Error): void;
+  /** `settings` is null when the mesh could not be read. */
+  failed(source: Source, settings: Settings | null, error: Error): void;
 }
 
 interface Opened {
@@ -41,8 +51,8 @@ const SAMPLE_DETAIL = 2;
 export class Session {
   private opened: Opened | null = null;
   private running: AbortController | null = null;
-  /** The t to flatten with as soon as the run in flight ends. */
-  private next: Bound | null = null;
+  /** What to flatten with as soon as the run in flight ends. */
+  private next: Settings | null = null;
   private readonly background = new Background();
   private patience: ReturnType<typeof setTimeout> | undefined;
 
@@ -52,7 +62,7 @@ export class Session {
   ) {}
 
   /** Reads a mesh and flattens it. On failure the previous one stays. */
-  async open(source: Source, t: Bound): Promise<void> {
+  async open(source: Source, settings: Settings): Promise<void> {
     this.stop();
     const controller = this.begin();
     this.events.started(source, null);
@@ -66,16 +76,16 @@ export class Session {
       return;
     }
     this.running = null;
-    await this.run(this.next ?? t);
+    await this.run(this.next ?? settings);
   }
 
-  /** Flattens the mesh with another t: at once, or as soon as the run in flight ends or has used up our patience. */
-  flatten(t: Bound): void {
+  /** Flattens the mesh with other settings: at once, or as soon as the run in flight ends or has used up our patience. */
+  flatten(settings: Settings): void {
     if (!this.running) {
-      if (this.opened) void this.run(t);
+      if (this.opened) void this.run(settings);
       return;
     }
-    this.next = t;
+    this.next = settings;
     clearTimeout(this.patience);
     this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
   }
@@ -102,29 +112,29 @@ export class Session {
 
   private replaceRun(): void {
     if (!this.opened || this.next === null) return;
-    const t = this.next;
+    const settings = this.next;
     this.stop();
-    void this.run(t);
+    void this.run(settings);
   }
 
-  private async run(t: Bound): Promise<void> {
+  private async run(settings: Settings): Promise<void> {
     if (!this.opened) return;
     const { source, input, mesh } = this.opened;
     const controller = this.begin();
-    this.events.started(source, t);
+    this.events.started(source, settings);
     try {
       const abflat = await this.abflat;
       const result = await abflat.flatten(input, {
-        t,
+        ...settings,
         obj: true,
         signal: controller.signal,
         onProgress: (progress) => {
           if (controller === this.running) this.events.progress(progress);
         },
       });
-      this.end(controller, () => this.events.flattened({ source, t, result, mesh }));
+      this.end(controller, () => this.events.flattened({ source, settings, result, mesh }));
     } catch (error) {
-      this.end(controller, () => this.events.failed(source, t, toError(error)));
+      this.end(controller, () => this.events.failed(source, settings, toError(error)));
     }
   }
 

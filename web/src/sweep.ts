@@ -1,15 +1,15 @@
 import { type Abflat, AbflatError, type MeshInput, type Report } from 'abflat';
-import type { Bound } from './format';
+import type { Settings } from './session';
 
-/** The report of a layout with this t; null when t is too small for the mesh. */
+/** The report of a layout; null when t is too small for the mesh. */
 export async function flattenIfPossible(
   abflat: Abflat,
   input: MeshInput,
-  t: Bound,
+  settings: Settings,
   signal: AbortSignal,
 ): Promise<Report | null> {
   try {
-    return (await abflat.flatten(input, { t, signal })).report;
+    return (await abflat.flatten(input, { ...settings, signal })).report;
   } catch (error) {
     if (error instanceof AbflatError && error.code === 'InfeasibleBound') return null;
     throw error;

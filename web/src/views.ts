@@ -1,10 +1,10 @@
-import { element } from './dom';
+import { bindToggle, element } from './dom';
 import { LayoutView } from './layout-view';
-import { showMarksLegend } from './marks-legend';
+import { type Marked, showMarksLegend } from './marks-legend';
 import type { DisplayMesh } from './mesh';
 import { MeshView } from './mesh-view';
 import { readPalette } from './palette';
-import { meshPicture, outcomePicture } from './picture';
+import { type FlatPicture, meshPicture, outcomePicture } from './picture';
 import type { Outcome, Source } from './session';
 import { RAMP_MOST } from './shader-parts';
 
@@ -45,18 +45,14 @@ export class Views {
     const picture = outcomePicture(outcome);
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
+    this.showFlat(picture, outcome.result.report.charts[0], isNew);
+  }
+
+  /** Another layout of the mesh that is shown. */
+  showFlat(picture: FlatPicture, marked: Marked, isNew = false): void {
     // The point of view was chosen when the mesh was opened.
     this.mesh.show(picture, false);
     this.layout.show(picture, isNew);
-    showMarksLegend(outcome.result.report.charts[0]);
+    showMarksLegend(marked);
   }
-}
-
-function bindToggle(id: string, changed: (isOn: boolean) => void): void {
-  const button = element(id, HTMLButtonElement);
-  button.addEventListener('click', () => {
-    const isOn = button.getAttribute('aria-pressed') !== 'true';
-    button.setAttribute('aria-pressed', String(isOn));
-    changed(isOn);
-  });
 }

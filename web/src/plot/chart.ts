@@ -36,8 +36,9 @@ export class Chart {
     figure.append(this.caption, this.picture, hidden);
     this.picture.style.height = `${height}px`;
     this.picture.addEventListener('pointerleave', () => this.point(null));
-    this.picture.addEventListener('focusout', () => this.point(null));
-    this.picture.addEventListener('keydown', (event) => this.onKey(event));
+    // Not at the picture: Chromium would let Tab stop at it.
+    figure.addEventListener('focusout', () => this.point(null));
+    figure.addEventListener('keydown', (event) => this.onKey(event));
     new ResizeObserver(() => this.draw()).observe(this.picture);
   }
 

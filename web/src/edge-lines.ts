@@ -4,13 +4,14 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { perCorner } from './mesh';
 
-/** Boundary edges as lines of a width in css pixels. */
-export class BoundaryLines {
+/** Edges as lines of a width in css pixels. */
+export class EdgeLines {
   private readonly material: LineMaterial;
   readonly object: LineSegments2;
 
   constructor(width: number, depthTest: boolean) {
-    this.material = new LineMaterial({ linewidth: width, depthTest });
+    // Transparent only so that they are drawn after the translucent surface.
+    this.material = new LineMaterial({ linewidth: width, depthTest, transparent: true });
     this.object = new LineSegments2(new LineSegmentsGeometry(), this.material);
     this.object.frustumCulled = false;
     this.object.visible = false;
