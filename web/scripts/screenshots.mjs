@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Pictures of the page with a mesh in both themes, for the README.
-// Usage: screenshots.mjs MESH FOLDER   writes FOLDER/NAME-dark.png and FOLDER/NAME-light.png
+// Pictures of the page in both themes, for the README: with a mesh, and a sample with its distortion plotted against t.
+// Usage: screenshots.mjs MESH FOLDER   writes FOLDER/NAME-THEME.png and FOLDER/details-THEME.png
 
 import { existsSync, mkdirSync, renameSync, statSync } from 'node:fs';
 import { join, parse } from 'node:path';
@@ -13,6 +13,26 @@ const VIEWPORT = { width: 1200, height: 675 };
 
 /** Milliseconds; software rendering takes its time. */
 const PATIENCE = 120_000;
+
+async function save(page, output) {
+  // The pictures are drawn in the next frame.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+  const draft = `${output}.tmp`;
+  await page.screenshot({ path: draft, type: 'png', animations: 'disabled' });
+  renameSync(draft, output);
+  console.log(`${output}, ${Math.ceil(statSync(output).size / 1024)} KB`);
+}
+
+/** A sample that crosses itself unless some vertices are tightened. */
+async function plotAgainstT(page) {
+  await page.selectOption('#sample', 'alpha-band');
+  await page.waitForFunction(() => !document.body.ariaBusy);
+  await page.click('#details-toggle');
+  await page.click('#tab-sweep');
+  await page.click('#sweep');
+  await page.waitForFunction(() => document.querySelector('#sweep').textContent !== 'Stop');
+  await page.mouse.move(0, 0);
+}
 
 async function photograph(url, mesh, theme, output) {
   const browser = await launchBrowser({ colorScheme: theme, viewport: VIEWPORT });
@@ -27,11 +47,9 @@ async function photograph(url, mesh, theme, output) {
     );
     const refusal = await page.locator('#alert').innerText();
     if (refusal) throw new Failure(refusal);
-    // The pictures are drawn in the next frame.
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
-    const draft = `${output}.tmp`;
-    await page.screenshot({ path: draft, type: 'png', animations: 'disabled' });
-    renameSync(draft, output);
+    await save(page, output(parse(mesh).name));
+    await plotAgainstT(page);
+    await save(page, output('details'));
   } finally {
     await browser.close();
   }
@@ -45,9 +63,8 @@ await runMain(async () => {
   const server = await serveFolder(WEB_DIST);
   try {
     for (const theme of ['dark', 'light']) {
-      const output = join(folder, `${parse(mesh).name}-${theme}.png`);
+      const output = (name) => join(folder, `${name}-${theme}.png`);
       await photograph(server.url, mesh, theme, output);
-      console.log(`${output}, ${Math.ceil(statSync(output).size / 1024)} KB`);
     }
   } finally {
     server.close();

@@ -77,7 +77,7 @@ function methodRow(method: MethodResult, select: (method: MethodResult) => void)
   button.disabled = method.uv.length === 0;
   const [name, ...detail] = method.title.split(', ');
   button.append(
-    create('span', '', sentence(name)),
+    create('span', '', name === 'abflat' ? name : sentence(name)),
     create('span', 'method-detail', detail.join(', ')),
   );
   button.setAttribute('aria-label', method.title);

@@ -24,7 +24,7 @@ export class SweepTab {
     private readonly measure: (t: Bound, signal: AbortSignal) => Promise<Report | null>,
     private readonly choose: (t: Bound) => void,
   ) {
-    this.chart = new Chart(element('sweep-chart', HTMLElement), 240, (text) => {
+    this.chart = new Chart(element('sweep-chart', HTMLElement), 212, (text) => {
       this.readout.textContent = text ?? (this.points.length > 0 ? HINT : '');
     });
     this.button.addEventListener('click', () => {
