@@ -16,7 +16,7 @@ struct CholeskyOptions {
 };
 
 struct CholeskyStatus {
-  enum class Code : std::uint8_t { Ok, ZeroPivot, NegativePivot, NotFinite, OutOfMemory };
+  enum class Code : std::uint8_t { Ok, ZeroPivot, NegativePivot, NotFinite };
   Code code = Code::Ok;
   std::uint32_t column = 0;  ///< of the matrix, where a pivot fails
   double pivot = 0;
@@ -42,7 +42,7 @@ class Cholesky {
   std::uint32_t negativePivots() const { return negativePivots_; }
 
  private:
-  bool allocate();
+  void allocate();
   void assemble(std::uint32_t supernode, const double* values);
   CholeskyStatus failure(std::uint32_t supernode, const PivotFailure& failure) const;
 

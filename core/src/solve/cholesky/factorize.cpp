@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 #include "solve/cholesky/cholesky.h"
 
 namespace abflat {
 namespace {
 
+/// Lack of memory ends as it does for every container.
 std::unique_ptr<double[]> uninitialized(std::size_t count) {
-  return std::unique_ptr<double[]>(new (std::nothrow) double[std::max<std::size_t>(count, 1)]);
+  return std::unique_ptr<double[]>(new double[std::max<std::size_t>(count, 1)]);
 }
 
 /// Adds the columns [begin, end) of a child's update matrix to the parent. `target(j)` is the
@@ -28,25 +28,19 @@ struct Workspace {
   std::unique_ptr<double[]> stack[2], front;
   std::size_t used[2] = {0, 0};
 
-  bool allocate(const CholeskySymbolic& s) {
-    stack[0] = uninitialized(s.stackSize[0]);
-    stack[1] = uninitialized(s.stackSize[1]);
-    front = uninitialized(frontWorkspace(s.maxFrontRows));
-    return stack[0] && stack[1] && front;
-  }
+  explicit Workspace(const CholeskySymbolic& s)
+      : stack{uninitialized(s.stackSize[0]), uninitialized(s.stackSize[1])},
+        front(uninitialized(frontWorkspace(s.maxFrontRows))) {}
 };
 
 }  // namespace
 
-bool Cholesky::allocate() {
+void Cholesky::allocate() {
   const CholeskySymbolic& s = *symbolic_;
-  if (factor_) return true;
-  std::unique_ptr<double[]> factor = uninitialized(s.panelBegin.back());
+  if (factor_) return;
   sign_ = uninitialized(s.size);
   leastPivot_ = uninitialized(s.size);
-  if (!factor || !sign_ || !leastPivot_) return false;
-  factor_ = std::move(factor);
-  return true;
+  factor_ = uninitialized(s.panelBegin.back());
 }
 
 void Cholesky::assemble(std::uint32_t p, const double* values) {
@@ -76,8 +70,8 @@ CholeskyStatus Cholesky::failure(std::uint32_t p, const PivotFailure& f) const {
 
 CholeskyStatus Cholesky::factorize(const double* values) {
   const CholeskySymbolic& s = *symbolic_;
-  Workspace work;
-  if (!allocate() || !work.allocate(s)) return {CholeskyStatus::Code::OutOfMemory};
+  allocate();
+  Workspace work(s);
   std::vector<std::uint32_t> children;  // finished supernodes without parent yet; a stack
   for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
     assemble(p, values);
