@@ -54,6 +54,8 @@ test('convergence: every step has its values, which are read out', async (t) => 
   assert.match(await textOf(page, '#solver-summary'), /^Active set.*converged to/);
 
   const columns = page.locator('#residual-chart .chart-column');
+  // Drawn in the frame after the pane has opened.
+  await columns.first().waitFor({ state: 'attached' });
   assert.equal(await columns.count(), rows.length);
   await columns.nth(1).hover();
   assert.match(await textOf(page, '#solver-readout'), /^Step 2: /);

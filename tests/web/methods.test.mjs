@@ -35,13 +35,14 @@ test('Delaunay changes the layout, says what it costs, and can be taken back', a
   assert.equal(await page.getAttribute('#delaunay', 'aria-pressed'), 'true');
   const after = await metrics(page);
   const [from, to] = (await textOf(page, '#marks'))
-    .match(/angular distortion (\S+) → (\S+)/)
+    .match(/^Delaunay: distortion (\S+) → (\S+)$/)
     .slice(1);
   assert.equal(from, before['Angular distortion']);
   assert.equal(to, after['Angular distortion']);
   assert.ok(Number(to) > Number(from), 'a condition more costs distortion');
   assert.notDeepEqual(await picture(page, '#layout-canvas'), plain);
   await page.click('#notes-button');
+  assert.match(await textOf(page, '#active-chart'), /Inner edges/);
   assert.match(await textOf(page, '#notes'), /^Edges that are not Delaunay: [1-9]\d* of .*, 0 now/);
   await page.click('#details-close');
 

@@ -28,20 +28,24 @@ export function residualChart(history: NewtonStep[]): ChartSpec {
   };
 }
 
-/** How many boundary vertices each step holds at their bound. */
+/** How many boundary vertices, and with the Delaunay condition inner edges, each step holds at their bound. */
 export function activeSetChart(history: NewtonStep[]): ChartSpec {
-  const most = history.reduce((high, { active }) => Math.max(high, active), 0);
+  const series = [line('Boundary vertices', 'first', history, ({ active }) => active)];
+  if (history.some(({ activeEdges }) => activeEdges > 0))
+    series.push(line('Inner edges', 'second', history, ({ activeEdges }) => activeEdges));
+  const values = series.map(({ marks }) => marks.map(({ y }) => y));
+  const most = values.flat().reduce((high, value) => Math.max(high, value), 2);
   return {
     title: 'Active set',
-    description: 'How many boundary vertices each step of the solver holds at their bound.',
+    description: 'How many boundary vertices and inner edges each step holds at their bound.',
     xName: 'Step',
     x: stepScale(history.length),
-    y: linearScale(Math.max(2, most), 2),
-    series: [line('Vertices at their bound', 'first', history, (step) => step.active)],
+    y: linearScale(most, 2),
+    series,
     columns: columns(history),
     table: {
-      head: ['Step', 'Vertices at their bound'],
-      rows: history.map(({ active }, i) => [String(i + 1), count(active)]),
+      head: ['Step', ...series.map(({ name }) => name)],
+      rows: history.map((_, i) => [String(i + 1), ...values.map((each) => count(each[i]))]),
     },
   };
 }
@@ -57,9 +61,11 @@ function line(
 }
 
 function columns(history: NewtonStep[]): Column[] {
-  return history.map(({ constraint, gradient, active }, i) => ({
+  return history.map(({ constraint, gradient, active, activeEdges }, i) => ({
     x: i + 1,
-    text: `Step ${i + 1}: constraint ${measure(constraint)}, gradient ${measure(gradient)}, ${count(active)} at their bound`,
+    text: `Step ${i + 1}: constraint ${measure(constraint)}, gradient ${measure(gradient)}, ${count(active)}${
+      activeEdges > 0 ? ` + ${count(activeEdges)}` : ''
+    } at their bound`,
   }));
 }
 

@@ -36,5 +36,5 @@ function delaunayLine(
   if (resisting.length > 0)
     return ['line', `${counted(resisting.length, 'edge resists', 'edges resist')} Delaunay`];
   const change = `${measure(angularDistortionBefore)} \u2192 ${measure(angularDistortion)}`;
-  return ['edge', `Delaunay, angular distortion ${change}`];
+  return ['edge', `Delaunay: distortion ${change}`];
 }
