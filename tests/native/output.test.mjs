@@ -197,7 +197,7 @@ test('a shell sees 143 for a run that was ended', (t) => {
 
 test('lack of memory ends with exit code 4 and a sentence', async (t) => {
   const at = tempFolder(t);
-  writeFileSync(at('in.obj'), grid(150));
+  writeFileSync(at('in.obj'), grid(300));
   const wrapper = ['sh', '-c', 'ulimit -v 60000; exec "$@"', 'sh'];
   const probe = await runAbflat(['--version'], { wrapper });
   if (probe.code !== 0) return t.skip('the program cannot start with little memory (sanitizers?)');

@@ -180,6 +180,9 @@ test('nothing moves while t is dragged', async (t) => {
         ),
       ].map((element) => JSON.stringify(element.getBoundingClientRect())),
     );
+  // The pictures get their size in the frame after that of the pane.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+  await settled(page);
   const before = await places();
   await page.focus('#t');
   for (let i = 0; i < 20; i++) {
