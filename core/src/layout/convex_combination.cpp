@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "angle/constants.h"
-#include "layout/sparse_assembly.h"
 #include "mesh/triangle_geometry.h"
+#include "sparse_assembly.h"
 
 namespace abflat {
 namespace {

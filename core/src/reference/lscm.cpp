@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "layout/sparse_assembly.h"
 #include "mesh/triangle_geometry.h"
 #include "reference/corner_angles.h"
+#include "sparse_assembly.h"
 
 namespace abflat {
 namespace {

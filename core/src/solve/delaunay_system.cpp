@@ -99,8 +99,7 @@ void DelaunaySystem::assemble(const NewtonPoint& at) {
     entries_.emplace_back(r, r, softness);
     rhs_[r] += at.lin.edgeResidual[i] + softness * at.multipliers.edge[i];
   }
-  matrix_.resize(count_, count_);
-  matrix_.setFromTriplets(entries_.begin(), entries_.end());
+  matrix_ = assembled(count_, entries_);
 }
 
 void DelaunaySystem::backSubstitute(const NewtonPoint& at, std::vector<double>& dx,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solve/newton_step_solver.h"
+#include "sparse_assembly.h"
 
 namespace abflat {
 
@@ -32,7 +33,7 @@ class DelaunaySystem : public NewtonStepSolver {
   ConstraintRows rows_;
   std::vector<std::uint32_t> rowOfEdge_;  ///< kNone when inactive
   std::uint32_t count_ = 0;
-  std::vector<Eigen::Triplet<double>> entries_;
+  SparseEntries entries_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd rhs_;
   std::pair<Flags, Flags> analyzedFor_;  ///< active vertices and edges the pattern belongs to
