@@ -6,12 +6,19 @@
 #include <map>
 #include <random>
 
+#include "abflat/samples.h"
 #include "angle/angle_problem.h"
 #include "chart/disk_chart.h"
 #include "mesh/surface.h"
 #include "solve/schur_system.h"
 
 namespace abflat::bench {
+namespace {
+
+/// Largest shift of a coordinate, in mean edges.
+constexpr double kNoise = 0.15;
+
+}  // namespace
 
 PolygonMesh noisyCap(unsigned faces) {
   const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(faces / 2.0)));
@@ -35,6 +42,27 @@ PolygonMesh noisyCap(unsigned faces) {
         triangles.insert(triangles.end(), {a, b, d, b, c, d});
     }
   return makeTriangleMesh(positions, triangles);
+}
+
+PolygonMesh noisyHead(unsigned faces) {
+  PolygonMesh (*make)(double) = nullptr;
+  for (const Sample& sample : samples())
+    if (sample.name == "head") make = sample.make;
+  const auto coarse = static_cast<double>(make(1).faceCount());
+  const double detail = std::max(kMinSampleDetail, faces / coarse);
+  PolygonMesh mesh = make(detail);
+  double edges = 0;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const std::uint32_t* v = &mesh.faceVertices[mesh.faceOffsets[f]];
+    const Eigen::Vector3d a(&mesh.positions[3 * v[0]]), b(&mesh.positions[3 * v[1]]);
+    edges += (b - a).norm();
+  }
+  const double amplitude = kNoise * edges / static_cast<double>(mesh.faceCount());
+  // The raw bits, because distributions differ between standard libraries.
+  std::mt19937 random(11);
+  for (double& x : mesh.positions)
+    x += amplitude * (static_cast<double>(random()) / 2147483648.0 - 1);
+  return mesh;
 }
 
 PolygonMesh subdivided(const PolygonMesh& mesh) {

@@ -10,6 +10,9 @@ namespace abflat::bench {
 /// Rectangle of about `faces` triangles on a sphere, with noise in all coordinates.
 PolygonMesh noisyCap(unsigned faces);
 
+/// The sample "head" with about `faces` triangles and deterministic noise in all coordinates.
+PolygonMesh noisyHead(unsigned faces);
+
 /// Each triangle becomes four.
 PolygonMesh subdivided(const PolygonMesh& mesh);
 

@@ -3,9 +3,7 @@
 //
 //   abflat_cholesky_bench [--repeat N] [--no-eigen] WHAT...
 //   WHAT: a number of faces of a generated mesh, or FILE or FILE+N, subdivided N times
-#include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -14,140 +12,31 @@
 
 #include "abflat/io.h"
 #include "bench_matrices.h"
-#include "solve/cholesky/cholesky.h"
-#ifdef ABFLAT_BENCH_CHOLMOD
-#include <cholmod.h>
-#endif
+#include "factor_rows.h"
 
 using namespace abflat;
-using SparseMatrix = Eigen::SparseMatrix<double>;
+using bench::FactorRow, bench::SparseMatrix;
 
 namespace {
 
-struct Row {
-  double analyze = 0, numeric = 0, solve = 0;  ///< seconds
-  double entries = 0, flops = 0, residual = 0;
-};
-
-template <typename Work>
-double seconds(int repeat, Work&& work) {
-  std::vector<double> times;
-  for (int i = 0; i < repeat; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    times.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
-}
-
-double residual(const SparseMatrix& m, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
-  return (m.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
-}
-
-void print(const char* solver, const Row& r, const Row& reference) {
+void print(const char* solver, const FactorRow& r, const FactorRow& reference) {
   std::printf("  %-12s %9.4f %9.4f %9.4f %8.2f %8.2f %9.1e %7.2f %7.2f\n", solver, r.analyze,
               r.numeric, r.solve, r.entries / 1e6, r.flops / 1e9, r.residual,
-              r.numeric / reference.numeric,
-              (r.analyze + r.numeric + r.solve) /
-                  (reference.analyze + reference.numeric + reference.solve));
+              r.numeric / reference.numeric, r.all() / reference.all());
 }
-
-Row runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, SimdWidth width, int repeat) {
-  Row row;
-  std::shared_ptr<const CholeskySymbolic> symbolic;
-  row.analyze = seconds(repeat, [&] {
-    symbolic = std::make_shared<const CholeskySymbolic>(analyzePattern(
-        {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}));
-  });
-  CholeskyOptions options;
-  options.simd = width;
-  Cholesky factor(symbolic, options);
-  CholeskyStatus status;
-  row.numeric = seconds(repeat, [&] { status = factor.factorize(m.valuePtr()); });
-  if (!status.isOk()) std::printf("  failed at column %u\n", status.column);
-  Eigen::VectorXd x;
-  row.solve = seconds(repeat, [&] {
-    x = b;
-    factor.solve(x.data());
-  });
-  row.entries = static_cast<double>(symbolic->factorEntries);
-  row.flops = symbolic->flops;
-  row.residual = residual(m, x, b);
-  return row;
-}
-
-Row runEigen(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat) {
-  Row row;
-  Eigen::SimplicialLDLT<SparseMatrix> factor;
-  Eigen::VectorXd x;
-  row.analyze = seconds(1, [&] { factor.analyzePattern(m); });
-  row.numeric = seconds(repeat, [&] { factor.factorize(m); });
-  row.solve = seconds(repeat, [&] { x = factor.solve(b); });
-  const SparseMatrix& l = factor.matrixL().nestedExpression();
-  row.entries = static_cast<double>(l.nonZeros() + l.rows());
-  for (int c = 0; c < l.outerSize(); ++c) {
-    const double count = l.outerIndexPtr()[c + 1] - l.outerIndexPtr()[c] + 1;
-    row.flops += count * count;
-  }
-  row.residual = residual(m, x, b);
-  return row;
-}
-
-#ifdef ABFLAT_BENCH_CHOLMOD
-Row runCholmod(SparseMatrix m, Eigen::VectorXd b, int repeat) {
-  Row row;
-  cholmod_common common;
-  cholmod_start(&common);
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_METIS;
-  common.supernodal = CHOLMOD_SUPERNODAL;
-  cholmod_sparse a{};
-  a.nrow = a.ncol = static_cast<std::size_t>(m.rows());
-  a.nzmax = static_cast<std::size_t>(m.nonZeros());
-  a.p = m.outerIndexPtr();
-  a.i = m.innerIndexPtr();
-  a.x = m.valuePtr();
-  a.stype = -1;
-  a.itype = CHOLMOD_INT;
-  a.xtype = CHOLMOD_REAL;
-  a.sorted = a.packed = 1;
-  cholmod_dense rhs{};
-  rhs.nrow = rhs.nzmax = rhs.d = a.nrow;
-  rhs.ncol = 1;
-  rhs.x = b.data();
-  rhs.xtype = CHOLMOD_REAL;
-  cholmod_factor* factor = nullptr;
-  row.analyze = seconds(1, [&] { factor = cholmod_analyze(&a, &common); });
-  row.entries = common.lnz;
-  row.flops = common.fl;
-  row.numeric = seconds(repeat, [&] { cholmod_factorize(&a, factor, &common); });
-  Eigen::VectorXd x(m.rows());
-  row.solve = seconds(repeat, [&] {
-    cholmod_dense* solved = cholmod_solve(CHOLMOD_A, factor, &rhs, &common);
-    std::copy_n(static_cast<double*>(solved->x), m.rows(), x.data());
-    cholmod_free_dense(&solved, &common);
-  });
-  row.residual = residual(m, x, b);
-  cholmod_free_factor(&factor, &common);
-  cholmod_finish(&common);
-  return row;
-}
-#endif
 
 void compare(const SparseMatrix& m, const char* kind, int repeat, bool withEigen) {
   std::printf(" %s, %ld rows\n", kind, static_cast<long>(m.rows()));
   std::srand(1);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(m.rows());
-  const Row own = runOwn(m, b, widestSimd(), repeat);
+  const FactorRow own = bench::runOwn(m, b, repeat);
   print("own", own, own);
   if (widestSimd() != SimdWidth::Two)
-    print("own, 2 lanes", runOwn(m, b, SimdWidth::Two, repeat), own);
+    print("own, 2 lanes", bench::runOwn(m, b, repeat, SimdWidth::Two), own);
 #ifdef ABFLAT_BENCH_CHOLMOD
-  print("CHOLMOD", runCholmod(m, b, repeat), own);
+  print("CHOLMOD", bench::runCholmod(m, b, repeat), own);
 #endif
-  if (withEigen) print("Eigen", runEigen(m, b, repeat), own);
+  if (withEigen) print("Eigen", bench::runEigenLdlt(m, b, repeat), own);
   std::fflush(stdout);
 }
 

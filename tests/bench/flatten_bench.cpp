@@ -1,0 +1,176 @@
+// One mesh from file to file, and the yardsticks on the same mesh, as one line of JSON. npm run
+// bench runs it once per size, so that the peak of memory is that size's own.
+//
+//   abflat_flatten_bench make FACES FILE.obj         the generated head
+//   abflat_flatten_bench subdivide IN N FILE.obj     N times one to four
+//   abflat_flatten_bench run FILE.obj T REPEAT       medians of REPEAT runs
+//   abflat_flatten_bench plain FILE.obj T REPEAT     the same without the yardsticks
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+#include "abflat/flatten.h"
+#include "abflat/io.h"
+#include "bench_matrices.h"
+#include "factor_rows.h"
+#include "stopwatch.h"
+
+using namespace abflat;
+
+namespace {
+
+/// Relative, in the norm of the right-hand side: far above rounding, far below a wrong answer.
+constexpr double kYardstickResidual = 1e-8;
+
+/// Of this process so far, MB; NaN where the system does not tell.
+double peakMemory() {
+#if defined(__APPLE__)
+  constexpr double kUnit = 1;
+#elif defined(__unix__)
+  constexpr double kUnit = 1024;
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) == 0)
+    return kUnit * static_cast<double>(usage.ru_maxrss) / 1e6;
+#endif
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool readObj(const std::string& path, std::string& bytes, PolygonMesh& mesh) {
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  if (in) {
+    bytes.resize(static_cast<std::size_t>(in.tellg()));
+    in.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
+  Result<PolygonMesh> read =
+      in ? readMesh(bytes, MeshFormat::Obj, path)
+         : Status{StatusCode::UnreadableFile, path + " cannot be opened; check its name"};
+  if (!read.ok()) std::fprintf(stderr, "%s\n", read.status.message.c_str());
+  mesh = std::move(read.value);
+  return read.ok();
+}
+
+bool writeText(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) std::fprintf(stderr, "%s cannot be written\n", path.c_str());
+  return static_cast<bool>(out);
+}
+
+/// One run as the command line program does it; false when there is no layout.
+bool runOnce(const std::string& path, double t, Report& report, PolygonMesh& mesh) {
+  Stopwatch watch;
+  std::string bytes;
+  if (!readObj(path, bytes, mesh)) return false;
+  const double read = watch.lap();
+  FlattenOptions options;
+  options.t = t;
+  Result<FlattenResult> flat = flatten(mesh, options);
+  if (!flat.ok()) {
+    std::fprintf(stderr, "%s: %s\n", path.c_str(), flat.status.message.c_str());
+    return false;
+  }
+  report = std::move(flat.value.report);
+  report.timings.read = read;
+  watch.lap();
+  const std::string target = path + ".layout";
+  const bool written = writeText(target, writeObj(mesh, flat.value.uv, flat.value.cornerUv, bytes));
+  report.timings.write = watch.lap();
+  std::remove(target.c_str());
+  return written;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double medianOf(const std::vector<Report>& runs, double Timings::*stage) {
+  std::vector<double> values;
+  for (const Report& run : runs) values.push_back(run.timings.*stage);
+  return median(std::move(values));
+}
+
+/// False when one of them did not solve its system.
+bool printYardsticks(const PolygonMesh& mesh, int repeat) {
+  const bench::SparseMatrix laplacian = bench::cotangentLaplacian(mesh);
+  std::srand(1);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(laplacian.rows());
+  bool isSolved = true;
+  const auto print = [&](const char* name, const bench::FactorRow& row) {
+    if (!(row.residual < kYardstickResidual)) isSolved = false;
+    std::printf(", \"%s\": %.6g, \"%sNumeric\": %.6g", name, row.all(), name, row.numeric);
+  };
+#ifdef ABFLAT_BENCH_CHOLMOD
+  print("u", bench::runCholmod(laplacian, b, repeat));
+#endif
+  print("e", bench::runEigenLlt(laplacian, b, repeat));
+  print("own", bench::runOwn(laplacian, b, repeat));
+  if (!isSolved) std::fputs("a yardstick did not solve its system\n", stderr);
+  return isSolved;
+}
+
+bool run(const std::string& path, double t, int repeat, bool withYardsticks) {
+  std::vector<Report> runs(static_cast<std::size_t>(std::max(1, repeat)));
+  PolygonMesh mesh;
+  for (Report& report : runs)
+    if (!runOnce(path, t, report, mesh)) return false;
+  const ChartReport& chart = runs.back().charts.front();
+  const double memory = peakMemory();
+  double linear = 0;
+  for (const NewtonStep& step : chart.history) linear += step.linearSeconds;
+  std::printf("{\"faces\": %zu, \"vertices\": %zu, \"t\": %g, \"repeat\": %zu", chart.faces,
+              runs.back().input.vertices, chart.t, runs.size());
+  const std::pair<const char*, double Timings::*> stages[] = {
+      {"read", &Timings::read},   {"connectivity", &Timings::connectivity},
+      {"solve", &Timings::solve}, {"layout", &Timings::layout},
+      {"check", &Timings::check}, {"write", &Timings::write}};
+  for (const auto& [name, stage] : stages)
+    std::printf(", \"%s\": %.6g", name, medianOf(runs, stage));
+  std::printf(", \"linear\": %.6g, \"iterations\": %d, \"residual\": %.3g", linear,
+              chart.iterations, chart.constraintResidual);
+  std::printf(", \"fallbacks\": %zu, \"valid\": %s", chart.fallbacks.size(),
+              runs.back().valid && chart.converged ? "true" : "false");
+  if (std::isfinite(memory)) std::printf(", \"memoryMB\": %.1f", memory);
+  const bool isSolved = !withYardsticks || printYardsticks(mesh, repeat);
+  std::printf(", \"compiler\": \"%s\"}\n", ABFLAT_COMPILER);
+  return isSolved;
+}
+
+bool subdivideFile(const std::string& from, int times, const std::string& to) {
+  std::string bytes;
+  PolygonMesh mesh;
+  if (!readObj(from, bytes, mesh)) return false;
+  for (int i = 0; i < times; ++i) mesh = bench::subdivided(mesh);
+  return writeText(to, writeObj(mesh, {}, {}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> args(argv + 1, argv + argc);
+  const std::string what = args.empty() ? "" : args[0];
+  if (what == "make" && args.size() == 3) {
+    const PolygonMesh mesh =
+        bench::noisyHead(static_cast<unsigned>(std::strtoul(args[1].c_str(), nullptr, 10)));
+    return writeText(args[2], writeObj(mesh, {}, {})) ? 0 : 1;
+  }
+  if (what == "subdivide" && args.size() == 4)
+    return subdivideFile(args[1], std::atoi(args[2].c_str()), args[3]) ? 0 : 1;
+  if ((what == "run" || what == "plain") && args.size() == 4)
+    return run(args[1], std::atof(args[2].c_str()), std::atoi(args[3].c_str()), what == "run") ? 0
+                                                                                               : 1;
+  std::fputs(
+      "usage: make FACES OUT | subdivide IN N OUT | run FILE T REPEAT | plain FILE T REPEAT\n",
+      stderr);
+  return 2;
+}
