@@ -24,7 +24,7 @@ const RECORDED = join(ROOT, 'tests/bench/recorded.json');
 
 const KEYS = [
   ...['mesh', 'faces', 't', 'repeat', ...STAGES, 'call', 'iterations', 'residual', 'valid'],
-  ...['memoryMB', 'nativeSolve', 'nativeTotal', 'node'],
+  ...['memoryMB', 'nativeSolve', 'nativeTotal', 'drift', 'node'],
 ];
 
 const COLUMNS = [
@@ -40,6 +40,7 @@ const COLUMNS = [
   ['native solve/s', 'nativeSolve', 3],
   ['solve ratio', (row) => row.solve / row.nativeSolve, 2],
   ['total ratio', (row) => totalOf(row) / row.nativeTotal, 2],
+  ['drift', 'drift', 2],
 ];
 
 const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -88,10 +89,19 @@ async function measure(mesh, { t, repeatFor }) {
   const path = await mesh.make();
   const args = [path, String(t), String(repeatFor(mesh.faces))];
   const self = fileURLToPath(import.meta.url);
-  const native = await jsonOf(mesh.name, PROGRAM, ['plain', ...args]);
+  const natively = () => jsonOf(mesh.name, PROGRAM, ['plain', ...args]);
+  // Before and after, so that a machine that gets busy meanwhile shows.
+  const before = await natively();
   const wasm = await jsonOf(mesh.name, process.execPath, [self, 'one', ...args]);
+  const after = await natively();
   rmSync(path);
-  return { mesh: mesh.name, ...wasm, nativeSolve: native.solve, nativeTotal: totalOf(native) };
+  return {
+    mesh: mesh.name,
+    ...wasm,
+    nativeSolve: (before.solve + after.solve) / 2,
+    nativeTotal: (totalOf(before) + totalOf(after)) / 2,
+    drift: after.solve / before.solve,
+  };
 }
 
 async function main() {
@@ -106,6 +116,9 @@ async function main() {
   }
   console.log('');
   printTable(COLUMNS, rows);
+  console.log(
+    '\ndrift: native solve after the wasm run over before; ratios count where it is near 1',
+  );
   const heads = rows.filter((row) => row.mesh.startsWith('head-'));
   if (heads.length > 1)
     console.log(

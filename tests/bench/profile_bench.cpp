@@ -1,0 +1,146 @@
+// Where the time of one mesh goes, stage by stage and within a Newton step, and how many iterations
+// conjugate gradients would take in place of a factorisation.
+//
+//   abflat_profile_bench FILE.obj [T]
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "abflat/io.h"
+#include "angle/angle_problem.h"
+#include "chart/disk_chart.h"
+#include "check/crossings.h"
+#include "check/distortion.h"
+#include "check/validity.h"
+#include "layout/layout.h"
+#include "mesh/surface.h"
+#include "solve/angle_solver.h"
+#include "solve/cholesky/cholesky.h"
+#include "solve/schur_system.h"
+#include "stopwatch.h"
+
+using namespace abflat;
+
+namespace {
+
+void tell(const char* what, Stopwatch& watch) {
+  std::printf("  %-44s %9.4f s\n", what, watch.lap());
+  watch.lap();
+}
+
+/// Iterations of conjugate gradients, preconditioned by a factor of another matrix, until the
+/// residual is `share` of the right-hand side; `limit` when they are not enough.
+int conjugateGradients(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
+                       const Cholesky& factor, double share, int limit) {
+  const auto a = lower.selfadjointView<Eigen::Lower>();
+  Eigen::VectorXd r = b, z = r, q;
+  factor.solve(z.data());
+  Eigen::VectorXd p = z;
+  double rz = r.dot(z);
+  for (int k = 1; k <= limit; ++k) {
+    q = a * p;
+    const double step = rz / p.dot(q);
+    r -= step * q;
+    if (r.norm() <= share * b.norm()) return k;
+    z = r;
+    factor.solve(z.data());
+    const double next = r.dot(z);
+    p = z + next / rz * p;
+    rz = next;
+  }
+  return limit;
+}
+
+void profileSystem(const AngleProblem& problem, const AngleSolution& solution) {
+  Stopwatch watch;
+  const ConstraintRows rows = numberRows(problem);
+  SchurSystem schur(problem, rows);
+  tell("pattern and scatter of the system", watch);
+  const Eigen::SparseMatrix<double>& m = schur.matrix();
+  const LowerPattern pattern{rows.count(), m.outerIndexPtr(), m.innerIndexPtr()};
+  const CompressedGraph graph = compressGraph(pattern);
+  tell("ordering: graph of the pattern", watch);
+  nestedDissection(graph.graph, {});
+  tell("ordering: nested dissection", watch);
+  const auto symbolic = std::make_shared<const CholeskySymbolic>(analyzePattern(pattern));
+  tell("whole analysis, ordering included", watch);
+  Linearization lin;
+  linearize(problem, rows, problem.target, std::vector<double>(rows.count(), 0.0), lin,
+            Curvature::Clamped);
+  tell("linearize, one step", watch);
+  const std::vector<std::uint8_t> none(problem.isBoundary.size(), 0);
+  schur.assemble(lin, none);
+  tell("assemble, one step", watch);
+  Cholesky factor(symbolic);
+  const bool isFactored = factor.factorize(m.valuePtr()).isOk();
+  tell("numeric factorisation, first (allocates)", watch);
+  if (!isFactored || !factor.factorize(m.valuePtr()).isOk()) return;
+  tell("numeric factorisation, further", watch);
+  std::vector<double> x(schur.rightHandSide().begin(), schur.rightHandSide().end());
+  factor.solve(x.data());
+  tell("substitution, one right-hand side", watch);
+  const Eigen::VectorXd product = m.selfadjointView<Eigen::Lower>() * schur.rightHandSide();
+  tell("matrix times vector", watch);
+  Multipliers multipliers;
+  std::vector<double> dx;
+  schur.backSubstitute(lin, x, dx, multipliers.triangle);
+  tell("angles from the rows", watch);
+  linearize(problem, rows, solution.angles, solution.multipliers.row, lin, Curvature::Exact);
+  schur.assemble(lin, none);
+  for (const double share : {1e-2, 1e-4, 1e-8})
+    std::printf("  conjugate gradients at the solution, factor of the first step, to %g: %d\n",
+                share, conjugateGradients(m, product, factor, share, 200));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fputs("usage: abflat_profile_bench FILE.obj [T]\n", stderr);
+    return 2;
+  }
+  Stopwatch watch;
+  std::ifstream in(argv[1], std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  watch.lap();
+  Result<PolygonMesh> mesh = readMesh(bytes, MeshFormat::Obj, argv[1]);
+  if (!in || !mesh.ok()) {
+    std::fprintf(stderr, "%s cannot be read\n", argv[1]);
+    return 1;
+  }
+  tell("parse", watch);
+  const Surface surface = buildSurface(mesh.value);
+  tell("connectivity and verdict", watch);
+  if (!surface.summary.disk.ok()) {
+    std::fprintf(stderr, "%s\n", surface.summary.disk.message.c_str());
+    return 1;
+  }
+  const DiskChart chart = makeDiskChart(mesh.value, surface);
+  tell("chart", watch);
+  AngleProblem problem = buildAngleProblem(chart);
+  setBounds(problem, chart,
+            std::vector<double>(chart.boundary.size(), argc > 2 ? std::atof(argv[2]) : 2.0));
+  tell("angle problem", watch);
+  AngleSolver solver(problem, {});
+  tell("solver: pattern and analysis", watch);
+  const AngleSolution solution = solver.solve(nullptr);
+  double linear = 0;
+  for (const NewtonStep& step : solution.history) linear += step.linearSeconds;
+  std::printf("  %zu steps, %.4f s of them in the linear system\n", solution.history.size(),
+              linear);
+  tell("solver: all steps", watch);
+  const std::vector<double> uv = layOut(chart, solution.angles);
+  tell("layout", watch);
+  const Validity validity = checkValidity(chart, uv);
+  tell(validity.valid() ? "validity: valid" : "validity: NOT valid", watch);
+  std::vector<double> outline;
+  for (const std::uint32_t v : chart.boundary)
+    outline.insert(outline.end(), {uv[2 * v], uv[2 * v + 1]});
+  findCrossings(outline);
+  tell("  of it crossings of the boundary", watch);
+  measureDistortion(chart, uv);
+  tell("distortion, once", watch);
+  profileSystem(problem, solution);
+  return 0;
+}
