@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstring>
@@ -25,8 +26,10 @@ extern "C" void removeAndEnd(int signal) {
   raise(signal);
 }
 
+constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
 void watchSignals() {
-  for (int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (int signal : kEndingSignals) {
     struct sigaction action {};
     // A signal that was ignored from the start (nohup) stays ignored.
     if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) {
@@ -37,6 +40,19 @@ void watchSignals() {
 }
 
 }  // namespace
+
+SignalPause::SignalPause() {
+  sigset_t paused;
+  sigemptyset(&paused);
+  for (int signal : kEndingSignals) sigaddset(&paused, signal);
+  pthread_sigmask(SIG_BLOCK, &paused, &before_);
+}
+
+SignalPause::~SignalPause() {
+  const int error = errno;
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  errno = error;
+}
 
 void removeOnSignal(const std::string& path) {
   if (path.size() >= PATH_MAX) return;  // no such file can be opened

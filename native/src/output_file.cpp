@@ -105,6 +105,7 @@ Status OutputFile::writeDirectly(std::string_view bytes) const {
 
 /// -1 and errno on failure. Not mkstemp: a new file gets the permissions that umask asks for.
 int OutputFile::openTemporary() {
+  const SignalPause pause;
   for (int i = 0; i < kMaxNames; ++i) {
     const std::string name =
         ".abflat-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".tmp";
