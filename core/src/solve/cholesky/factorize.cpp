@@ -6,55 +6,55 @@
 namespace abflat {
 namespace {
 
-/// Lack of memory ends as it does for every container.
-std::unique_ptr<double[]> uninitialized(std::size_t count) {
-  return std::unique_ptr<double[]>(new double[std::max<std::size_t>(count, 1)]);
-}
-
 /// Adds the columns [begin, end) of a child's update matrix to the parent. `target(j)` is the
 /// column of the parent's front, shifted so that it can be indexed by rows of the front.
-template <typename Target>
-void extendAdd(const double* update, std::size_t size, const std::uint32_t* row, std::size_t begin,
+template <typename Scalar, typename Target>
+void extendAdd(const Scalar* update, std::size_t size, const std::uint32_t* row, std::size_t begin,
                std::size_t end, Target&& target) {
   for (std::size_t j = begin; j < end; ++j) {
-    double* const to = target(row[j]);
-    const double* const from = update + j * size;
+    Scalar* const to = target(row[j]);
+    const Scalar* const from = update + j * size;
     for (std::size_t i = j; i < size; ++i) to[row[i]] += from[i];
   }
 }
 
 /// The two stacks of update matrices, and what a thread needs besides.
+template <typename Scalar>
 struct Workspace {
-  std::unique_ptr<double[]> stack[2], front;
+  LargeBuffer<Scalar> stack[2], front;
   std::size_t used[2] = {0, 0};
 
   explicit Workspace(const CholeskySymbolic& s)
-      : stack{uninitialized(s.stackSize[0]), uninitialized(s.stackSize[1])},
-        front(uninitialized(frontWorkspace(s.maxFrontRows))) {}
+      : stack{largeBuffer<Scalar>(s.stackSize[0]), largeBuffer<Scalar>(s.stackSize[1])},
+        front(largeBuffer<Scalar>(frontWorkspace(s.maxFrontRows))) {}
 };
 
 }  // namespace
 
-void Cholesky::allocate() {
+template <typename Scalar>
+void BasicCholesky<Scalar>::allocate() {
   const CholeskySymbolic& s = *symbolic_;
   if (factor_) return;
-  sign_ = uninitialized(s.size);
-  leastPivot_ = uninitialized(s.size);
-  factor_ = uninitialized(s.panelBegin.back());
+  sign_ = largeBuffer<Scalar>(s.size);
+  leastPivot_ = largeBuffer<Scalar>(s.size);
+  factor_ = largeBuffer<Scalar>(s.panelBegin.back());
 }
 
-void Cholesky::assemble(std::uint32_t p, const double* values) {
+template <typename Scalar>
+void BasicCholesky<Scalar>::assemble(std::uint32_t p, const double* values) {
   const CholeskySymbolic& s = *symbolic_;
-  double* const panel = factor_.get() + s.panelBegin[p];
-  std::fill(panel, factor_.get() + s.panelBegin[p + 1], 0.0);
+  Scalar* const panel = factor_.get() + s.panelBegin[p];
+  std::fill(panel, factor_.get() + s.panelBegin[p + 1], Scalar{0});
   for (std::size_t i = s.entriesBegin[p]; i < s.entriesBegin[p + 1]; ++i)
-    panel[s.entries[i].target] += values[s.entries[i].source];
+    panel[s.entries[i].target] += static_cast<Scalar>(values[s.entries[i].source]);
   const std::size_t rows = s.columns(p) + s.rowsBelow(p);
   for (std::uint32_t j = 0; j < s.columns(p); ++j)
-    leastPivot_[s.firstColumn[p] + j] = options_.pivotTolerance * std::abs(panel[j * (rows + 1)]);
+    leastPivot_[s.firstColumn[p] + j] =
+        static_cast<Scalar>(options_.pivotTolerance) * std::abs(panel[j * (rows + 1)]);
 }
 
-CholeskyStatus Cholesky::failure(std::uint32_t p, const PivotFailure& f) const {
+template <typename Scalar>
+CholeskyStatus BasicCholesky<Scalar>::failure(std::uint32_t p, const PivotFailure& f) const {
   const auto column = static_cast<std::uint32_t>(symbolic_->firstColumn[p] + f.column);
   const std::vector<std::uint32_t>& place = symbolic_->place;
   CholeskyStatus status;
@@ -68,17 +68,18 @@ CholeskyStatus Cholesky::failure(std::uint32_t p, const PivotFailure& f) const {
   return status;
 }
 
-CholeskyStatus Cholesky::factorize(const double* values) {
+template <typename Scalar>
+CholeskyStatus BasicCholesky<Scalar>::factorize(const double* values) {
   const CholeskySymbolic& s = *symbolic_;
   allocate();
-  Workspace work(s);
+  Workspace<Scalar> work(s);
   std::vector<std::uint32_t> children;  // finished supernodes without parent yet; a stack
   for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
     assemble(p, values);
     const std::size_t columns = s.columns(p), below = s.rowsBelow(p), rows = columns + below;
-    double* const panel = factor_.get() + s.panelBegin[p];
+    Scalar* const panel = factor_.get() + s.panelBegin[p];
     const unsigned own = s.stack[p], theirs = !own;
-    double* const update = work.stack[own].get() + work.used[own];
+    Scalar* const update = work.stack[own].get() + work.used[own];
     work.used[own] += below * below;
 
     std::size_t first = children.size();
@@ -87,9 +88,9 @@ CholeskyStatus Cholesky::factorize(const double* values) {
       childrenSize +=
           std::size_t{s.rowsBelow(children[first - 1])} * s.rowsBelow(children[first - 1]),
           --first;
-    const double* const begin = work.stack[theirs].get() + work.used[theirs] - childrenSize;
+    const Scalar* const begin = work.stack[theirs].get() + work.used[theirs] - childrenSize;
     const auto addChildren = [&](bool toPanel) {
-      const double* from = begin;
+      const Scalar* from = begin;
       for (std::size_t i = first; i < children.size(); ++i) {
         const std::uint32_t c = children[i];
         const std::size_t size = s.rowsBelow(c);
@@ -107,14 +108,14 @@ CholeskyStatus Cholesky::factorize(const double* values) {
       }
     };
     addChildren(true);
-    const Front front{rows,
-                      columns,
-                      panel,
-                      update,
-                      sign_.get() + s.firstColumn[p],
-                      leastPivot_.get() + s.firstColumn[p],
-                      options_.allowNegative,
-                      work.front.get()};
+    const Front<Scalar> front{rows,
+                              columns,
+                              panel,
+                              update,
+                              sign_.get() + s.firstColumn[p],
+                              leastPivot_.get() + s.firstColumn[p],
+                              options_.allowNegative,
+                              work.front.get()};
     const PivotFailure failed = factorFront(front, options_.simd);
     if (failed.column < columns) return failure(p, failed);
     addChildren(false);
@@ -123,8 +124,11 @@ CholeskyStatus Cholesky::factorize(const double* values) {
     if (s.parent[p] != kNoParent) children.push_back(p);
   }
   negativePivots_ = static_cast<std::uint32_t>(
-      std::count_if(sign_.get(), sign_.get() + s.size, [](double x) { return x < 0; }));
+      std::count_if(sign_.get(), sign_.get() + s.size, [](Scalar x) { return x < 0; }));
   return {};
 }
+
+template class BasicCholesky<float>;
+template class BasicCholesky<double>;
 
 }  // namespace abflat

@@ -7,73 +7,109 @@ namespace {
 
 constexpr std::size_t kSliver = 4;     ///< rows in a sliver
 constexpr std::size_t kBlock = 128;    ///< columns that are eliminated together
-constexpr std::size_t kMaxStrip = 16;  ///< rows in the longest strip
+constexpr std::size_t kMaxStrip = 32;  ///< rows in the longest strip
 
 constexpr std::size_t roundUp(std::size_t rows) { return (rows + kSliver - 1) / kSliver * kSliver; }
 
 /// The columns that are eliminated together.
+template <typename Scalar>
 struct Block {
   std::size_t begin, columns;  ///< in the front
-  double* at;                  ///< its square on the diagonal
+  Scalar* at;                  ///< its square on the diagonal
   std::size_t stride;
-  double* sign;      ///< per column
-  double* inverse;   ///< per column: S / L
-  double* diagonal;  ///< slivers of L11
-  double* strip;     ///< the current one
-  double* slivers;   ///< of L21: of the rows in the panel, then of the others
-  const double* leastPivot;
+  Scalar* sign;      ///< per column
+  Scalar* inverse;   ///< per column: S / L
+  Scalar* diagonal;  ///< slivers of L11
+  Scalar* strip;     ///< the current one
+  Scalar* slivers;   ///< of L21: of the rows in the panel, then of the others
+  const Scalar* leastPivot;
   bool allowNegative;
   PivotFailure failure;
 };
 
-bool acceptPivot(Block& b, std::size_t column, double pivot) {
-  const double size = std::abs(pivot);
+template <typename Scalar>
+bool acceptPivot(Block<Scalar>& b, std::size_t column, Scalar pivot) {
+  const Scalar size = std::abs(pivot);
   if (!(size > b.leastPivot[column]) || !std::isfinite(size) || (pivot < 0 && !b.allowNegative)) {
     b.failure = {b.begin + column, pivot};
     return false;
   }
-  b.sign[column] = pivot < 0 ? -1 : 1;
+  b.sign[column] = pivot < 0 ? Scalar{-1} : Scalar{1};
   b.inverse[column] = b.sign[column] / std::sqrt(size);
   return true;
 }
 
-namespace two {
-#define ABFLAT_LANES 2
+#define ABFLAT_SCALAR double
 #define ABFLAT_TARGET
-constexpr std::size_t kOneVector = 2;  // a strip has four rows at least, those of a sliver
+namespace double2 {
+#define ABFLAT_LANES 2
 #include "solve/cholesky/front_kernel.inc"
 #undef ABFLAT_LANES
+}  // namespace double2
+#undef ABFLAT_SCALAR
+#define ABFLAT_SCALAR float
+namespace float4 {
+#define ABFLAT_LANES 4
+#include "solve/cholesky/front_kernel.inc"
+#undef ABFLAT_LANES
+}  // namespace float4
 #undef ABFLAT_TARGET
-}  // namespace two
+#undef ABFLAT_SCALAR
 
 #ifdef __x86_64__
-namespace four {
-#define ABFLAT_LANES 4
 #define ABFLAT_TARGET __attribute__((target("avx2")))
-constexpr std::size_t kOneVector = 1;
+#define ABFLAT_SCALAR double
+namespace double4 {
+#define ABFLAT_LANES 4
 #include "solve/cholesky/front_kernel.inc"
 #undef ABFLAT_LANES
-#undef ABFLAT_TARGET
-}  // namespace four
-
-namespace eight {
+}  // namespace double4
+#undef ABFLAT_SCALAR
+#define ABFLAT_SCALAR float
+namespace float8 {
 #define ABFLAT_LANES 8
-#define ABFLAT_TARGET __attribute__((target("avx512f")))
-constexpr std::size_t kOneVector = 1;
 #include "solve/cholesky/front_kernel.inc"
 #undef ABFLAT_LANES
+}  // namespace float8
 #undef ABFLAT_TARGET
-}  // namespace eight
+#undef ABFLAT_SCALAR
+
+#define ABFLAT_TARGET __attribute__((target("avx512f")))
+#define ABFLAT_SCALAR double
+namespace double8 {
+#define ABFLAT_LANES 8
+#include "solve/cholesky/front_kernel.inc"
+#undef ABFLAT_LANES
+}  // namespace double8
+#undef ABFLAT_SCALAR
+#define ABFLAT_SCALAR float
+namespace float16 {
+#define ABFLAT_LANES 16
+#include "solve/cholesky/front_kernel.inc"
+#undef ABFLAT_LANES
+}  // namespace float16
+#undef ABFLAT_TARGET
+#undef ABFLAT_SCALAR
 #endif
 
-bool factorBlock(Block& block, const Front& front, SimdWidth width) {
+bool factorBlock(Block<double>& block, const Front<double>& front, SimdWidth width) {
 #ifdef __x86_64__
-  if (width == SimdWidth::Eight) return eight::factorBlock(block, front);
-  if (width == SimdWidth::Four) return four::factorBlock(block, front);
+  if (width == SimdWidth::Eight) return double8::factorBlock(block, front);
+  if (width == SimdWidth::Four) return double4::factorBlock(block, front);
 #else
   static_cast<void>(width);
 #endif
-  return two::factorBlock(block, front);
+  return double2::factorBlock(block, front);
+}
+
+bool factorBlock(Block<float>& block, const Front<float>& front, SimdWidth width) {
+#ifdef __x86_64__
+  if (width == SimdWidth::Eight) return float16::factorBlock(block, front);
+  if (width == SimdWidth::Four) return float8::factorBlock(block, front);
+#else
+  static_cast<void>(width);
+#endif
+  return float4::factorBlock(block, front);
 }
 
 }  // namespace
@@ -90,8 +126,9 @@ std::size_t frontWorkspace(std::size_t rows) {
   return kBlock * (kBlock + 1 + kMaxStrip + rows + 2 * kSliver);
 }
 
-PivotFailure factorFront(const Front& f, SimdWidth width) {
-  Block b{};
+template <typename Scalar>
+PivotFailure factorFront(const Front<Scalar>& f, SimdWidth width) {
+  Block<Scalar> b{};
   b.stride = f.rows;
   b.allowNegative = f.allowNegative;
   b.diagonal = f.workspace;
@@ -107,5 +144,8 @@ PivotFailure factorFront(const Front& f, SimdWidth width) {
   }
   return {f.columns, 0};
 }
+
+template PivotFailure factorFront(const Front<float>& front, SimdWidth width);
+template PivotFailure factorFront(const Front<double>& front, SimdWidth width);
 
 }  // namespace abflat

@@ -5,82 +5,167 @@
 namespace abflat {
 namespace {
 
-/// Right-hand sides that pass through the factor together. The entries of a row lie side by side.
+/// Columns of the factor that are read together, so that the right-hand side is read once for them.
 constexpr std::size_t kTogether = 4;
+/// Right-hand sides that pass through the factor together.
+constexpr std::size_t kMaxSides = 8;
 
-/// b -= L x for the rows below, where x are the solved columns; `below` is `size` x R.
-template <std::size_t R>
-void forward(const double* panel, std::size_t rows, std::size_t columns, double* x, double* below) {
-  for (std::size_t j = 0; j < columns; ++j) {
-    const double* l = panel + j * rows;
-    double value[R];
-    for (std::size_t r = 0; r < R; ++r) value[r] = x[j * R + r] /= l[j];
-    for (std::size_t i = j + 1; i < columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) x[i * R + r] -= l[i] * value[r];
-    l += columns;
-    for (std::size_t i = 0; i < rows - columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) below[i * R + r] -= l[i] * value[r];
+/// Sixteen bytes everywhere, so that sums are the same on every machine.
+template <typename Scalar>
+struct Lanes {
+  static constexpr std::size_t kCount = 16 / sizeof(Scalar);
+  // NOLINTNEXTLINE(modernize-use-using): the attributes need a typedef
+  typedef Scalar Vector __attribute__((vector_size(16), aligned(sizeof(Scalar)), may_alias));
+};
+
+/// x[i] -= sum over the N columns l of l[i] value
+template <std::size_t N, typename Scalar>
+void subtractColumns(const Scalar* l, std::size_t stride, const Scalar* value, std::size_t begin,
+                     std::size_t end, Scalar* __restrict x) {
+  for (std::size_t i = begin; i < end; ++i) {
+    Scalar sum = l[i] * value[0];
+    for (std::size_t k = 1; k < N; ++k) sum += l[k * stride + i] * value[k];
+    x[i] -= sum;
   }
 }
 
-template <std::size_t R>
-void backward(const double* panel, std::size_t rows, std::size_t columns, const double* sign,
-              double* x, const double* below) {
-  for (std::size_t j = columns; j-- > 0;) {
-    const double* l = panel + j * rows;
-    // Two sums each, so that additions need not wait for one another.
-    double even[R] = {}, odd[R] = {};
-    const std::size_t size = rows - columns;
-    std::size_t i = 0;
-    for (; i + 1 < size; i += 2)
-      for (std::size_t r = 0; r < R; ++r) {
-        even[r] += l[columns + i] * below[i * R + r];
-        odd[r] += l[columns + i + 1] * below[(i + 1) * R + r];
-      }
-    for (; i < size; ++i)
-      for (std::size_t r = 0; r < R; ++r) even[r] += l[columns + i] * below[i * R + r];
-    for (i = j + 1; i < columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) odd[r] += l[i] * x[i * R + r];
-    for (std::size_t r = 0; r < R; ++r)
-      x[j * R + r] = (x[j * R + r] * sign[j] - (even[r] + odd[r])) / l[j];
+/// sum[k] = sum over i of l[i] x[i] for each of N columns l
+template <std::size_t N, typename Scalar>
+void multiplyColumns(const Scalar* l, std::size_t stride, std::size_t begin, std::size_t end,
+                     const Scalar* x, Scalar* sum) {
+  using Vector = typename Lanes<Scalar>::Vector;
+  constexpr std::size_t kCount = Lanes<Scalar>::kCount;
+  Vector lanes[N] = {};
+  std::size_t i = begin;
+  for (; i + kCount <= end; i += kCount)
+    for (std::size_t k = 0; k < N; ++k)
+      lanes[k] += *reinterpret_cast<const Vector*>(l + k * stride + i) *
+                  *reinterpret_cast<const Vector*>(x + i);
+  for (std::size_t k = 0; k < N; ++k) {
+    sum[k] = 0;
+    for (std::size_t n = 0; n < kCount; ++n) sum[k] += lanes[k][n];
+    for (std::size_t rest = i; rest < end; ++rest) sum[k] += l[k * stride + rest] * x[rest];
   }
 }
 
-template <std::size_t R>
-void solveTogether(const CholeskySymbolic& s, const double* factor, const double* sign, double* b) {
-  std::vector<double> x(std::size_t{s.size} * R), below(std::size_t{s.maxFrontRows} * R);
-  for (std::size_t i = 0; i < s.size; ++i)
-    for (std::size_t r = 0; r < R; ++r) x[s.place[i] * R + r] = b[r * s.size + i];
-  for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
-    const std::uint32_t* row = s.rows.data() + s.rowsBegin[p];
-    const std::size_t columns = s.columns(p), size = s.rowsBelow(p);
-    std::fill(below.begin(), below.begin() + static_cast<std::ptrdiff_t>(size * R), 0.0);
-    forward<R>(factor + s.panelBegin[p], columns + size, columns, &x[s.firstColumn[p] * R],
-               below.data());
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t r = 0; r < R; ++r) x[row[i] * R + r] += below[i * R + r];
+/// One supernode: its panel and the part of the right-hand sides that it sees, `rows` for each.
+template <typename Scalar>
+struct Panel {
+  const Scalar* at;
+  std::size_t rows, columns;
+  const Scalar* sign;
+
+  const Scalar* column(std::size_t j) const { return at + j * rows; }
+
+  /// Columns j to j + N.
+  template <std::size_t N>
+  void forward(std::size_t j, Scalar* x) const {
+    const Scalar* l = column(j);
+    Scalar value[N];
+    for (std::size_t k = 0; k < N; ++k) {
+      value[k] = x[j + k] /= l[k * rows + j + k];
+      for (std::size_t i = k + 1; i < N; ++i) x[j + i] -= l[k * rows + j + i] * value[k];
+    }
+    subtractColumns<N>(l, rows, value, j + N, rows, x);
   }
-  for (std::uint32_t p = s.supernodes(); p-- > 0;) {
-    const std::uint32_t* row = s.rows.data() + s.rowsBegin[p];
-    const std::size_t columns = s.columns(p), size = s.rowsBelow(p);
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t r = 0; r < R; ++r) below[i * R + r] = x[row[i] * R + r];
-    backward<R>(factor + s.panelBegin[p], columns + size, columns, sign + s.firstColumn[p],
-                &x[s.firstColumn[p] * R], below.data());
+
+  template <std::size_t N>
+  void backward(std::size_t j, Scalar* x) const {
+    const Scalar* l = column(j);
+    Scalar sum[N];
+    multiplyColumns<N>(l, rows, j + N, rows, x, sum);
+    for (std::size_t k = N; k-- > 0;) {
+      for (std::size_t i = k + 1; i < N; ++i) sum[k] += l[k * rows + j + i] * x[j + i];
+      x[j + k] = (x[j + k] * sign[j + k] - sum[k]) / l[k * rows + j + k];
+    }
   }
-  for (std::size_t i = 0; i < s.size; ++i)
-    for (std::size_t r = 0; r < R; ++r) b[r * s.size + i] = x[s.place[i] * R + r];
-}
+
+  void forward(Scalar* x) const {
+    std::size_t j = 0;
+    for (; j + kTogether <= columns; j += kTogether) forward<kTogether>(j, x);
+    for (; j < columns; ++j) forward<1>(j, x);
+  }
+
+  void backward(Scalar* x) const {
+    std::size_t j = columns;
+    for (; j % kTogether != 0; --j) backward<1>(j - 1, x);
+    for (; j > 0; j -= kTogether) backward<kTogether>(j - kTogether, x);
+  }
+};
+
+/// Right-hand sides in the order of the factor, and those rows of them that a panel sees.
+template <typename Scalar>
+class Substitution {
+ public:
+  Substitution(const CholeskySymbolic& s, const Scalar* factor, const Scalar* sign,
+               std::size_t sides)
+      : s_(s),
+        factor_(factor),
+        sign_(sign),
+        sides_(sides),
+        x_(std::size_t{s.size} * sides),
+        local_(std::size_t{s.maxFrontRows} * sides) {}
+
+  void run(double* b) {
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      x_[i / s_.size * s_.size + s_.place[i % s_.size]] = static_cast<Scalar>(b[i]);
+    for (std::uint32_t p = 0; p < s_.supernodes(); ++p) forward(p);
+    for (std::uint32_t p = s_.supernodes(); p-- > 0;) backward(p);
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      b[i] = x_[i / s_.size * s_.size + s_.place[i % s_.size]];
+  }
+
+ private:
+  Panel<Scalar> panel(std::uint32_t p) const {
+    return {factor_ + s_.panelBegin[p], std::size_t{s_.columns(p)} + s_.rowsBelow(p), s_.columns(p),
+            sign_ + s_.firstColumn[p]};
+  }
+
+  void forward(std::uint32_t p) {
+    const Panel<Scalar> at = panel(p);
+    const std::uint32_t* row = s_.rows.data() + s_.rowsBegin[p];
+    for (std::size_t r = 0; r < sides_; ++r) {
+      Scalar* const x = &x_[r * s_.size];
+      Scalar* const local = &local_[r * at.rows];
+      std::copy_n(x + s_.firstColumn[p], at.columns, local);
+      std::fill(local + at.columns, local + at.rows, Scalar{0});
+      at.forward(local);
+      std::copy_n(local, at.columns, x + s_.firstColumn[p]);
+      for (std::size_t i = at.columns; i < at.rows; ++i) x[row[i - at.columns]] += local[i];
+    }
+  }
+
+  void backward(std::uint32_t p) {
+    const Panel<Scalar> at = panel(p);
+    const std::uint32_t* row = s_.rows.data() + s_.rowsBegin[p];
+    for (std::size_t r = 0; r < sides_; ++r) {
+      Scalar* const x = &x_[r * s_.size];
+      Scalar* const local = &local_[r * at.rows];
+      std::copy_n(x + s_.firstColumn[p], at.columns, local);
+      for (std::size_t i = at.columns; i < at.rows; ++i) local[i] = x[row[i - at.columns]];
+      at.backward(local);
+      std::copy_n(local, at.columns, x + s_.firstColumn[p]);
+    }
+  }
+
+  const CholeskySymbolic& s_;
+  const Scalar* factor_;
+  const Scalar* sign_;
+  std::size_t sides_;
+  std::vector<Scalar> x_, local_;
+};
 
 }  // namespace
 
-void Cholesky::solve(double* b, std::size_t columns) const {
-  const CholeskySymbolic& s = *symbolic_;
-  for (; columns >= kTogether; columns -= kTogether, b += kTogether * s.size)
-    solveTogether<kTogether>(s, factor_.get(), sign_.get(), b);
-  for (; columns >= 2; columns -= 2, b += std::size_t{2} * s.size)
-    solveTogether<2>(s, factor_.get(), sign_.get(), b);
-  if (columns == 1) solveTogether<1>(s, factor_.get(), sign_.get(), b);
+template <typename Scalar>
+void BasicCholesky<Scalar>::solve(double* b, std::size_t columns) const {
+  for (std::size_t done = 0; done < columns; done += kMaxSides)
+    Substitution<Scalar>(*symbolic_, factor_.get(), sign_.get(),
+                         std::min(kMaxSides, columns - done))
+        .run(b + done * symbolic_->size);
 }
+
+template void BasicCholesky<float>::solve(double* b, std::size_t columns) const;
+template void BasicCholesky<double>::solve(double* b, std::size_t columns) const;
 
 }  // namespace abflat

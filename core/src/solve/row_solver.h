@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+
+namespace abflat {
+
+/// Solves symmetric systems of one pattern one after another: the rows of SchurSystem.
+class RowSolver {
+ public:
+  virtual ~RowSolver() = default;
+  /// `lower` is the lower triangle. On entry x is a guess, afterwards the solution, of which no
+  /// entry of b - A x need be below `tolerance`. False when there is none.
+  virtual bool solve(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
+                     double tolerance, Eigen::VectorXd& x) = 0;
+  /// Iterations of the last solve; 0 for a direct one.
+  virtual int iterations() const { return 0; }
+};
+
+/// `lower` gives the pattern.
+using MakeRowSolver = std::unique_ptr<RowSolver>(const Eigen::SparseMatrix<double>& lower);
+
+/// The faster of the next two, by the size of the factor.
+MakeRowSolver makeRowSolver;
+/// A factor of every matrix.
+MakeRowSolver makeDirectRowSolver;
+/// Conjugate gradients with a factor in single precision of this or an earlier matrix (inexact
+/// Newton); a direct solve where that does not converge or where `tolerance` is 0. Half the memory.
+MakeRowSolver makeInexactRowSolver;
+/// Eigen's SimplicialLDLT, as the reference.
+MakeRowSolver makeEigenRowSolver;
+
+}  // namespace abflat
