@@ -16,7 +16,12 @@ std::string_view takeWord(std::string_view& text);
 bool parseDouble(std::string_view word, double& value);
 bool parseInteger(std::string_view word, std::int64_t& value);
 
+/// The number (without a plus sign) that a text begins with: its end, or nullptr when there is
+/// none.
+const char* scanDouble(const char* begin, const char* end, double& value);
+
 /// A text that reads back as the same double: the shortest where the standard library has it.
 void appendDouble(std::string& out, double value);
+void appendInteger(std::string& out, std::uint64_t value);
 
 }  // namespace abflat
