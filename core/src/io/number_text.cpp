@@ -56,15 +56,15 @@ void appendDouble(std::string& out, double value) {
 #ifdef __cpp_lib_to_chars
   const char* end = std::to_chars(text, text + sizeof text, value).ptr;
 #else
-  // Grisu2: reads back as the same double, and is the shortest in all but one of a thousand cases.
+  // Grisu2: reads back as the same double and is nearly always the shortest.
   const char* end = nlohmann::detail::to_chars(text, text + sizeof text, value);
   if (end - text > 2 && end[-1] == '0' && end[-2] == '.') end -= 2;
 #endif
   out.append(text, static_cast<std::size_t>(end - text));
 }
 
-void appendInteger(std::string& out, std::uint64_t value) {
-  char text[20];
+void appendInteger(std::string& out, std::uint32_t value) {
+  char text[10];
   const char* end = std::to_chars(text, text + sizeof text, value).ptr;
   out.append(text, static_cast<std::size_t>(end - text));
 }

@@ -20,8 +20,8 @@ bool parseInteger(std::string_view word, std::int64_t& value);
 /// none.
 const char* scanDouble(const char* begin, const char* end, double& value);
 
-/// A text that reads back as the same double: the shortest where the standard library has it.
+/// A text that reads back as the same double; the shortest where the standard library can.
 void appendDouble(std::string& out, double value);
-void appendInteger(std::string& out, std::uint64_t value);
+void appendInteger(std::string& out, std::uint32_t value);
 
 }  // namespace abflat

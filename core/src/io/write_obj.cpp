@@ -24,7 +24,7 @@ void appendCorner(std::string& out, std::string_view corner, std::uint32_t texco
   out += ' ';
   out += corner.substr(0, first);
   out += '/';
-  appendInteger(out, std::uint64_t{texcoord} + 1);
+  appendInteger(out, texcoord + 1);
   if (second != std::string_view::npos) out += corner.substr(second);
 }
 
@@ -98,10 +98,10 @@ std::string freshObj(const PolygonMesh& mesh, const std::vector<double>& uv,
     out += 'f';
     for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c) {
       out += ' ';
-      appendInteger(out, std::uint64_t{mesh.faceVertices[c]} + 1);
+      appendInteger(out, mesh.faceVertices[c] + 1);
       if (uv.empty()) continue;
       out += '/';
-      appendInteger(out, std::uint64_t{cornerUv[c]} + 1);
+      appendInteger(out, cornerUv[c] + 1);
     }
     out += '\n';
   }
