@@ -2,12 +2,10 @@
 
 #include <fast_float/fast_float.h>
 
+#include <algorithm>
 #include <charconv>
-#include <version>
-
-#ifndef __cpp_lib_to_chars
+#include <cmath>
 #include <nlohmann/json.hpp>
-#endif
 
 namespace abflat {
 
@@ -51,22 +49,19 @@ bool parseDouble(std::string_view word, double& value) {
   return !word.empty() && scanDouble(word.data(), end, value) == end;
 }
 
-void appendDouble(std::string& out, double value) {
-  char text[64];
-#ifdef __cpp_lib_to_chars
-  const char* end = std::to_chars(text, text + sizeof text, value).ptr;
-#else
-  // Grisu2: reads back as the same double and is nearly always the shortest.
-  const char* end = nlohmann::detail::to_chars(text, text + sizeof text, value);
-  if (end - text > 2 && end[-1] == '0' && end[-2] == '.') end -= 2;
-#endif
-  out.append(text, static_cast<std::size_t>(end - text));
+char* writeDouble(char* out, double value) {
+  if (!std::isfinite(value)) {
+    const std::string_view text = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+    return std::copy(text.begin(), text.end(), out);
+  }
+  // Grisu2. Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give
+  // the same bytes.
+  char* const end = nlohmann::detail::to_chars(out, out + kMostDoubleChars, value);
+  return end - out > 2 && end[-1] == '0' && end[-2] == '.' ? end - 2 : end;
 }
 
-void appendInteger(std::string& out, std::uint32_t value) {
-  char text[10];
-  const char* end = std::to_chars(text, text + sizeof text, value).ptr;
-  out.append(text, static_cast<std::size_t>(end - text));
+char* writeInteger(char* out, std::uint32_t value) {
+  return std::to_chars(out, out + kMostIntegerChars, value).ptr;
 }
 
 }  // namespace abflat

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace abflat {
@@ -20,8 +20,12 @@ bool parseInteger(std::string_view word, std::int64_t& value);
 /// none.
 const char* scanDouble(const char* begin, const char* end, double& value);
 
-/// A text that reads back as the same double; the shortest where the standard library can.
-void appendDouble(std::string& out, double value);
-void appendInteger(std::string& out, std::uint32_t value);
+constexpr std::size_t kMostDoubleChars = 32, kMostIntegerChars = 10;
+
+/// Writes a text of at most kMostDoubleChars that reads back as the same double, and returns its
+/// end. The same everywhere, and nearly always the shortest.
+char* writeDouble(char* out, double value);
+/// The same with at most kMostIntegerChars.
+char* writeInteger(char* out, std::uint32_t value);
 
 }  // namespace abflat

@@ -34,11 +34,8 @@ bool takeKeyword(Cursor& c, char keyword) {
 }
 
 std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
-  if (c.take('\r')) {
-    c.take('\n');
-  } else {
-    c.take('\n');
-  }
+  c.take('\r');
+  c.take('\n');
   return static_cast<std::size_t>(c.at - text.data());
 }
 
@@ -68,6 +65,13 @@ bool takeCorner(Cursor& c, std::int64_t& vertex) {
 }
 
 }  // namespace
+
+std::size_t plainLine(std::string_view text) {
+  Cursor c{text.data(), text.data() + text.size()};
+  for (; !c.atLineEnd(); ++c.at)
+    if (*c.at == '\\' || *c.at == '#') return 0;
+  return sizeWithLineEnd(text, c);
+}
 
 std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point) {
   Cursor c{text.data(), text.data() + text.size()};

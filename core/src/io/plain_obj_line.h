@@ -12,6 +12,10 @@ namespace abflat {
 // second look. These functions take such a line off in one sweep. For any other line, right or
 // wrong, they return 0, and ObjLines decides what it means.
 
+/// `text` begins with a line without a comment that no backslash joins with the next: its size with
+/// its end.
+std::size_t plainLine(std::string_view text);
+
 /// `text` begins with a line "v x y z", maybe with colours behind: sets the point and returns the
 /// size of the line with its end.
 std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point);

@@ -18,6 +18,7 @@ class ObjReader {
   explicit ObjReader(std::string_view fileName) : fileName_(fileName) {}
 
   Result<PolygonMesh> run(std::string_view text) {
+    reserve(text.size());
     mesh_.faceOffsets.push_back(0);
     ObjLines lines(text);
     while (!lines.rest().empty())
@@ -34,6 +35,15 @@ class ObjReader {
   }
 
  private:
+  /// Two triangles a vertex, in bytes as a file without normals and texcoords has them.
+  void reserve(std::size_t bytes) {
+    constexpr std::size_t kBytesPerVertex = 96;
+    const std::size_t vertices = bytes / kBytesPerVertex;
+    mesh_.positions.reserve(3 * vertices);
+    mesh_.faceOffsets.reserve(2 * vertices + 1);
+    mesh_.faceVertices.reserve(6 * vertices);
+  }
+
   Status nextLine(ObjLines& lines) {
     std::array<double, 3> point;
     if (const std::size_t size = plainVertexLine(lines.rest(), point); size > 0) {
