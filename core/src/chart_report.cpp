@@ -57,8 +57,8 @@ std::string findProblem(const DiskChart& chart, const Attempt& a, const Validity
 
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t,
                             const std::vector<double>& uv) {
-  const Validity v = checkValidity(chart, uv);
-  const Distortion d = measureDistortion(chart, uv);
+  const Validity& v = attempt.validity;
+  const Distortion& d = attempt.distortion;
   const AngleSolution& s = attempt.solution;
   ChartReport r;
   r.faces = chart.triangleCount();

@@ -58,6 +58,18 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
   return madeDelaunay(flattener, std::move(best), untangle);
 }
 
+/// By a power of two. False when digits get lost; otherwise whatever holds for the angles, the
+/// crossings and the distortion of a layout holds for the scaled one too, digit by digit.
+bool scaleExactly(std::vector<double>& uv, double powerOfTwo) {
+  bool isExact = true;
+  for (double& x : uv) {
+    const double scaled = x * powerOfTwo;
+    isExact = isExact && scaled / powerOfTwo == x;
+    x = scaled;
+  }
+  return isExact;
+}
+
 std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {
   std::vector<std::uint32_t> out(mesh.faceVertices.size());
   for (std::size_t c = 0; c < surface.triangulation.corner.size(); ++c)
@@ -101,8 +113,11 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
 
   if (!monitor.tell("check", 0.92)) return aborted;
   watch.lap();
-  out.uv = std::move(best.uv);
-  for (double& x : out.uv) x *= chart.unit;
+  out.uv = best.uv;
+  if (!scaleExactly(out.uv, chart.unit)) {
+    best.validity = checkValidity(chart, out.uv);
+    best.distortion = measureDistortion(chart, out.uv);
+  }
   const double common = *std::max_element(best.t.begin(), best.t.end());
   out.report.charts.push_back(makeChartReport(chart, best, common, out.uv));
   timings.check += watch.lap();
