@@ -25,8 +25,7 @@ AngleProblem buildAngleProblem(const DiskChart& chart) {
   p.target.resize(p.vertexOfCorner.size());
   std::vector<double> sum(chart.vertexCount(), 0);
   for (std::uint32_t f = 0; f < p.triangleCount(); ++f) {
-    const std::array<double, 3> alpha =
-        anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f]);
+    const std::array<double, 3> alpha = anglesOrMadeUp(chart.angles[f]);
     for (std::uint32_t k = 0; k < 3; ++k) {
       p.target[3 * f + k] = alpha[k];
       sum[p.vertexOfCorner[3 * f + k]] += alpha[k];

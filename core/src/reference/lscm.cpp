@@ -67,8 +67,7 @@ Matrix conformalEnergy(const DiskChart& chart) {
   const auto n = static_cast<int>(chart.vertexCount());
   SparseEntries entries;
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::array<double, 3> angle =
-        anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f]);
+    const std::array<double, 3> angle = anglesOrMadeUp(chart.angles[f]);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const auto a = static_cast<int>(chart.vertexOfCorner[3 * f + k]);
       const auto b = static_cast<int>(chart.vertexOfCorner[3 * f + (k + 1) % 3]);
