@@ -1,5 +1,3 @@
-#include <cstring>
-
 #include "abflat/io.h"
 #include "io/number_text.h"
 #include "io/obj_lines.h"
@@ -55,11 +53,6 @@ void putPolyline(TextWriter& out, std::string_view points) {
     out.put(' ');
     out.put(parseInteger(vertex, index) ? vertex : word);
   }
-}
-
-template <std::size_t N>
-bool beginsWith(std::string_view line, const char (&word)[N]) {
-  return line.size() >= N - 1 && std::memcmp(line.data(), word, N - 1) == 0;
 }
 
 /// A source text with other texcoords.
