@@ -1,6 +1,7 @@
 #include "io/plain_obj_line.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "io/number_text.h"
 
@@ -30,6 +31,24 @@ struct Cursor {
 bool takeKeyword(Cursor& c, char keyword) {
   if (!c.take(keyword) || c.done() || !isBlank(*c.at)) return false;
   c.skipBlanks();
+  return true;
+}
+
+bool hasByte(std::uint64_t eight, char c) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101, kHighBits = 0x8080808080808080;
+  const std::uint64_t zeroThere = eight ^ (kOnes * static_cast<unsigned char>(c));
+  return ((zeroThere - kOnes) & ~zeroThere & kHighBits) != 0;
+}
+
+/// To the first character that ends a line or makes it special; false when it is the latter.
+bool skipPlain(Cursor& c) {
+  for (std::uint64_t eight = 0; c.end - c.at >= 8; c.at += 8) {
+    std::memcpy(&eight, c.at, 8);
+    if (hasByte(eight, '\n') || hasByte(eight, '\r') || hasByte(eight, '\\') || hasByte(eight, '#'))
+      break;
+  }
+  for (; !c.atLineEnd(); ++c.at)
+    if (*c.at == '\\' || *c.at == '#') return false;
   return true;
 }
 
@@ -68,9 +87,7 @@ bool takeCorner(Cursor& c, std::int64_t& vertex) {
 
 std::size_t plainLine(std::string_view text) {
   Cursor c{text.data(), text.data() + text.size()};
-  for (; !c.atLineEnd(); ++c.at)
-    if (*c.at == '\\' || *c.at == '#') return 0;
-  return sizeWithLineEnd(text, c);
+  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
 }
 
 std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point) {
@@ -83,9 +100,7 @@ std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point)
     if (!c.atWordEnd()) return 0;
     c.skipBlanks();
   }
-  for (; !c.atLineEnd(); ++c.at)
-    if (*c.at == '\\' || *c.at == '#') return 0;
-  return sizeWithLineEnd(text, c);
+  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
 }
 
 std::size_t plainFaceLine(std::string_view text, std::vector<std::int64_t>& corners) {

@@ -8,6 +8,7 @@
 #include "io/obj_lines.h"
 #include "io/parse_error.h"
 #include "io/plain_obj_line.h"
+#include "io/text_lines.h"
 
 namespace abflat {
 namespace {
@@ -59,6 +60,11 @@ class ObjReader {
       lines.skipLine(size);
       return {};
     }
+    if (beginsWith(lines.rest(), "vn ") || beginsWith(lines.rest(), "vt "))
+      if (const std::size_t size = plainLine(lines.rest()); size > 0) {
+        lines.skipLine(size);
+        return {};
+      }
     ObjLine line;
     lines.next(line);
     if (line.kind == ObjLine::Kind::Vertex) return vertex(line);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstring>
 #include <string_view>
 
 namespace abflat {
@@ -9,6 +11,11 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 inline bool hasByteOrderMark(std::string_view text) {
   return text.substr(0, kByteOrderMark.size()) == kByteOrderMark;
+}
+
+template <std::size_t N>
+bool beginsWith(std::string_view text, const char (&word)[N]) {
+  return text.size() >= N - 1 && std::memcmp(text.data(), word, N - 1) == 0;
 }
 
 /// Size of the first line with its end, which is "\n", "\r\n", "\r" or the end of the text.

@@ -16,6 +16,14 @@ class TextWriter {
  public:
   explicit TextWriter(std::size_t expectedSize) { text_.resize(expectedSize); }
 
+  /// Room for so many characters at the end, until the next call of the writer; endAt tells how far
+  /// it was used.
+  char* room(std::size_t chars) {
+    if (text_.size() - size_ < chars) text_.resize(size_ + chars + text_.size() / 2);
+    return &text_[size_];
+  }
+  void endAt(const char* end) { size_ = static_cast<std::size_t>(end - text_.data()); }
+
   void put(char c) { *room(1) = c, ++size_; }
   void put(std::string_view part) {
     if (part.empty()) return;
@@ -32,12 +40,6 @@ class TextWriter {
   }
 
  private:
-  char* room(std::size_t chars) {
-    if (text_.size() - size_ < chars) text_.resize(size_ + chars + text_.size() / 2);
-    return &text_[size_];
-  }
-  void endAt(const char* end) { size_ = static_cast<std::size_t>(end - text_.data()); }
-
   std::string text_;
   std::size_t size_ = 0;
 };

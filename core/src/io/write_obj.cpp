@@ -20,24 +20,27 @@ void putTexcoords(TextWriter& out, const std::vector<double>& uv, std::string_vi
   }
 }
 
-/// One corner with its vertex and normal as they were written and the new texcoord in between.
-void putCorner(TextWriter& out, std::string_view corner, std::uint32_t texcoord) {
-  const std::size_t first = std::min(corner.find('/'), corner.size());
-  const std::size_t second =
-      first < corner.size() ? corner.find('/', first + 1) : std::string_view::npos;
-  out.put(' ');
-  out.put(corner.substr(0, first));
-  out.put('/');
-  out.put(texcoord + 1);
-  if (second != std::string_view::npos) out.put(corner.substr(second));
-}
-
-/// `f` with its corners and their new texcoords, of which `next` is the first.
+/// `f` with its corners, their vertices and normals as they were written and new texcoords in
+/// between, of which `next` is the first.
 void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv,
              std::size_t& next) {
-  out.put('f');
-  for (std::string_view word = takeWord(corners); !word.empty(); word = takeWord(corners))
-    putCorner(out, word, cornerUv[next++]);
+  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+  const char *from = corners.data(), *const last = from + corners.size();
+  // A corner takes a letter and a blank at least.
+  char* to = out.room(corners.size() + 1 + (2 + kMostIntegerChars) * (corners.size() / 2 + 1));
+  *to++ = 'f';
+  while (true) {
+    while (from != last && isBlank(*from)) ++from;
+    if (from == last) break;
+    *to++ = ' ';
+    while (from != last && !isBlank(*from) && *from != '/') *to++ = *from++;
+    *to++ = '/';
+    to = writeInteger(to, cornerUv[next++] + 1);
+    if (from != last && *from == '/') ++from;
+    while (from != last && !isBlank(*from) && *from != '/') ++from;
+    while (from != last && !isBlank(*from)) *to++ = *from++;
+  }
+  out.endAt(to);
 }
 
 /// `l` with its vertices: the texcoords they referred to are gone. Nobody has checked these words:
@@ -50,10 +53,6 @@ void putPolyline(TextWriter& out, std::string_view points) {
     out.put(' ');
     out.put(parseInteger(vertex, index) ? vertex : word);
   }
-}
-
-bool isKeyword(std::string_view line, std::string_view keywordAndBlank) {
-  return line.substr(0, keywordAndBlank.size()) == keywordAndBlank;
 }
 
 /// A source text with other texcoords.
@@ -84,13 +83,13 @@ class ObjRewriter {
  private:
   /// Whether it is one of the lines that files consist of.
   bool takePlain(std::string_view line) {
-    if (isKeyword(line, "f ")) {
+    if (beginsWith(line, "f ")) {
       const std::string_view end = lineEnd(line);
       putFaceLine(line.substr(2, line.size() - 2 - end.size()), end);
       return true;
     }
-    if (isKeyword(line, "vt ")) return true;
-    if (!isKeyword(line, "v ") && !isKeyword(line, "vn ")) return false;
+    if (beginsWith(line, "vt ")) return true;
+    if (!beginsWith(line, "v ") && !beginsWith(line, "vn ")) return false;
     out_.put(line);
     return true;
   }
