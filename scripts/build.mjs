@@ -18,7 +18,14 @@ const COMMON_INPUTS = [
   'scripts/licenses',
   'scripts/lib/licenses.mjs',
 ];
-const WASM_MODULE = ['build/wasm/abflat.mjs', 'build/wasm/abflat.wasm'];
+/** Folders below build/ and the settings that make them differ. */
+const WASM_BUILDS = {
+  wasm: { ABFLAT_WASM_SIMD: 'OFF' },
+  'wasm-simd': { ABFLAT_WASM_SIMD: 'ON' },
+};
+const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) =>
+  ['abflat.mjs', 'abflat.wasm'].map((file) => `build/${folder}/${file}`),
+);
 
 /** Without `tests` nothing is asked of Catch2, which only the tests need. */
 export async function buildNative({ tests = false } = {}) {
@@ -33,10 +40,11 @@ export async function buildNative({ tests = false } = {}) {
 
 export async function buildWasm() {
   const env = emscriptenEnv();
-  await cmakeBuild('wasm', { wrapper: ['emcmake'], env });
+  for (const [folder, settings] of Object.entries(WASM_BUILDS))
+    await cmakeBuild(folder, { wrapper: ['emcmake'], settings, env });
   await unlessFresh(
     'wasm-package',
-    [...COMMON_INPUTS, 'wasm', ...WASM_MODULE],
+    [...COMMON_INPUTS, 'wasm', ...WASM_MODULES],
     [WASM_DIST],
     async () => {
       await npmBuild('wasm');
@@ -48,7 +56,7 @@ export async function buildWasm() {
 
 /** Needs buildWasm before. */
 export async function buildWeb() {
-  const inputs = [...COMMON_INPUTS, 'web', 'wasm/package.json', 'wasm/src', ...WASM_MODULE];
+  const inputs = [...COMMON_INPUTS, 'web', 'wasm/package.json', 'wasm/src', ...WASM_MODULES];
   await unlessFresh('web', inputs, [join(WEB_DIST, 'index.html')], async () => {
     await npmBuild('web');
     writeLicenses(WEB_DIST, 'web');

@@ -121,6 +121,28 @@ async function inPage(name, action, argument) {
   return result;
 }
 
+test('vectors are used where the browser has them', NEEDS_CHROME, async () => {
+  const builds = await inPage('builds', async ({ entry }) => {
+    const { createAbflat } = await import(entry);
+    const loaded = () =>
+      performance
+        .getEntriesByType('resource')
+        .map(({ name }) => name.split('/').at(-1))
+        .filter((name) => name.endsWith('.wasm'));
+    const { build } = await createAbflat();
+    const files = loaded();
+    WebAssembly.validate = () => false;
+    const { build: without } = await createAbflat();
+    return { build, files, without, allFiles: loaded() };
+  });
+  assert.deepEqual(builds, {
+    build: 'simd',
+    files: ['abflat-simd.wasm'],
+    without: 'plain',
+    allFiles: ['abflat-simd.wasm', 'abflat.wasm'],
+  });
+});
+
 test('abort and errors in a page', NEEDS_CHROME, async () => {
   const results = await inPage('abort', async ({ entry }) => {
     const { AbflatError, createAbflat } = await import(entry);

@@ -12,6 +12,7 @@ import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
 const MAX_BYTES = 400 * 1024;
+const MODULES = ['abflat.wasm', 'abflat-simd.wasm'];
 
 /** The files that a script loads through static imports, itself included. */
 function filesFrom(entry) {
@@ -29,27 +30,33 @@ function filesFrom(entry) {
   return files;
 }
 
-test('everything that a browser loads is under 400 KB compressed', () => {
-  const files = new Set([...filesFrom('index.js'), ...filesFrom('worker.js'), 'abflat.wasm']);
-  const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
-  const sum = bytes.reduce((a, b) => a + b, 0);
-  assert.ok(sum < MAX_BYTES, `${sum} bytes`);
-});
+for (const module of MODULES) {
+  test(`everything that a browser loads with ${module} is under 400 KB compressed`, () => {
+    const files = new Set([...filesFrom('index.js'), ...filesFrom('worker.js'), module]);
+    const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
+    const sum = bytes.reduce((a, b) => a + b, 0);
+    assert.ok(sum < MAX_BYTES, `${sum} bytes`);
+  });
+}
 
 test('the entries for browsers import only files beside them', () => {
   assert.ok(filesFrom('index.js').size > 1);
   assert.ok(filesFrom('worker.js').has('abflat.mjs'));
 });
 
-test('the module knows the same status codes and samples as the package', async () => {
-  const { Engine } = await import(join(DIST, 'engine.js'));
-  const wasm = await WebAssembly.compile(readFileSync(join(DIST, 'abflat.wasm')));
-  const engine = await Engine.create(wasm, 2 ** 28);
-  const { statuses, samples } = engine.run({ kind: 'describe' });
-  assert.deepEqual(statuses, [...STATUS_NAMES]);
-  assert.deepEqual(samples, [...SAMPLE_NAMES]);
-  assert.deepEqual(Object.keys(STATUSES), [...STATUS_NAMES]);
-});
+for (const module of MODULES) {
+  test(`${module} knows its label, the status codes and samples of the package`, async () => {
+    const { Engine } = await import(join(DIST, 'engine.js'));
+    const { buildOf } = await import(join(DIST, 'builds.js'));
+    const wasm = await WebAssembly.compile(readFileSync(join(DIST, module)));
+    const engine = await Engine.create(wasm, 2 ** 28);
+    const { build, statuses, samples } = engine.run({ kind: 'describe' });
+    assert.equal(build, buildOf(wasm));
+    assert.deepEqual(statuses, [...STATUS_NAMES]);
+    assert.deepEqual(samples, [...SAMPLE_NAMES]);
+    assert.deepEqual(Object.keys(STATUSES), [...STATUS_NAMES]);
+  });
+}
 
 test('version and exported files match the repository', () => {
   const manifest = JSON.parse(readFileSync(join(ROOT, 'wasm/package.json'), 'utf8'));
@@ -66,7 +73,12 @@ test('npm pack contains the licences and no sources', () => {
   const { stdout, stderr } = spawnSync('npm', args, { cwd: ROOT, encoding: 'utf8' });
   assert.match(stdout, /^\s*\[/, stderr);
   const files = JSON.parse(stdout)[0].files.map(({ path }) => path);
-  for (const name of ['package.json', 'README.md', 'dist/index.d.ts', 'dist/abflat.wasm']) {
+  for (const name of [
+    'package.json',
+    'README.md',
+    'dist/index.d.ts',
+    ...MODULES.map((module) => `dist/${module}`),
+  ]) {
     assert.ok(files.includes(name), name);
   }
   for (const name of ['dist/LICENSE.txt', 'dist/THIRD_PARTY_LICENSES.txt']) {

@@ -127,6 +127,15 @@ EMSCRIPTEN_KEEPALIVE std::size_t abflatMethodUvSize(const Job* job, int method) 
   return methodUvOf(*job, static_cast<std::size_t>(method)).size;
 }
 
+/// The names are those of BUILDS in builds.ts.
+EMSCRIPTEN_KEEPALIVE const char* abflatBuild() {
+#ifdef __wasm_simd128__
+  return "simd";
+#else
+  return "plain";
+#endif
+}
+
 EMSCRIPTEN_KEEPALIVE int abflatStatusCount() { return abflat::kStatusCodeCount; }
 
 EMSCRIPTEN_KEEPALIVE const char* abflatStatusName(int code) {

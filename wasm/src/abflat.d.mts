@@ -19,6 +19,7 @@ export interface NativeModule {
   _abflatResultSize(job: number, field: number): number;
   _abflatMethodUvData(job: number, method: number): number;
   _abflatMethodUvSize(job: number, method: number): number;
+  _abflatBuild(): number;
   _abflatStatusCount(): number;
   _abflatStatusName(code: number): number;
   _abflatSampleCount(): number;

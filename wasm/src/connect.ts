@@ -1,3 +1,4 @@
+import { bestBuild, buildOf } from './builds.js';
 import { Client } from './client.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
@@ -22,6 +23,7 @@ import type {
 import {
   boundNumbers,
   checkBoolean,
+  checkBuild,
   checkFunction,
   checkKeys,
   checkMaxMemory,
@@ -31,22 +33,22 @@ import {
   KEYS,
   optionNumbers,
 } from './validate.js';
+import { wasmFile } from './wasm-file.js';
 
 /** Loads the module, starts a worker and waits until it answers. */
 export async function connect(platform: Platform, options: CreateOptions = {}): Promise<Abflat> {
   checkKeys(options, KEYS.create);
-  const { maxMemory = MAX_MEMORY, wasmUrl, workerUrl } = options;
+  const { maxMemory = MAX_MEMORY, workerUrl } = options;
   checkMaxMemory(maxMemory);
-  const module = await platform.loadModule(wasmUrl).catch((error: unknown) => {
-    throw new AbflatError('UnreadableFile', messageOf(error));
-  });
+  const module = await loadModule(platform, options);
   const client = new Client(platform, { module, maxMemory, workerUrl });
-  const { statuses } = await client.call<Description>({ kind: 'describe' });
+  const { build, statuses } = await client.call<Description>({ kind: 'describe' });
   if (statuses.join() !== STATUS_NAMES.join()) {
     client.terminate();
     throw new AbflatError('Internal', 'abflat.wasm and abflat are of different versions.');
   }
   return {
+    build,
     flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
     compare: async (mesh, settings = {}) => compare(client, mesh, settings),
     inspect: async (mesh, settings = {}) => inspect(client, mesh, settings),
@@ -54,6 +56,22 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
     sample: async (name, settings = {}) => sample(client, name, settings),
     terminate: () => client.terminate(),
   };
+}
+
+/** The file that was named, whichever build it is, or the build that was asked for. */
+async function loadModule(
+  platform: Platform,
+  { build, wasmUrl }: CreateOptions,
+): Promise<WebAssembly.Module> {
+  checkBuild(build);
+  const address = wasmUrl ?? wasmFile(build ?? bestBuild());
+  const module = await platform.loadModule(address).catch((error: unknown) => {
+    throw new AbflatError('UnreadableFile', messageOf(error));
+  });
+  const found = buildOf(module);
+  if (build !== undefined && build !== found)
+    throw new AbflatError('InvalidOption', `build is ${build}, but ${address} is ${found}.`);
+  return module;
 }
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {

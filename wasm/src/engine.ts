@@ -1,6 +1,8 @@
 // One instance of the WebAssembly module. Runs in the worker, where it may block.
 
-import createNative, { type NativeModule } from './abflat.mjs';
+import createPlain, { type NativeModule } from './abflat.mjs';
+import createSimd from './abflat-simd.mjs';
+import { type Build, buildOf } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
@@ -16,6 +18,9 @@ import type { Comparison, FlattenResult, MeshSummary, Report, TriangleMesh } fro
 
 /** The numbers are those of `Field` in wasm/bindings/job.h. */
 const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, text: 5 } as const;
+
+/** Minified names may differ between builds, so each module needs its own. */
+const CREATE = { plain: createPlain, simd: createSimd };
 
 /** Thrown through the module by its allocator. */
 class OutOfMemory extends Error {}
@@ -51,7 +56,7 @@ export class Engine {
     });
     const hooks: Hooks = { onProgress: ignore };
     const native = await new Promise<NativeModule>((resolve, reject) => {
-      createNative({
+      CREATE[buildOf(module)]({
         wasmMemory: memory,
         instantiateWasm: (imports, receive) => {
           WebAssembly.instantiate(module, imports)
@@ -116,6 +121,7 @@ export class Engine {
     const list = (count: number, name: (index: number) => number) =>
       Array.from({ length: count }, (_, index) => readString(this.#memory, name(index)));
     return {
+      build: readString(this.#memory, native._abflatBuild()) as Build,
       statuses: list(native._abflatStatusCount(), native._abflatStatusName),
       samples: list(native._abflatSampleCount(), native._abflatSampleName),
     };

@@ -1,5 +1,6 @@
 // What the package exports beside createAbflat.
 
+export { type Build, bestBuild } from './builds.js';
 export { AbflatError } from './errors.js';
 export {
   FLATTEN_DEFAULTS,

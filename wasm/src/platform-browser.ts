@@ -5,7 +5,7 @@ import type { FromWorker } from './protocol.js';
 const ADVICE = 'Pass wasmUrl to createAbflat if the file is elsewhere.';
 
 export const browser: Platform = {
-  async loadModule(address = new URL('./abflat.wasm', import.meta.url)) {
+  async loadModule(address) {
     const response = await fetchFile(address);
     try {
       return await WebAssembly.compile(await response.arrayBuffer());

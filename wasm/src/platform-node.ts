@@ -7,7 +7,7 @@ import { browser } from './platform-browser.js';
 import type { FromWorker } from './protocol.js';
 
 export const node: Platform = {
-  async loadModule(address = new URL('./abflat.wasm', import.meta.url)) {
+  async loadModule(address) {
     if (/^https?:/.test(String(address))) return browser.loadModule(address);
     const path = pathOf(address);
     let bytes: Uint8Array<ArrayBuffer>;

@@ -14,9 +14,10 @@ export interface WorkerEvents {
   onCrash(error: AbflatError): void;
 }
 
-/** What browsers and Node do differently. Without an address each takes the file beside itself. */
+/** What browsers and Node do differently. */
 export interface Platform {
   /** Rejects with a sentence that names the address. */
-  loadModule(address?: string | URL): Promise<WebAssembly.Module>;
+  loadModule(address: string | URL): Promise<WebAssembly.Module>;
+  /** Without an address it is the script beside the package's modules. */
   startWorker(events: WorkerEvents, address?: string | URL): WorkerHandle;
 }

@@ -1,5 +1,6 @@
 // What client and worker say to each other. One call at a time: the worker answers it before the client sends the next.
 
+import type { Build } from './builds.js';
 import type { StatusName } from './generated.js';
 import type {
   CompareProgress,
@@ -40,6 +41,7 @@ export type Request =
 
 /** What the module knows by name, to compare with what this package knows. */
 export interface Description {
+  build: Build;
   statuses: string[];
   samples: string[];
 }

@@ -1,3 +1,4 @@
+import type { Build } from './builds.js';
 import type { FlattenOptionValues } from './generated.js';
 
 /** A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise. */
@@ -242,6 +243,8 @@ export interface TriangleMesh {
 
 /** A worker that takes one call after the other, in the order they were made. */
 export interface Abflat {
+  /** Which build of the module runs. */
+  readonly build: Build;
   flatten(mesh: MeshInput, options?: FlattenOptions): Promise<FlattenResult>;
   /** The layouts of abflat beside those of well-known methods; fails where `flatten` would. */
   compare(mesh: MeshInput, options?: CompareOptions): Promise<Comparison>;
@@ -255,9 +258,11 @@ export interface Abflat {
 }
 
 export interface CreateOptions {
+  /** Which build of the module to use; without it the fastest that runs here. */
+  build?: Build;
   /** Most bytes that the worker may use for a mesh: 16 MB to 4 GB, the default. */
   maxMemory?: number;
-  /** Where abflat.wasm is, when it is not beside the module; in Node a path is fine as well. */
+  /** Where abflat.wasm is, or that of another build, when it is not beside the module; in Node a path is fine as well. */
   wasmUrl?: string | URL;
   /** Where the worker's script is, when it is not beside the module. */
   workerUrl?: string | URL;

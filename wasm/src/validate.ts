@@ -1,12 +1,13 @@
 // Checks what callers pass as options.
 
+import { BUILDS } from './builds.js';
 import { AbflatError } from './errors.js';
 import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, type FlattenOptionValues } from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
 
 const OF_CALL = ['signal', 'transfer'];
 export const KEYS = {
-  create: ['maxMemory', 'wasmUrl', 'workerUrl'],
+  create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'onProgress', 'obj', ...OF_CALL],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
@@ -72,6 +73,11 @@ export function checkNumber(name: string, value: unknown, rule: NumberRule): voi
 export function checkMaxMemory(value: unknown): void {
   const range = `of bytes from ${MIN_MEMORY} (16 MB) to ${MAX_MEMORY} (4 GB)`;
   checkNumber('maxMemory', value, { range, atLeast: MIN_MEMORY, atMost: MAX_MEMORY });
+}
+
+export function checkBuild(value: unknown): void {
+  if (value === undefined || BUILDS.some((build) => build === value)) return;
+  throw invalid(`build must be one of ${BUILDS.join(', ')}; it is ${JSON.stringify(value)}.`);
 }
 
 interface OptionRule extends NumberRule {

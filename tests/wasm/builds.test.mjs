@@ -1,0 +1,120 @@
+// The builds of the module: which one is taken, and that they agree to the last bit.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { AbflatError, bestBuild, createAbflat, SAMPLE_NAMES } from 'abflat';
+import { MILD_DISKS } from '../support/shared.mjs';
+import { DIST, MESHES, NEEDS_MESHES } from './support/paths.mjs';
+
+const FILES = { plain: 'abflat.wasm', simd: 'abflat-simd.wasm' };
+const BUILDS = Object.keys(FILES);
+/** Node has had vectors since version 16.4. */
+const BEST = 'simd';
+
+const started = [];
+after(() => {
+  for (const abflat of started) abflat.terminate();
+});
+
+async function start(options) {
+  const abflat = await createAbflat(options);
+  started.push(abflat);
+  return abflat;
+}
+
+/** Without vectors: the probe is the only module that is validated. */
+async function withoutVectors(action) {
+  const { validate } = WebAssembly;
+  WebAssembly.validate = () => false;
+  try {
+    return await action();
+  } finally {
+    WebAssembly.validate = validate;
+  }
+}
+
+test('the fastest build that runs here is the default', async () => {
+  assert.equal(bestBuild(), BEST);
+  assert.equal((await start()).build, BEST);
+});
+
+test('without vector instructions the plain build is taken', async () => {
+  assert.equal(await withoutVectors(bestBuild), 'plain');
+  const abflat = await withoutVectors(() => start());
+  assert.equal(abflat.build, 'plain');
+  assert.equal((await abflat.flatten(await abflat.sample('hemisphere'))).report.valid, true);
+});
+
+for (const build of BUILDS) {
+  test(`build: '${build}' and its file alone`, async () => {
+    assert.equal((await start({ build })).build, build);
+    const wasmUrl = pathToFileURL(join(DIST, FILES[build]));
+    assert.equal((await start({ wasmUrl })).build, build);
+  });
+}
+
+const REFUSED = [
+  ['an unknown build', { build: 'fast' }, 'InvalidOption', /one of plain, simd.*"fast"/],
+  [
+    'a build and the file of another',
+    { build: 'plain', wasmUrl: join(DIST, FILES.simd) },
+    'InvalidOption',
+    /build is plain.*abflat-simd\.wasm is simd/,
+  ],
+];
+for (const [what, options, code, pattern] of REFUSED) {
+  test(`${what} is refused`, async () => {
+    await assert.rejects(createAbflat(options), (error) => {
+      assert.ok(error instanceof AbflatError);
+      assert.equal(error.code, code);
+      assert.match(error.message, pattern);
+      return true;
+    });
+  });
+}
+
+test('a module without the label of this package is refused', async () => {
+  const { buildOf } = await import(join(DIST, 'builds.js'));
+  const empty = await WebAssembly.compile(new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]));
+  assert.throws(() => buildOf(empty), { name: 'AbflatError', code: 'UnreadableFile' });
+});
+
+describe('all builds give the same bytes', () => {
+  let abflats;
+  before(async () => {
+    abflats = await Promise.all(BUILDS.map((build) => start({ build })));
+  });
+
+  const assertSame = async (mesh, options) => {
+    const [expected, ...others] = await Promise.all(
+      abflats.map((abflat) => abflat.flatten(mesh, { ...options, obj: true })),
+    );
+    assert.ok(expected.uv.length > 0);
+    const [{ history }] = expected.report.charts;
+    for (const result of others) {
+      // Not deepEqual: it takes 0 for -0.
+      for (const name of ['uv', 'indices', 'vertexMap', 'obj'])
+        assert.ok(Buffer.compare(bytesOf(result[name]), bytesOf(expected[name])) === 0, name);
+      assert.deepEqual(result.report.charts[0].history, history);
+    }
+  };
+
+  for (const name of SAMPLE_NAMES) {
+    test(name, async () => {
+      const [mesh, ...others] = await Promise.all(abflats.map((abflat) => abflat.sample(name)));
+      for (const other of others) assert.deepEqual(other, mesh);
+      for (const options of [{}, { t: 1 }, { t: 1, linearSolver: 'minres' }])
+        await assertSame(mesh, options);
+    });
+  }
+  for (const name of MILD_DISKS) {
+    test(name, NEEDS_MESHES, async () => {
+      await assertSame({ bytes: readFileSync(join(MESHES, name)), name }, { t: 1 });
+    });
+  }
+});
+
+const bytesOf = ({ buffer, byteOffset, byteLength }) => Buffer.from(buffer, byteOffset, byteLength);

@@ -1,0 +1,2 @@
+// The same module with vector instructions.
+export { default } from './abflat.mjs';

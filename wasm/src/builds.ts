@@ -1,0 +1,33 @@
+// The module is built more than once from the same source. All builds give the same results to the last bit.
+
+import { AbflatError } from './errors.js';
+
+/** `plain` runs wherever WebAssembly does, `simd` needs vectors of 128 bits and is faster. */
+export type Build = 'plain' | 'simd';
+
+export const BUILDS: readonly Build[] = ['plain', 'simd'];
+
+/** A module with one vector instruction, i8x16.popcnt, which drafts of the vector proposal did not have yet. */
+const WITH_VECTORS = new Uint8Array([
+  ...[0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0], // magic, version
+  ...[1, 5, 1, 0x60, 0, 1, 0x7b], // type: () -> v128
+  ...[3, 2, 1, 0], // function 0 has it
+  ...[10, 10, 1, 8, 0, 0x41, 0, 0xfd, 15, 0xfd, 98, 0x0b], // i32.const 0, i8x16.splat, i8x16.popcnt, end
+]);
+
+/** The fastest build that runs here. */
+export function bestBuild(): Build {
+  return WebAssembly.validate(WITH_VECTORS) ? 'simd' : 'plain';
+}
+
+/** As the module says in a section of its own, written by wasm/build.mjs. */
+export function buildOf(module: WebAssembly.Module): Build {
+  const [section] = WebAssembly.Module.customSections(module, 'abflat.build');
+  const name = section && new TextDecoder().decode(section);
+  const build = BUILDS.find((each) => each === name);
+  if (build) return build;
+  throw new AbflatError(
+    'UnreadableFile',
+    'The file at wasmUrl is not a WebAssembly module of this version of abflat.',
+  );
+}
