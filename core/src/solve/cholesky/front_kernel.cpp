@@ -39,6 +39,14 @@ bool acceptPivot(Block<Scalar>& b, std::size_t column, Scalar pivot) {
   return true;
 }
 
+// Browsers begin with quickly made code and replace it from the next call of a function on: what is
+// called once a tile becomes fast soon, what loops over a whole front never.
+#ifdef __wasm__
+#define ABFLAT_TILE __attribute__((noinline))
+#else
+#define ABFLAT_TILE inline
+#endif
+
 #define ABFLAT_SCALAR double
 #define ABFLAT_TARGET
 namespace double2 {
