@@ -80,6 +80,24 @@ std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface
   return out;
 }
 
+/// All that is needed of a mesh. The connectivity that it comes from takes much memory and is gone
+/// before the solver needs its own.
+struct Prepared {
+  MeshSummary summary;
+  DiskChart chart;
+  std::vector<std::uint32_t> cornerUv;
+};
+
+Result<Prepared> prepare(const PolygonMesh& mesh) {
+  Surface surface = buildSurface(mesh);
+  if (!surface.summary.disk.ok()) return surface.summary.disk;
+  Prepared out;
+  out.chart = makeDiskChart(mesh, surface);
+  out.cornerUv = cornerToOutput(mesh, surface);
+  out.summary = std::move(surface.summary);
+  return out;
+}
+
 }  // namespace
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
@@ -93,9 +111,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   if (!monitor.tell("connectivity", 0)) return aborted;
 
-  const Surface surface = buildSurface(mesh);
-  if (!surface.summary.disk.ok()) return surface.summary.disk;
-  const DiskChart chart = makeDiskChart(mesh, surface);
+  Result<Prepared> prepared = prepare(mesh);
+  if (!prepared.ok()) return prepared.status;
+  const DiskChart& chart = prepared.value.chart;
   const Result<std::vector<double>> t = requestedBounds(chart, options);
   if (!t.ok()) return t.status;
   FlattenResult out;
@@ -121,12 +139,12 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   out.report.charts.push_back(makeChartReport(chart, best, common));
   timings.check += watch.lap();
 
-  out.report.input = surface.summary;
+  out.report.input = std::move(prepared.value.summary);
   out.report.options = options;
   out.report.valid = out.report.charts.front().valid;
   out.vertexMap = chart.inputVertex;
   out.triangles = chart.vertexOfCorner;
-  out.cornerUv = cornerToOutput(mesh, surface);
+  out.cornerUv = std::move(prepared.value.cornerUv);
   return out;
 }
 

@@ -59,7 +59,7 @@ Status readInput(Job& job) {
   if (!format.ok()) return format.status;
   Result<PolygonMesh> mesh = readMesh(job.source, format.value, job.name);
   // Only an OBJ is written back with its own text around the new texcoords.
-  if (format.value != MeshFormat::Obj) job.source = {};
+  if (format.value != MeshFormat::Obj) std::string().swap(job.source);
   job.mesh = std::move(mesh.value);
   return mesh.status;
 }
@@ -70,6 +70,7 @@ Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress) {
   if (Status s = readInput(job); !s.ok()) return s;
   const double read = secondsSince(started);
 
+  if (!wantsObj) std::string().swap(job.source);
   job.options.progress = progress;
   Result<FlattenResult> flat = flatten(job.mesh, job.options);
   if (!flat.ok()) return flat.status;

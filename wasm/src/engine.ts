@@ -215,12 +215,14 @@ export class Engine {
     }
   }
 
+  /** Takes the mesh: its own buffers may go while the module works. */
   #writeMesh(job: number, mesh: OwnedMesh): void {
     this.#checkSize(mesh);
     if ('bytes' in mesh) {
       this.#writeName(job, mesh.name);
       const source = this.#native._abflatSource(job, mesh.bytes.length) >>> 0;
       new Uint8Array(this.#memory.buffer, source, mesh.bytes.length).set(mesh.bytes);
+      mesh.bytes = new Uint8Array();
       return;
     }
     const { positions, indices } = mesh;
@@ -229,6 +231,8 @@ export class Engine {
     new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
     const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
     new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
+    mesh.positions = new Float64Array();
+    mesh.indices = new Uint32Array();
   }
 
   /** Sizes beyond 32 bits must not reach the module. */

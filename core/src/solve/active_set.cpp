@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "angle/constants.h"
 #include "stopwatch.h"
@@ -104,24 +105,24 @@ AngleSolution startFrom(const AngleProblem& problem, const ConstraintRows& rows,
   return s;
 }
 
-/// The iteration. `problem_` is a copy: only its weights ever differ from the original's.
+/// The iteration.
 class ActiveSet {
  public:
   ActiveSet(const AngleProblem& problem, NewtonStepSolver& system, const SolverOptions& options)
-      : original_(problem), problem_(problem), system_(system), options_(options) {}
+      : original_(problem), system_(system), options_(options) {}
 
   AngleSolution run(const AngleSolution* start) {
-    s_ = startFrom(problem_, rows(), start);
+    s_ = startFrom(problem(), rows(), start);
     relinearize();
-    updateActive(problem_, rows(), lin_, s_);
-    s_.constraintResidual = constraintResidual(problem_, rows(), lin_);
+    updateActive(problem(), rows(), lin_, s_);
+    s_.constraintResidual = constraintResidual(problem(), rows(), lin_);
     for (int step = 1; step <= options_.maxSteps; ++step) {
       if (!takeStep()) break;
       if (options_.onStep && !options_.onStep(step, s_.history.back())) {
         s_.cancelled = true;
         return std::move(s_);
       }
-      if (s_.converged && !isRaised_) return std::move(s_);
+      if (s_.converged && !raised_) return std::move(s_);
       if (s_.converged) tryOriginalWeights();
       if (hasStalled(s_.history, options_.stalledSteps)) break;
     }
@@ -129,14 +130,15 @@ class ActiveSet {
   }
 
  private:
+  const AngleProblem& problem() const { return raised_ ? *raised_ : original_; }
   const ConstraintRows& rows() const { return system_.rows(); }
 
   void relinearize() {
     const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution;
-    linearize(problem_, rows(), s_.angles, s_.multipliers.row, lin_,
+    linearize(problem(), rows(), s_.angles, s_.multipliers.row, lin_,
               near ? Curvature::Exact : Curvature::Clamped);
     for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
-      lin_.edgeResidual[i] -= problem_.edgeCompliance * s_.multipliers.edge[i];
+      lin_.edgeResidual[i] -= problem().edgeCompliance * s_.multipliers.edge[i];
   }
 
   /// Newton's method leaves about the square of the residual however exact the step is.
@@ -150,7 +152,7 @@ class ActiveSet {
   bool takeStep() {
     Stopwatch watch;
     if (!system_.step(
-            {problem_, s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
+            {problem(), s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
             dx_, next_))
       return false;
     NewtonStep now;
@@ -159,8 +161,8 @@ class ActiveSet {
     now.step = stepLength(s_.angles, dx_);
     if (now.step < kBlockedStep) {
       if (heavier_) return false;
-      now.reweighted = raiseWeights(s_.angles, dx_, problem_.weight);
-      isRaised_ = true;
+      if (!raised_) raised_ = original_;
+      now.reweighted = raiseWeights(s_.angles, dx_, raised_->weight);
     }
     for (std::size_t c = 0; c < dx_.size(); ++c) s_.angles[c] += now.step * dx_[c];
     moveTowards(s_.multipliers.row, next_.row, now.step);
@@ -169,12 +171,12 @@ class ActiveSet {
 
     const double before = lin_.objective;
     relinearize();
-    const bool isActiveChanged = updateActive(problem_, rows(), lin_, s_);
+    const bool isActiveChanged = updateActive(problem(), rows(), lin_, s_);
     for (const std::uint8_t active : s_.active) now.active += active;
     for (const std::uint8_t active : s_.activeEdge) now.activeEdges += active;
     now.objective = lin_.objective;
-    now.constraint = s_.constraintResidual = constraintResidual(problem_, rows(), lin_);
-    now.gradient = gradientResidual(problem_, rows(), lin_, s_.multipliers);
+    now.constraint = s_.constraintResidual = constraintResidual(problem(), rows(), lin_);
+    now.gradient = gradientResidual(problem(), rows(), lin_, s_.multipliers);
     s_.history.push_back(now);
     s_.converged = now.constraint <= options_.constraintTolerance && !isActiveChanged &&
                    (now.gradient <= options_.gradientTolerance ||
@@ -185,12 +187,11 @@ class ActiveSet {
   /// The optimum for larger weights is known: it is kept, and the way to that of the original
   /// weights may be free from there.
   void tryOriginalWeights() {
-    s_.weight = problem_.weight;
+    s_.weight = std::move(raised_->weight);
+    raised_.reset();
     heavier_ = std::make_unique<AngleSolution>(s_);
     s_.weight.clear();
     s_.converged = false;
-    problem_.weight = original_.weight;
-    isRaised_ = false;
     relinearize();
   }
 
@@ -200,12 +201,11 @@ class ActiveSet {
   }
 
   const AngleProblem& original_;
-  AngleProblem problem_;
+  std::optional<AngleProblem> raised_;  ///< with raised weights
   NewtonStepSolver& system_;
   const SolverOptions& options_;
   AngleSolution s_;
   std::unique_ptr<AngleSolution> heavier_;  ///< converged with raised weights
-  bool isRaised_ = false;
   Linearization lin_;
   std::vector<double> dx_;
   Multipliers next_;
