@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "check/distortion.h"
+#include "portable_math.h"
 
 namespace abflat {
 namespace {
@@ -19,7 +20,7 @@ int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
   for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
     const double *a = &uv[2 * chart.vertexOfCorner[h]],
                  *b = &uv[2 * chart.vertexOfCorner[nextCorner(h)]];
-    const double length = std::hypot(a[0] - b[0], a[1] - b[1]);
+    const double length = portable::hypot(a[0] - b[0], a[1] - b[1]);
     longest = std::max(longest, length);
     shortest = std::min(shortest, length);
   }

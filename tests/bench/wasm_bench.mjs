@@ -1,14 +1,15 @@
 #!/usr/bin/env node
-// The npm package in Node beside the native program on the same meshes.
+// The npm package in Node and Chromium beside the native program on the same meshes.
 // Usage: npm run bench:wasm -- [options of npm run bench]
 
 import { readFileSync, rmSync } from 'node:fs';
-import { basename, join } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildWasm } from '../../scripts/build.mjs';
 import { ROOT } from '../../scripts/lib/paths.mjs';
+import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { Failure, run, runMain } from '../../scripts/lib/run.mjs';
-import { benchMeshes, buildBench, PROGRAM } from './support/meshes.mjs';
+import { BASELINE, benchMeshes, buildBench, PROGRAM } from './support/meshes.mjs';
 import { benchOptions } from './support/options.mjs';
 import {
   appendCsv,
@@ -18,13 +19,15 @@ import {
   STAGES,
   totalOf,
 } from './support/results.mjs';
+import { runInChromium, runInNode } from './support/wasm_runs.mjs';
 
 const CSV = join(ROOT, 'tests/bench/results/wasm.csv');
 const RECORDED = join(ROOT, 'tests/bench/recorded.json');
 
 const KEYS = [
   ...['mesh', 'faces', 't', 'repeat', ...STAGES, 'call', 'iterations', 'residual', 'valid'],
-  ...['memoryMB', 'nativeSolve', 'nativeTotal', 'drift', 'node'],
+  ...['memoryMB', 'plainSolve', 'nativeSolve', 'nativeTotal', 'baselineSolve', 'chromium'],
+  ...['drift', 'node'],
 ];
 
 const COLUMNS = [
@@ -37,47 +40,28 @@ const COLUMNS = [
   ['steps', 'iterations'],
   ['residual', 'residual'],
   ['valid', (row) => (row.valid ? 'yes' : 'NO')],
+];
+
+const RATIOS = [
+  ['mesh', 'mesh'],
   ['native solve/s', 'nativeSolve', 3],
-  ['solve ratio', (row) => row.solve / row.nativeSolve, 2],
-  ['total ratio', (row) => totalOf(row) / row.nativeTotal, 2],
+  ['baseline solve/s', 'baselineSolve', 3],
+  ['simd solve/s', 'solve', 3],
+  ['plain solve/s', 'plainSolve', 3],
+  ['simd/native', (row) => row.solve / row.nativeSolve, 2],
+  ['simd/baseline', (row) => row.solve / row.baselineSolve, 2],
+  ['plain/simd', (row) => row.plainSolve / row.solve, 2],
+  ['native total/s', 'nativeTotal', 3],
+  ['Chromium/s', 'chromium', 3],
+  ['simd/native', (row) => totalOf(row) / row.nativeTotal, 2],
+  ['Chromium/native', (row) => row.chromium && row.chromium / row.nativeTotal, 2],
   ['drift', 'drift', 2],
 ];
 
-const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
-
-/** In a process of its own, for its peak of memory: prints one line of JSON. */
-async function runOne(path, t, repeat) {
-  const { createAbflat } = await import('abflat');
-  const abflat = await createAbflat();
-  const calls = [];
-  try {
-    for (let i = 0; i < repeat; ++i) {
-      const bytes = readFileSync(path);
-      const start = performance.now();
-      const { report } = await abflat.flatten({ bytes, name: basename(path) }, { t, obj: true });
-      calls.push({ call: (performance.now() - start) / 1000, report });
-    }
-  } finally {
-    abflat.terminate();
-  }
-  const { report } = calls.at(-1);
-  const [chart] = report.charts;
-  const row = {
-    faces: chart.faces,
-    t: chart.t,
-    repeat,
-    call: median(calls.map(({ call }) => call)),
-  };
-  for (const stage of STAGES) row[stage] = median(calls.map((call) => call.report.timings[stage]));
-  Object.assign(row, {
-    iterations: chart.iterations,
-    residual: chart.constraintResidual,
-    valid: report.valid && chart.converged,
-    memoryMB: (process.resourceUsage().maxRSS * 1024) / 1e6,
-    node: process.version,
-  });
-  console.log(JSON.stringify(row));
-}
+const LEGEND = `
+native: the vectors of this machine; baseline: those of every x86-64
+Chromium: a new browser each time, from loading the package to the OBJ text
+drift: native solve after the other runs over before; ratios count where it is near 1`;
 
 async function jsonOf(name, program, args) {
   const { code, output } = await run(program, args, { capture: true });
@@ -87,19 +71,28 @@ async function jsonOf(name, program, args) {
 
 async function measure(mesh, { t, repeatFor }) {
   const path = await mesh.make();
-  const args = [path, String(t), String(repeatFor(mesh.faces))];
+  const repeat = repeatFor(mesh.faces);
+  const args = [path, String(t), String(repeat)];
   const self = fileURLToPath(import.meta.url);
-  const natively = () => jsonOf(mesh.name, PROGRAM, ['plain', ...args]);
+  const natively = (program) => jsonOf(mesh.name, program, ['plain', ...args]);
+  const inNode = (build) => jsonOf(mesh.name, process.execPath, [self, build, ...args]);
   // Before and after, so that a machine that gets busy meanwhile shows.
-  const before = await natively();
-  const wasm = await jsonOf(mesh.name, process.execPath, [self, 'one', ...args]);
-  const after = await natively();
+  const before = await natively(PROGRAM);
+  const simd = await inNode('simd');
+  const plain = await inNode('plain');
+  const chromium = findChrome() && (await runInChromium(path, { t, repeat }));
+  const baseline = await natively(BASELINE);
+  const after = await natively(PROGRAM);
   rmSync(path);
   return {
     mesh: mesh.name,
-    ...wasm,
+    ...simd,
+    plainSolve: plain.solve,
+    valid: simd.valid && plain.valid,
     nativeSolve: (before.solve + after.solve) / 2,
     nativeTotal: (totalOf(before) + totalOf(after)) / 2,
+    baselineSolve: baseline.solve,
+    chromium,
     drift: after.solve / before.solve,
   };
 }
@@ -107,7 +100,7 @@ async function measure(mesh, { t, repeatFor }) {
 async function main() {
   const options = benchOptions(process.argv.slice(2), CSV);
   if (!options) return;
-  await buildBench();
+  await buildBench(['abflat_flatten_bench', 'abflat_baseline_bench']);
   await buildWasm();
   const rows = [];
   for (const mesh of benchMeshes(options)) {
@@ -116,9 +109,9 @@ async function main() {
   }
   console.log('');
   printTable(COLUMNS, rows);
-  console.log(
-    '\ndrift: native solve after the wasm run over before; ratios count where it is near 1',
-  );
+  console.log('');
+  printTable(RATIOS, rows);
+  console.log(LEGEND);
   const heads = rows.filter((row) => row.mesh.startsWith('head-'));
   if (heads.length > 1)
     console.log(
@@ -131,5 +124,13 @@ async function main() {
   console.log('all results are valid, no iteration count grew');
 }
 
-const [mode, path, t, repeat] = process.argv.slice(2);
-await runMain(mode === 'one' ? () => runOne(path, Number(t), Number(repeat)) : main);
+const [build, path, t, repeat] = process.argv.slice(2);
+const isOne = ['plain', 'simd'].includes(build);
+
+/** Prints one line of JSON. */
+const one = async () =>
+  console.log(
+    JSON.stringify(await runInNode(path, { build, t: Number(t), repeat: Number(repeat) })),
+  );
+
+await runMain(isOne ? one : main);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/triangle_geometry.h"
+#include "portable_math.h"
 
 namespace abflat {
 namespace {
@@ -36,7 +37,7 @@ double sumSquaredAngleErrors(const Triangle& t, const std::array<double, 3>& ang
   for (std::size_t k = 0; k < 3; ++k) {
     const double *o = &t.uv[2 * k], *p = &t.uv[2 * ((k + 1) % 3)], *q = &t.uv[2 * ((k + 2) % 3)];
     const double ux = p[0] - o[0], uy = p[1] - o[1], vx = q[0] - o[0], vy = q[1] - o[1];
-    const double angle = std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
+    const double angle = portable::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
     const double error = (angle - angles3d[k]) / angles3d[k];
     sum += error * error;
   }
@@ -103,7 +104,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
     out.quasiConformalMax = std::max(out.quasiConformalMax, s1 / s2);
     out.stretchLinf = measured == 1 ? 1 / s2 : std::max(out.stretchLinf, 1 / s2);
     const double ratio = scale * scale * t.areaUv / t.area3d;
-    areaLog += t.area3d * std::abs(std::log(std::abs(ratio)));
+    areaLog += t.area3d * std::abs(portable::log(std::abs(ratio)));
     out.areaMin = std::min(out.areaMin, ratio);
     out.areaMax = std::max(out.areaMax, ratio);
   }

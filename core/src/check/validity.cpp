@@ -5,13 +5,14 @@
 
 #include "check/orientation.h"
 #include "mesh/triangle_geometry.h"
+#include "portable_math.h"
 
 namespace abflat {
 namespace {
 
 double angleAt(const double* o, const double* a, const double* b) {
   const double ux = a[0] - o[0], uy = a[1] - o[1], vx = b[0] - o[0], vy = b[1] - o[1];
-  return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
+  return portable::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
 }
 
 double maxBoundaryAngle(const DiskChart& chart, const std::vector<double>& uv) {

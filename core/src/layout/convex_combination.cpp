@@ -6,6 +6,7 @@
 
 #include "angle/constants.h"
 #include "mesh/triangle_geometry.h"
+#include "portable_math.h"
 #include "solve/symmetric_solve.h"
 #include "sparse_assembly.h"
 
@@ -73,8 +74,8 @@ std::vector<double> boundaryOnCircle(const DiskChart& chart) {
   double passed = 0;
   for (std::size_t i = 0; i < length.size(); ++i) {
     const std::uint32_t v = chart.vertexOfCorner[chart.boundary[i]];
-    uv[2 * v] = radius * (1 + std::cos(2 * kPi * passed / total));
-    uv[2 * v + 1] = radius * (1 + std::sin(2 * kPi * passed / total));
+    uv[2 * v] = radius * (1 + portable::cos(2 * kPi * passed / total));
+    uv[2 * v + 1] = radius * (1 + portable::sin(2 * kPi * passed / total));
     passed += length[i];
   }
   return uv;

@@ -8,6 +8,7 @@
 #include "angle/constants.h"
 #include "layout/diameter.h"
 #include "mesh/triangle_geometry.h"
+#include "portable_math.h"
 
 namespace abflat {
 namespace {
@@ -29,9 +30,9 @@ EdgePolars carryEdges(const DiskChart& chart, const std::vector<double>& x) {
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const std::uint32_t h = queue[i], n = nextCorner(h), p = prevCorner(h);
     // Sine rule: length of an edge over the sine of the opposite corner.
-    const double logRatio = e.logLength[h] - std::log(std::sin(x[p]));
-    e.logLength[n] = logRatio + std::log(std::sin(x[h]));
-    e.logLength[p] = logRatio + std::log(std::sin(x[n]));
+    const double logRatio = e.logLength[h] - portable::log(portable::sin(x[p]));
+    e.logLength[n] = logRatio + portable::log(portable::sin(x[h]));
+    e.logLength[p] = logRatio + portable::log(portable::sin(x[n]));
     e.heading[n] = std::remainder(e.heading[h] + kPi - x[n], 2 * kPi);
     e.heading[p] = std::remainder(e.heading[h] + kPi + x[h], 2 * kPi);
     for (const std::uint32_t g : {h, n, p}) {
@@ -125,10 +126,10 @@ std::vector<double> place(const DiskChart& chart, const std::vector<Placement>& 
   uv[0] = frame.origin[0];
   uv[1] = frame.origin[1];
   for (const Placement& p : order) {
-    const double length = std::exp(p.logLength + frame.logScale);
+    const double length = portable::exp(p.logLength + frame.logScale);
     const double heading = p.heading + frame.rotation;
-    uv[2 * p.to] = uv[2 * p.from] + length * std::cos(heading);
-    uv[2 * p.to + 1] = uv[2 * p.from + 1] + length * std::sin(heading);
+    uv[2 * p.to] = uv[2 * p.from] + length * portable::cos(heading);
+    uv[2 * p.to + 1] = uv[2 * p.from + 1] + length * portable::sin(heading);
   }
   return uv;
 }
@@ -170,7 +171,7 @@ double findRotation(const DiskChart& chart, const std::vector<Point2>& points) {
     skew += (p[0] - middle[0]) * axis[0] + (p[1] - middle[1]) * axis[1];
   const double scale = axis[0] * axis[0] + axis[1] * axis[1];
   const bool turned = skew < -kBalanced * scale * static_cast<double>(points.size());
-  return -std::atan2(axis[1], axis[0]) + (turned ? kPi : 0);
+  return -portable::atan2(axis[1], axis[0]) + (turned ? kPi : 0);
 }
 
 Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
@@ -184,7 +185,7 @@ Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
   const double area = areaUv(chart, uv), wanted = surfaceArea(chart);
   // A layout that is folded over itself may have no area; it keeps its size and the checks reject
   // it.
-  if (area > 0 && wanted > 0) frame.logScale += std::log(wanted / area) / 2;
+  if (area > 0 && wanted > 0) frame.logScale += portable::log(wanted / area) / 2;
   uv = place(chart, order, frame);
   Point2 low{0, 0};
   for (const Point2& p : boundaryPoints(chart, uv))

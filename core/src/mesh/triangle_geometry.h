@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "angle/constants.h"
+#include "portable_math.h"
 
 namespace abflat {
 
@@ -26,11 +27,11 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
 /// elsewhere.
 inline double norm(const Vec3& a) {
   const double square = dot(a, a);
-  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : portable::hypot(a[0], a[1], a[2]);
 }
 inline double norm(double x, double y) {
   const double square = x * x + y * y;
-  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(x, y);
+  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : portable::hypot(x, y);
 }
 
 /// Unit vectors from corner k to the next, for coordinates of any magnitude; false when two corners
@@ -57,7 +58,7 @@ inline std::array<double, 3> cornerAngles(const std::vector<double>& positions,
   std::array<double, 3> angle;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = e[k], &b = e[(k + 2) % 3];
-    angle[k] = std::atan2(norm(cross(a, b)), -dot(a, b));
+    angle[k] = portable::atan2(norm(cross(a, b)), -dot(a, b));
   }
   return angle;
 }

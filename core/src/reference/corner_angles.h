@@ -5,6 +5,7 @@
 
 #include "chart/disk_chart.h"
 #include "mesh/triangle_geometry.h"
+#include "portable_math.h"
 
 namespace abflat {
 
@@ -17,6 +18,6 @@ inline std::vector<double> drawableAngles(const DiskChart& chart) {
   return out;
 }
 
-inline double cotangent(double angle) { return std::cos(angle) / std::sin(angle); }
+inline double cotangent(double angle) { return portable::cos(angle) / portable::sin(angle); }
 
 }  // namespace abflat

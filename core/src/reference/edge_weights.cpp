@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "portable_math.h"
 #include "reference/corner_angles.h"
 
 namespace abflat {
 namespace {
+
+double tangent(double x) { return portable::sin(x) / portable::cos(x); }
 
 /// 3D length of each half-edge. Vertices that coincide are taken to be as far apart as the closest
 /// two that do not.
@@ -32,7 +35,7 @@ HalfEdgeWeights meanValueWeights(const DiskChart& chart) {
   for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
     if (chart.twin[h] == kNone) continue;  // its first vertex is not interior
     const double beside = angle[nextCorner(chart.twin[h])];
-    out.weight[h] = (std::tan(angle[h] / 2) + std::tan(beside / 2)) / length[h];
+    out.weight[h] = (tangent(angle[h] / 2) + tangent(beside / 2)) / length[h];
   }
   return out;
 }

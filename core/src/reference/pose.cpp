@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "portable_math.h"
+
 namespace abflat {
 namespace {
 
@@ -35,7 +37,7 @@ std::array<double, 2> rotationOnto(const std::vector<double>& model,
     re += x * p + y * q;
     im += x * q - y * p;
   }
-  const double length = std::hypot(re, im);
+  const double length = portable::hypot(re, im);
   if (!(length > 0) || !std::isfinite(length)) return {1, 0};
   return {re / length, im / length};
 }

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "portable_math.h"
 #include "samples/generators.h"
 #include "samples/grid.h"
 
 namespace abflat {
 namespace {
+
+double fourthPower(double x) { return x * x * (x * x); }
 
 /// A smooth bump: `height` in the given direction, falling off like a Gaussian.
 struct Bump {
@@ -39,8 +42,8 @@ double bumpAt(const Bump& bump, double longitude, double latitude) {
   double sum = 0;
   for (double centre : {bump.longitude, -bump.longitude}) {
     const double turn = std::remainder(longitude - radians(centre), 2 * kSamplePi);
-    const double sideways = turn * std::cos(latitude) / bump.width;
-    sum += bump.height * std::exp(-(sideways * sideways + up * up) / 2);
+    const double sideways = turn * portable::cos(latitude) / bump.width;
+    sum += bump.height * portable::exp(-(sideways * sideways + up * up) / 2);
     if (std::remainder(2 * bump.longitude, 360) == 0) break;
   }
   return sum;
@@ -54,7 +57,7 @@ double smoothStep(double from, double to, double x) {
 
 /// Point of the head in a direction.
 Point headAt(double longitude, double latitude) {
-  const double level = std::cos(latitude);
+  const double level = portable::cos(latitude);
   double radius = 1;
   // Longitudes meet at the crown: bumps fade out there.
   for (const Bump& bump : kBumps)
@@ -62,9 +65,10 @@ Point headAt(double longitude, double latitude) {
   const double neck = smoothStep(radians(kNeckLatitude), radians(-75), latitude);
   // Smooth maximum: the skull above, a column below.
   const double column = kNeckRadius * neck;
-  const double flat = std::pow(std::pow(radius * level, 4) + std::pow(column, 4), 0.25);
-  return {0.86 * flat * std::sin(longitude), 0.1 * neck - 1.04 * flat * std::cos(longitude),
-          1.2 * radius * std::sin(latitude) - 0.75 * neck};
+  const double flat = std::sqrt(std::sqrt(fourthPower(radius * level) + fourthPower(column)));
+  return {0.86 * flat * portable::sin(longitude),
+          0.1 * neck - 1.04 * flat * portable::cos(longitude),
+          1.2 * radius * portable::sin(latitude) - 0.75 * neck};
 }
 
 }  // namespace
@@ -77,8 +81,8 @@ PolygonMesh makeHead(double detail) {
   // As many edges along a parallel as keep them as long as the meridians'.
   const double spacing = radians(90 - kCutLatitude) / disk.rings;
   disk.ringSize = [=](double r) {
-    const double level = latitudeAt(r) > 0 ? std::cos(latitudeAt(r))
-                                           : std::max(std::cos(latitudeAt(r)), kNeckRadius);
+    const double level = latitudeAt(r) > 0 ? portable::cos(latitudeAt(r))
+                                           : std::max(portable::cos(latitudeAt(r)), kNeckRadius);
     return static_cast<unsigned>(std::lround(2 * kSamplePi * level / spacing));
   };
   disk.at = [=](double r, double phi) { return headAt(phi, latitudeAt(r)); };

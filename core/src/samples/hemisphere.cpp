@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "portable_math.h"
 #include "samples/generators.h"
 #include "samples/grid.h"
 
@@ -12,7 +13,8 @@ PolygonMesh makeHemisphere(double detail) {
   disk.ringSize = [&](double r) { return static_cast<unsigned>(std::lround(6 * r * disk.rings)); };
   disk.at = [](double r, double phi) -> Point {
     const double theta = r * kSamplePi / 2;
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    return {portable::sin(theta) * portable::cos(phi), portable::sin(theta) * portable::sin(phi),
+            portable::cos(theta)};
   };
   return diskMesh(disk);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "portable_math.h"
 #include "samples/generators.h"
 #include "samples/grid.h"
 
@@ -16,15 +17,16 @@ constexpr double kNeck = kFoot - kFillet;
 /// arc length from the plane to the top.
 std::array<double, 2> outline(double s) {
   // The quarter fillet ends vertically at radius kNeck, where the sphere is cut.
-  const double below = std::asin(kNeck / kBall);  // polar angle of the cut, from the lower pole
+  // Polar angle of the cut, from the lower pole.
+  const double below = portable::atan2(kNeck, std::sqrt(kBall * kBall - kNeck * kNeck));
   const double filletLength = kFillet * kSamplePi / 2, ballLength = kBall * (kSamplePi - below);
   double length = s * (filletLength + ballLength);
   if (length < filletLength) {
     const double a = length / kFillet;
-    return {kFoot - kFillet * std::sin(a), kFillet * (1 - std::cos(a))};
+    return {kFoot - kFillet * portable::sin(a), kFillet * (1 - portable::cos(a))};
   }
   const double a = below + (length - filletLength) / kBall;
-  return {kBall * std::sin(a), kFillet + kBall * (std::cos(below) - std::cos(a))};
+  return {kBall * portable::sin(a), kFillet + kBall * (portable::cos(below) - portable::cos(a))};
 }
 
 /// Square lattice of blocks; vertices inside of block squares with a ball are left out.
@@ -81,8 +83,8 @@ class Patch {
     std::vector<std::uint32_t> out;
     for (unsigned i = 0; i < count; ++i) {
       const double phi = 2 * kSamplePi * i / count;
-      out.push_back(mesh_.addPoint(
-          {centre[0] + radius * std::cos(phi), centre[1] + radius * std::sin(phi), centre[2]}));
+      out.push_back(mesh_.addPoint({centre[0] + radius * portable::cos(phi),
+                                    centre[1] + radius * portable::sin(phi), centre[2]}));
     }
     out.push_back(out.front());
     return out;
@@ -95,7 +97,7 @@ class Patch {
     for (std::size_t i = 0; i + 1 < square.size(); ++i) {
       const Point p = mesh_.point(square[i]);
       const double x = p[0] - cx, y = p[1] - cy;
-      const double scale = (1 + kFoot / std::hypot(x, y)) / 2;
+      const double scale = (1 + kFoot / portable::hypot(x, y)) / 2;
       out.push_back(mesh_.addPoint({cx + scale * x, cy + scale * y, 0}));
     }
     out.push_back(out.front());

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "portable_math.h"
+
 namespace abflat {
 namespace {
 
@@ -20,8 +22,8 @@ double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 /// Further iterations until `tolerance`, from the mean reduction so far.
 double expectedIterations(const ConjugateGradientsResult& now, double first, double tolerance) {
-  const double reduction = std::log(first / now.residual) / now.iterations;
-  return reduction > 0 ? std::log(now.residual / tolerance) / reduction
+  const double reduction = portable::log(first / now.residual) / now.iterations;
+  return reduction > 0 ? portable::log(now.residual / tolerance) / reduction
                        : std::numeric_limits<double>::infinity();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "angle/constants.h"
+#include "portable_math.h"
 
 namespace abflat {
 namespace {
@@ -44,7 +45,7 @@ void linearize(const AngleProblem& problem, const ConstraintRows& rows,
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t c = 3 * f + k;
       const double w = problem.weight[c], distance = x[c] - problem.target[c];
-      const double sine = std::sin(x[c]);
+      const auto [sine, cosine] = portable::sinCos(x[c]);
       const double m = y[2 * ((k + 2) % 3) + 1] - y[2 * ((k + 1) % 3) + 1];
       e.hessian[k] = 2 * w - m / (sine * sine);
       if (mode == Curvature::Clamped) e.hessian[k] = std::max(e.hessian[k], kMinCurvature * w);
@@ -53,8 +54,8 @@ void linearize(const AngleProblem& problem, const ConstraintRows& rows,
         e.hessian[k] += barrier->dual[c] / x[c];
         e.gradient[k] -= barrier->tau / x[c];
       }
-      logSin[k] = std::log(sine);
-      e.cot[k] = std::cos(x[c]) / sine;
+      logSin[k] = portable::log(sine);
+      e.cot[k] = cosine / sine;
       e.triangleResidual += x[c];
       out.objective += w * distance * distance;
     }

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "portable_math.h"
 #include "solve/lanczos.h"
 
 namespace abflat {
@@ -28,7 +29,7 @@ LinearSolveResult minres(const LinearOperator& matrix, const Eigen::VectorXd& rh
     epsilon = sn * beta;
     dbar = -cs * beta;
     const double tiny = std::numeric_limits<double>::epsilon() * scale;
-    const double gamma = std::hypot(gbar, beta);
+    const double gamma = portable::hypot(gbar, beta);
     if (!(gamma > tiny)) break;  // singular: x is the least squares solution already
     cs = gbar / gamma;
     sn = beta / gamma;

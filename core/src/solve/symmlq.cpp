@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "portable_math.h"
 #include "solve/lanczos.h"
 
 namespace abflat {
@@ -22,7 +23,7 @@ LinearSolveResult symmlq(const LinearOperator& matrix, const Eigen::VectorXd& rh
   double scale = std::max(std::abs(gbar), dbar);
   Eigen::VectorXd w = lanczos.vector();
   while (true) {
-    const double lq = std::hypot(rhs1, rhs2);
+    const double lq = portable::hypot(rhs1, rhs2);
     const double cg = gbar != 0 ? start * sines * lanczos.beta() / std::abs(gbar)
                                 : std::numeric_limits<double>::infinity();
     out.residual = std::min(lq, cg) / start;
@@ -35,7 +36,7 @@ LinearSolveResult symmlq(const LinearOperator& matrix, const Eigen::VectorXd& rh
     ++out.iterations;
     scale = std::max({scale, std::abs(lanczos.alpha()), lanczos.beta()});
     // The LQ factors of the tridiagonal matrix, one plane rotation further.
-    const double gamma = std::hypot(gbar, lanczos.previousBeta());
+    const double gamma = portable::hypot(gbar, lanczos.previousBeta());
     const double cs = gbar / gamma, sn = lanczos.previousBeta() / gamma;
     const double delta = cs * dbar + sn * lanczos.alpha();
     gbar = sn * dbar - cs * lanczos.alpha();

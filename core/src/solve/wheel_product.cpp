@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "portable_math.h"
+
 namespace abflat {
 
 std::vector<WheelProduct> wheelProducts(const AngleProblem& problem,
@@ -10,8 +12,8 @@ std::vector<WheelProduct> wheelProducts(const AngleProblem& problem,
   for (std::uint32_t f = 0; f < problem.triangleCount(); ++f)
     for (std::uint32_t k = 0; k < 3; ++k) {
       WheelProduct& wheel = out[problem.vertexOfCorner[3 * f + k]];
-      wheel.next *= std::sin(angles[3 * f + (k + 1) % 3]);
-      wheel.prev *= std::sin(angles[3 * f + (k + 2) % 3]);
+      wheel.next *= portable::sin(angles[3 * f + (k + 1) % 3]);
+      wheel.prev *= portable::sin(angles[3 * f + (k + 2) % 3]);
     }
   return out;
 }

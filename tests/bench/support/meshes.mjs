@@ -8,16 +8,18 @@ import { mustRun } from '../../../scripts/lib/run.mjs';
 import { setup } from '../../../scripts/setup.mjs';
 
 export const PROGRAM = join(BUILD, 'native/tests/abflat_flatten_bench');
+/** The same with the vectors that every x86-64 has. */
+export const BASELINE = join(BUILD, 'native/tests/abflat_baseline_bench');
 const FOLDER = join(BUILD, 'bench');
 const FACE = join(ROOT, '../shared/meshes/face.obj');
 /** Roughly, of face.obj. */
 const BYTES_PER_FACE = 60;
 
-export async function buildBench() {
+export async function buildBench(targets = ['abflat_flatten_bench']) {
   await setup(['build']);
   await cmakeBuild('native', {
     settings: { ABFLAT_TESTS: 'ON' },
-    targets: ['abflat_flatten_bench'],
+    targets,
   });
   mkdirSync(FOLDER, { recursive: true });
 }

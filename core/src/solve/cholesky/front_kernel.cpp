@@ -123,7 +123,7 @@ bool factorBlock(Block<float>& block, const Front<float>& front, SimdWidth width
 }  // namespace
 
 SimdWidth widestSimd() {
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(ABFLAT_TWO_LANES)
   if (__builtin_cpu_supports("avx512f")) return SimdWidth::Eight;
   if (__builtin_cpu_supports("avx2")) return SimdWidth::Four;
 #endif
