@@ -55,16 +55,26 @@ void matchGroup(const Triangulation& t, const EdgeEnd* first, const EdgeEnd* las
 
 /// A diagonal's twin lies in the same face, whose triangles are consecutive.
 void matchDiagonals(const Triangulation& t, CornerTable& table) {
-  const std::uint32_t n = static_cast<std::uint32_t>(t.vertex.size());
-  for (std::uint32_t h = 0; h < n; ++h) {
-    if (!t.isDiagonal[h] || table.twin[h] != kNone) continue;
-    const std::uint32_t from = t.corner[h], to = t.corner[nextCorner(h)];
-    for (std::uint32_t g = 3 * (h / 3) + 3; g < n && t.face[g / 3] == t.face[h / 3]; ++g)
-      if (t.isDiagonal[g] && t.corner[g] == to && t.corner[nextCorner(g)] == from) {
-        table.twin[h] = g;
-        table.twin[g] = h;
-        break;
-      }
+  struct Diagonal {
+    std::uint32_t low, high, h;  ///< face corners, half-edge
+  };
+  std::vector<Diagonal> ofFace;
+  const std::uint32_t triangles = table.triangleCount();
+  for (std::uint32_t f = 0, end = 0; f < triangles; f = end) {
+    while (end < triangles && t.face[end] == t.face[f]) ++end;
+    if (end == f + 1) continue;
+    ofFace.clear();
+    for (std::uint32_t h = 3 * f; h < 3 * end; ++h) {
+      const std::uint32_t from = t.corner[h], to = t.corner[nextCorner(h)];
+      if (t.isDiagonal[h]) ofFace.push_back({std::min(from, to), std::max(from, to), h});
+    }
+    std::sort(ofFace.begin(), ofFace.end(), [](const Diagonal& a, const Diagonal& b) {
+      return a.low != b.low ? a.low < b.low : a.high < b.high;
+    });
+    for (std::size_t i = 0; i + 1 < ofFace.size(); i += 2) {
+      table.twin[ofFace[i].h] = ofFace[i + 1].h;
+      table.twin[ofFace[i + 1].h] = ofFace[i].h;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <queue>
 
 namespace abflat {
 namespace {
@@ -50,61 +51,90 @@ std::vector<Point2> projectFace(const PolygonMesh& mesh, std::uint32_t begin, st
   return q;
 }
 
+/// Cuts off the roundest ear first. What a corner is worth changes only when a neighbour of it
+/// goes, because an ear that holds a corner holds a reflex one, which is not the next to go.
 class EarClipper {
  public:
   EarClipper(std::vector<Point2> points, const std::vector<std::uint8_t>& keep)
-      : points_(std::move(points)), keep_(keep), ring_(points_.size()) {
-    for (std::size_t k = 0; k < ring_.size(); ++k) ring_[k] = static_cast<std::uint32_t>(k);
+      : points_(std::move(points)),
+        keep_(keep),
+        n_(static_cast<std::uint32_t>(points_.size())),
+        next_(n_),
+        previous_(n_),
+        turn_(n_, 0),
+        mayBlock_(n_, 0) {
+    for (std::uint32_t k = 0; k < n_; ++k) {
+      next_[k] = k + 1 == n_ ? 0 : k + 1;
+      previous_[k] = k == 0 ? n_ - 1 : k - 1;
+    }
+    for (std::uint32_t k = 0; k < n_; ++k) noteReflex(k);
+    for (std::uint32_t k = 0; k < n_; ++k) ears_.push({quality(k), k, 0});
   }
 
   /// Triangles as local corner indices.
   std::vector<std::array<std::uint32_t, 3>> run() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    while (ring_.size() > 3) {
-      const std::size_t ear = pickEar();
-      triangles.push_back({at(ear + ring_.size() - 1), at(ear), at(ear + 1)});
-      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(ear));
+    std::uint32_t some = 0;
+    for (std::uint32_t left = n_; left > 3; --left) {
+      const std::uint32_t ear = takeBest(), before = previous_[ear], after = next_[ear];
+      triangles.push_back({before, ear, after});
+      next_[before] = after;
+      previous_[after] = before;
+      turn_[ear] = kGone;
+      for (const std::uint32_t k : {before, after}) {
+        noteReflex(k);
+        ears_.push({quality(k), k, ++turn_[k]});
+      }
+      some = after;
     }
-    triangles.push_back({ring_[0], ring_[1], ring_[2]});
+    while (previous_[some] < some) some = previous_[some];
+    triangles.push_back({some, next_[some], previous_[some]});
     return triangles;
   }
 
  private:
-  std::uint32_t at(std::size_t i) const { return ring_[i % ring_.size()]; }
+  static constexpr std::uint32_t kGone = 0xffffffffu;
 
-  /// Large faces take the first acceptable ear so that clipping stays quadratic.
-  std::size_t pickEar() const {
-    constexpr std::size_t kSearchBestUpTo = 64;
-    std::size_t best = 0;
-    double bestQuality = -1e300;
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const double q = quality(i);
-      if (q <= bestQuality) continue;
-      bestQuality = q;
-      best = i;
-      if (ring_.size() > kSearchBestUpTo && q > 0.1) break;
+  struct Ear {
+    double quality;
+    std::uint32_t corner;
+    std::uint32_t turn;  ///< how often the corner was judged before
+
+    /// Of equals the one with the smaller index is better.
+    bool operator<(const Ear& other) const {
+      return quality != other.quality ? quality < other.quality : corner > other.corner;
     }
-    return best;
+  };
+
+  std::uint32_t takeBest() {
+    while (ears_.top().turn != turn_[ears_.top().corner]) ears_.pop();
+    const std::uint32_t corner = ears_.top().corner;
+    ears_.pop();
+    return corner;
+  }
+
+  void noteReflex(std::uint32_t k) {
+    if (mayBlock_[k] || cross(points_[previous_[k]], points_[k], points_[next_[k]]) > 0) return;
+    mayBlock_[k] = 1;
+    blockers_.push_back(k);
   }
 
   /// In (0, 1] for a proper ear, larger is rounder; below 0 where the ear is reflex, flat or not
   /// empty.
-  double quality(std::size_t i) const {
-    const Point2& a = points_[at(i + ring_.size() - 1)];
-    const Point2& b = points_[at(i)];
-    const Point2& c = points_[at(i + 1)];
+  double quality(std::uint32_t k) const {
+    const Point2 &a = points_[previous_[k]], &b = points_[k], &c = points_[next_[k]];
     const double edges = squaredDistance(a, b) + squaredDistance(b, c) + squaredDistance(c, a);
     double q = edges > 0 ? cross(a, b, c) * 2 * std::sqrt(3.0) / edges : 0;
-    if (!(q > 0)) return q - 2;
-    if (!isEmpty(i, a, b, c)) q -= 2;
-    if (keep_[at(i)]) q -= 1;
+    if (!(q > 0)) return q < 0 ? q - 2 : -2;
+    if (!isEmpty(a, b, c)) q -= 2;
+    if (keep_[k]) q -= 1;
     return q;
   }
 
-  bool isEmpty(std::size_t i, const Point2& a, const Point2& b, const Point2& c) const {
-    for (std::size_t j = 2; j + 1 < ring_.size(); ++j) {
-      const Point2& p = points_[at(i + j)];
-      if (p == a || p == b || p == c) continue;
+  bool isEmpty(const Point2& a, const Point2& b, const Point2& c) const {
+    for (const std::uint32_t k : blockers_) {
+      const Point2& p = points_[k];
+      if (turn_[k] == kGone || p == a || p == b || p == c) continue;
       if (cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= 0) return false;
     }
     return true;
@@ -112,7 +142,12 @@ class EarClipper {
 
   std::vector<Point2> points_;
   const std::vector<std::uint8_t>& keep_;  ///< corners that should not become ears
-  std::vector<std::uint32_t> ring_;
+  std::uint32_t n_;
+  std::vector<std::uint32_t> next_, previous_;  ///< round what is left
+  std::vector<std::uint32_t> turn_;             ///< of each corner's valid entry in ears_, or kGone
+  std::vector<std::uint8_t> mayBlock_;
+  std::vector<std::uint32_t> blockers_;  ///< reflex and flat corners, also those that were
+  std::priority_queue<Ear> ears_;
 };
 
 /// A vertex with two faces that is cut off as an ear in both would be left with two triangles,

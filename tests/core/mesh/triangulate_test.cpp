@@ -1,0 +1,91 @@
+#include "mesh/triangulate.h"
+
+#include <cmath>
+#include <random>
+
+#include "catch.h"
+#include "mesh/corner_table.h"
+
+using namespace abflat;
+
+namespace {
+
+/// One face round the origin, whose corners have these distances from it.
+PolygonMesh starPolygon(const std::vector<double>& radius) {
+  PolygonMesh mesh;
+  for (std::size_t k = 0; k < radius.size(); ++k) {
+    const double angle =
+        6.283185307179586 * static_cast<double>(k) / static_cast<double>(radius.size());
+    for (const double x : {radius[k] * std::cos(angle), radius[k] * std::sin(angle), 0.0})
+      mesh.positions.push_back(x);
+    mesh.faceVertices.push_back(static_cast<std::uint32_t>(k));
+  }
+  mesh.faceOffsets = {0, static_cast<std::uint32_t>(radius.size())};
+  return mesh;
+}
+
+double doubleArea(const PolygonMesh& mesh, const std::uint32_t* v, std::size_t count) {
+  double sum = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double *a = &mesh.positions[3 * v[k]], *b = &mesh.positions[3 * v[(k + 1) % count]];
+    sum += a[0] * b[1] - a[1] * b[0];
+  }
+  return sum;
+}
+
+/// Triangles of positive area that fill the face, and diagonals that have two sides each.
+void checkTriangulated(const PolygonMesh& mesh) {
+  const std::size_t n = mesh.faceVertices.size();
+  const Triangulation t = triangulate(mesh);
+  REQUIRE(t.face.size() == n - 2);
+  double sum = 0, least = 1;
+  for (std::size_t f = 0; f < t.face.size(); ++f) {
+    const double area = doubleArea(mesh, &t.vertex[3 * f], 3);
+    sum += area;
+    least = std::min(least, area);
+  }
+  CHECK(least > 0);
+  CHECK(sum == Approx(doubleArea(mesh, mesh.faceVertices.data(), n)));
+  const CornerTable table = buildCornerTable(t, n);
+  std::size_t sides = 0, wrong = 0;
+  for (std::uint32_t h = 0; h < table.twin.size(); ++h) {
+    const std::uint32_t g = table.twin[h];
+    if (g == kNone) {
+      ++sides;
+      wrong += t.isDiagonal[h];
+    } else {
+      wrong += !t.isDiagonal[h] || table.twin[g] != h || t.corner[g] != t.corner[nextCorner(h)];
+    }
+  }
+  CHECK(sides == n);
+  CHECK(wrong == 0);
+}
+
+}  // namespace
+
+TEST_CASE("polygons are filled with triangles, whatever their shape") {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> distance(0.3, 1);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<double> radius(4 + random() % 100);
+    for (double& r : radius) r = distance(random);
+    checkTriangulated(starPolygon(radius));
+  }
+}
+
+TEST_CASE("faces of thousands of corners are no trouble") {
+  std::vector<double> radius(6000, 1.0);
+  checkTriangulated(starPolygon(radius));
+  for (std::size_t k = 0; k < radius.size(); k += 2)
+    radius[k] = 0.5 + 0.3 * std::sin(static_cast<double>(k));
+  checkTriangulated(starPolygon(radius));
+}
+
+TEST_CASE("the roundest ear is cut off first") {
+  PolygonMesh mesh;
+  mesh.positions = {0, 0, 0, 4, 0, 0, 5, 1, 0, 4, 2, 0, 2, 2.5, 0};
+  mesh.faceVertices = {0, 1, 2, 3, 4};
+  mesh.faceOffsets = {0, 5};
+  // Area over squared sides: 10 / 36.5 at corner 0, 2 / 8 at corner 2, less at the others.
+  CHECK(triangulate(mesh).corner == std::vector<std::uint32_t>{4, 0, 1, 1, 2, 3, 1, 3, 4});
+}
