@@ -131,10 +131,14 @@ class ActiveSet {
  private:
   const ConstraintRows& rows() const { return system_.rows(); }
 
-  void relinearize() {
-    const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution;
-    linearize(problem_, rows(), s_.angles, s_.multipliers.row, lin_,
-              near ? Curvature::Exact : Curvature::Clamped);
+  bool isNear() const {
+    return !s_.history.empty() && s_.history.back().constraint < kNearSolution;
+  }
+
+  void relinearize() { relinearize(isNear() ? Curvature::Exact : Curvature::Clamped); }
+
+  void relinearize(Curvature curvature) {
+    linearize(problem_, rows(), s_.angles, s_.multipliers.row, lin_, curvature);
     for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
       lin_.edgeResidual[i] -= problem_.edgeCompliance * s_.multipliers.edge[i];
   }
@@ -146,13 +150,23 @@ class ActiveSet {
                     kStepShare * options_.constraintTolerance);
   }
 
+  bool solveStep() {
+    const auto solve = [&] {
+      return system_.step(
+          {problem_, s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
+          dx_, next_);
+    };
+    if (solve()) return true;
+    if (!isNear()) return false;
+    // Not every solver can do with an indefinite matrix.
+    relinearize(Curvature::Clamped);
+    return solve();
+  }
+
   /// False when the iteration cannot go on.
   bool takeStep() {
     Stopwatch watch;
-    if (!system_.step(
-            {problem_, s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
-            dx_, next_))
-      return false;
+    if (!solveStep()) return false;
     NewtonStep now;
     now.linearSeconds = watch.lap();
     now.linearIterations = system_.linearIterations();
