@@ -47,6 +47,21 @@ class Monitor {
   bool stopped_ = false;
 };
 
+constexpr double kMegabyte = 1048576;
+#ifdef __EMSCRIPTEN__
+/// MB. Of the 4 GB that 32 bits can address the mesh and the results need the rest.
+constexpr double kAutoMemoryMegabytes = 3072;
+#else
+constexpr double kAutoMemoryMegabytes = 1e9;
+#endif
+
+std::uint64_t allowedBytes(double megabytes) {
+  // Larger numbers do not fit; nor would the factors.
+  constexpr double kMost = 1e12;
+  const double allowed = megabytes == kAutoMemory ? kAutoMemoryMegabytes : megabytes;
+  return static_cast<std::uint64_t>(std::min(allowed, kMost) * kMegabyte);
+}
+
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                      const FlattenOptions& options) {
   const bool isAuto = options.t == kAutoT;
@@ -123,6 +138,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   if (!monitor.tellStage("solve")) return aborted;
   SolverOptions solver;
   solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
+  solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); },
                            {options.linearSolver, options.formulation, options.precondition});
   const double setUp = watch.lap();

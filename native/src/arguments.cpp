@@ -70,6 +70,15 @@ bool isNumber(const std::string& text, double& value) {
   return !text.empty() && *end == '\0';
 }
 
+/// A number, with or without one of the option's units: "3G".
+bool isNumberOfOption(int index, const std::string& text, double& value) {
+  if (isNumber(text, value)) return true;
+  const double unit = text.empty() ? 0 : unitSize(index, text.back());
+  if (unit == 0 || !isNumber(text.substr(0, text.size() - 1), value)) return false;
+  value *= unit;
+  return true;
+}
+
 CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double)) {
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
@@ -147,7 +156,7 @@ void addFlattenOption(CLI::App& app, FlattenOptionValues& values, int index) {
         (option.isChoice ? "one of " : "a number ") + std::string(option.range);
     bool isWord = false;
     double value = wordValue(index, text, isWord);
-    if (!isWord && (option.isChoice || !isNumber(text, value)))
+    if (!isWord && (option.isChoice || !isNumberOfOption(index, text, value)))
       throw CLI::ValidationError(option.flag, "'" + text + "' is not " + wanted);
     if (!setOption(values, index, value, isWord))
       throw CLI::ValidationError(option.flag, "must be " + wanted + ", not " + text);

@@ -1,6 +1,6 @@
 // The C++ side of the schema: two headers, excluded from clang-format.
 
-import { BOUNDS, flagOf, fullText, pascalCase, rangeText } from './schema.mjs';
+import { BOUNDS, flagOf, fullText, pascalCase, rangeText, UNITS } from './schema.mjs';
 
 const HEADER = `// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
 // clang-format off
@@ -150,6 +150,13 @@ function wordCases(option, index) {
   );
 }
 
+/** What a number with a letter behind it, "3G", is in the option's unit. */
+function unitCases({ unit }, index) {
+  return Object.entries(UNITS[unit] ?? {}).map(
+    ([letter, size]) => `  if (index == ${index} && letter == '${letter}') return ${size};`,
+  );
+}
+
 /** Comparisons that are false for NaN. */
 function condition(option) {
   const operators = { above: '>', atLeast: '>=', below: '<', atMost: '<=' };
@@ -201,6 +208,8 @@ export function renderFlattenOptions({ flattenOptions }) {
     `inline bool setOption(FlattenOptionValues& options, int index, double value,\n                      [[maybe_unused]] bool isWord = true) {\n  switch (index) {\n${flattenOptions.map(setCase).join('\n')}\n  }\n  return false;\n}\n`,
     '/// The number that stands for a word ("auto") or a choice of an option.',
     `inline double wordValue(int index, std::string_view text, bool& found) {\n${flattenOptions.flatMap(wordCases).join('\n')}\n  return found = false, 0;\n}\n`,
+    '/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.',
+    `inline double unitSize(int index, char letter) {\n${flattenOptions.flatMap(unitCases).join('\n')}\n  return 0;\n}\n`,
     '/// Calls visit(name, value) for every option; words and choices are passed as text.',
     `template <class Visit>\nvoid forEachOption(const FlattenOptionValues& options, Visit&& visit) {\n${flattenOptions.map(visitLine).join('\n')}\n}\n`,
     '}  // namespace abflat',

@@ -39,6 +39,8 @@ function checkOption(option) {
   const jsType = OPTION_TYPES[option.type];
   if (!jsType) throw new Error(`option ${option.name}: unknown type "${option.type}"`);
   if (option.type === 'choice') return checkChoice(option);
+  if ('unit' in option && !(option.unit in UNITS && jsType === 'number'))
+    throw new Error(`option ${option.name}: unknown unit "${option.unit}"`);
   const isWord = option.words && Object.hasOwn(option.words, option.default);
   if (typeof option.default !== jsType && !isWord)
     throw new Error(`option ${option.name}: default is not a ${jsType}`);
@@ -63,6 +65,9 @@ export function rangeText(option) {
   const parts = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
   return [parts, ...Object.keys(option.words ?? {})].filter(Boolean).join(', or ');
 }
+
+/** Units in which an option may be written on a command line, "3G", by their size in its own unit. */
+export const UNITS = { MB: { M: 1, G: 1024, T: 1024 * 1024 } };
 
 /** The text of an option with the meaning of its choices. */
 export function fullText(option) {

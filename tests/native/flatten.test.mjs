@@ -213,3 +213,24 @@ test('on a terminal --quiet is silent, and an error clears the progress', {
   const sentence = failed.seen.split(CLEAR_LINE).at(-1);
   assert.match(sentence, /^abflat: closed\.off: closed surface[^\r\n]*\r\n$/);
 });
+
+test('with little memory there is the same layout, and the report says what was missing', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('in.obj'), grid(70));
+  const run = async (memory) => {
+    const args = ['in.obj', '-o', 'out.obj', '--t', '2', '--report', 'r.json', '--memory', memory];
+    assert.deepEqual(await flatten(at, args).then(({ code }) => code), 0);
+    const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    const uv = lines(readFileSync(at('out.obj'), 'utf8'), 'vt');
+    return { report, uv: uv.map((line) => line.split(' ').slice(1).map(Number)) };
+  };
+  const little = await run('1M');
+  assert.match(little.report.charts[0].fallbacks[0], /needs \d.* MB, allowed are 1 MB.*multigrid/);
+  assert.equal(little.report.options.memory, 1);
+  const enough = await run('1G');
+  assert.deepEqual(enough.report.charts[0].fallbacks, []);
+  assert.equal(enough.report.options.memory, 1024);
+  enough.uv.forEach(([u, v], i) => {
+    assert.ok(Math.hypot(u - little.uv[i][0], v - little.uv[i][1]) < 1e-6);
+  });
+});

@@ -222,3 +222,15 @@ test('every sample is a disk that flattens', async () => {
     assert.equal(disk.code, 'Ok', `${name}: ${disk.message}`);
   }
 });
+
+test('with little memory there is the same layout, and the report says what was missing', async () => {
+  const mesh = grid(70);
+  const enough = await abflat.flatten(mesh, { t: 2 });
+  assert.deepEqual(enough.report.charts[0].fallbacks, []);
+  const little = await abflat.flatten(mesh, { t: 2, memory: 1 });
+  assert.match(little.report.charts[0].fallbacks[0], /needs \d.* MB, allowed are 1 MB.*multigrid/);
+  little.uv.forEach((x, i) => {
+    assert.ok(Math.abs(x - enough.uv[i]) < 1e-6);
+  });
+  await assert.rejects(abflat.flatten(mesh, { memory: 0 }), { code: 'InvalidOption' });
+});

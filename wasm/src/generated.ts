@@ -69,6 +69,7 @@ export interface FlattenOptionValues {
   linearSolver: LinearSolver;
   formulation: Formulation;
   precondition: boolean;
+  memory: number | 'auto';
   adjacent: boolean;
   delaunay: boolean;
 }
@@ -79,6 +80,7 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
   linearSolver: 'schur',
   formulation: 'log',
   precondition: true,
+  memory: 'auto',
   adjacent: false,
   delaunay: false,
 };
@@ -90,6 +92,7 @@ export const FLATTEN_OPTIONS = {
   linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'eigen', 'minres', 'symmlq', 'gmres', 'bicgstab'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows a vertex and a sparse factorisation; eigen = the same elimination, factored by Eigen\'s SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF', range: 'schur, eigen, minres, symmlq, gmres, bicgstab' },
   formulation: { type: 'choice', default: 'log', choices: ['log', 'product'], text: 'form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen', range: 'log, product' },
   precondition: { type: 'boolean', default: true, text: 'preconditioning of the iterative linear solvers (the paper has none)', range: '' },
+  memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it does without one, by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   adjacent: { type: 'boolean', default: false, text: 'condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there', range: '' },
   delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },
 } as const;

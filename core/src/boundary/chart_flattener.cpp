@@ -53,6 +53,8 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
                           : solver_.solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
   if (a.solution.cancelled) return a;
+  if (const std::string note = memoryNote(); !note.empty() && !isDelaunay)
+    a.fallbacks.push_back(note + "; conjugate gradients with multigrid instead");
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
     a.fallbacks.push_back(
@@ -73,6 +75,17 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
     a = std::move(b);
   }
   return a;
+}
+
+std::string ChartFlattener::memoryNote() const {
+  const FactorMemory& memory = solver_.memory();
+  if (memory.fits()) return {};
+  constexpr double kMegabyte = 1048576;
+  char out[120];
+  std::snprintf(out, sizeof out, "a factor of the matrix needs %.4g MB, allowed are %.4g MB",
+                static_cast<double>(memory.needed) / kMegabyte,
+                static_cast<double>(memory.allowed) / kMegabyte);
+  return out;
 }
 
 void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, chart_, margin); }

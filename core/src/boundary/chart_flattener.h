@@ -54,6 +54,9 @@ class ChartFlattener {
   /// Seconds spent so far, over all attempts.
   const Timings& timings() const { return timings_; }
 
+  /// Why factors are done without, one sentence; empty where they are not.
+  std::string memoryNote() const;
+
   const DiskChart& chart() const { return chart_; }
 
  private:

@@ -45,6 +45,8 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
   };
   if (before.violated.empty()) return keep({});
   if (attempt.solver == "tutte") return keep("there are no angles to start from");
+  if (const std::string note = flattener.memoryNote(); !note.empty())
+    return keep(note + ", and this condition cannot do without");
 
   std::string why;
   for (const double margin : kMargins) {

@@ -133,10 +133,14 @@ class ActiveSet {
   const AngleProblem& problem() const { return raised_ ? *raised_ : original_; }
   const ConstraintRows& rows() const { return system_.rows(); }
 
-  void relinearize() {
-    const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution;
-    linearize(problem(), rows(), s_.angles, s_.multipliers.row, lin_,
-              near ? Curvature::Exact : Curvature::Clamped);
+  bool isNear() const {
+    return !s_.history.empty() && s_.history.back().constraint < kNearSolution;
+  }
+
+  void relinearize() { relinearize(isNear() ? Curvature::Exact : Curvature::Clamped); }
+
+  void relinearize(Curvature curvature) {
+    linearize(problem(), rows(), s_.angles, s_.multipliers.row, lin_, curvature);
     for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
       lin_.edgeResidual[i] -= problem().edgeCompliance * s_.multipliers.edge[i];
   }
@@ -148,13 +152,23 @@ class ActiveSet {
                     kStepShare * options_.constraintTolerance);
   }
 
+  bool solveStep() {
+    const auto solve = [&] {
+      return system_.step(
+          {problem(), s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
+          dx_, next_);
+    };
+    if (solve()) return true;
+    if (!isNear()) return false;
+    // Not every solver can do with an indefinite matrix.
+    relinearize(Curvature::Clamped);
+    return solve();
+  }
+
   /// False when the iteration cannot go on.
   bool takeStep() {
     Stopwatch watch;
-    if (!system_.step(
-            {problem(), s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
-            dx_, next_))
-      return false;
+    if (!solveStep()) return false;
     NewtonStep now;
     now.linearSeconds = watch.lap();
     now.linearIterations = system_.linearIterations();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "abflat/flatten.h"
@@ -14,6 +16,8 @@ struct SolverOptions {
   double gradientTolerance = 1e-6;     ///< see gradientResidual
   double objectiveTolerance = 1e-9;    ///< relative change in one step
   int maxSteps = 100;
+  /// What a factor may take; see makeRowSolverWithin.
+  std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   int stalledSteps = 2;  ///< so many steps of hardly any length in a row end the iteration
   /// Called after each step; return false to stop early.
   std::function<bool(int step, const NewtonStep&)> onStep;

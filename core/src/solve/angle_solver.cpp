@@ -20,7 +20,9 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
     : problem_(problem),
       options_(std::move(options)),
       linear_(linear),
-      system_(problem, linear.solver == LinearSolver::Eigen ? makeEigenRowSolver : makeRowSolver) {
+      system_(linear.solver == LinearSolver::Eigen
+                  ? std::make_unique<NewtonSystem>(problem, makeEigenRowSolver)
+                  : std::make_unique<NewtonSystem>(problem, options_.allowedBytes)) {
   if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 
@@ -33,7 +35,7 @@ AngleSolution AngleSolver::solve(const AngleSolution* start) {
 AngleSolution AngleSolver::runActiveSet(const AngleSolution* start) {
   SolverOptions options = options_;
   options.maxSteps = kActiveSetSteps;
-  NewtonStepSolver& system = kkt_ ? static_cast<NewtonStepSolver&>(*kkt_) : system_;
+  NewtonStepSolver& system = kkt_ ? static_cast<NewtonStepSolver&>(*kkt_) : *system_;
   AngleSolution s = solveActiveSet(problem_, system, options, start);
   s.linearSolver = linear_.solver;
   s.formulation = linear_.formulation;
@@ -45,7 +47,7 @@ AngleSolution AngleSolver::solveWithFloor(double barrierFloor) {
   options.common = options_;
   options.common.maxSteps = kInteriorPointSteps;
   options.barrierFloor = barrierFloor;
-  return solveInteriorPoint(problem_, system_, options);
+  return solveInteriorPoint(problem_, *system_, options);
 }
 
 AngleSolution AngleSolver::solveDelaunay(const AngleSolution& start) {

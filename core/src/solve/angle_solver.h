@@ -27,13 +27,15 @@ class AngleSolver {
   /// The active set alone, for a problem with condition (9). `start` as above.
   AngleSolution solveDelaunay(const AngleSolution& start);
 
+  const FactorMemory& memory() const { return system_->memory(); }
+
  private:
   AngleSolution runActiveSet(const AngleSolution* start);
 
   const AngleProblem& problem_;
   SolverOptions options_;
   KktOptions linear_;
-  NewtonSystem system_;
+  std::unique_ptr<NewtonSystem> system_;
   std::unique_ptr<KktStepSolver> kkt_;  ///< null: elimination
 };
 

@@ -30,8 +30,7 @@ class InteriorPoint {
   AngleSolution run() {
     start();
     for (int step = 1; step <= options_.common.maxSteps; ++step) {
-      addSlackTerms();
-      if (!system_.solve(lin_, bounded_, compliance_, dx_, next_)) break;
+      if (!solveStep()) break;
       computeDualSteps();
       const double before = lin_.objective;
       const auto [primal, dual] = stepLengths();
@@ -83,11 +82,25 @@ class InteriorPoint {
 
   double& multiplier(std::uint32_t v) { return s_.multipliers.row[rows_.ofVertex[v]]; }
 
-  void linearizeHere() {
-    const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution &&
-                      s_.history.back().step == 1;
-    linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_,
-              near ? Curvature::Exact : Curvature::Clamped, &barrier_);
+  bool isNear() const {
+    return !s_.history.empty() && s_.history.back().constraint < kNearSolution &&
+           s_.history.back().step == 1;
+  }
+
+  void linearizeHere() { linearizeHere(isNear() ? Curvature::Exact : Curvature::Clamped); }
+
+  void linearizeHere(Curvature curvature) {
+    linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_, curvature, &barrier_);
+  }
+
+  bool solveStep() {
+    addSlackTerms();
+    if (system_.solve(lin_, bounded_, compliance_, dx_, next_)) return true;
+    if (!isNear()) return false;
+    // Not every solver can do with an indefinite matrix.
+    linearizeHere(Curvature::Clamped);
+    addSlackTerms();
+    return system_.solve(lin_, bounded_, compliance_, dx_, next_);
   }
 
   /// g + s + J dx + ds = 0 with ds = tau/mu - (s/mu) mu+ eliminated.

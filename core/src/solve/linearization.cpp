@@ -26,6 +26,13 @@ ConstraintRows numberRows(const AngleProblem& problem) {
   return rows;
 }
 
+std::vector<std::uint8_t> rowKinds(const ConstraintRows& rows) {
+  std::vector<std::uint8_t> kind(rows.count(), 0);
+  for (std::size_t v = 0; v + 1 < rows.ofVertex.size(); ++v)
+    if (rows.ofVertex[v + 1] - rows.ofVertex[v] == 2) kind[rows.ofVertex[v] + 1] = 1;
+  return kind;
+}
+
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
                const std::vector<double>& x, const std::vector<double>& rowMultipliers,
                Linearization& out, Curvature mode, const Barrier* barrier) {

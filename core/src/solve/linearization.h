@@ -18,6 +18,9 @@ struct ConstraintRows {
 };
 ConstraintRows numberRows(const AngleProblem& problem);
 
+/// Per row: 0 for an angle sum, 1 for a wheel.
+std::vector<std::uint8_t> rowKinds(const ConstraintRows& rows);
+
 /// Multipliers (eq. 8): one per row, per triangle and, with condition (9), per edge. Those of
 /// inactive rows and edges are 0.
 struct Multipliers {

@@ -5,6 +5,12 @@ namespace abflat {
 NewtonSystem::NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver)
     : rows_(numberRows(problem)), schur_(problem, rows_), solver_(makeSolver(schur_.matrix())) {}
 
+NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes)
+    : rows_(numberRows(problem)),
+      schur_(problem, rows_),
+      memory_{allowedBytes},
+      solver_(makeRowSolverWithin(schur_.matrix(), rowKinds(rows_), memory_)) {}
+
 bool NewtonSystem::step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) {
   schur_.assemble(at.lin, at.active);
   x_ = Eigen::Map<const Eigen::VectorXd>(at.multipliers.row.data(), rows_.count());

@@ -16,10 +16,14 @@ class NewtonSystem : public NewtonStepSolver {
  public:
   /// Keeps a reference to the problem, of which only the connectivity is used here.
   explicit NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver = makeRowSolver);
+  /// The factor may take so many bytes; without it takes longer and little memory.
+  NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 
   const ConstraintRows& rows() const override { return rows_; }
+  /// 0 bytes needed where no limit was given.
+  const FactorMemory& memory() const { return memory_; }
 
   bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) override;
   int linearIterations() const override { return solver_->iterations(); }
@@ -33,6 +37,7 @@ class NewtonSystem : public NewtonStepSolver {
  private:
   ConstraintRows rows_;
   SchurSystem schur_;
+  FactorMemory memory_;
   std::unique_ptr<RowSolver> solver_;
   Eigen::VectorXd x_;  ///< multipliers of the rows
 };

@@ -4,6 +4,7 @@
 
 #include "solve/cholesky/cholesky.h"
 #include "solve/conjugate_gradients.h"
+#include "solve/multigrid/multigrid_row_solver.h"
 
 namespace abflat {
 namespace {
@@ -111,12 +112,26 @@ class EigenRowSolver : public RowSolver {
   Eigen::SimplicialLDLT<SparseMatrix> factor_;
 };
 
+/// Direct or inexact, whichever is faster.
+std::unique_ptr<RowSolver> makeFactorRowSolver(Symbolic symbolic) {
+  if (symbolic->flops <= kDirectFlops) return std::make_unique<DirectRowSolver>(symbolic);
+  return std::make_unique<InexactRowSolver>(std::move(symbolic));
+}
+
 }  // namespace
 
 std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower) {
+  return makeFactorRowSolver(analyze(lower));
+}
+
+std::unique_ptr<RowSolver> makeRowSolverWithin(const SparseMatrix& lower,
+                                               std::vector<std::uint8_t> kind,
+                                               FactorMemory& memory) {
   Symbolic symbolic = analyze(lower);
-  if (symbolic->flops <= kDirectFlops) return std::make_unique<DirectRowSolver>(symbolic);
-  return std::make_unique<InexactRowSolver>(std::move(symbolic));
+  constexpr std::uint64_t kEntry = sizeof(double) + sizeof(int);
+  memory.needed = symbolic->factorBytes() + kEntry * static_cast<std::uint64_t>(lower.nonZeros());
+  if (memory.fits()) return makeFactorRowSolver(std::move(symbolic));
+  return std::make_unique<MultigridRowSolver>(std::move(kind));
 }
 
 std::unique_ptr<RowSolver> makeDirectRowSolver(const SparseMatrix& lower) {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <vector>
 
 namespace abflat {
 
@@ -29,5 +32,18 @@ MakeRowSolver makeDirectRowSolver;
 MakeRowSolver makeInexactRowSolver;
 /// Eigen's SimplicialLDLT, as the reference.
 MakeRowSolver makeEigenRowSolver;
+
+/// Bytes of a factor in double precision and of the matrix.
+struct FactorMemory {
+  std::uint64_t allowed = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t needed = 0;
+  bool fits() const { return needed <= allowed; }
+};
+
+/// As makeRowSolver where the factor fits, which is known before it is computed; otherwise
+/// MultigridRowSolver. `kind`: see Multigrid. Sets memory.needed.
+std::unique_ptr<RowSolver> makeRowSolverWithin(const Eigen::SparseMatrix<double>& lower,
+                                               std::vector<std::uint8_t> kind,
+                                               FactorMemory& memory);
 
 }  // namespace abflat

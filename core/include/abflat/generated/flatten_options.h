@@ -78,6 +78,8 @@ inline const char* formulationName(Formulation code) {
 
 /// "auto" as a value of the option t.
 constexpr double kAutoT = 0;
+/// "auto" as a value of the option memory.
+constexpr double kAutoMemory = 0;
 
 /// The options of flattening that are plain values, with their defaults.
 struct FlattenOptionValues {
@@ -91,6 +93,8 @@ struct FlattenOptionValues {
   Formulation formulation = Formulation::Log;
   /// preconditioning of the iterative linear solvers (the paper has none)
   bool precondition = true;
+  /// what the solver may take for a factor of its matrix, in MB; where that is too little it does without one, by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
+  double memory = 0;
   /// condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there
   bool adjacent = false;
   /// condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows
@@ -115,10 +119,11 @@ constexpr OptionInfo kFlattenOptions[] = {
     {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex and a sparse factorisation; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
     {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
     {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
+    {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it does without one, by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
 };
-constexpr int kFlattenOptionCount = 7;
+constexpr int kFlattenOptionCount = 8;
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
 /// the numbers that stand for words are refused.
@@ -141,9 +146,12 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
       options.precondition = value != 0;
       return value == 0 || value == 1;
     case 5:
+      options.memory = static_cast<double>(value);
+      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+    case 6:
       options.adjacent = value != 0;
       return value == 0 || value == 1;
-    case 6:
+    case 7:
       options.delaunay = value != 0;
       return value == 0 || value == 1;
   }
@@ -166,7 +174,16 @@ inline double wordValue(int index, std::string_view text, bool& found) {
   if (index == 2 && text == "bicgstab") return found = true, 5;
   if (index == 3 && text == "log") return found = true, 0;
   if (index == 3 && text == "product") return found = true, 1;
+  if (index == 5 && text == "auto") return found = true, 0;
   return found = false, 0;
+}
+
+/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
+inline double unitSize(int index, char letter) {
+  if (index == 5 && letter == 'M') return 1;
+  if (index == 5 && letter == 'G') return 1024;
+  if (index == 5 && letter == 'T') return 1048576;
+  return 0;
 }
 
 /// Calls visit(name, value) for every option; words and choices are passed as text.
@@ -180,6 +197,10 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   visit("linearSolver", linearSolverName(options.linearSolver));
   visit("formulation", formulationName(options.formulation));
   visit("precondition", options.precondition);
+  if (options.memory == 0)
+    visit("memory", "auto");
+  else
+    visit("memory", options.memory);
   visit("adjacent", options.adjacent);
   visit("delaunay", options.delaunay);
 }
