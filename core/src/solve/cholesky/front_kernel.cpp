@@ -1,6 +1,10 @@
 #include "solve/cholesky/front_kernel.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include "parallel.h"
 
 namespace abflat {
 namespace {
@@ -37,6 +41,15 @@ bool acceptPivot(Block& b, std::size_t column, double pivot) {
   return true;
 }
 
+/// What front_kernel.inc provides for one vector width.
+struct Kernel {
+  bool (*factorDiagonal)(Block&);
+  std::size_t (*stripCount)(const Block&, const Front&);
+  void (*solveStrips)(const Block&, const Front&, std::size_t, std::size_t, double*);
+  void (*updateStrips)(const Block&, const Front&, std::size_t, std::size_t, const double*);
+  void (*eliminateStrips)(const Block&, const Front&);
+};
+
 namespace two {
 #define ABFLAT_LANES 2
 #define ABFLAT_TARGET
@@ -66,15 +79,50 @@ constexpr std::size_t kOneVector = 1;
 }  // namespace eight
 #endif
 
-bool factorBlock(Block& block, const Front& front, SimdWidth width) {
+const Kernel& kernelOf(SimdWidth width) {
 #ifdef __x86_64__
-  if (width == SimdWidth::Eight) return eight::factorBlock(block, front);
-  if (width == SimdWidth::Four) return four::factorBlock(block, front);
+  if (width == SimdWidth::Eight) return eight::kKernel;
+  if (width == SimdWidth::Four) return four::kKernel;
 #else
   static_cast<void>(width);
 #endif
-  return two::factorBlock(block, front);
+  return two::kKernel;
 }
+
+/// The strips of a block at the same time: all of them are packed before any is used.
+class ParallelStrips {
+ public:
+  ParallelStrips(const Front& front, const Kernel& kernel) : f_(front), kernel_(kernel) {}
+
+  bool isWorthIt(const Block& b) const {
+    const auto rest = static_cast<double>(f_.rows - b.begin - b.columns);
+    const auto columns = static_cast<double>(b.columns);
+    return isParallel(f_.pool) && rest * (rest / 2 + columns) * columns > kLargeBlock;
+  }
+
+  void eliminate(const Block& b) {
+    if (!packed_) packed_.reset(new double[kBlock * (f_.rows + 4 * kMaxStrip)]);
+    const std::size_t count = kernel_.stripCount(b, f_), pieces = (count + kPiece - 1) / kPiece;
+    const auto end = [&](std::size_t i) { return std::min(count, (i + 1) * kPiece); };
+    parallelFor(f_.pool, pieces, [&](std::size_t i) {
+      kernel_.solveStrips(b, f_, i * kPiece, end(i), packed_.get());
+    });
+    // The last strips are the longest.
+    parallelFor(f_.pool, pieces, [&](std::size_t k) {
+      const std::size_t i = pieces - 1 - k;
+      kernel_.updateStrips(b, f_, i * kPiece, end(i), packed_.get());
+    });
+  }
+
+ private:
+  /// Multiplications from which it pays to wake up other threads: about 0.3 ms.
+  static constexpr double kLargeBlock = 2e6;
+  static constexpr std::size_t kPiece = 2;  ///< strips in a piece of work
+
+  const Front& f_;
+  const Kernel& kernel_;
+  std::unique_ptr<double[]> packed_;
+};
 
 }  // namespace
 
@@ -98,12 +146,18 @@ PivotFailure factorFront(const Front& f, SimdWidth width) {
   b.inverse = b.diagonal + kBlock * kBlock;
   b.strip = b.inverse + kBlock;
   b.slivers = b.strip + kBlock * kMaxStrip;
+  const Kernel& kernel = kernelOf(width);
+  ParallelStrips strips(f, kernel);
   for (; b.begin < f.columns; b.begin += b.columns) {
     b.columns = f.columns - b.begin < kBlock ? f.columns - b.begin : kBlock;
     b.at = f.panel + b.begin * (f.rows + 1);
     b.sign = f.sign + b.begin;
     b.leastPivot = f.leastPivot + b.begin;
-    if (!factorBlock(b, f, width)) return b.failure;
+    if (!kernel.factorDiagonal(b)) return b.failure;
+    if (strips.isWorthIt(b))
+      strips.eliminate(b);
+    else
+      kernel.eliminateStrips(b, f);
   }
   return {f.columns, 0};
 }

@@ -44,27 +44,27 @@ void numberInParents(CholeskySymbolic& s) {
   }
 }
 
-/// The update matrices of a supernode and of its children lie in different stacks, so that each
-/// stack grows and shrinks at its end only.
+/// Sizes and work. The update matrices of a supernode and of its children lie in different stacks,
+/// so that each stack grows and shrinks at its end only.
 void measure(CholeskySymbolic& s) {
   s.panelBegin.assign(1, 0);
   s.stack.assign(s.supernodes(), 0);
   for (std::uint32_t p = s.supernodes(); p-- > 0;)
     if (s.parent[p] != kNoParent) s.stack[p] = !s.stack[s.parent[p]];
-  std::array<std::size_t, 2> used{};
-  std::vector<std::size_t> childrenSize(s.supernodes(), 0);
+  SupernodeSizes sizes;
   for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
     const std::size_t columns = s.columns(p), below = s.rowsBelow(p), rows = columns + below;
     s.panelBegin.push_back(s.panelBegin.back() + rows * columns);
     s.factorEntries += rows * columns - columns * (columns - 1) / 2;
+    double flops = 0;
     for (std::size_t j = 0; j < columns; ++j)
-      s.flops += static_cast<double>(rows - j) * static_cast<double>(rows - j);
+      flops += static_cast<double>(rows - j) * static_cast<double>(rows - j);
+    s.flops += flops;
     s.maxFrontRows = std::max(s.maxFrontRows, static_cast<std::uint32_t>(rows));
-    used[s.stack[p]] += below * below;
-    s.stackSize[s.stack[p]] = std::max(s.stackSize[s.stack[p]], used[s.stack[p]]);
-    used[!s.stack[p]] -= childrenSize[p];
-    if (s.parent[p] != kNoParent) childrenSize[s.parent[p]] += below * below;
+    sizes.update.push_back(below * below);
+    sizes.flops.push_back(flops);
   }
+  s.tasks = divideIntoTasks(s.parent, s.stack, sizes);
 }
 
 /// Where each entry of the matrix is added.
