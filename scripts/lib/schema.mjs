@@ -39,6 +39,8 @@ function checkOption(option) {
   const jsType = OPTION_TYPES[option.type];
   if (!jsType) throw new Error(`option ${option.name}: unknown type "${option.type}"`);
   if (option.type === 'choice') return checkChoice(option);
+  if (option.type === 'integer' && !('atLeast' in option && 'atMost' in option))
+    throw new Error(`option ${option.name}: an integer needs "atLeast" and "atMost"`);
   const isWord = option.words && Object.hasOwn(option.words, option.default);
   if (typeof option.default !== jsType && !isWord)
     throw new Error(`option ${option.name}: default is not a ${jsType}`);
@@ -60,7 +62,8 @@ function checkChoice(option) {
 export function rangeText(option) {
   if (option.type === 'choice') return option.choices.map(({ name }) => name).join(', ');
   const bounds = BOUNDS.filter((bound) => bound in option);
-  const parts = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
+  const limits = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
+  const parts = [limits, option.type === 'integer' && 'whole'].filter(Boolean).join(', ');
   return [parts, ...Object.keys(option.words ?? {})].filter(Boolean).join(', or ');
 }
 

@@ -71,6 +71,7 @@ export interface FlattenOptionValues {
   precondition: boolean;
   adjacent: boolean;
   delaunay: boolean;
+  threads: number;
 }
 
 export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
@@ -81,6 +82,7 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
   precondition: true,
   adjacent: false,
   delaunay: false,
+  threads: 0,
 };
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
@@ -92,4 +94,5 @@ export const FLATTEN_OPTIONS = {
   precondition: { type: 'boolean', default: true, text: 'preconditioning of the iterative linear solvers (the paper has none)', range: '' },
   adjacent: { type: 'boolean', default: false, text: 'condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there', range: '' },
   delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },
+  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },
 } as const;

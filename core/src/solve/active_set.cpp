@@ -111,7 +111,7 @@ class ActiveSet {
     s_ = startFrom(problem_, rows(), start);
     relinearize();
     updateActive(problem_, rows(), lin_, s_);
-    s_.constraintResidual = constraintResidual(problem_, rows(), lin_);
+    s_.constraintResidual = constraintResidual(problem_, rows(), lin_, options_.pool);
     for (int step = 1; step <= options_.maxSteps; ++step) {
       if (!takeStep()) break;
       if (options_.onStep && !options_.onStep(step, s_.history.back())) {
@@ -131,7 +131,7 @@ class ActiveSet {
   void relinearize() {
     const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution;
     linearize(problem_, rows(), s_.angles, s_.multipliers.row, lin_,
-              near ? Curvature::Exact : Curvature::Clamped);
+              near ? Curvature::Exact : Curvature::Clamped, nullptr, options_.pool);
     for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
       lin_.edgeResidual[i] -= problem_.edgeCompliance * s_.multipliers.edge[i];
   }
@@ -162,8 +162,9 @@ class ActiveSet {
     for (const std::uint8_t active : s_.active) now.active += active;
     for (const std::uint8_t active : s_.activeEdge) now.activeEdges += active;
     now.objective = lin_.objective;
-    now.constraint = s_.constraintResidual = constraintResidual(problem_, rows(), lin_);
-    now.gradient = gradientResidual(problem_, rows(), lin_, s_.multipliers);
+    now.constraint = s_.constraintResidual =
+        constraintResidual(problem_, rows(), lin_, options_.pool);
+    now.gradient = gradientResidual(problem_, rows(), lin_, s_.multipliers, options_.pool);
     s_.history.push_back(now);
     s_.converged = now.constraint <= options_.constraintTolerance && !isActiveChanged &&
                    (now.gradient <= options_.gradientTolerance ||

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "parallel.h"
 #include "solve/linearization.h"
 
 namespace abflat {
@@ -16,6 +17,7 @@ struct SolverOptions {
   int maxSteps = 100;
   /// Called after each step; return false to stop early.
   std::function<bool(int step, const NewtonStep&)> onStep;
+  ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
 struct AngleSolution {

@@ -18,7 +18,7 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
     : problem_(problem),
       options_(std::move(options)),
       linear_(linear),
-      system_(problem, linear.solver) {
+      system_(problem, linear.solver, options_.pool) {
   if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 

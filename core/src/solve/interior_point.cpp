@@ -87,7 +87,7 @@ class InteriorPoint {
     const bool near = !s_.history.empty() && s_.history.back().constraint < kNearSolution &&
                       s_.history.back().step == 1;
     linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_,
-              near ? Curvature::Exact : Curvature::Clamped, &barrier_);
+              near ? Curvature::Exact : Curvature::Clamped, &barrier_, options_.common.pool);
   }
 
   /// g + s + J dx + ds = 0 with ds = tau/mu - (s/mu) mu+ eliminated.
@@ -145,8 +145,8 @@ class InteriorPoint {
     NewtonStep now;
     now.step = primal;
     now.objective = lin_.objective;
-    now.constraint = constraintResidual(problem_, rows_, lin_);
-    now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers);
+    now.constraint = constraintResidual(problem_, rows_, lin_, options_.common.pool);
+    now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers, options_.common.pool);
     s_.constraintResidual = now.constraint;
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
       s_.active[v] = bounded_[v] && multiplier(v) > slack_[v];

@@ -2,15 +2,22 @@
 
 namespace abflat {
 
-NewtonSystem::NewtonSystem(const AngleProblem& problem, LinearSolver solver)
-    : rows_(numberRows(problem)), schur_(problem, rows_) {
+NewtonSystem::NewtonSystem(const AngleProblem& problem, LinearSolver solver, ThreadPool* pool)
+    : rows_(numberRows(problem)), schur_(problem, rows_, pool) {
   const Eigen::SparseMatrix<double>& m = schur_.matrix();
   if (solver == LinearSolver::Eigen) {
     eigen_ = std::make_unique<EigenFactor>();
     eigen_->analyzePattern(m);
   } else {
-    cholesky_ = std::make_unique<Cholesky>(std::make_shared<const CholeskySymbolic>(
-        analyzePattern({rows_.count(), m.outerIndexPtr(), m.innerIndexPtr()})));
+    CholeskyAnalysisOptions analysis;
+    analysis.pool = pool;
+    CholeskyOptions options;
+    options.pool = pool;
+    cholesky_ = std::make_unique<Cholesky>(
+        std::make_shared<const CholeskySymbolic>(
+            analyzePattern({rows_.count(), m.outerIndexPtr(), m.innerIndexPtr()}, analysis)),
+        options);
+    schur_.divide(cholesky_->symbolic().place);
   }
 }
 

@@ -17,8 +17,10 @@ namespace abflat {
 class NewtonSystem : public NewtonStepSolver {
  public:
   /// Keeps a reference to the problem, of which only the connectivity is used here. `solver`: Eigen
-  /// factors with Eigen's SimplicialLDLT, as the reference; any other with Cholesky.
-  explicit NewtonSystem(const AngleProblem& problem, LinearSolver solver = LinearSolver::Schur);
+  /// factors with Eigen's SimplicialLDLT, as the reference; any other with Cholesky. `pool`: null
+  /// for one thread.
+  explicit NewtonSystem(const AngleProblem& problem, LinearSolver solver = LinearSolver::Schur,
+                        ThreadPool* pool = nullptr);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 

@@ -95,6 +95,8 @@ struct FlattenOptionValues {
   bool adjacent = false;
   /// condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows
   bool delaunay = false;
+  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one
+  int threads = 0;
 };
 
 /// An option for people: names, default and range as on the command line.
@@ -117,8 +119,9 @@ constexpr OptionInfo kFlattenOptions[] = {
     {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
 };
-constexpr int kFlattenOptionCount = 7;
+constexpr int kFlattenOptionCount = 8;
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
 /// the numbers that stand for words are refused.
@@ -146,6 +149,10 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
     case 6:
       options.delaunay = value != 0;
       return value == 0 || value == 1;
+    case 7:
+      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      options.threads = static_cast<int>(value);
+      return true;
   }
   return false;
 }
@@ -182,6 +189,7 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   visit("precondition", options.precondition);
   visit("adjacent", options.adjacent);
   visit("delaunay", options.delaunay);
+  visit("threads", options.threads);
 }
 
 }  // namespace abflat

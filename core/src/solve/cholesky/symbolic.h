@@ -10,6 +10,7 @@ namespace abflat {
 struct CholeskyAnalysisOptions {
   DissectionOptions dissection;
   PanelCost panelCost;
+  ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
 /// All that depends on the pattern alone. Several factors may share one; it is never changed.

@@ -85,6 +85,26 @@ TEST_CASE("a solution is the same to the last bit for any number of threads",
   }
 }
 
+TEST_CASE("an analysis is the same for any number of threads", "[cholesky][threads]") {
+  for (const NamedMatrix& m : matrices()) {
+    INFO(m.name);
+    const auto wanted = analyzed(m.lower);
+    for (const unsigned threads : kThreadCounts) {
+      ThreadPool pool(threads);
+      CholeskyAnalysisOptions options;
+      options.pool = &pool;
+      const auto s = analyzed(m.lower, options);
+      CHECK(s->place == wanted->place);
+      CHECK(s->firstColumn == wanted->firstColumn);
+      CHECK(s->rows == wanted->rows);
+      CHECK(std::equal(s->entries.begin(), s->entries.end(), wanted->entries.begin(),
+                       wanted->entries.end(), [](const auto& a, const auto& b) {
+                         return a.source == b.source && a.target == b.target;
+                       }));
+    }
+  }
+}
+
 TEST_CASE("the first pivot that fails is reported for any number of threads",
           "[cholesky][threads]") {
   const SparseMatrix mesh = withTwoRowsEach(meshLaplacian(bumpyGrid(130, 120, 0.4, 3)));
