@@ -4,6 +4,7 @@
 // Usage: test.mjs [core] [node] [browser] [sanitize]   (default: core node browser)
 
 import { join } from 'node:path';
+import { buildBench } from '../tests/bench/support/meshes.mjs';
 import { buildNative, buildWasm, buildWeb } from './build.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
 import { BUILD } from './lib/paths.mjs';
@@ -38,8 +39,8 @@ const SUITES = {
     ],
   },
   node: {
-    build: [() => buildNative({ tests: true }), buildWasm],
-    suites: ['scripts', 'native', 'wasm'].map((folder) => nodeSuite(folder, 'node')),
+    build: [() => buildNative({ tests: true }), buildBench, buildWasm],
+    suites: ['scripts', 'native', 'bench', 'wasm'].map((folder) => nodeSuite(folder, 'node')),
   },
   browser: {
     build: [() => buildNative({ tests: true }), buildWasm, buildWeb],

@@ -27,8 +27,8 @@ int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
 }
 
 /// Why the layout is not valid; empty when it is.
-std::string findProblem(const DiskChart& chart, const Attempt& a, const Validity& v,
-                        const std::vector<double>& uv) {
+std::string findProblem(const DiskChart& chart, const Attempt& a) {
+  const Validity& v = a.validity;
   constexpr int kDrawable =
       12;  // orders of magnitude that doubles hold beside the errors of the layout
   if (!a.solution.converged) {
@@ -39,7 +39,7 @@ std::string findProblem(const DiskChart& chart, const Attempt& a, const Validity
     return text;
   }
   if (v.flippedTriangles > 0) {
-    const int range = edgeRange(chart, uv);
+    const int range = edgeRange(chart, a.uv);
     return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or without area" +
            (range >= kDrawable
                 ? ": with these bounds edge lengths span " +
@@ -55,10 +55,9 @@ std::string findProblem(const DiskChart& chart, const Attempt& a, const Validity
 
 }  // namespace
 
-ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t,
-                            const std::vector<double>& uv) {
-  const Validity v = checkValidity(chart, uv);
-  const Distortion d = measureDistortion(chart, uv);
+ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
+  const Validity& v = attempt.validity;
+  const Distortion& d = attempt.distortion;
   const AngleSolution& s = attempt.solution;
   ChartReport r;
   r.faces = chart.triangleCount();
@@ -90,7 +89,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   r.maxBoundaryAngle = v.maxBoundaryAngle;
   r.delaunay = attempt.delaunay;
   r.fallbacks = attempt.fallbacks;
-  r.problem = findProblem(chart, attempt, v, uv);
+  r.problem = findProblem(chart, attempt);
   r.valid = r.problem.empty();
   return r;
 }

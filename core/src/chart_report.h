@@ -5,8 +5,7 @@
 
 namespace abflat {
 
-/// Everything there is to say about a chart's layout. `uv` as it is given to the caller.
-ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t,
-                            const std::vector<double>& uv);
+/// Everything there is to say about a chart's layout.
+ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t);
 
 }  // namespace abflat

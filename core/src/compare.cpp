@@ -47,7 +47,9 @@ std::string count(std::size_t n, const char* one, const char* many) {
 
 /// Fills everything that follows from the coordinates.
 void measure(const DiskChart& chart, MethodResult& row) {
-  const Validity v = checkValidity(chart, row.uv);
+  std::vector<double> uv = row.uv;
+  for (double& x : uv) x /= chart.unit;  // exact, and away from the ends of the range
+  const Validity v = checkValidity(chart, uv);
   row.flippedTriangles = v.flippedTriangles;
   row.boundaryCrossings = v.crossings.count;
   if (row.problem.empty() && v.flippedTriangles > 0)
@@ -56,7 +58,7 @@ void measure(const DiskChart& chart, MethodResult& row) {
   else if (row.problem.empty() && v.crossings.count > 0)
     row.problem = "the boundary crosses itself at " + count(v.crossings.count, "place", "places");
   row.valid = row.problem.empty();
-  const Distortion d = measureDistortion(chart, row.uv);
+  const Distortion d = measureDistortion(chart, uv);
   row.angularDistortion = d.angular;
   row.lengthDistortion = d.length;
   row.areaDistortion = d.areaLog;

@@ -59,6 +59,21 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
   return madeDelaunay(flattener, std::move(best), untangle);
 }
 
+/// The layout in the mesh's unit, a power of two. Where that costs digits, the attempt becomes the
+/// layout that is left, measured anew; elsewhere all that is known about it holds digit by digit.
+std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt) {
+  std::vector<double> uv = attempt.uv;
+  for (double& x : uv) x *= chart.unit;
+  bool isExact = true;
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    isExact = isExact && uv[i] / chart.unit == attempt.uv[i];
+  if (isExact) return uv;
+  for (std::size_t i = 0; i < uv.size(); ++i) attempt.uv[i] = uv[i] / chart.unit;
+  attempt.validity = checkValidity(chart, attempt.uv);
+  attempt.distortion = measureDistortion(chart, attempt.uv);
+  return uv;
+}
+
 std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {
   std::vector<std::uint32_t> out(mesh.faceVertices.size());
   for (std::size_t c = 0; c < surface.triangulation.corner.size(); ++c)
@@ -111,10 +126,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
 
   if (!monitor.tell("check", 0.92)) return aborted;
   watch.lap();
-  out.uv = std::move(best.uv);
-  for (double& x : out.uv) x *= chart.unit;
+  out.uv = inMeshUnit(chart, best);
   const double common = *std::max_element(best.t.begin(), best.t.end());
-  out.report.charts.push_back(makeChartReport(chart, best, common, out.uv));
+  out.report.charts.push_back(makeChartReport(chart, best, common));
   timings.check += watch.lap();
 
   out.report.input = surface.summary;

@@ -15,23 +15,28 @@
 namespace abflat::cli {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 20;
+/// Beyond the size that a file claims: enough to see its end, and to begin with where it claims
+/// none.
+constexpr std::size_t kSpare = 1 << 12;
 
 /// Empty, or why it failed.
 std::string readAll(int file, std::string& bytes) {
   struct stat info {};
+  std::size_t claimed = 0;
   if (fstat(file, &info) == 0) {
     if (S_ISDIR(info.st_mode)) return "it is a folder";
-    if (S_ISREG(info.st_mode)) bytes.reserve(static_cast<std::size_t>(info.st_size) + kChunk);
+    if (S_ISREG(info.st_mode)) claimed = static_cast<std::size_t>(info.st_size);
   }
+  bytes.resize(claimed + kSpare);
   for (std::size_t size = 0;;) {
-    bytes.resize(size + kChunk);
-    const ssize_t got = ::read(file, &bytes[size], kChunk);
+    if (size == bytes.size()) bytes.resize(2 * size);
+    const ssize_t got = ::read(file, &bytes[size], bytes.size() - size);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return std::strerror(errno);
     size += static_cast<std::size_t>(got);
+    if (got > 0) continue;
     bytes.resize(size);
-    if (got == 0) return {};
+    return {};
   }
 }
 

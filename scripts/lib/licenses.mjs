@@ -7,7 +7,7 @@ import { ROOT } from './paths.mjs';
 const FOLDER = join(ROOT, 'scripts/licenses');
 
 /** What each product contains. Names with a slash are npm packages, whose own LICENSE is used. */
-const CORE = ['eigen', 'tinyobjloader', 'nlohmann-json'];
+const CORE = ['eigen', 'fast_float', 'nlohmann-json'];
 const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
   native: [...CORE, 'cli11'],

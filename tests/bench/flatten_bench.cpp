@@ -113,7 +113,8 @@ bool printYardsticks(const PolygonMesh& mesh, int repeat) {
   bool isSolved = true;
   const auto print = [&](const char* name, const bench::FactorRow& row) {
     if (!(row.residual < kYardstickResidual)) isSolved = false;
-    std::printf(", \"%s\": %.6g, \"%sNumeric\": %.6g", name, row.all(), name, row.numeric);
+    std::printf(", \"%s\": %.6g, \"%sNumeric\": %.6g, \"%sOrdered\": %.6g", name, row.all(), name,
+                row.numeric, name, row.numeric + row.solve);
   };
 #ifdef ABFLAT_BENCH_CHOLMOD
   print("u", bench::runCholmod(laplacian, b, repeat));

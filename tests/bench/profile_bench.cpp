@@ -17,6 +17,7 @@
 #include "mesh/surface.h"
 #include "solve/angle_solver.h"
 #include "solve/cholesky/cholesky.h"
+#include "solve/conjugate_gradients.h"
 #include "solve/schur_system.h"
 #include "stopwatch.h"
 
@@ -29,27 +30,25 @@ void tell(const char* what, Stopwatch& watch) {
   watch.lap();
 }
 
-/// Iterations of conjugate gradients, preconditioned by a factor of another matrix, until the
-/// residual is `share` of the right-hand side; `limit` when they are not enough.
-int conjugateGradients(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
-                       const Cholesky& factor, double share, int limit) {
-  const auto a = lower.selfadjointView<Eigen::Lower>();
-  Eigen::VectorXd r = b, z = r, q;
-  factor.solve(z.data());
-  Eigen::VectorXd p = z;
-  double rz = r.dot(z);
-  for (int k = 1; k <= limit; ++k) {
-    q = a * p;
-    const double step = rz / p.dot(q);
-    r -= step * q;
-    if (r.norm() <= share * b.norm()) return k;
-    z = r;
-    factor.solve(z.data());
-    const double next = r.dot(z);
-    p = z + next / rz * p;
-    rz = next;
+class FactorPreconditioner : public Preconditioner {
+ public:
+  explicit FactorPreconditioner(const FloatCholesky& factor) : factor_(factor) {}
+  void apply(const double* r, double* z) const override {
+    std::copy_n(r, factor_.symbolic().size, z);
+    factor_.solve(z);
   }
-  return limit;
+
+ private:
+  const FloatCholesky& factor_;
+};
+
+/// Iterations until the residual is `share` of the right-hand side, with the factor of another
+/// matrix; 200 when they are not enough.
+int iterations(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
+               const FloatCholesky& factor, double share) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+  const double tolerance = share * b.lpNorm<Eigen::Infinity>();
+  return conjugateGradients(lower, b, FactorPreconditioner(factor), x, {tolerance, 200}).iterations;
 }
 
 void profileSystem(const AngleProblem& problem, const AngleSolution& solution) {
@@ -80,6 +79,13 @@ void profileSystem(const AngleProblem& problem, const AngleSolution& solution) {
   std::vector<double> x(schur.rightHandSide().begin(), schur.rightHandSide().end());
   factor.solve(x.data());
   tell("substitution, one right-hand side", watch);
+  FloatCholesky inSingle(symbolic);
+  if (!inSingle.factorize(m.valuePtr()).isOk()) return;
+  tell("single precision: first, allocates", watch);
+  if (!inSingle.factorize(m.valuePtr()).isOk()) return;
+  tell("single precision: further", watch);
+  inSingle.solve(x.data());
+  tell("single precision: substitution", watch);
   const Eigen::VectorXd product = m.selfadjointView<Eigen::Lower>() * schur.rightHandSide();
   tell("matrix times vector", watch);
   Multipliers multipliers;
@@ -90,7 +96,7 @@ void profileSystem(const AngleProblem& problem, const AngleSolution& solution) {
   schur.assemble(lin, none);
   for (const double share : {1e-2, 1e-4, 1e-8})
     std::printf("  conjugate gradients at the solution, factor of the first step, to %g: %d\n",
-                share, conjugateGradients(m, product, factor, share, 200));
+                share, iterations(m, product, inSingle, share));
 }
 
 }  // namespace

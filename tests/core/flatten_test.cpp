@@ -5,7 +5,10 @@
 #include "abflat/samples.h"
 #include "angle/constants.h"
 #include "catch.h"
+#include "check/distortion.h"
+#include "check/validity.h"
 #include "support/meshes.h"
+#include "support/problems.h"
 
 using namespace abflat;
 using namespace abflat::test;
@@ -133,6 +136,34 @@ TEST_CASE("the layout has the area of the surface") {
     surface += std::hypot(n[0], n[1], n[2]) / 2;
   }
   CHECK(uv == Approx(surface));
+}
+
+TEST_CASE("the report holds for the coordinates that are returned, of any magnitude") {
+  // The last two lose digits when the layout gets the mesh's unit.
+  for (const double scale : {1.0, 3e7, 1e250, 1e-120, 1e-306, 1e-310}) {
+    const PolygonMesh mesh = transformed(bumpyGrid(12, 9, 0.7, 5), scale, {0, 0, 0});
+    const FlattenResult r = flattened(mesh, 2);
+    const ChartReport& c = r.report.charts.front();
+    const DiskChart chart = chartOf(mesh);
+    std::vector<double> uv = r.uv;
+    for (double& x : uv) x /= chart.unit;
+    const Distortion d = measureDistortion(chart, uv);
+    const Validity v = checkValidity(chart, uv);
+    INFO(scale);
+    CHECK(v.valid());
+    CHECK(c.angularDistortion == d.angular);
+    CHECK(c.lengthDistortion == d.length);
+    CHECK(c.quasiConformalMean == d.quasiConformalMean);
+    CHECK(c.quasiConformalMax == d.quasiConformalMax);
+    CHECK(c.stretchL2 == d.stretchL2);
+    CHECK(c.stretchLinf == d.stretchLinf);
+    CHECK(c.symmetricDirichlet == d.symmetricDirichlet);
+    CHECK(c.areaDistortionMin == d.areaMin);
+    CHECK(c.areaDistortionMax == d.areaMax);
+    CHECK(c.flippedTriangles == v.flippedTriangles);
+    CHECK(c.boundaryCrossings == v.crossings.count);
+    CHECK(c.maxBoundaryAngle == v.maxBoundaryAngle);
+  }
 }
 
 TEST_CASE("two runs give the same bytes") {

@@ -15,7 +15,7 @@ test('the version is the same for C++ and npm', () => {
 });
 
 test('every product carries the licences of what is in it', () => {
-  const core = ['Eigen', 'tinyobjloader', 'JSON for Modern C++'];
+  const core = ['Eigen', 'fast_float', 'JSON for Modern C++'];
   for (const [product, others] of [
     ['native', ['CLI11']],
     ['wasm', ['Emscripten', 'musl libc']],

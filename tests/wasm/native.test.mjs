@@ -123,3 +123,36 @@ describe('real meshes', () => {
     }
   }
 });
+
+test('positions of an OFF file become the same text, which reads back as the same numbers', async () => {
+  const n = 30;
+  const positions = [];
+  // + 0: text has no negative zero.
+  for (let y = 0; y <= n; ++y)
+    for (let x = 0; x <= n; ++x)
+      positions.push(
+        x + Math.sin(y) / 7,
+        y + Math.cos(x) / 7,
+        Math.sin(x * y + 1) * 10 ** -(x * y) + 0,
+      );
+  const faces = [];
+  for (let y = 0; y < n; ++y)
+    for (let x = 0; x < n; ++x) {
+      const a = y * (n + 1) + x;
+      faces.push(`4 ${a} ${a + 1} ${a + n + 2} ${a + n + 1}`);
+    }
+  const path = join(folder, 'numbers.off');
+  const points = positions.map((x, i) => `${x}${i % 3 === 2 ? '\n' : ' '}`).join('');
+  writeFileSync(
+    path,
+    `OFF\n${positions.length / 3} ${faces.length} 0\n${points}${faces.join('\n')}\n`,
+  );
+  const native = flattenNatively(path, 2).obj;
+  const wasm = await abflat.flatten({ bytes: readFileSync(path), name: path }, { t: 2, obj: true });
+  const text = new TextDecoder().decode(wasm.obj);
+  assert.equal(withoutTexcoords(text), withoutTexcoords(native));
+  assert.deepEqual(objNumbers(text, 'v'), positions);
+  // Texcoords of a layout are no round numbers, and come back as what the package returns.
+  const uv = objNumbers(text, 'vt');
+  assert.deepEqual(uv, [...wasm.uv]);
+});

@@ -31,10 +31,10 @@ Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle)
     if ((found = local.valid())) best = std::move(local);
   }
   if (untangle != Untangle::Local) {
-    const double limit = found ? best.angularDistortion : std::numeric_limits<double>::infinity();
+    const double limit = found ? best.distortion.angular : std::numeric_limits<double>::infinity();
     Attempt global = untangleGlobal(flattener, attempt, limit);
     if (global.solution.cancelled) return global;
-    if (global.valid() && global.angularDistortion < limit) {
+    if (global.valid() && global.distortion.angular < limit) {
       best = std::move(global);
       found = true;
     }

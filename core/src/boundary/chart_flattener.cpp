@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "angle/constants.h"
-#include "check/distortion.h"
 #include "layout/layout.h"
 #include "layout/tutte.h"
 #include "solve/interior_point.h"
@@ -110,7 +109,7 @@ Attempt ChartFlattener::tutte(const std::string& reason) {
   timings_.layout += watch.lap();
   a.solution.converged = true;
   a.validity = checkValidity(chart_, a.uv);
-  a.angularDistortion = measureDistortion(chart_, a.uv).angular;
+  a.distortion = measureDistortion(chart_, a.uv);
   timings_.check += watch.lap();
   a.fallbacks.push_back(reason + "; Tutte's embedding on a circle instead");
   return a;
@@ -124,7 +123,7 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
   timings_.layout += watch.lap();
   onStage_("check");
   a.validity = checkValidity(chart_, a.uv);
-  a.angularDistortion = measureDistortion(chart_, a.uv).angular;
+  a.distortion = measureDistortion(chart_, a.uv);
   timings_.check += watch.lap();
 }
 

@@ -7,6 +7,7 @@
 
 #include "abflat/flatten.h"
 #include "chart/disk_chart.h"
+#include "check/distortion.h"
 #include "check/validity.h"
 #include "solve/angle_solver.h"
 
@@ -18,7 +19,7 @@ struct Attempt {
   AngleSolution solution;
   std::vector<double> uv;  ///< in chart units
   Validity validity;
-  double angularDistortion = 0;
+  Distortion distortion;
   std::string solver;                  ///< "activeSet", "interiorPoint" or "tutte"
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;

@@ -37,7 +37,7 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
   DelaunayReport report;
   report.edges = before.edges;
   report.violated = report.violatedBefore = before.violated.size();
-  report.angularDistortionBefore = attempt.angularDistortion;
+  report.angularDistortionBefore = attempt.distortion.angular;
   const auto keep = [&](const std::string& why) {
     if (!why.empty()) attempt.fallbacks.push_back("not made Delaunay: " + why);
     attempt.delaunay = report;

@@ -113,13 +113,13 @@ Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, doubl
       low = t;
       break;
     }
-    if (a.angularDistortion > distortionLimit) return a;
+    if (a.distortion.angular > distortionLimit) return a;
     invalid = std::move(a);
     high = t;
   }
   if (!found || cancelled(valid)) return found || cancelled(valid) ? valid : invalid;
   while (high - low > kStepOfT * 1.0001) {
-    if (invalid.angularDistortion > distortionLimit) break;
+    if (invalid.distortion.angular > distortionLimit) break;
     // On the grid of hundredths, so that the answer is a number a person would type.
     double t = std::round((low + high) / 2 / kStepOfT) * kStepOfT;
     if (t <= low || t >= high) break;

@@ -31,6 +31,9 @@ DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
   for (std::uint32_t v : chart.inputVertex)
     for (std::size_t d = 0; d < 3; ++d)
       chart.positions.push_back(mesh.positions[3 * v + d] / chart.unit);
+  chart.angles.resize(chart.triangleCount());
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
+    chart.angles[f] = cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f]);
   return chart;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,9 +15,10 @@ struct DiskChart {
   std::vector<std::uint32_t> twin;            ///< opposite half-edge or kNone, size 3F
   std::vector<std::uint32_t>
       boundary;  ///< half-edges of the boundary loop in order, surface on the left
-  std::vector<std::uint32_t> inputVertex;  ///< input vertex per chart vertex
-  std::vector<double> positions;           ///< xyz per chart vertex, in `unit`
-  double unit = 1;                         ///< a power of two, so that scaling is exact
+  std::vector<std::uint32_t> inputVertex;     ///< input vertex per chart vertex
+  std::vector<double> positions;              ///< xyz per chart vertex, in `unit`
+  std::vector<std::array<double, 3>> angles;  ///< per triangle in 3D, radians; see cornerAngles
+  double unit = 1;                            ///< a power of two, so that scaling is exact
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);

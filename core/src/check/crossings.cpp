@@ -1,6 +1,8 @@
 #include "check/crossings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "check/orientation.h"
 
@@ -30,12 +32,46 @@ bool segmentsMeet(const double* a, const double* b, const double* c, const doubl
          (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
 }
 
-/// Boxes over runs of consecutive edges: neighbours along the curve are neighbours in the plane, so
-/// the order of the boundary itself makes a good hierarchy.
-class CurveTree {
+/// The bits of x at the even places.
+std::uint64_t spread(std::uint64_t x) {
+  x = (x | x << 16) & 0x0000ffff0000ffff;
+  x = (x | x << 8) & 0x00ff00ff00ff00ff;
+  x = (x | x << 4) & 0x0f0f0f0f0f0f0f0f;
+  x = (x | x << 2) & 0x3333333333333333;
+  return (x | x << 1) & 0x5555555555555555;
+}
+
+/// Edges of a closed polygon along a curve that fills the plane (Morton's); those at one place keep
+/// their order.
+std::vector<std::uint32_t> spatialOrder(const std::vector<double>& points) {
+  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    lo[i % 2] = std::min(lo[i % 2], points[i]);
+    hi[i % 2] = std::max(hi[i % 2], points[i]);
+  }
+  constexpr double kCells = 4294967295.0;
+  const double size = std::max(hi[0] - lo[0], hi[1] - lo[1]);
+  const auto cell = [&](std::size_t point, std::size_t d) -> std::uint64_t {
+    const double x = (points[2 * point + d] - lo[d]) / size * kCells;
+    return x > 0 ? static_cast<std::uint64_t>(std::min(x, kCells)) : 0;
+  };
+  const auto n = static_cast<std::uint32_t>(points.size() / 2);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(n);
+  for (std::uint32_t i = 0; i < n; ++i) keys[i] = {spread(cell(i, 0)) | spread(cell(i, 1)) << 1, i};
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order(n);
+  for (std::uint32_t k = 0; k < n; ++k) order[k] = keys[k].second;
+  return order;
+}
+
+/// Boxes over runs of edges in spatial order: boxes overlap little however the curve is coiled.
+class EdgeTree {
  public:
-  CurveTree(const std::vector<double>& points, std::size_t keepFirst)
-      : points_(points), keepFirst_(keepFirst), n_(static_cast<std::uint32_t>(points.size() / 2)) {
+  EdgeTree(const std::vector<double>& points, std::size_t keepFirst)
+      : points_(points),
+        order_(spatialOrder(points)),
+        keepFirst_(keepFirst),
+        n_(static_cast<std::uint32_t>(order_.size())) {
     while (leaves_ < n_) leaves_ *= 2;
     boxes_.resize(2 * static_cast<std::size_t>(leaves_));
     build(1, 0, leaves_);
@@ -43,6 +79,7 @@ class CurveTree {
 
   Crossings run() {
     within(1, 0, leaves_);
+    std::sort(found_.first.begin(), found_.first.end());
     return std::move(found_);
   }
 
@@ -53,9 +90,10 @@ class CurveTree {
     if (begin >= n_) return;
     Box& box = boxes_[node];
     if (end - begin == 1) {
+      const double *from = point(order_[begin]), *to = point(order_[begin] + 1);
       for (int d = 0; d < 2; ++d) {
-        box.lo[d] = std::min(point(begin)[d], point(begin + 1)[d]);
-        box.hi[d] = std::max(point(begin)[d], point(begin + 1)[d]);
+        box.lo[d] = std::min(from[d], to[d]);
+        box.hi[d] = std::max(from[d], to[d]);
       }
       return;
     }
@@ -83,7 +121,7 @@ class CurveTree {
   void across(std::uint32_t nodeA, std::uint32_t a, std::uint32_t nodeB, std::uint32_t b,
               std::uint32_t size) {
     if (a >= n_ || b >= n_ || disjoint(boxes_[nodeA], boxes_[nodeB])) return;
-    if (size == 1) return testPair(a, b);
+    if (size == 1) return testPair(std::min(order_[a], order_[b]), std::max(order_[a], order_[b]));
     const std::uint32_t half = size / 2;
     for (std::uint32_t i = 0; i < 2; ++i)
       for (std::uint32_t j = 0; j < 2; ++j)
@@ -111,6 +149,7 @@ class CurveTree {
   }
 
   const std::vector<double>& points_;
+  std::vector<std::uint32_t> order_;
   std::size_t keepFirst_;
   std::uint32_t n_, leaves_ = 1;
   std::vector<Box> boxes_;
@@ -122,7 +161,7 @@ class CurveTree {
 Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst) {
   // A triangle's edges are all neighbours; with positive area it is simple.
   if (points.size() < 8) return {};
-  return CurveTree(points, keepFirst).run();
+  return EdgeTree(points, keepFirst).run();
 }
 
 }  // namespace abflat

@@ -10,7 +10,6 @@ namespace abflat {
 namespace {
 
 struct Triangle {
-  std::array<double, 3> angles3d;
   double area3d, areaUv;            ///< areaUv is signed
   double firstX, secondX, secondY;  ///< in its own plane: (0,0), (firstX,0), (secondX,secondY)
   std::array<double, 6> uv;
@@ -19,7 +18,6 @@ struct Triangle {
 Triangle makeTriangle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t f) {
   const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
   Triangle t;
-  t.angles3d = cornerAngles(chart.positions, v);
   const Vec3 a = edgeVector(chart.positions, v[0], v[1]),
              b = edgeVector(chart.positions, v[0], v[2]);
   t.area3d = norm(cross(a, b)) / 2;
@@ -33,13 +31,13 @@ Triangle makeTriangle(const DiskChart& chart, const std::vector<double>& uv, std
   return t;
 }
 
-double sumSquaredAngleErrors(const Triangle& t) {
+double sumSquaredAngleErrors(const Triangle& t, const std::array<double, 3>& angles3d) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double *o = &t.uv[2 * k], *p = &t.uv[2 * ((k + 1) % 3)], *q = &t.uv[2 * ((k + 2) % 3)];
     const double ux = p[0] - o[0], uy = p[1] - o[1], vx = q[0] - o[0], vy = q[1] - o[1];
     const double angle = std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
-    const double error = (angle - t.angles3d[k]) / t.angles3d[k];
+    const double error = (angle - angles3d[k]) / angles3d[k];
     sum += error * error;
   }
   return sum;
@@ -52,7 +50,7 @@ std::array<double, 2> singularValues(const Triangle& t, double scale) {
   const double c = ((t.uv[4] - t.uv[0]) * scale - a * t.secondX) / t.secondY;
   const double d = ((t.uv[5] - t.uv[1]) * scale - b * t.secondX) / t.secondY;
   // s1 + s2 and s1 - s2 as norms of the conformal and anticonformal parts.
-  const double sum = std::hypot(a + d, b - c), difference = std::hypot(a - d, b + c);
+  const double sum = norm(a + d, b - c), difference = norm(a - d, b + c);
   const double s1 = (sum + difference) / 2;
   return {s1, s1 > 0 ? std::abs(a * d - b * c) / s1 : 0};
 }
@@ -64,7 +62,7 @@ double lengthDistortion(const DiskChart& chart, const std::vector<double>& uv) {
     if (chart.twin[h] != kNone && chart.twin[h] < h) continue;
     const std::uint32_t a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
     const double l = norm(edgeVector(chart.positions, a, b));
-    const double L = std::hypot(uv[2 * a] - uv[2 * b], uv[2 * a + 1] - uv[2 * b + 1]);
+    const double L = norm(uv[2 * a] - uv[2 * b], uv[2 * a + 1] - uv[2 * b + 1]);
     if (!(l > 0)) continue;
     lengths.push_back({l, L});
     sum3d += l;
@@ -92,10 +90,10 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   out.areaMin = std::numeric_limits<double>::infinity();
   out.areaMax = 0;
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    if (isDegenerate(chart.angles[f])) continue;
     const Triangle t = makeTriangle(chart, uv, f);
-    if (isDegenerate(t.angles3d)) continue;
     ++measured;
-    angular += sumSquaredAngleErrors(t);
+    angular += sumSquaredAngleErrors(t, chart.angles[f]);
     const auto [s1, s2] = singularValues(t, scale);
     const double inverse = 1 / (s1 * s1) + 1 / (s2 * s2);
     area += t.area3d;

@@ -15,13 +15,14 @@ double angleAt(const double* o, const double* a, const double* b) {
 }
 
 double maxBoundaryAngle(const DiskChart& chart, const std::vector<double>& uv) {
-  std::vector<double> sum(chart.vertexCount(), 0);
-  for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c)
-    sum[chart.vertexOfCorner[c]] +=
-        angleAt(&uv[2 * chart.vertexOfCorner[c]], &uv[2 * chart.vertexOfCorner[nextCorner(c)]],
-                &uv[2 * chart.vertexOfCorner[prevCorner(c)]]);
   double worst = 0;
-  for (std::uint32_t h : chart.boundary) worst = std::max(worst, sum[chart.vertexOfCorner[h]]);
+  for (const std::uint32_t h : chart.boundary) {
+    double sum = 0;
+    for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(chart.twin, c))
+      sum += angleAt(&uv[2 * chart.vertexOfCorner[c]], &uv[2 * chart.vertexOfCorner[nextCorner(c)]],
+                     &uv[2 * chart.vertexOfCorner[prevCorner(c)]]);
+    worst = std::max(worst, sum);
+  }
   return worst;
 }
 
@@ -31,7 +32,7 @@ Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
   Validity out;
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
     const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
-    const bool degenerate = isDegenerate(cornerAngles(chart.positions, v));
+    const bool degenerate = isDegenerate(chart.angles[f]);
     out.degenerateTriangles += degenerate;
     bool finite = true;
     for (std::size_t k = 0; k < 3; ++k)

@@ -1,23 +1,20 @@
 #include "io/number_text.h"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
-#include <version>
-
-#ifndef __cpp_lib_to_chars
-#include <clocale>
-#include <cstdio>
-#include <cstdlib>
-#endif
+#include <nlohmann/json.hpp>
 
 namespace abflat {
 
 std::string_view takeWord(std::string_view& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return text = {};
-  const std::size_t end = std::min(text.find_first_of(" \t", begin), text.size());
+  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+  std::size_t begin = 0;
+  while (begin < text.size() && isBlank(text[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && !isBlank(text[end])) ++end;
   const std::string_view word = text.substr(begin, end - begin);
   text.remove_prefix(end);
   return word;
@@ -25,7 +22,7 @@ std::string_view takeWord(std::string_view& text) {
 
 namespace {
 
-/// std::from_chars knows no plus sign.
+/// from_chars knows no plus sign.
 std::string_view withoutPlus(std::string_view number) {
   const bool hasPlus = number.size() > 1 && number[0] == '+' && number[1] != '-';
   return hasPlus ? number.substr(1) : number;
@@ -40,71 +37,31 @@ bool parseInteger(std::string_view word, std::int64_t& value) {
   return error == std::errc{} && rest == end && !word.empty();
 }
 
-#ifdef __cpp_lib_to_chars
-
-namespace {
-
-/// 0 or infinity for a decimal that no double can hold. Not strtod: it follows the locale.
-double outOfRangeValue(std::string_view decimal) {
-  const std::size_t e = std::min(decimal.find_first_of("eE"), decimal.size());
-  const std::string_view mantissa = decimal.substr(0, e);
-  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
-  const std::size_t leading = std::min(mantissa.find_first_of("123456789"), mantissa.size());
-  const std::string_view written = decimal.substr(std::min(e + 1, decimal.size()));
-  std::int64_t exponent = 0;
-  bool isTiny = !written.empty() && written.front() == '-';
-  if (written.empty() || parseInteger(written, exponent))
-    isTiny = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(leading) + exponent < 0;
-  const double size = isTiny ? 0 : std::numeric_limits<double>::infinity();
-  return decimal.front() == '-' ? -size : size;
+const char* scanDouble(const char* begin, const char* end, double& value) {
+  const auto [rest, error] = fast_float::from_chars(begin, end, value);
+  // Out of range: the value is 0 or infinity; older releases do not call that an error.
+  return error == std::errc{} || error == std::errc::result_out_of_range ? rest : nullptr;
 }
-
-}  // namespace
 
 bool parseDouble(std::string_view word, double& value) {
   word = withoutPlus(word);
   const char* end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
-  if (rest != end || word.empty()) return false;
-  if (error == std::errc::result_out_of_range) value = outOfRangeValue(word);
-  return error == std::errc{} || error == std::errc::result_out_of_range;
+  return !word.empty() && scanDouble(word.data(), end, value) == end;
 }
 
-void appendDouble(std::string& out, double value) {
-  char text[32];
-  out.append(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
-
-#else  // standard libraries without floating point <charconv>
-
-namespace {
-
-/// strtod and snprintf follow the locale that the process has chosen; meshes do not.
-char decimalPoint() { return *std::localeconv()->decimal_point; }
-
-}  // namespace
-
-bool parseDouble(std::string_view word, double& value) {
-  // strtod would also take white space and hexadecimal numbers.
-  if (word.empty() || word.find_first_of(" \t\v\f\r\nxX,") != std::string_view::npos) return false;
-  std::string text(word);
-  std::replace(text.begin(), text.end(), '.', decimalPoint());
-  char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() + text.size();
-}
-
-void appendDouble(std::string& out, double value) {
-  char text[32];
-  for (int digits = 15; digits <= 17; ++digits) {
-    const int size = std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (digits < 17 && std::strtod(text, nullptr) != value) continue;
-    std::replace(text, text + size, decimalPoint(), '.');
-    out.append(text, static_cast<std::size_t>(size));
-    return;
+char* writeDouble(char* out, double value) {
+  if (!std::isfinite(value)) {
+    const std::string_view text = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+    return std::copy(text.begin(), text.end(), out);
   }
+  // Grisu2. Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give
+  // the same bytes.
+  char* const end = nlohmann::detail::to_chars(out, out + kMostDoubleChars, value);
+  return end - out > 2 && end[-1] == '0' && end[-2] == '.' ? end - 2 : end;
 }
 
-#endif
+char* writeInteger(char* out, std::uint32_t value) {
+  return std::to_chars(out, out + kMostIntegerChars, value).ptr;
+}
 
 }  // namespace abflat

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace abflat {
@@ -16,7 +16,16 @@ std::string_view takeWord(std::string_view& text);
 bool parseDouble(std::string_view word, double& value);
 bool parseInteger(std::string_view word, std::int64_t& value);
 
-/// A text that reads back as the same double: the shortest where the standard library has it.
-void appendDouble(std::string& out, double value);
+/// The number (without a plus sign) that a text begins with: its end, or nullptr when there is
+/// none.
+const char* scanDouble(const char* begin, const char* end, double& value);
+
+constexpr std::size_t kMostDoubleChars = 32, kMostIntegerChars = 10;
+
+/// Writes a text of at most kMostDoubleChars that reads back as the same double, and returns its
+/// end. The same everywhere, and nearly always the shortest.
+char* writeDouble(char* out, double value);
+/// The same with at most kMostIntegerChars.
+char* writeInteger(char* out, std::uint32_t value);
 
 }  // namespace abflat

@@ -25,6 +25,16 @@ class ObjLines {
   explicit ObjLines(std::string_view text) : rest_(text) {}
   bool next(ObjLine& line);
 
+  /// What has not been iterated yet: begins at a logical line.
+  std::string_view rest() const { return rest_; }
+  /// Of the line that `rest` begins with, counted from 1.
+  std::size_t number() const { return number_; }
+  /// Drops the first `size` bytes of `rest`, which are one physical line that stands alone.
+  void skipLine(std::size_t size) {
+    rest_.remove_prefix(size);
+    ++number_;
+  }
+
  private:
   std::string_view rest_;
   std::size_t number_ = 1;

@@ -1,57 +1,77 @@
 #include "io/read_obj.h"
 
+#include <array>
 #include <cmath>
-#include <istream>
-#include <streambuf>
 #include <vector>
 
 #include "io/number_text.h"
 #include "io/obj_lines.h"
 #include "io/parse_error.h"
-
-#define TINYOBJLOADER_IMPLEMENTATION
-#define TINYOBJLOADER_USE_DOUBLE
-#include <tiny_obj_loader.h>
+#include "io/plain_obj_line.h"
+#include "io/text_lines.h"
 
 namespace abflat {
 namespace {
 
-/// What tinyobjloader leaves unsaid: it reads a missing or malformed number as 0, does not join
-/// lines and rounds decimals loosely. Each v and f line is checked here, so that what it parses
-/// afterwards is known to be well formed, and coordinates are taken from here, correctly rounded.
-struct StrictPass {
-  std::string_view fileName;
-  std::vector<double> positions;
-  std::vector<std::size_t> faceLines;
-  std::size_t corners = 0;
-  std::int64_t largestIndex = 0;  ///< of all faces, counted from 1
-  std::size_t largestIndexLine = 0;
-  bool needsCleaning = false;  ///< a vertex or face line is continued or ends in a comment
+/// Takes vertices and faces from an OBJ text and rejects what is not well formed.
+class ObjReader {
+ public:
+  explicit ObjReader(std::string_view fileName) : fileName_(fileName) {}
 
-  Status run(std::string_view text) {
+  Result<PolygonMesh> run(std::string_view text) {
+    reserve(text.size());
+    mesh_.faceOffsets.push_back(0);
     ObjLines lines(text);
-    ObjLine line;
-    while (lines.next(line)) {
-      if (line.kind == ObjLine::Kind::Vertex || line.kind == ObjLine::Kind::Face)
-        needsCleaning = needsCleaning || line.isJoined || !line.comment.empty();
-      if (line.kind == ObjLine::Kind::Vertex) {
-        if (Status s = vertex(line); !s.ok()) return s;
-      } else if (line.kind == ObjLine::Kind::Face) {
-        if (Status s = face(line); !s.ok()) return s;
-      }
-    }
-    const auto vertices = static_cast<std::int64_t>(positions.size() / 3);
-    if (largestIndex > vertices)
-      return parseError(fileName, largestIndexLine,
-                        "the face refers to vertex " + std::to_string(largestIndex) +
-                            ", but the file has " + std::to_string(vertices) + " vertices");
-    if (positions.empty() && faceLines.empty())
-      return {StatusCode::ParseError, std::string(fileName) + ": holds no vertices and no faces" +
-                                          (text.empty() ? "; the file is empty" : "")};
-    return {};
+    while (!lines.rest().empty())
+      if (Status s = nextLine(lines); !s.ok()) return s;
+    if (largestIndex_ > knownVertices())
+      return parseError(fileName_, largestIndexLine_,
+                        "the face refers to vertex " + std::to_string(largestIndex_) +
+                            ", but the file has " + std::to_string(knownVertices()) + " vertices");
+    if (mesh_.positions.empty() && mesh_.faceVertices.empty())
+      return Status{StatusCode::ParseError, std::string(fileName_) +
+                                                ": holds no vertices and no faces" +
+                                                (text.empty() ? "; the file is empty" : "")};
+    return std::move(mesh_);
   }
 
  private:
+  /// Two triangles a vertex, in bytes as a file without normals and texcoords has them.
+  void reserve(std::size_t bytes) {
+    constexpr std::size_t kBytesPerVertex = 96;
+    const std::size_t vertices = bytes / kBytesPerVertex;
+    mesh_.positions.reserve(3 * vertices);
+    mesh_.faceOffsets.reserve(2 * vertices + 1);
+    mesh_.faceVertices.reserve(6 * vertices);
+  }
+
+  Status nextLine(ObjLines& lines) {
+    std::array<double, 3> point;
+    if (const std::size_t size = plainVertexLine(lines.rest(), point); size > 0) {
+      mesh_.positions.insert(mesh_.positions.end(), point.begin(), point.end());
+      lines.skipLine(size);
+      return {};
+    }
+    corners_.clear();
+    if (const std::size_t size = plainFaceLine(lines.rest(), corners_); size > 0) {
+      for (const std::int64_t vertex : corners_)
+        if (Status s = inFile(vertex, lines.number()); !s.ok()) return s;
+      appendFace();
+      lines.skipLine(size);
+      return {};
+    }
+    if (beginsWith(lines.rest(), "vn ") || beginsWith(lines.rest(), "vt "))
+      if (const std::size_t size = plainLine(lines.rest()); size > 0) {
+        lines.skipLine(size);
+        return {};
+      }
+    ObjLine line;
+    lines.next(line);
+    if (line.kind == ObjLine::Kind::Vertex) return vertex(line);
+    if (line.kind == ObjLine::Kind::Face) return face(line);
+    return {};
+  }
+
   Status vertex(const ObjLine& line) {
     std::string storage;
     std::string_view words = argumentsOf(line, storage);
@@ -59,15 +79,15 @@ struct StrictPass {
       const std::string_view word = takeWord(words);
       double value = 0;
       if (word.empty())
-        return parseError(fileName, line.number,
+        return parseError(fileName_, line.number,
                           "the vertex has " + std::to_string(d) +
                               " coordinates instead of 3; is the file cut off?");
       if (!parseDouble(word, value))
-        return parseError(fileName, line.number, quoted(word) + " is not a number");
+        return parseError(fileName_, line.number, quoted(word) + " is not a number");
       if (!std::isfinite(value))
-        return parseError(fileName, line.number,
+        return parseError(fileName_, line.number,
                           "the coordinate " + quoted(word) + " is not finite");
-      positions.push_back(value);
+      mesh_.positions.push_back(value);
     }
     return {};
   }
@@ -75,26 +95,36 @@ struct StrictPass {
   Status face(const ObjLine& line) {
     std::string storage;
     std::string_view words = argumentsOf(line, storage);
-    std::size_t count = 0;
-    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words), ++count)
-      if (Status s = corner(line, word); !s.ok()) return s;
-    if (count < 3)
+    corners_.clear();
+    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words)) {
+      std::int64_t vertex = 0;
+      if (Status s = corner(line, word, vertex); !s.ok()) return s;
+      if (Status s = inFile(vertex, line.number); !s.ok()) return s;
+      corners_.push_back(vertex);
+    }
+    if (corners_.size() < 3)
       return parseError(
-          fileName, line.number,
-          "the face has " + std::to_string(count) + " corners; at least 3 are needed");
-    corners += count;
-    faceLines.push_back(line.number);
+          fileName_, line.number,
+          "the face has " + std::to_string(corners_.size()) + " corners; at least 3 are needed");
+    appendFace();
     return {};
   }
 
+  /// Takes the corners of one face, whose vertices are known to be in the file or may yet come.
+  void appendFace() {
+    const std::int64_t known = knownVertices();
+    for (const std::int64_t v : corners_)
+      mesh_.faceVertices.push_back(static_cast<std::uint32_t>(v > 0 ? v - 1 : known + v));
+    mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
+  }
+
   /// v, v/vt, v//vn or v/vt/vn
-  Status corner(const ObjLine& line, std::string_view word) {
+  Status corner(const ObjLine& line, std::string_view word, std::int64_t& vertex) const {
     const auto malformed = [&] {
-      return parseError(fileName, line.number,
+      return parseError(fileName_, line.number,
                         quoted(word) + " is not a face corner (v, v/vt, v//vn or v/vt/vn)");
     };
     std::string_view rest = word;
-    std::int64_t vertex = 0;
     for (int part = 0;; ++part) {
       const std::size_t slash = std::min(rest.find('/'), rest.size());
       const std::string_view number = rest.substr(0, slash);
@@ -106,95 +136,40 @@ struct StrictPass {
       if (slash == rest.size()) break;
       rest.remove_prefix(slash + 1);
     }
-    if (vertex == 0) return parseError(fileName, line.number, "vertex index 0; OBJ counts from 1");
-    const auto known = static_cast<std::int64_t>(positions.size() / 3);
+    if (vertex == 0) return parseError(fileName_, line.number, "vertex index 0; OBJ counts from 1");
+    return {};
+  }
+
+  /// Checks an index as far as the lines read so far tell; the rest is for the end of the file.
+  Status inFile(std::int64_t vertex, std::size_t line) {
+    const std::int64_t known = knownVertices();
     if (vertex < -known)
-      return parseError(fileName, line.number,
+      return parseError(fileName_, line,
                         "the face refers to vertex " + std::to_string(vertex) +
                             " (counted back), but only " + std::to_string(known) +
                             " vertices come before it");
-    if (vertex > largestIndex) {
-      largestIndex = vertex;
-      largestIndexLine = line.number;
+    if (vertex > largestIndex_) {
+      largestIndex_ = vertex;
+      largestIndexLine_ = line;
     }
     return {};
   }
-};
 
-/// The vertices and faces alone, each on one line without a comment: tinyobjloader knows neither
-/// comments nor continuation inside of them.
-std::string cleaned(std::string_view text) {
-  std::string out, storage;
-  out.reserve(text.size());
-  ObjLines lines(text);
-  ObjLine line;
-  while (lines.next(line)) {
-    if (line.kind != ObjLine::Kind::Vertex && line.kind != ObjLine::Kind::Face) continue;
-    out += line.kind == ObjLine::Kind::Vertex ? "v " : "f ";
-    out += argumentsOf(line, storage);
-    out += '\n';
+  std::int64_t knownVertices() const {
+    return static_cast<std::int64_t>(mesh_.positions.size() / 3);
   }
-  return out;
-}
 
-/// A stream over bytes that are not copied.
-class ViewBuffer : public std::streambuf {
- public:
-  explicit ViewBuffer(std::string_view text) {
-    char* begin = const_cast<char*>(text.data());  // only read from
-    setg(begin, begin, begin + text.size());
-  }
-};
-
-/// Receives tinyobjloader's records.
-struct FaceCollector {
-  PolygonMesh mesh;
-  std::uint32_t verticesSoFar = 0;
-
-  static void onVertex(void* self, double, double, double, double) {
-    ++static_cast<FaceCollector*>(self)->verticesSoFar;
-  }
-  static void onFace(void* self, tinyobj::index_t* corners, int count) {
-    auto& c = *static_cast<FaceCollector*>(self);
-    for (int k = 0; k < count; ++k) {
-      const int v = corners[k].vertex_index;
-      c.mesh.faceVertices.push_back(v > 0 ? static_cast<std::uint32_t>(v - 1)
-                                          : c.verticesSoFar - static_cast<std::uint32_t>(-v));
-    }
-    c.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(c.mesh.faceVertices.size()));
-  }
+  std::string_view fileName_;
+  PolygonMesh mesh_;
+  std::vector<std::int64_t> corners_;  ///< of one face, as written
+  std::int64_t largestIndex_ = 0;      ///< of all faces, counted from 1
+  std::size_t largestIndexLine_ = 0;
 };
 
 }  // namespace
 
 Result<PolygonMesh> readObj(std::string_view bytes, std::string_view fileName) {
-  StrictPass strict;
-  strict.fileName = fileName;
-  if (Status s = strict.run(bytes); !s.ok()) return s;
-
-  const std::string copy = strict.needsCleaning ? cleaned(bytes) : std::string();
-  ViewBuffer buffer(strict.needsCleaning ? std::string_view(copy) : bytes);
-  std::istream stream(&buffer);
-  FaceCollector collector;
-  collector.mesh.faceOffsets.reserve(strict.faceLines.size() + 1);
-  collector.mesh.faceOffsets.push_back(0);
-  collector.mesh.faceVertices.reserve(strict.corners);
-  tinyobj::callback_t callbacks;
-  callbacks.vertex_cb = &FaceCollector::onVertex;
-  callbacks.index_cb = &FaceCollector::onFace;
-  std::string warning, error;
-  if (!tinyobj::LoadObjWithCallback(stream, callbacks, &collector, nullptr, &warning, &error))
-    return Status{StatusCode::ParseError, std::string(fileName) + ": " + error};
-  // The two passes must have seen the same records.
-  if (collector.verticesSoFar != strict.positions.size() / 3 ||
-      collector.mesh.faceCount() != strict.faceLines.size() ||
-      collector.mesh.faceVertices.size() != strict.corners)
-    return Status{
-        StatusCode::ParseError,
-        std::string(fileName) +
-            ": the lines of the file are ambiguous (unusual line ends or control characters)"};
-  collector.mesh.positions = std::move(strict.positions);
-  return std::move(collector.mesh);
+  return ObjReader(fileName).run(bytes);
 }
 
 }  // namespace abflat

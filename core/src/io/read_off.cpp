@@ -59,6 +59,7 @@ class OffReader {
     // more than the file is worth.
     mesh_.positions.reserve(3 * std::min<std::size_t>(vertices_, bytes_ / 6));
     mesh_.faceOffsets.reserve(std::min<std::size_t>(faces_, bytes_ / 8) + 1);
+    mesh_.faceVertices.reserve(3 * (mesh_.faceOffsets.capacity() - 1));
     mesh_.faceOffsets.push_back(0);
     std::string_view line;
     for (std::size_t v = 0; v < vertices_; ++v) {

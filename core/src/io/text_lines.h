@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstring>
 #include <string_view>
 
 namespace abflat {
@@ -11,13 +13,18 @@ inline bool hasByteOrderMark(std::string_view text) {
   return text.substr(0, kByteOrderMark.size()) == kByteOrderMark;
 }
 
+template <std::size_t N>
+bool beginsWith(std::string_view text, const char (&word)[N]) {
+  return text.size() >= N - 1 && std::memcmp(text.data(), word, N - 1) == 0;
+}
+
 /// Size of the first line with its end, which is "\n", "\r\n", "\r" or the end of the text.
 inline std::size_t lineSize(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\n') return i + 1;
-    if (text[i] == '\r') return i + (text.substr(i + 1, 1) == "\n" ? 2 : 1);
-  }
-  return text.size();
+  const char *begin = text.data(), *end = begin + text.size(), *at = begin;
+  while (at != end && *at != '\n' && *at != '\r') ++at;
+  if (at == end) return text.size();
+  const bool isPair = *at == '\r' && at + 1 != end && at[1] == '\n';
+  return static_cast<std::size_t>(at - begin) + (isPair ? 2 : 1);
 }
 
 /// The end of a line that holds it: "\n", "\r\n", "\r" or nothing.

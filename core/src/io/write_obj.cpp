@@ -1,118 +1,169 @@
 #include "abflat/io.h"
 #include "io/number_text.h"
 #include "io/obj_lines.h"
+#include "io/plain_obj_line.h"
 #include "io/text_lines.h"
+#include "io/text_writer.h"
 
 namespace abflat {
 namespace {
 
-void appendTexcoords(std::string& out, const std::vector<double>& uv, std::string_view eol) {
+using CornerUv = std::vector<std::uint32_t>;
+
+void putTexcoords(TextWriter& out, const std::vector<double>& uv, std::string_view eol) {
   for (std::size_t i = 0; i + 1 < uv.size(); i += 2) {
-    out += "vt ";
-    appendDouble(out, uv[i]);
-    out += ' ';
-    appendDouble(out, uv[i + 1]);
-    out += eol;
+    out.put("vt ");
+    out.put(uv[i]);
+    out.put(' ');
+    out.put(uv[i + 1]);
+    out.put(eol);
   }
 }
 
-/// One corner with its vertex and normal as they were written and the new texcoord in between.
-void appendCorner(std::string& out, std::string_view corner, std::uint32_t texcoord) {
-  const std::size_t first = std::min(corner.find('/'), corner.size());
-  const std::size_t second =
-      first < corner.size() ? corner.find('/', first + 1) : std::string_view::npos;
-  out += ' ';
-  out += corner.substr(0, first);
-  out += '/';
-  out += std::to_string(texcoord + 1);
-  if (second != std::string_view::npos) out += corner.substr(second);
-}
-
-/// `f` with its corners and their new texcoords, of which `next` is the first.
-void appendFace(std::string& out, std::string_view corners,
-                const std::vector<std::uint32_t>& cornerUv, std::size_t& next) {
-  out += 'f';
-  for (std::string_view word = takeWord(corners); !word.empty(); word = takeWord(corners))
-    appendCorner(out, word, cornerUv[next++]);
+/// `f` with its corners, their vertices and normals as they were written and new texcoords in
+/// between, of which `next` is the first.
+void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv,
+             std::size_t& next) {
+  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+  const char *from = corners.data(), *const last = from + corners.size();
+  // A corner takes a letter and a blank at least.
+  char* to = out.room(corners.size() + 1 + (2 + kMostIntegerChars) * (corners.size() / 2 + 1));
+  *to++ = 'f';
+  while (true) {
+    while (from != last && isBlank(*from)) ++from;
+    if (from == last) break;
+    *to++ = ' ';
+    while (from != last && !isBlank(*from) && *from != '/') *to++ = *from++;
+    *to++ = '/';
+    to = writeInteger(to, cornerUv[next++] + 1);
+    if (from != last && *from == '/') ++from;
+    while (from != last && !isBlank(*from) && *from != '/') ++from;
+    while (from != last && !isBlank(*from)) *to++ = *from++;
+  }
+  out.endAt(to);
 }
 
 /// `l` with its vertices: the texcoords they referred to are gone. Nobody has checked these words:
 /// what is not v/vt stays as it is.
-void appendPolyline(std::string& out, std::string_view points) {
-  out += 'l';
+void putPolyline(TextWriter& out, std::string_view points) {
+  out.put('l');
   for (std::string_view word = takeWord(points); !word.empty(); word = takeWord(points)) {
     const std::string_view vertex = word.substr(0, word.find('/'));
     std::int64_t index = 0;
-    out += ' ';
-    out += parseInteger(vertex, index) ? vertex : word;
+    out.put(' ');
+    out.put(parseInteger(vertex, index) ? vertex : word);
   }
 }
 
-std::string rewriteObj(std::string_view source, const std::vector<double>& uv,
-                       const std::vector<std::uint32_t>& cornerUv) {
-  std::string out, storage;
-  out.reserve(source.size() + 24 * uv.size() + 8 * cornerUv.size());
-  if (hasByteOrderMark(source)) {
-    out += kByteOrderMark;
-    source.remove_prefix(kByteOrderMark.size());
+/// A source text with other texcoords.
+class ObjRewriter {
+ public:
+  ObjRewriter(const std::vector<double>& uv, const CornerUv& cornerUv, std::size_t sourceSize)
+      : uv_(uv), cornerUv_(cornerUv), out_(sourceSize + 24 * uv.size() + 8 * cornerUv.size()) {}
+
+  std::string run(std::string_view source) {
+    if (hasByteOrderMark(source)) {
+      out_.put(kByteOrderMark);
+      source.remove_prefix(kByteOrderMark.size());
+    }
+    const std::string_view firstEnd = lineEnd(source.substr(0, lineSize(source)));
+    eol_ = firstEnd.empty() ? "\n" : firstEnd;
+    ObjLines lines(source);
+    ObjLine line;
+    while (!lines.rest().empty()) {
+      const std::size_t size = plainLine(lines.rest());
+      if (size > 0 && takePlain(lines.rest().substr(0, size)))
+        lines.skipLine(size);
+      else if (lines.next(line))
+        take(line);
+    }
+    return out_.take();
   }
-  const std::string_view firstEnd = lineEnd(source.substr(0, lineSize(source)));
-  const std::string_view eol = firstEnd.empty() ? "\n" : firstEnd;
-  ObjLines lines(source);
-  ObjLine line;
-  std::size_t corner = 0;
-  while (lines.next(line)) {
+
+ private:
+  /// Whether it is one of the lines that files consist of.
+  bool takePlain(std::string_view line) {
+    if (beginsWith(line, "f ")) {
+      const std::string_view end = lineEnd(line);
+      putFaceLine(line.substr(2, line.size() - 2 - end.size()), end);
+      return true;
+    }
+    if (beginsWith(line, "vt ")) return true;
+    if (!beginsWith(line, "v ") && !beginsWith(line, "vn ")) return false;
+    out_.put(line);
+    return true;
+  }
+
+  void take(const ObjLine& line) {
     const bool isFace = line.kind == ObjLine::Kind::Face;
     const bool isMapped =
         line.kind == ObjLine::Kind::Polyline && line.arguments.find('/') != std::string_view::npos;
-    if (line.kind == ObjLine::Kind::Texcoord) continue;
-    if (!isFace && !isMapped) {
-      out += line.text;
-      continue;
+    if (line.kind == ObjLine::Kind::Texcoord) return;
+    if (!isFace && !isMapped) return out_.put(line.text);
+    const std::string_view arguments = argumentsOf(line, storage_);
+    const std::string_view end = lineEnd(line.text);
+    if (isFace)
+      putFaceLine(arguments, end, line.comment);
+    else {
+      putPolyline(out_, arguments);
+      putEnd(end, line.comment);
     }
-    const std::string_view arguments = argumentsOf(line, storage);
-    const std::string_view ownEnd = lineEnd(line.text), end = ownEnd.empty() ? eol : ownEnd;
-    if (isFace && corner == 0) appendTexcoords(out, uv, end);
-    if (isFace) appendFace(out, arguments, cornerUv, corner);
-    if (isMapped) appendPolyline(out, arguments);
-    if (!line.comment.empty()) out.append(" ").append(line.comment);
-    out += end;
   }
-  return out;
-}
+
+  void putFaceLine(std::string_view corners, std::string_view end, std::string_view comment = {}) {
+    if (corner_ == 0) putTexcoords(out_, uv_, end.empty() ? eol_ : end);
+    putFace(out_, corners, cornerUv_, corner_);
+    putEnd(end, comment);
+  }
+
+  void putEnd(std::string_view end, std::string_view comment) {
+    if (!comment.empty()) {
+      out_.put(' ');
+      out_.put(comment);
+    }
+    out_.put(end.empty() ? eol_ : end);
+  }
+
+  const std::vector<double>& uv_;
+  const CornerUv& cornerUv_;
+  std::size_t corner_ = 0;  ///< the next
+  std::string_view eol_;
+  std::string storage_;
+  TextWriter out_;
+};
 
 std::string freshObj(const PolygonMesh& mesh, const std::vector<double>& uv,
-                     const std::vector<std::uint32_t>& cornerUv) {
-  std::string out;
-  out.reserve(30 * mesh.positions.size() + 24 * uv.size() + 16 * cornerUv.size());
+                     const CornerUv& cornerUv) {
+  TextWriter out(21 * mesh.positions.size() + 24 * uv.size() + 16 * mesh.faceVertices.size());
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-    out += 'v';
+    out.put('v');
     for (std::size_t d = 0; d < 3; ++d) {
-      out += ' ';
-      appendDouble(out, mesh.positions[3 * v + d]);
+      out.put(' ');
+      out.put(mesh.positions[3 * v + d]);
     }
-    out += '\n';
+    out.put('\n');
   }
-  appendTexcoords(out, uv, "\n");
+  putTexcoords(out, uv, "\n");
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    out += 'f';
+    out.put('f');
     for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c) {
-      out += ' ';
-      out += std::to_string(mesh.faceVertices[c] + 1);
+      out.put(' ');
+      out.put(mesh.faceVertices[c] + 1);
       if (uv.empty()) continue;
-      out += '/';
-      out += std::to_string(cornerUv[c] + 1);
+      out.put('/');
+      out.put(cornerUv[c] + 1);
     }
-    out += '\n';
+    out.put('\n');
   }
-  return out;
+  return out.take();
 }
 
 }  // namespace
 
 std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj) {
-  return sourceObj.empty() ? freshObj(mesh, uv, cornerUv) : rewriteObj(sourceObj, uv, cornerUv);
+  return sourceObj.empty() ? freshObj(mesh, uv, cornerUv)
+                           : ObjRewriter(uv, cornerUv, sourceObj.size()).run(sourceObj);
 }
 
 }  // namespace abflat

@@ -76,7 +76,7 @@ std::size_t countDegenerate(const PolygonMesh& mesh, const Triangulation& t) {
   std::size_t n = 0;
   std::uint32_t last = kNone;
   for (std::uint32_t f = 0; f < t.face.size(); ++f)
-    if (t.face[f] != last && isDegenerate(cornerAngles(mesh.positions, &t.vertex[3 * f]))) {
+    if (t.face[f] != last && isDegenerate(mesh.positions, &t.vertex[3 * f])) {
       ++n;
       last = t.face[f];
     }

@@ -21,22 +21,39 @@ inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline double norm(const Vec3& a) { return std::hypot(a[0], a[1], a[2]); }
+
+/// A root alone where no square can overflow or lose digits; hypot, several times slower,
+/// elsewhere.
+inline double norm(const Vec3& a) {
+  const double square = dot(a, a);
+  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+}
+inline double norm(double x, double y) {
+  const double square = x * x + y * y;
+  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(x, y);
+}
+
+/// Unit vectors from corner k to the next, for coordinates of any magnitude; false when two corners
+/// coincide.
+inline bool unitEdges(const std::vector<double>& positions, const std::uint32_t* v,
+                      std::array<Vec3, 3>& e) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    e[k] = edgeVector(positions, v[k], v[(k + 1) % 3]);
+    const double largest = std::max({std::abs(e[k][0]), std::abs(e[k][1]), std::abs(e[k][2])});
+    if (!(largest > 0)) return false;
+    for (double& x : e[k]) x /= largest;
+    const double length = norm(e[k]);
+    for (double& x : e[k]) x /= length;
+  }
+  return true;
+}
 
 /// Interior angles of a triangle in 3D, radians, by atan2 (accurate for needles). All zero when two
 /// corners coincide.
 inline std::array<double, 3> cornerAngles(const std::vector<double>& positions,
                                           const std::uint32_t* v) {
-  std::array<Vec3, 3>
-      e;  // unit vectors from corner k to the next: coordinates of any magnitude work
-  for (std::size_t k = 0; k < 3; ++k) {
-    e[k] = edgeVector(positions, v[k], v[(k + 1) % 3]);
-    const double largest = std::max({std::abs(e[k][0]), std::abs(e[k][1]), std::abs(e[k][2])});
-    if (!(largest > 0)) return {0, 0, 0};
-    for (double& x : e[k]) x /= largest;
-    const double length = norm(e[k]);
-    for (double& x : e[k]) x /= length;
-  }
+  std::array<Vec3, 3> e;
+  if (!unitEdges(positions, v, e)) return {0, 0, 0};
   std::array<double, 3> angle;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = e[k], &b = e[(k + 2) % 3];
@@ -53,13 +70,22 @@ inline bool isDegenerate(const std::array<double, 3>& angles) {
   return std::min({angles[0], angles[1], angles[2]}) < kDegenerateAngle;
 }
 
+/// The same from coordinates: angles are computed only where their sines do not settle it.
+inline bool isDegenerate(const std::vector<double>& positions, const std::uint32_t* v) {
+  constexpr double kSettled = 10 * kDegenerateAngle;  // far above the rounding of a unit vector
+  std::array<Vec3, 3> e;
+  if (!unitEdges(positions, v, e)) return true;
+  double least = 1;
+  for (std::size_t k = 0; k < 3; ++k) least = std::min(least, norm(cross(e[k], e[(k + 2) % 3])));
+  return least < kSettled && isDegenerate(cornerAngles(positions, v));
+}
+
 /// Smallest angle made up for a triangle of zero area, whose own angles say nothing: small enough
 /// to cost its neighbours little, large enough to be drawn.
 constexpr double kMadeUpAngle = 1e-3;
 
-inline std::array<double, 3> anglesOrMadeUp(const std::vector<double>& positions,
-                                            const std::uint32_t* v) {
-  std::array<double, 3> alpha = cornerAngles(positions, v);
+/// Angles of a triangle, or what stands for them where they say nothing.
+inline std::array<double, 3> anglesOrMadeUp(std::array<double, 3> alpha) {
   if (!isDegenerate(alpha)) return alpha;
   double sum = 0;
   for (double& a : alpha) sum += a = std::max(a, kMadeUpAngle);

@@ -124,6 +124,19 @@ std::vector<std::uint8_t> facesPerVertex(const PolygonMesh& mesh) {
   return count;
 }
 
+/// `local`: corners of face f, counted from 0.
+void appendTriangle(const PolygonMesh& mesh, std::uint32_t f,
+                    const std::array<std::uint32_t, 3>& local, Triangulation& out) {
+  const std::uint32_t begin = mesh.faceOffsets[f], n = mesh.faceOffsets[f + 1] - begin;
+  out.face.push_back(f);
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.corner.push_back(begin + local[k]);
+    out.vertex.push_back(mesh.faceVertices[begin + local[k]]);
+    const std::uint32_t next = local[k] + 1 == n ? 0 : local[k] + 1;
+    out.isDiagonal.push_back(next != local[(k + 1) % 3]);
+  }
+}
+
 }  // namespace
 
 Triangulation triangulate(const PolygonMesh& mesh) {
@@ -136,21 +149,15 @@ Triangulation triangulate(const PolygonMesh& mesh) {
   std::vector<std::uint8_t> valence;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1], n = end - begin;
-    std::vector<std::array<std::uint32_t, 3>> local{{0, 1, 2}};
-    if (n > 3) {
-      if (valence.empty()) valence = facesPerVertex(mesh);
-      std::vector<std::uint8_t> keep(n);
-      for (std::uint32_t k = 0; k < n; ++k) keep[k] = valence[mesh.faceVertices[begin + k]] == 2;
-      local = EarClipper(projectFace(mesh, begin, end), keep).run();
+    if (n == 3) {
+      appendTriangle(mesh, f, {0, 1, 2}, out);
+      continue;
     }
-    for (const auto& t : local) {
-      out.face.push_back(f);
-      for (std::size_t k = 0; k < 3; ++k) {
-        out.corner.push_back(begin + t[k]);
-        out.vertex.push_back(mesh.faceVertices[begin + t[k]]);
-        out.isDiagonal.push_back((t[k] + 1) % n != t[(k + 1) % 3]);
-      }
-    }
+    if (valence.empty()) valence = facesPerVertex(mesh);
+    std::vector<std::uint8_t> keep(n);
+    for (std::uint32_t k = 0; k < n; ++k) keep[k] = valence[mesh.faceVertices[begin + k]] == 2;
+    for (const auto& local : EarClipper(projectFace(mesh, begin, end), keep).run())
+      appendTriangle(mesh, f, local, out);
   }
   return out;
 }

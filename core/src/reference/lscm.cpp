@@ -1,11 +1,11 @@
 #include "reference/lscm.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <tuple>
 
 #include "mesh/triangle_geometry.h"
 #include "reference/corner_angles.h"
+#include "solve/symmetric_solve.h"
 #include "sparse_assembly.h"
 
 namespace abflat {
@@ -67,8 +67,7 @@ Matrix conformalEnergy(const DiskChart& chart) {
   const auto n = static_cast<int>(chart.vertexCount());
   SparseEntries entries;
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::array<double, 3> angle =
-        anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f]);
+    const std::array<double, 3> angle = anglesOrMadeUp(chart.angles[f]);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const auto a = static_cast<int>(chart.vertexOfCorner[3 * f + k]);
       const auto b = static_cast<int>(chart.vertexOfCorner[3 * f + (k + 1) % 3]);
@@ -120,9 +119,7 @@ Embedding embedLscm(const DiskChart& chart) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * n));
   x[right] = 1;
   const Reduced system = withoutPins(conformalEnergy(chart), unknown, x);
-  const Eigen::SimplicialLDLT<Matrix> factor(system.matrix);
-  Eigen::VectorXd solved;
-  if (factor.info() == Eigen::Success) solved = factor.solve(system.rhs);
+  const Eigen::MatrixXd solved = solveSymmetric(system.matrix, system.rhs);
   if (solved.size() == 0 || !solved.allFinite()) {
     out.problem =
         "the linear system of the conformal energy cannot be solved: it is singular to "
@@ -130,7 +127,7 @@ Embedding embedLscm(const DiskChart& chart) {
     return out;
   }
   for (std::size_t i = 0; i < 2 * n; ++i)
-    if (unknown[i] >= 0) x[static_cast<Eigen::Index>(i)] = solved[unknown[i]];
+    if (unknown[i] >= 0) x[static_cast<Eigen::Index>(i)] = solved(unknown[i]);
   for (std::size_t v = 0; v < n; ++v) {
     out.uv[2 * v] = x[static_cast<Eigen::Index>(v)];
     out.uv[2 * v + 1] = x[static_cast<Eigen::Index>(n + v)];

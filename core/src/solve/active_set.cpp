@@ -14,7 +14,8 @@ namespace {
 constexpr double kFractionToBoundary = 0.9;
 /// c of the active set's definition: scales radians to multipliers (objective per radian).
 constexpr double kActiveScale = 1;
-/// Two steps in a row shorter than this: some angles want to be 0 and the method does not get on.
+/// Several steps in a row shorter than this: some angles want to be 0 and the method does not get
+/// on.
 constexpr double kStalledStep = 1e-3;
 /// A shorter step means that some angles are in the way: their weights are raised.
 constexpr double kBlockedStep = 0.1;
@@ -22,10 +23,12 @@ constexpr double kBlockedStep = 0.1;
 constexpr double kHeavier = 1.5;
 /// Below this constraint residual the exact Hessian is used.
 constexpr double kNearSolution = 0.1;
+const double kStepShare = getenv("SHARE") ? atof(getenv("SHARE")) : 0.1;
 
-bool hasStalled(const std::vector<NewtonStep>& history) {
-  const std::size_t n = history.size();
-  return n >= 2 && history[n - 1].step < kStalledStep && history[n - 2].step < kStalledStep;
+bool hasStalled(const std::vector<NewtonStep>& history, int steps) {
+  return history.size() >= static_cast<std::size_t>(steps) &&
+         std::all_of(history.end() - steps, history.end(),
+                     [](const NewtonStep& taken) { return taken.step < kStalledStep; });
 }
 
 std::vector<double> startAngles(const AngleProblem& problem) {
@@ -120,7 +123,7 @@ class ActiveSet {
       }
       if (s_.converged && !isRaised_) return std::move(s_);
       if (s_.converged) tryOriginalWeights();
-      if (hasStalled(s_.history)) break;
+      if (hasStalled(s_.history, options_.stalledSteps)) break;
     }
     return heavier_ ? withHistory(std::move(*heavier_)) : std::move(s_);
   }
@@ -136,11 +139,19 @@ class ActiveSet {
       lin_.edgeResidual[i] -= problem_.edgeCompliance * s_.multipliers.edge[i];
   }
 
+  /// Newton's method leaves about the square of the residual however exact the step is.
+  double stepTolerance() const {
+    const double residual = s_.constraintResidual;
+    return std::max(kStepShare * std::min(residual * residual, kStepShare * residual),
+                    kStepShare * options_.constraintTolerance);
+  }
+
   /// False when the iteration cannot go on.
   bool takeStep() {
     Stopwatch watch;
-    if (!system_.step({problem_, s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge}, dx_,
-                      next_))
+    if (!system_.step(
+            {problem_, s_.angles, s_.multipliers, lin_, s_.active, s_.activeEdge, stepTolerance()},
+            dx_, next_))
       return false;
     NewtonStep now;
     now.linearSeconds = watch.lap();

@@ -15,6 +15,7 @@ struct SolverOptions {
   double gradientTolerance = 1e-6;     ///< see gradientResidual
   double objectiveTolerance = 1e-9;    ///< relative change in one step
   int maxSteps = 100;
+  int stalledSteps = 2;  ///< so many steps of hardly any length in a row end the iteration
   /// Called after each step; return false to stop early.
   std::function<bool(int step, const NewtonStep&)> onStep;
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread

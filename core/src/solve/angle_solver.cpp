@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kActiveSetSteps = 30;
 constexpr int kDelaunaySteps = 60;
+/// Weights grow in each of them, and there is no other method to go on with.
+constexpr int kDelaunayStalledSteps = 6;
 constexpr int kInteriorPointSteps = 200;
 
 }  // namespace
@@ -18,7 +20,8 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
     : problem_(problem),
       options_(std::move(options)),
       linear_(linear),
-      system_(problem, linear.solver, options_.pool) {
+      system_(problem, linear.solver == LinearSolver::Eigen ? makeEigenRowSolver : makeRowSolver,
+              options_.pool) {
   if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 
@@ -49,6 +52,7 @@ AngleSolution AngleSolver::solveWithFloor(double barrierFloor) {
 AngleSolution AngleSolver::solveDelaunay(const AngleSolution& start) {
   SolverOptions options = options_;
   options.maxSteps = kDelaunaySteps;
+  options.stalledSteps = kDelaunayStalledSteps;
   DelaunaySystem system(problem_);
   return solveActiveSet(problem_, system, options, &start);
 }

@@ -32,13 +32,12 @@ bool DelaunaySystem::step(const NewtonPoint& at, std::vector<double>& dx, Multip
   numberEdges(at.activeEdge);
   assemble(at);
   const std::pair<Flags, Flags> pattern(at.active, at.activeEdge);
-  if (analyzedFor_ != pattern) {
-    factor_.analyzePattern(matrix_);
+  if (!solver_ || analyzedFor_ != pattern) {
+    solver_ = makeDirectRowSolver(matrix_, nullptr);
     analyzedFor_ = pattern;
   }
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success) return false;
-  const Eigen::VectorXd solved = factor_.solve(rhs_);
+  Eigen::VectorXd solved;
+  if (!solver_->solve(matrix_, rhs_, 0, solved)) return false;
   next.row.assign(solved.data(), solved.data() + rows_.count());
   next.edge.assign(rowOfEdge_.size(), 0);
   for (std::size_t i = 0; i < rowOfEdge_.size(); ++i)

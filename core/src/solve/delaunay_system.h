@@ -1,9 +1,9 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <vector>
 
 #include "solve/newton_step_solver.h"
+#include "solve/row_solver.h"
 #include "sparse_assembly.h"
 
 namespace abflat {
@@ -37,7 +37,7 @@ class DelaunaySystem : public NewtonStepSolver {
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd rhs_;
   std::pair<Flags, Flags> analyzedFor_;  ///< active vertices and edges the pattern belongs to
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  std::unique_ptr<RowSolver> solver_;
 };
 
 }  // namespace abflat

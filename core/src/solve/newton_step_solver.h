@@ -15,6 +15,9 @@ struct NewtonPoint {
   const Linearization& lin;
   const std::vector<std::uint8_t>& active;      ///< per vertex
   const std::vector<std::uint8_t>& activeEdge;  ///< per edge of condition (9)
+  /// What the step may leave of the linearised vertex constraints, radians. Solvers that solve to
+  /// rounding need not look at it.
+  double tolerance = 0;
 };
 
 /// Solves eq. (8) at a point: the change dx of the angles and the new multipliers.

@@ -2,37 +2,21 @@
 
 namespace abflat {
 
-NewtonSystem::NewtonSystem(const AngleProblem& problem, LinearSolver solver, ThreadPool* pool)
-    : rows_(numberRows(problem)), schur_(problem, rows_, pool) {
-  const Eigen::SparseMatrix<double>& m = schur_.matrix();
-  if (solver == LinearSolver::Eigen) {
-    eigen_ = std::make_unique<EigenFactor>();
-    eigen_->analyzePattern(m);
-  } else {
-    CholeskyAnalysisOptions analysis;
-    analysis.pool = pool;
-    CholeskyOptions options;
-    options.pool = pool;
-    cholesky_ = std::make_unique<Cholesky>(
-        std::make_shared<const CholeskySymbolic>(
-            analyzePattern({rows_.count(), m.outerIndexPtr(), m.innerIndexPtr()}, analysis)),
-        options);
-    schur_.divide(cholesky_->symbolic().place);
-  }
+NewtonSystem::NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver, ThreadPool* pool)
+    : rows_(numberRows(problem)),
+      schur_(problem, rows_, pool),
+      solver_(makeSolver(schur_.matrix(), pool)) {
+  if (solver_->place()) schur_.divide(*solver_->place());
 }
 
-bool NewtonSystem::solveRows(std::vector<double>& rows) {
-  const Eigen::VectorXd& rhs = schur_.rightHandSide();
-  if (eigen_) {
-    eigen_->factorize(schur_.matrix());
-    if (eigen_->info() != Eigen::Success) return false;
-    const Eigen::VectorXd solved = eigen_->solve(rhs);
-    rows.assign(solved.begin(), solved.end());
-    return true;
-  }
-  if (!cholesky_->factorize(schur_.matrix().valuePtr()).isOk()) return false;
-  rows.assign(rhs.begin(), rhs.end());
-  cholesky_->solve(rows.data());
+bool NewtonSystem::step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) {
+  schur_.assemble(at.lin, at.active);
+  x_ = Eigen::Map<const Eigen::VectorXd>(at.multipliers.row.data(), rows_.count());
+  for (std::uint32_t v = 0; v < at.active.size(); ++v)
+    if (at.problem.isBoundary[v] && !at.active[v]) x_[rows_.ofVertex[v]] = 0;
+  if (!solver_->solve(schur_.matrix(), schur_.rightHandSide(), at.tolerance, x_)) return false;
+  next.row.assign(x_.begin(), x_.end());
+  schur_.backSubstitute(at.lin, next.row, dx, next.triangle);
   return true;
 }
 
@@ -40,7 +24,9 @@ bool NewtonSystem::solve(const Linearization& lin, const std::vector<std::uint8_
                          const std::vector<double>& compliance, std::vector<double>& dx,
                          Multipliers& multipliers) {
   schur_.assemble(lin, active, compliance);
-  if (!solveRows(multipliers.row)) return false;
+  x_.setZero(rows_.count());
+  if (!solver_->solve(schur_.matrix(), schur_.rightHandSide(), 0, x_)) return false;
+  multipliers.row.assign(x_.begin(), x_.end());
   schur_.backSubstitute(lin, multipliers.row, dx, multipliers.triangle);
   return true;
 }

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <memory>
 #include <vector>
 
-#include "abflat/generated/flatten_options.h"
-#include "solve/cholesky/cholesky.h"
 #include "solve/linearization.h"
 #include "solve/newton_step_solver.h"
+#include "solve/row_solver.h"
 #include "solve/schur_system.h"
 
 namespace abflat {
@@ -16,19 +14,17 @@ namespace abflat {
 /// active sets and solvers.
 class NewtonSystem : public NewtonStepSolver {
  public:
-  /// Keeps a reference to the problem, of which only the connectivity is used here. `solver`: Eigen
-  /// factors with Eigen's SimplicialLDLT, as the reference; any other with Cholesky. `pool`: null
-  /// for one thread.
-  explicit NewtonSystem(const AngleProblem& problem, LinearSolver solver = LinearSolver::Schur,
+  /// Keeps a reference to the problem, of which only the connectivity is used here. `pool`:
+  /// null for one thread.
+  explicit NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver = makeRowSolver,
                         ThreadPool* pool = nullptr);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 
   const ConstraintRows& rows() const override { return rows_; }
 
-  bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) override {
-    return solve(at.lin, at.active, {}, dx, next);
-  }
+  bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) override;
+  int linearIterations() const override { return solver_->iterations(); }
 
   /// One step of eq. (8): the change dx of the angles and the new multipliers. For `compliance` see
   /// SchurSystem::assemble. False when the matrix cannot be factored.
@@ -37,14 +33,10 @@ class NewtonSystem : public NewtonStepSolver {
              Multipliers& multipliers);
 
  private:
-  using EigenFactor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
-
-  bool solveRows(std::vector<double>& rows);
-
   ConstraintRows rows_;
   SchurSystem schur_;
-  std::unique_ptr<Cholesky> cholesky_;  ///< null: Eigen
-  std::unique_ptr<EigenFactor> eigen_;  ///< null: Cholesky
+  std::unique_ptr<RowSolver> solver_;
+  Eigen::VectorXd x_;  ///< multipliers of the rows
 };
 
 }  // namespace abflat

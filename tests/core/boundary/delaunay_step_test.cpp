@@ -1,6 +1,7 @@
 #include "boundary/delaunay_step.h"
 
 #include <cmath>
+#include <random>
 
 #include "abflat/samples.h"
 #include "catch.h"
@@ -132,6 +133,17 @@ TEST_CASE("shared disks are made Delaunay") {
     const FlattenResult r = flattened(mesh, kAutoT, true);
     CHECK(r.report.valid);
     CHECK(r.report.charts.front().delaunay->violated == 0);
+  }
+}
+
+TEST_CASE("whether a mesh is made Delaunay does not depend on rounding") {
+  PolygonMesh mesh = sharedMesh("mannequin.off");
+  if (mesh.faceCount() == 0) return;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(1 - 1e-9, 1 + 1e-9);
+  for (int i = 0; i < 6; ++i) {
+    for (double& x : mesh.positions) x *= noise(random);
+    CHECK(flattened(mesh, kAutoT, true).report.charts.front().delaunay->violated == 0);
   }
 }
 

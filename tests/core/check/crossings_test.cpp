@@ -80,3 +80,35 @@ TEST_CASE("simple curves have no crossings, one pushed edge is found") {
   CHECK(found.count == 2);
   for (const auto& pair : found.first) CHECK((pair[0] == 199 || pair[0] == 200));
 }
+
+TEST_CASE("coils, repeated places and coordinates that are no numbers are told apart") {
+  // A thin band of 120 turns with few edges each: its edges are much longer than it is wide.
+  Polygon coil;
+  constexpr int kCount = 3000;
+  for (int side = 0; side < 2; ++side)
+    for (int i = 0; i < kCount; ++i) {
+      const int k = side == 0 ? i : kCount - 1 - i;
+      const double turn = 0.04 * k, r = 1 + 0.02 * turn + 0.008 * side;
+      coil.insert(coil.end(), {r * std::cos(2 * 3.14159 * turn), r * std::sin(2 * 3.14159 * turn)});
+    }
+  CHECK(findCrossings(coil).count == 0);
+  Polygon pushed = coil;
+  pushed[2 * 1000] *= 1.02;
+  pushed[2 * 1000 + 1] *= 1.02;
+  const Crossings found = findCrossings(pushed);
+  CHECK(found.count == countByBruteForce(pushed));
+  CHECK(found.count > 0);
+  CHECK(found.first.size() == found.count);
+  CHECK(std::is_sorted(found.first.begin(), found.first.end()));
+  for (const auto& pair : found.first)
+    CHECK((pair[0] == 999 || pair[0] == 1000 || pair[1] == 999 || pair[1] == 1000));
+  CHECK(findCrossings(pushed, 1).first.size() == 1);
+
+  const Polygon onePlace(2 * 100, 0.5);
+  CHECK(findCrossings(onePlace).count == 100 * 99 / 2);
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    Polygon broken = coil;
+    broken[77] = bad;
+    CHECK(findCrossings(broken).first.size() <= 2 * kCount);
+  }
+}

@@ -12,12 +12,12 @@ using namespace abflat::test;
 
 namespace {
 
-/// Largest difference of the angles that the two factorisations lead to; both must converge, or
-/// neither.
-double difference(const AngleProblem& problem) {
+/// Largest difference of the angles from those that Eigen's factorisation leads to; both must
+/// converge, or neither.
+double difference(const AngleProblem& problem, MakeRowSolver& makeSolver) {
   SolverOptions options;
   options.maxSteps = 30;
-  NewtonSystem own(problem), eigen(problem, LinearSolver::Eigen);
+  NewtonSystem own(problem, makeSolver), eigen(problem, makeEigenRowSolver);
   const AngleSolution a = solveActiveSet(problem, own, options);
   const AngleSolution b = solveActiveSet(problem, eigen, options);
   CHECK(a.converged == b.converged);
@@ -28,15 +28,22 @@ double difference(const AngleProblem& problem) {
   return worst;
 }
 
-}  // namespace
-
-TEST_CASE("both factorisations lead to the same angles on generated disks") {
-  for (const PolygonMesh& mesh :
-       {bumpyGrid(1, 1, 0.2, 1), bumpyGrid(9, 7, 0.4, 2), bumpyGrid(60, 45, 0.3, 3), cone(7, 1)})
-    for (const double t : {0.98, 2.0}) CHECK(difference(problemOf(mesh, t)) < 1e-9);
+/// Steps that are inexact end a little further from the optimum, within the stopping rules.
+void checkAll(const AngleProblem& problem) {
+  CHECK(difference(problem, makeRowSolver) < 1e-9);
+  CHECK(difference(problem, makeDirectRowSolver) < 1e-9);
+  CHECK(difference(problem, makeInexactRowSolver) < 1e-8);
 }
 
-TEST_CASE("both factorisations lead to the same angles on every shared mesh") {
+}  // namespace
+
+TEST_CASE("all factorisations lead to the same angles on generated disks") {
+  for (const PolygonMesh& mesh :
+       {bumpyGrid(1, 1, 0.2, 1), bumpyGrid(9, 7, 0.4, 2), bumpyGrid(60, 45, 0.3, 3), cone(7, 1)})
+    for (const double t : {0.98, 2.0}) checkAll(problemOf(mesh, t));
+}
+
+TEST_CASE("all factorisations lead to the same angles on every shared mesh") {
   int disks = 0;
   for (const char* file :
        {"beetle-nonmanifold.obj", "body.off", "bunny-closed.off", "camel-cut.obj", "cathead.obj",
@@ -51,7 +58,7 @@ TEST_CASE("both factorisations lead to the same angles on every shared mesh") {
     const DiskChart chart = makeDiskChart(mesh, surface);
     for (const double t : {1.0, 2.0}) {
       INFO(file << " t = " << t);
-      CHECK(difference(problemOf(chart, t)) < 1e-9);
+      checkAll(problemOf(chart, t));
     }
   }
   CHECK(disks > 5);

@@ -4,6 +4,7 @@
 
 #include "parallel.h"
 #include "solve/cholesky/front_kernel.h"
+#include "solve/cholesky/large_buffer.h"
 #include "solve/cholesky/symbolic.h"
 
 namespace abflat {
@@ -26,10 +27,13 @@ struct CholeskyStatus {
 };
 
 /// P A P^T = L S L^T of a symmetric matrix, L lower triangular and S a diagonal of signs: for
-/// positive definite matrices, and for others whose pivots need no exchange.
-class Cholesky {
+/// positive definite matrices, and for others whose pivots need no exchange. A factor of floats
+/// takes half the memory and time and is as good a preconditioner as floats are precise.
+template <typename Scalar>
+class BasicCholesky {
  public:
-  explicit Cholesky(std::shared_ptr<const CholeskySymbolic> symbolic, CholeskyOptions options = {})
+  explicit BasicCholesky(std::shared_ptr<const CholeskySymbolic> symbolic,
+                         CholeskyOptions options = {})
       : symbolic_(std::move(symbolic)), options_(options) {}
 
   const CholeskySymbolic& symbolic() const { return *symbolic_; }
@@ -52,9 +56,12 @@ class Cholesky {
 
   std::shared_ptr<const CholeskySymbolic> symbolic_;
   CholeskyOptions options_;
-  std::unique_ptr<double[]> factor_;
-  std::unique_ptr<double[]> sign_, leastPivot_;  ///< per column of the factor
+  LargeBuffer<Scalar> factor_;
+  LargeBuffer<Scalar> sign_, leastPivot_;  ///< per column of the factor
   std::uint32_t negativePivots_ = 0;
 };
+
+using Cholesky = BasicCholesky<double>;
+using FloatCholesky = BasicCholesky<float>;
 
 }  // namespace abflat

@@ -11,44 +11,42 @@ namespace {
 /// Numbers that are set or added up as one piece of work.
 constexpr std::size_t kGrain = 1 << 15;
 
-/// Lack of memory ends as it does for every container.
-std::unique_ptr<double[]> uninitialized(std::size_t count) {
-  return std::unique_ptr<double[]>(new double[std::max<std::size_t>(count, 1)]);
-}
-
 /// A supernode that is done, and its update matrix.
+template <typename Scalar>
 struct Child {
   std::uint32_t supernode;
-  const double* update;
+  const Scalar* update;
 };
 
 /// Adds the columns [begin, end) of a child's update matrix to the parent. `target(j)` is the
 /// column of the parent's front, shifted so that it can be indexed by rows of the front.
-template <typename Target>
-void extendAdd(const double* update, std::size_t size, const std::uint32_t* row, std::size_t begin,
+template <typename Scalar, typename Target>
+void extendAdd(const Scalar* update, std::size_t size, const std::uint32_t* row, std::size_t begin,
                std::size_t end, Target&& target) {
   for (std::size_t j = begin; j < end; ++j) {
-    double* const to = target(row[j]);
-    const double* const from = update + j * size;
+    Scalar* const to = target(row[j]);
+    const Scalar* const from = update + j * size;
     for (std::size_t i = j; i < size; ++i) to[row[i]] += from[i];
   }
 }
 
 /// What a thread needs for a task: the two stacks of update matrices within it.
+template <typename Scalar>
 struct Workspace {
-  std::unique_ptr<double[]> stack[2], front;
+  LargeBuffer<Scalar> stack[2], front;
 
   explicit Workspace(const CholeskySymbolic& s)
-      : stack{uninitialized(s.tasks.stackSize[0]), uninitialized(s.tasks.stackSize[1])},
-        front(uninitialized(frontWorkspace(s.maxFrontRows))) {}
+      : stack{largeBuffer<Scalar>(s.tasks.stackSize[0]), largeBuffer<Scalar>(s.tasks.stackSize[1])},
+        front(largeBuffer<Scalar>(frontWorkspace(s.maxFrontRows))) {}
 };
 
 }  // namespace
 
 /// One factorisation under way.
-class Cholesky::Factorization {
+template <typename Scalar>
+class BasicCholesky<Scalar>::Factorization {
  public:
-  Factorization(Cholesky& owner, const double* values)
+  Factorization(BasicCholesky& owner, const double* values)
       : owner_(owner),
         s_(*owner.symbolic_),
         values_(values),
@@ -66,9 +64,9 @@ class Cholesky::Factorization {
     const CholeskyTask& task = s_.tasks.all[t];
     // Those before a failure go on: the first one counts.
     if (failedAt_ < task.begin) return;
-    std::unique_ptr<Workspace> work = spares_.take();
-    if (!work) work = std::make_unique<Workspace>(s_);
-    result_[t] = uninitialized(task.result);
+    std::unique_ptr<Workspace<Scalar>> work = spares_.take();
+    if (!work) work = std::make_unique<Workspace<Scalar>>(s_);
+    result_[t] = largeBuffer<Scalar>(task.result);
     if (task.firstChild != kNoParent)
       eliminateLarge(t, *work);
     else
@@ -77,12 +75,12 @@ class Cholesky::Factorization {
   }
 
   /// A supernode whose children are tasks of their own.
-  void eliminateLarge(std::uint32_t t, Workspace& work) {
+  void eliminateLarge(std::uint32_t t, Workspace<Scalar>& work) {
     const CholeskyTask& task = s_.tasks.all[t];
     const std::uint32_t p = task.begin;
-    std::vector<Child> children;
+    std::vector<Child<Scalar>> children;
     for (std::uint32_t c = task.firstChild; c != kNoParent; c = s_.tasks.all[c].nextSibling) {
-      const double* update = result_[c].get();
+      const Scalar* update = result_[c].get();
       for (std::uint32_t s = s_.tasks.all[c].begin; s < s_.tasks.all[c].end; ++s) {
         if (s_.parent[s] != p) continue;
         children.push_back({s, update});
@@ -94,16 +92,16 @@ class Cholesky::Factorization {
       result_[c].reset();
   }
 
-  void eliminateSubtrees(const CholeskyTask& task, double* result, Workspace& work) {
+  void eliminateSubtrees(const CholeskyTask& task, Scalar* result, Workspace<Scalar>& work) {
     std::size_t used[2] = {0, 0};
-    std::vector<Child> children;  // finished supernodes without parent yet; a stack
+    std::vector<Child<Scalar>> children;  // finished supernodes without parent yet; a stack
     for (std::uint32_t p = task.begin; p < task.end; ++p) {
       std::size_t first = children.size(), childrenSize = 0;
       while (first > 0 && s_.parent[children[first - 1].supernode] == p)
         childrenSize += updateSize(children[--first].supernode);
       const bool isRoot = s_.parent[p] >= task.end;
       const unsigned own = s_.stack[p];
-      double* const update = isRoot ? result : work.stack[own].get() + used[own];
+      Scalar* const update = isRoot ? result : work.stack[own].get() + used[own];
       if (isRoot)
         result += updateSize(p);
       else
@@ -121,13 +119,13 @@ class Cholesky::Factorization {
   }
 
   /// One front. False when a pivot fails.
-  bool eliminate(std::uint32_t p, const Child* children, std::size_t childCount, double* update,
-                 Workspace& work, ThreadPool* pool) {
+  bool eliminate(std::uint32_t p, const Child<Scalar>* children, std::size_t childCount,
+                 Scalar* update, Workspace<Scalar>& work, ThreadPool* pool) {
     const std::size_t columns = s_.columns(p), below = s_.rowsBelow(p), rows = columns + below;
-    double* const panel = owner_.factor_.get() + s_.panelBegin[p];
+    Scalar* const panel = owner_.factor_.get() + s_.panelBegin[p];
     owner_.assemble(p, values_, pool);
     // Shifted, so that it can be indexed by rows of the front.
-    double* const shifted = update - static_cast<std::ptrdiff_t>(columns);
+    Scalar* const shifted = update - static_cast<std::ptrdiff_t>(columns);
     const auto addChildren = [&](bool toPanel) {
       for (std::size_t i = 0; i < childCount; ++i) {
         const std::uint32_t c = children[i].supernode;
@@ -147,15 +145,15 @@ class Cholesky::Factorization {
       }
     };
     addChildren(true);
-    const Front front{rows,
-                      columns,
-                      panel,
-                      update,
-                      owner_.sign_.get() + s_.firstColumn[p],
-                      owner_.leastPivot_.get() + s_.firstColumn[p],
-                      owner_.options_.allowNegative,
-                      work.front.get(),
-                      pool};
+    const Front<Scalar> front{rows,
+                              columns,
+                              panel,
+                              update,
+                              owner_.sign_.get() + s_.firstColumn[p],
+                              owner_.leastPivot_.get() + s_.firstColumn[p],
+                              owner_.options_.allowNegative,
+                              work.front.get(),
+                              pool};
     const PivotFailure failed = factorFront(front, owner_.options_.simd);
     if (failed.column < columns) {
       reportFailure(p, failed);
@@ -172,37 +170,41 @@ class Cholesky::Factorization {
     failure_ = failure;
   }
 
-  Cholesky& owner_;
+  BasicCholesky& owner_;
   const CholeskySymbolic& s_;
   const double* values_;
-  std::vector<std::unique_ptr<double[]>> result_;  ///< per task: its roots' update matrices
-  Spares<Workspace> spares_;
+  std::vector<LargeBuffer<Scalar>> result_;  ///< per task: its roots' update matrices
+  Spares<Workspace<Scalar>> spares_;
   SharedMutex mutex_;
   std::atomic<std::uint32_t> failedAt_;  ///< the first supernode that failed
   PivotFailure failure_{};
 };
 
-void Cholesky::allocate() {
+template <typename Scalar>
+void BasicCholesky<Scalar>::allocate() {
   const CholeskySymbolic& s = *symbolic_;
   if (factor_) return;
-  sign_ = uninitialized(s.size);
-  leastPivot_ = uninitialized(s.size);
-  factor_ = uninitialized(s.panelBegin.back());
+  sign_ = largeBuffer<Scalar>(s.size);
+  leastPivot_ = largeBuffer<Scalar>(s.size);
+  factor_ = largeBuffer<Scalar>(s.panelBegin.back());
 }
 
-void Cholesky::assemble(std::uint32_t p, const double* values, ThreadPool* pool) {
+template <typename Scalar>
+void BasicCholesky<Scalar>::assemble(std::uint32_t p, const double* values, ThreadPool* pool) {
   const CholeskySymbolic& s = *symbolic_;
-  double* const panel = factor_.get() + s.panelBegin[p];
+  Scalar* const panel = factor_.get() + s.panelBegin[p];
   parallelRanges(pool, s.panelBegin[p + 1] - s.panelBegin[p], kGrain,
-                 [&](std::size_t a, std::size_t b) { std::fill(panel + a, panel + b, 0.0); });
+                 [&](std::size_t a, std::size_t b) { std::fill(panel + a, panel + b, Scalar{0}); });
   for (std::size_t i = s.entriesBegin[p]; i < s.entriesBegin[p + 1]; ++i)
-    panel[s.entries[i].target] += values[s.entries[i].source];
+    panel[s.entries[i].target] += static_cast<Scalar>(values[s.entries[i].source]);
   const std::size_t rows = s.columns(p) + s.rowsBelow(p);
   for (std::uint32_t j = 0; j < s.columns(p); ++j)
-    leastPivot_[s.firstColumn[p] + j] = options_.pivotTolerance * std::abs(panel[j * (rows + 1)]);
+    leastPivot_[s.firstColumn[p] + j] =
+        static_cast<Scalar>(options_.pivotTolerance) * std::abs(panel[j * (rows + 1)]);
 }
 
-CholeskyStatus Cholesky::failure(std::uint32_t p, const PivotFailure& f) const {
+template <typename Scalar>
+CholeskyStatus BasicCholesky<Scalar>::failure(std::uint32_t p, const PivotFailure& f) const {
   const auto column = static_cast<std::uint32_t>(symbolic_->firstColumn[p] + f.column);
   const std::vector<std::uint32_t>& place = symbolic_->place;
   CholeskyStatus status;
@@ -216,14 +218,18 @@ CholeskyStatus Cholesky::failure(std::uint32_t p, const PivotFailure& f) const {
   return status;
 }
 
-CholeskyStatus Cholesky::factorize(const double* values) {
+template <typename Scalar>
+CholeskyStatus BasicCholesky<Scalar>::factorize(const double* values) {
   allocate();
   const CholeskyStatus status = Factorization(*this, values).run();
   if (!status.isOk()) return status;
-  double* const end = sign_.get() + symbolic_->size;
+  Scalar* const end = sign_.get() + symbolic_->size;
   negativePivots_ =
-      static_cast<std::uint32_t>(std::count_if(sign_.get(), end, [](double x) { return x < 0; }));
+      static_cast<std::uint32_t>(std::count_if(sign_.get(), end, [](Scalar x) { return x < 0; }));
   return status;
 }
+
+template class BasicCholesky<float>;
+template class BasicCholesky<double>;
 
 }  // namespace abflat

@@ -6,145 +6,210 @@
 namespace abflat {
 namespace {
 
-/// Right-hand sides that pass through the factor together. The entries of a row lie side by side.
+/// Columns of the factor that are read together, so that the right-hand side is read once for them.
 constexpr std::size_t kTogether = 4;
-/// Rows that are copied as one piece of work.
+/// Right-hand sides that pass through the factor together.
+constexpr std::size_t kMaxSides = 8;
+/// Numbers that are copied as one piece of work.
 constexpr std::size_t kGrain = 1 << 15;
 
-/// b -= L x for the rows below, where x are the solved columns; `below` is `size` x R.
-template <std::size_t R>
-void forward(const double* panel, std::size_t rows, std::size_t columns, double* x, double* below) {
-  for (std::size_t j = 0; j < columns; ++j) {
-    const double* l = panel + j * rows;
-    double value[R];
-    for (std::size_t r = 0; r < R; ++r) value[r] = x[j * R + r] /= l[j];
-    for (std::size_t i = j + 1; i < columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) x[i * R + r] -= l[i] * value[r];
-    l += columns;
-    for (std::size_t i = 0; i < rows - columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) below[i * R + r] -= l[i] * value[r];
+/// Sixteen bytes everywhere, so that sums are the same on every machine.
+template <typename Scalar>
+struct Lanes {
+  static constexpr std::size_t kCount = 16 / sizeof(Scalar);
+  // NOLINTNEXTLINE(modernize-use-using): the attributes need a typedef
+  typedef Scalar Vector __attribute__((vector_size(16), aligned(sizeof(Scalar)), may_alias));
+};
+
+/// x[i] -= sum over the N columns l of l[i] value
+template <std::size_t N, typename Scalar>
+void subtractColumns(const Scalar* l, std::size_t stride, const Scalar* value, std::size_t begin,
+                     std::size_t end, Scalar* __restrict x) {
+  for (std::size_t i = begin; i < end; ++i) {
+    Scalar sum = l[i] * value[0];
+    for (std::size_t k = 1; k < N; ++k) sum += l[k * stride + i] * value[k];
+    x[i] -= sum;
   }
 }
 
-template <std::size_t R>
-void backward(const double* panel, std::size_t rows, std::size_t columns, const double* sign,
-              double* x, const double* below) {
-  for (std::size_t j = columns; j-- > 0;) {
-    const double* l = panel + j * rows;
-    // Two sums each, so that additions need not wait for one another.
-    double even[R] = {}, odd[R] = {};
-    const std::size_t size = rows - columns;
-    std::size_t i = 0;
-    for (; i + 1 < size; i += 2)
-      for (std::size_t r = 0; r < R; ++r) {
-        even[r] += l[columns + i] * below[i * R + r];
-        odd[r] += l[columns + i + 1] * below[(i + 1) * R + r];
-      }
-    for (; i < size; ++i)
-      for (std::size_t r = 0; r < R; ++r) even[r] += l[columns + i] * below[i * R + r];
-    for (i = j + 1; i < columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) odd[r] += l[i] * x[i * R + r];
-    for (std::size_t r = 0; r < R; ++r)
-      x[j * R + r] = (x[j * R + r] * sign[j] - (even[r] + odd[r])) / l[j];
+/// sum[k] = sum over i of l[i] x[i] for each of N columns l
+template <std::size_t N, typename Scalar>
+void multiplyColumns(const Scalar* l, std::size_t stride, std::size_t begin, std::size_t end,
+                     const Scalar* x, Scalar* sum) {
+  using Vector = typename Lanes<Scalar>::Vector;
+  constexpr std::size_t kCount = Lanes<Scalar>::kCount;
+  Vector lanes[N] = {};
+  std::size_t i = begin;
+  for (; i + kCount <= end; i += kCount)
+    for (std::size_t k = 0; k < N; ++k)
+      lanes[k] += *reinterpret_cast<const Vector*>(l + k * stride + i) *
+                  *reinterpret_cast<const Vector*>(x + i);
+  for (std::size_t k = 0; k < N; ++k) {
+    sum[k] = 0;
+    for (std::size_t n = 0; n < kCount; ++n) sum[k] += lanes[k][n];
+    for (std::size_t rest = i; rest < end; ++rest) sum[k] += l[k * stride + rest] * x[rest];
   }
 }
 
-/// Substitution with R right-hand sides, whose entries of a row lie side by side in x. What a
-/// subtree takes from the rows above it is passed on from child to parent: tasks share no numbers,
-/// and the order of additions is that of the tree.
-template <std::size_t R>
+/// One supernode: its panel and the part of the right-hand sides that it sees, `rows` for each.
+template <typename Scalar>
+struct Panel {
+  const Scalar* at;
+  std::size_t rows, columns;
+  const Scalar* sign;
+
+  const Scalar* column(std::size_t j) const { return at + j * rows; }
+
+  /// Columns j to j + N.
+  template <std::size_t N>
+  void forward(std::size_t j, Scalar* x) const {
+    const Scalar* l = column(j);
+    Scalar value[N];
+    for (std::size_t k = 0; k < N; ++k) {
+      value[k] = x[j + k] /= l[k * rows + j + k];
+      for (std::size_t i = k + 1; i < N; ++i) x[j + i] -= l[k * rows + j + i] * value[k];
+    }
+    subtractColumns<N>(l, rows, value, j + N, rows, x);
+  }
+
+  template <std::size_t N>
+  void backward(std::size_t j, Scalar* x) const {
+    const Scalar* l = column(j);
+    Scalar sum[N];
+    multiplyColumns<N>(l, rows, j + N, rows, x, sum);
+    for (std::size_t k = N; k-- > 0;) {
+      for (std::size_t i = k + 1; i < N; ++i) sum[k] += l[k * rows + j + i] * x[j + i];
+      x[j + k] = (x[j + k] * sign[j + k] - sum[k]) / l[k * rows + j + k];
+    }
+  }
+
+  void forward(Scalar* x) const {
+    std::size_t j = 0;
+    for (; j + kTogether <= columns; j += kTogether) forward<kTogether>(j, x);
+    for (; j < columns; ++j) forward<1>(j, x);
+  }
+
+  void backward(Scalar* x) const {
+    std::size_t j = columns;
+    for (; j % kTogether != 0; --j) backward<1>(j - 1, x);
+    for (; j > 0; j -= kTogether) backward<kTogether>(j - kTogether, x);
+  }
+};
+
+/// Right-hand sides in the order of the factor. What a subtree takes from the rows above it is
+/// passed on from child to parent: tasks share no numbers, and the order of additions is that of
+/// the tree.
+template <typename Scalar>
 class Substitution {
  public:
-  Substitution(const CholeskySymbolic& s, const double* factor, const double* sign,
-               ThreadPool* pool)
+  Substitution(const CholeskySymbolic& s, const Scalar* factor, const Scalar* sign,
+               std::size_t sides, ThreadPool* pool)
       : s_(s),
         factor_(factor),
         sign_(sign),
+        sides_(sides),
         pool_(pool),
-        x_(std::size_t{s.size} * R),
+        x_(std::size_t{s.size} * sides),
         result_(s.tasks.all.size()) {}
 
   void run(double* b) {
-    parallelRanges(pool_, s_.size, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        for (std::size_t r = 0; r < R; ++r) x_[s_.place[i] * R + r] = b[r * s_.size + i];
+        x_[i / s_.size * s_.size + s_.place[i % s_.size]] = static_cast<Scalar>(b[i]);
     });
     runUpwards(pool_, s_.tasks.all, [this](std::uint32_t t) { forwardTask(t); });
     runDownwards(pool_, s_.tasks.all, [this](std::uint32_t t) { backwardTask(t); });
-    parallelRanges(pool_, s_.size, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        for (std::size_t r = 0; r < R; ++r) b[r * s_.size + i] = x_[s_.place[i] * R + r];
+        b[i] = x_[i / s_.size * s_.size + s_.place[i % s_.size]];
     });
   }
 
  private:
-  using Numbers = std::vector<double>;
+  using Numbers = std::vector<Scalar>;
 
-  /// Adds to the parent p of c what c and its subtree take from p's front.
-  void passOn(std::uint32_t c, std::uint32_t p, const double* from, double* below) {
-    double* const own = &x_[s_.firstColumn[p] * R];
-    const std::uint32_t* row = s_.inParent.data() + s_.rowsBegin[c];
-    const std::size_t columns = s_.columns(p), size = s_.rowsBelow(c);
-    std::size_t i = 0;
-    for (; i < size && row[i] < columns; ++i)
-      for (std::size_t r = 0; r < R; ++r) own[row[i] * R + r] += from[i * R + r];
-    for (; i < size; ++i)
-      for (std::size_t r = 0; r < R; ++r) below[(row[i] - columns) * R + r] += from[i * R + r];
+  /// Finished supernodes and what they pass on, for each of them `sides_` times its rows: a stack.
+  struct Waiting {
+    std::vector<std::uint32_t> supernodes;
+    Numbers numbers;
+  };
+
+  Panel<Scalar> panel(std::uint32_t p) const {
+    return {factor_ + s_.panelBegin[p], std::size_t{s_.columns(p)} + s_.rowsBelow(p), s_.columns(p),
+            sign_ + s_.firstColumn[p]};
+  }
+
+  Waiting resultsOfChildren(const CholeskyTask& task) {
+    Waiting waiting;
+    for (std::uint32_t c = task.firstChild; c != kNoParent; c = s_.tasks.all[c].nextSibling) {
+      const CholeskyTask& child = s_.tasks.all[c];
+      for (std::uint32_t q = child.begin; q < child.end; ++q)
+        if (s_.parent[q] == task.begin) waiting.supernodes.push_back(q);
+      waiting.numbers.insert(waiting.numbers.end(), result_[c].begin(), result_[c].end());
+      Numbers().swap(result_[c]);
+    }
+    return waiting;
   }
 
   void forwardTask(std::uint32_t t) {
     const CholeskyTask& task = s_.tasks.all[t];
-    Numbers waiting;  // a stack of what finished supernodes pass on
-    std::vector<std::uint32_t> children;
-    if (task.firstChild != kNoParent) {
-      for (std::uint32_t c = task.firstChild; c != kNoParent; c = s_.tasks.all[c].nextSibling) {
-        const CholeskyTask& child = s_.tasks.all[c];
-        for (std::uint32_t q = child.begin; q < child.end; ++q)
-          if (s_.parent[q] == task.begin) children.push_back(q);
-        waiting.insert(waiting.end(), result_[c].begin(), result_[c].end());
-        Numbers().swap(result_[c]);
-      }
+    Waiting waiting = resultsOfChildren(task);
+    Numbers local(s_.maxFrontRows * sides_);
+    for (std::uint32_t p = task.begin; p < task.end; ++p) forward(p, waiting, local);
+    result_[t] = std::move(waiting.numbers);
+  }
+
+  void forward(std::uint32_t p, Waiting& waiting, Numbers& local) {
+    const Panel<Scalar> at = panel(p);
+    std::vector<std::uint32_t>& children = waiting.supernodes;
+    std::size_t first = children.size(), length = 0;
+    while (first > 0 && s_.parent[children[first - 1]] == p)
+      length += s_.rowsBelow(children[--first]) * sides_;
+    for (std::size_t r = 0; r < sides_; ++r) {
+      Scalar* const front = &local[r * at.rows];
+      std::copy_n(&x_[r * s_.size + s_.firstColumn[p]], at.columns, front);
+      std::fill(front + at.columns, front + at.rows, Scalar{0});
     }
-    Numbers below(std::size_t{s_.maxFrontRows} * R);
-    for (std::uint32_t p = task.begin; p < task.end; ++p) {
-      const std::size_t columns = s_.columns(p), size = s_.rowsBelow(p);
-      std::fill_n(below.begin(), size * R, 0.0);
-      std::size_t first = children.size(), length = 0;
-      while (first > 0 && s_.parent[children[first - 1]] == p)
-        length += std::size_t{s_.rowsBelow(children[--first])} * R;
-      const double* from = waiting.data() + waiting.size() - length;
-      for (std::size_t i = first; i < children.size(); ++i) {
-        passOn(children[i], p, from, below.data());
-        from += std::size_t{s_.rowsBelow(children[i])} * R;
-      }
-      children.resize(first);
-      waiting.resize(waiting.size() - length);
-      forward<R>(factor_ + s_.panelBegin[p], columns + size, columns, &x_[s_.firstColumn[p] * R],
-                 below.data());
-      if (s_.parent[p] == kNoParent) continue;
-      children.push_back(p);
-      waiting.insert(waiting.end(), below.begin(),
-                     below.begin() + static_cast<std::ptrdiff_t>(size * R));
+    const Scalar* from = waiting.numbers.data() + waiting.numbers.size() - length;
+    for (std::size_t i = first; i < children.size(); ++i) {
+      const std::uint32_t* row = s_.inParent.data() + s_.rowsBegin[children[i]];
+      const std::size_t size = s_.rowsBelow(children[i]);
+      for (std::size_t r = 0; r < sides_; ++r, from += size)
+        for (std::size_t k = 0; k < size; ++k) local[r * at.rows + row[k]] += from[k];
     }
-    result_[t] = std::move(waiting);
+    children.resize(first);
+    waiting.numbers.resize(waiting.numbers.size() - length);
+    const bool isRoot = s_.parent[p] == kNoParent;
+    for (std::size_t r = 0; r < sides_; ++r) {
+      const Scalar* const front = &local[r * at.rows];
+      at.forward(&local[r * at.rows]);
+      std::copy_n(front, at.columns, &x_[r * s_.size + s_.firstColumn[p]]);
+      if (!isRoot)
+        waiting.numbers.insert(waiting.numbers.end(), front + at.columns, front + at.rows);
+    }
+    if (!isRoot) children.push_back(p);
   }
 
   void backwardTask(std::uint32_t t) {
     const CholeskyTask& task = s_.tasks.all[t];
-    Numbers below(std::size_t{s_.maxFrontRows} * R);
+    Numbers local(s_.maxFrontRows);
     for (std::uint32_t p = task.end; p-- > task.begin;) {
+      const Panel<Scalar> at = panel(p);
       const std::uint32_t* row = s_.rows.data() + s_.rowsBegin[p];
-      const std::size_t columns = s_.columns(p), size = s_.rowsBelow(p);
-      for (std::size_t i = 0; i < size; ++i)
-        for (std::size_t r = 0; r < R; ++r) below[i * R + r] = x_[row[i] * R + r];
-      backward<R>(factor_ + s_.panelBegin[p], columns + size, columns, sign_ + s_.firstColumn[p],
-                  &x_[s_.firstColumn[p] * R], below.data());
+      for (std::size_t r = 0; r < sides_; ++r) {
+        Scalar* const x = &x_[r * s_.size];
+        std::copy_n(x + s_.firstColumn[p], at.columns, local.data());
+        for (std::size_t i = at.columns; i < at.rows; ++i) local[i] = x[row[i - at.columns]];
+        at.backward(local.data());
+        std::copy_n(local.data(), at.columns, x + s_.firstColumn[p]);
+      }
     }
   }
 
   const CholeskySymbolic& s_;
-  const double* factor_;
-  const double* sign_;
+  const Scalar* factor_;
+  const Scalar* sign_;
+  std::size_t sides_;
   ThreadPool* pool_;
   Numbers x_;
   std::vector<Numbers> result_;  ///< per task: what its roots pass on
@@ -152,13 +217,15 @@ class Substitution {
 
 }  // namespace
 
-void Cholesky::solve(double* b, std::size_t columns) const {
-  const CholeskySymbolic& s = *symbolic_;
-  for (; columns >= kTogether; columns -= kTogether, b += kTogether * s.size)
-    Substitution<kTogether>(s, factor_.get(), sign_.get(), options_.pool).run(b);
-  for (; columns >= 2; columns -= 2, b += std::size_t{2} * s.size)
-    Substitution<2>(s, factor_.get(), sign_.get(), options_.pool).run(b);
-  if (columns == 1) Substitution<1>(s, factor_.get(), sign_.get(), options_.pool).run(b);
+template <typename Scalar>
+void BasicCholesky<Scalar>::solve(double* b, std::size_t columns) const {
+  for (std::size_t done = 0; done < columns; done += kMaxSides)
+    Substitution<Scalar>(*symbolic_, factor_.get(), sign_.get(),
+                         std::min(kMaxSides, columns - done), options_.pool)
+        .run(b + done * symbolic_->size);
 }
+
+template void BasicCholesky<float>::solve(double* b, std::size_t columns) const;
+template void BasicCholesky<double>::solve(double* b, std::size_t columns) const;
 
 }  // namespace abflat

@@ -48,7 +48,8 @@ double residual(const SparseMatrix& lower, const Eigen::VectorXd& x, const Eigen
   return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / std::max(b.norm(), 1e-300);
 }
 
-Eigen::VectorXd solved(const Cholesky& factor, Eigen::VectorXd b) {
+template <typename Scalar>
+Eigen::VectorXd solved(const BasicCholesky<Scalar>& factor, Eigen::VectorXd b) {
   factor.solve(b.data());
   return b;
 }
@@ -152,7 +153,7 @@ TEST_CASE("several right-hand sides give what each of them gives", "[cholesky]")
   }
 }
 
-TEST_CASE("all vector widths give the same bits", "[cholesky]") {
+TEMPLATE_TEST_CASE("all vector widths give the same bits", "[cholesky]", float, double) {
   const SparseMatrix mesh = withTwoRowsEach(meshLaplacian(bumpyGrid(70, 60, 0.4, 3)));
   const SparseMatrix dense = randomMatrix(333, 1, 0.5, 7);
   for (const SparseMatrix* m : {&mesh, &dense}) {
@@ -163,12 +164,30 @@ TEST_CASE("all vector widths give the same bits", "[cholesky]") {
       if (width > widestSimd()) continue;
       CholeskyOptions options;
       options.simd = width;
-      Cholesky factor(symbolic, options);
+      BasicCholesky<TestType> factor(symbolic, options);
       REQUIRE(factor.factorize(m->valuePtr()).isOk());
       const Eigen::VectorXd x = solved(factor, b);
       if (wanted.size() == 0) wanted = x;
       CHECK(x == wanted);
     }
+  }
+}
+
+TEST_CASE("a factor of floats solves as far as floats reach", "[cholesky]") {
+  for (const NamedGraph& named : awkwardGraphs()) {
+    INFO(named.name);
+    const SparseMatrix m = graphLaplacian(named.size, named.edges, 0.5, 9);
+    FloatCholesky factor(analyzed(m));
+    REQUIRE(factor.factorize(m.valuePtr()).isOk());
+    const Eigen::VectorXd b = randomVector(m.rows(), 8);
+    CHECK(residual(m, solved(factor, b), b) < 1e-4);
+  }
+  for (const int n : {1, 2, 3, 5, 17, 64, 200}) {
+    const SparseMatrix m = randomMatrix(n, 1, 1, static_cast<unsigned>(n));
+    FloatCholesky factor(analyzed(m), {/*allowNegative=*/false});
+    REQUIRE(factor.factorize(m.valuePtr()).isOk());
+    const Eigen::VectorXd b = randomVector(n, 8);
+    CHECK(residual(m, solved(factor, b), b) < 1e-4);
   }
 }
 

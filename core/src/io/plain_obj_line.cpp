@@ -1,0 +1,120 @@
+#include "io/plain_obj_line.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "io/number_text.h"
+
+namespace abflat {
+namespace {
+
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+
+struct Cursor {
+  const char* at;
+  const char* end;
+
+  bool done() const { return at == end; }
+  bool atLineEnd() const { return done() || isLineEnd(*at); }
+  bool atWordEnd() const { return atLineEnd() || isBlank(*at); }
+  void skipBlanks() {
+    while (!done() && isBlank(*at)) ++at;
+  }
+  bool take(char c) {
+    if (done() || *at != c) return false;
+    ++at;
+    return true;
+  }
+};
+
+bool takeKeyword(Cursor& c, char keyword) {
+  if (!c.take(keyword) || c.done() || !isBlank(*c.at)) return false;
+  c.skipBlanks();
+  return true;
+}
+
+bool hasByte(std::uint64_t eight, char c) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101, kHighBits = 0x8080808080808080;
+  const std::uint64_t zeroThere = eight ^ (kOnes * static_cast<unsigned char>(c));
+  return ((zeroThere - kOnes) & ~zeroThere & kHighBits) != 0;
+}
+
+/// To the first character that ends a line or makes it special; false when it is the latter.
+bool skipPlain(Cursor& c) {
+  for (std::uint64_t eight = 0; c.end - c.at >= 8; c.at += 8) {
+    std::memcpy(&eight, c.at, 8);
+    if (hasByte(eight, '\n') || hasByte(eight, '\r') || hasByte(eight, '\\') || hasByte(eight, '#'))
+      break;
+  }
+  for (; !c.atLineEnd(); ++c.at)
+    if (*c.at == '\\' || *c.at == '#') return false;
+  return true;
+}
+
+std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
+  c.take('\r');
+  c.take('\n');
+  return static_cast<std::size_t>(c.at - text.data());
+}
+
+bool takeInteger(Cursor& c, std::int64_t& value) {
+  constexpr int kMostDigits = 18;  // fit any std::int64_t
+  const bool isNegative = c.take('-');
+  const char* const first = c.at;
+  std::int64_t size = 0;
+  for (; !c.done() && *c.at >= '0' && *c.at <= '9'; ++c.at) {
+    if (c.at - first == kMostDigits) return false;
+    size = 10 * size + (*c.at - '0');
+  }
+  value = isNegative ? -size : size;
+  return c.at != first;
+}
+
+/// v, v/vt, v//vn or v/vt/vn
+bool takeCorner(Cursor& c, std::int64_t& vertex) {
+  std::int64_t other = 0;
+  if (!takeInteger(c, vertex) || vertex == 0) return false;
+  if (c.take('/')) {
+    const bool hasNoTexcoord = !c.done() && *c.at == '/';
+    if (!hasNoTexcoord && !takeInteger(c, other)) return false;
+    if (c.take('/') && !takeInteger(c, other)) return false;
+  }
+  return c.atWordEnd();
+}
+
+}  // namespace
+
+std::size_t plainLine(std::string_view text) {
+  Cursor c{text.data(), text.data() + text.size()};
+  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
+}
+
+std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point) {
+  Cursor c{text.data(), text.data() + text.size()};
+  if (!takeKeyword(c, 'v')) return 0;
+  for (double& coordinate : point) {
+    const char* const end = scanDouble(c.at, c.end, coordinate);
+    if (end == nullptr || !std::isfinite(coordinate)) return 0;
+    c.at = end;
+    if (!c.atWordEnd()) return 0;
+    c.skipBlanks();
+  }
+  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
+}
+
+std::size_t plainFaceLine(std::string_view text, std::vector<std::int64_t>& corners) {
+  Cursor c{text.data(), text.data() + text.size()};
+  if (!takeKeyword(c, 'f')) return 0;
+  const std::size_t before = corners.size();
+  while (!c.atLineEnd()) {
+    std::int64_t vertex = 0;
+    if (!takeCorner(c, vertex)) return corners.resize(before), 0;
+    corners.push_back(vertex);
+    c.skipBlanks();
+  }
+  if (corners.size() < before + 3) return corners.resize(before), 0;
+  return sizeWithLineEnd(text, c);
+}
+
+}  // namespace abflat

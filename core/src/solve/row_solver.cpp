@@ -1,0 +1,149 @@
+#include "solve/row_solver.h"
+
+#include <Eigen/SparseCholesky>
+
+#include "solve/cholesky/cholesky.h"
+#include "solve/conjugate_gradients.h"
+
+namespace abflat {
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using Symbolic = std::shared_ptr<const CholeskySymbolic>;
+
+/// Of one factorisation. With less, factors are so cheap that iterations do not pay.
+constexpr double kDirectFlops = 1e9;
+/// An old factor is kept while that many further iterations suffice: their time is about that of a
+/// new factor and the few iterations it needs.
+constexpr double kWorthwhile = 9;
+/// With an old factor and with one of the very matrix. Only matrices far from what single precision
+/// can tell from singular need more.
+constexpr int kMaxIterations = 30;
+
+Symbolic analyze(const SparseMatrix& m, ThreadPool* pool) {
+  CholeskyAnalysisOptions options;
+  options.pool = pool;
+  return std::make_shared<const CholeskySymbolic>(analyzePattern(
+      {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}, options));
+}
+
+CholeskyOptions choleskyOptions(bool allowNegative, ThreadPool* pool) {
+  CholeskyOptions options;
+  options.allowNegative = allowNegative;
+  options.pool = pool;
+  return options;
+}
+
+class DirectRowSolver : public RowSolver {
+ public:
+  DirectRowSolver(const Symbolic& symbolic, ThreadPool* pool)
+      : factor_(symbolic, choleskyOptions(true, pool)) {}
+
+  const std::vector<std::uint32_t>* place() const override { return &factor_.symbolic().place; }
+
+  bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double,
+             Eigen::VectorXd& x) override {
+    if (!factor_.factorize(lower.valuePtr()).isOk()) return false;
+    x = b;
+    factor_.solve(x.data());
+    return true;
+  }
+
+ private:
+  Cholesky factor_;
+};
+
+class FactorPreconditioner : public Preconditioner {
+ public:
+  explicit FactorPreconditioner(const FloatCholesky& factor) : factor_(factor) {}
+  void apply(const double* r, double* z) const override {
+    std::copy_n(r, factor_.symbolic().size, z);
+    factor_.solve(z);
+  }
+
+ private:
+  const FloatCholesky& factor_;
+};
+
+class InexactRowSolver : public RowSolver {
+ public:
+  InexactRowSolver(Symbolic symbolic, ThreadPool* pool)
+      : symbolic_(std::move(symbolic)), pool_(pool) {}
+
+  const std::vector<std::uint32_t>* place() const override { return &symbolic_->place; }
+
+  bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double tolerance,
+             Eigen::VectorXd& x) override {
+    iterations_ = 0;
+    if (tolerance > 0) {
+      if (factor_ && iterate(lower, b, {tolerance, kMaxIterations, kWorthwhile}, x)) return true;
+      if (refactor(lower) && iterate(lower, b, {tolerance, kMaxIterations}, x)) return true;
+    }
+    factor_.reset();
+    if (!direct_) direct_ = std::make_unique<DirectRowSolver>(symbolic_, pool_);
+    return direct_->solve(lower, b, tolerance, x);
+  }
+
+  int iterations() const override { return iterations_; }
+
+ private:
+  /// False where the matrix is not positive definite in single precision.
+  bool refactor(const SparseMatrix& lower) {
+    direct_.reset();
+    if (!factor_)
+      factor_ = std::make_unique<FloatCholesky>(symbolic_, choleskyOptions(false, pool_));
+    return factor_->factorize(lower.valuePtr()).isOk();
+  }
+
+  bool iterate(const SparseMatrix& lower, const Eigen::VectorXd& b,
+               const ConjugateGradientsOptions& options, Eigen::VectorXd& x) {
+    const ConjugateGradientsResult result =
+        conjugateGradients(lower, b, FactorPreconditioner(*factor_), x, options);
+    iterations_ += result.iterations;
+    return result.isConverged();
+  }
+
+  Symbolic symbolic_;
+  ThreadPool* pool_;
+  std::unique_ptr<FloatCholesky> factor_;    ///< of this or an earlier matrix
+  std::unique_ptr<DirectRowSolver> direct_;  ///< at most one of the two exists
+  int iterations_ = 0;
+};
+
+class EigenRowSolver : public RowSolver {
+ public:
+  explicit EigenRowSolver(const SparseMatrix& lower) { factor_.analyzePattern(lower); }
+
+  bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double,
+             Eigen::VectorXd& x) override {
+    factor_.factorize(lower);
+    if (factor_.info() != Eigen::Success) return false;
+    x = factor_.solve(b);
+    return true;
+  }
+
+ private:
+  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
+  Symbolic symbolic = analyze(lower, pool);
+  if (symbolic->flops <= kDirectFlops) return std::make_unique<DirectRowSolver>(symbolic, pool);
+  return std::make_unique<InexactRowSolver>(std::move(symbolic), pool);
+}
+
+std::unique_ptr<RowSolver> makeDirectRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
+  return std::make_unique<DirectRowSolver>(analyze(lower, pool), pool);
+}
+
+std::unique_ptr<RowSolver> makeInexactRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
+  return std::make_unique<InexactRowSolver>(analyze(lower, pool), pool);
+}
+
+std::unique_ptr<RowSolver> makeEigenRowSolver(const SparseMatrix& lower, ThreadPool*) {
+  return std::make_unique<EigenRowSolver>(lower);
+}
+
+}  // namespace abflat

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "parallel.h"
+
+namespace abflat {
+
+/// Solves symmetric systems of one pattern one after another: the rows of SchurSystem.
+class RowSolver {
+ public:
+  virtual ~RowSolver() = default;
+  /// `lower` is the lower triangle. On entry x is a guess, afterwards the solution, of which no
+  /// entry of b - A x need be below `tolerance`. False when there is none.
+  virtual bool solve(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
+                     double tolerance, Eigen::VectorXd& x) = 0;
+  /// Iterations of the last solve; 0 for a direct one.
+  virtual int iterations() const { return 0; }
+  /// Rows of the matrix in the order of elimination, see CholeskySymbolic; null where unknown.
+  virtual const std::vector<std::uint32_t>* place() const { return nullptr; }
+};
+
+/// `lower` gives the pattern. Results do not depend on `pool`; null: one thread.
+using MakeRowSolver = std::unique_ptr<RowSolver>(const Eigen::SparseMatrix<double>& lower,
+                                                 ThreadPool* pool);
+
+/// The faster of the next two, by the size of the factor.
+MakeRowSolver makeRowSolver;
+/// A factor of every matrix.
+MakeRowSolver makeDirectRowSolver;
+/// Conjugate gradients with a factor in single precision of this or an earlier matrix (inexact
+/// Newton); a direct solve where that does not converge or where `tolerance` is 0. Half the memory.
+MakeRowSolver makeInexactRowSolver;
+/// Eigen's SimplicialLDLT, as the reference.
+MakeRowSolver makeEigenRowSolver;
+
+}  // namespace abflat

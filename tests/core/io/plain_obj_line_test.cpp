@@ -1,0 +1,168 @@
+#include "io/plain_obj_line.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <sstream>
+
+#include "abflat/io.h"
+#include "catch.h"
+
+using namespace abflat;
+
+namespace {
+
+Result<PolygonMesh> obj(const std::string& text) {
+  return readMesh(text, MeshFormat::Obj, "a.obj");
+}
+
+/// What `text` means, line by line and word by word, for texts whose faces refer to nothing that
+/// comes later.
+PolygonMesh slowly(const std::string& text) {
+  PolygonMesh mesh;
+  mesh.faceOffsets = {0};
+  std::istringstream lines(text);
+  for (std::string line, keyword, word; std::getline(lines, line);) {
+    std::istringstream words(line);
+    words >> keyword;
+    for (int d = 0; keyword == "v" && d < 3 && words >> word; ++d)
+      mesh.positions.push_back(std::strtod(word.c_str(), nullptr));
+    while (keyword == "f" && words >> word) {
+      const long v = std::strtol(word.c_str(), nullptr, 10);
+      mesh.faceVertices.push_back(
+          static_cast<std::uint32_t>(v > 0 ? v - 1 : static_cast<long>(mesh.vertexCount()) + v));
+    }
+    if (keyword == "f")
+      mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+    keyword.clear();
+  }
+  return mesh;
+}
+
+bool isSame(const PolygonMesh& a, const PolygonMesh& b) {
+  return a.positions.size() == b.positions.size() &&
+         std::memcmp(a.positions.data(), b.positions.data(), 8 * a.positions.size()) == 0 &&
+         a.faceOffsets == b.faceOffsets && a.faceVertices == b.faceVertices;
+}
+
+using Random = std::mt19937_64;
+
+std::string pick(Random& random, const std::vector<std::string>& from) {
+  return from[random() % from.size()];
+}
+
+std::string blanks(Random& random) { return pick(random, {" ", " ", " ", "  ", "\t", " \t "}); }
+
+std::string number(Random& random) {
+  const char* formats[] = {"%.17g", "%.3f", "%.9g", "%.16e", "%g", "%.0f.", "%.20f", "%E"};
+  const double exponent = std::uniform_real_distribution<double>(-300, 300)(random);
+  const double scale = random() % 4 ? 1 : std::pow(10, exponent / (random() % 2 ? 1 : 20));
+  char text[400];
+  std::snprintf(text, sizeof text, formats[random() % 8],
+                scale * std::uniform_real_distribution<double>(-2, 2)(random));
+  return text;
+}
+
+std::string corner(Random& random, std::size_t vertices) {
+  const std::size_t v = random() % vertices;
+  return (random() % 3 ? std::to_string(v + 1) : "-" + std::to_string(vertices - v)) +
+         pick(random, {"", "/7", "/7/12345", "//9", "/-1/-2"});
+}
+
+std::string randomText(Random& random, std::size_t lines) {
+  std::string text;
+  for (std::size_t i = 0, vertices = 0; i < lines; ++i) {
+    const std::size_t kind = vertices < 3 ? 0 : random() % 5;
+    if (kind < 2) {
+      text += "v";
+      for (int d = 0; d < 3; ++d) text += blanks(random) + number(random);
+      text += pick(random, {"", "", " 0.5 1 1", " 1"});
+      ++vertices;
+    } else if (kind < 4) {
+      text += "f";
+      for (std::size_t k = 3 + random() % 3; k > 0; --k)
+        text += blanks(random) + corner(random, vertices);
+    } else {
+      text += pick(random, {"vt 1 2", "vn 0 0 1", "", "g a\\", "# v 1 2 3", "usemtl f", "s off"});
+    }
+    text += pick(random, {"\n", "\n", "\n", " \n", "\r\n"});
+  }
+  return text;
+}
+
+/// The text with a comment behind every vertex and face: none of its lines is plain then.
+std::string commented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    const bool isRecord = line.substr(0, 1) == "v" || line.substr(0, 1) == "f";
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    out += line + (isRecord ? " # c\n" : "\n");
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("plain lines mean what a slow reader makes of them") {
+  Random random(3);
+  for (int i = 0; i < 300; ++i) {
+    const std::string text = randomText(random, 60);
+    const Result<PolygonMesh> read = obj(text);
+    INFO(read.status.message << "\n" << text);
+    REQUIRE(read.ok());
+    REQUIRE(isSame(read.value, slowly(text)));
+    const Result<PolygonMesh> careful = obj(commented(text));
+    INFO(careful.status.message);
+    REQUIRE(careful.ok());
+    REQUIRE(isSame(read.value, careful.value));
+  }
+}
+
+TEST_CASE("a damaged line is read or refused alike, plain or not") {
+  Random random(4);
+  const std::string bytes = "\t /+-.0123456789eEfvlnainx,;_";
+  std::size_t refused = 0;
+  constexpr int kTexts = 30000;
+  for (int i = 0; i < kTexts; ++i) {
+    std::string line = randomText(random, 1);
+    if (random() % 2) line = "f 1 -1 2/3/4";
+    line = line.substr(0, line.find_first_of("\r\n"));
+    for (std::size_t k = 1 + random() % 3; k > 0; --k) {
+      const std::size_t at = random() % line.size();
+      if (random() % 2)
+        line[at] = bytes[random() % bytes.size()];
+      else
+        line.insert(at, 1, bytes[random() % bytes.size()]);
+    }
+    const std::string head = "v 0 0 0\nv 1 0 0\n";
+    const Result<PolygonMesh> one = obj(head + line + "\n"), other = obj(head + line + " #\n");
+    INFO(line << "\n" << one.status.message << "\n" << other.status.message);
+    REQUIRE(one.status.code == other.status.code);
+    REQUIRE(one.status.message == other.status.message);
+    REQUIRE(isSame(one.value, other.value));
+    refused += !one.ok();
+  }
+  CHECK(refused > kTexts / 10);
+  CHECK(refused < kTexts - kTexts / 10);
+}
+
+TEST_CASE("the fast way takes the lines that files consist of, and leaves the others") {
+  std::array<double, 3> point;
+  std::vector<std::int64_t> corners;
+  CHECK(plainVertexLine("v 1 2.5 -3e-7\nv", point) == 14);
+  CHECK(point == std::array<double, 3>{1, 2.5, -3e-7});
+  CHECK(plainVertexLine("v 1 2 3 0.5 0.5 0.5\r\nv", point) == 21);
+  CHECK(plainFaceLine("f 1/2/3 -2//4 5\r", corners) == 16);
+  CHECK(corners == std::vector<std::int64_t>{1, -2, 5});
+  for (const char* line : {"v 1 2 3 # c\n", "v 1 2\n", "v 1 2 3 \\\n", "v 1 2 inf\n", "vt 1 2 3\n"})
+    CHECK(plainVertexLine(line, point) == 0);
+  for (const char* line : {"f 1 2\n", "f 1 2 0\n", "f 1 2 3 # c\n", "f 1 2 3 \\\n", "f 1 2 3x\n"})
+    CHECK(plainFaceLine(line, corners) == 0);
+  CHECK(corners.size() == 3);
+  CHECK(plainLine("a b\r\nc") == 5);
+  CHECK(plainLine("last") == 4);
+  CHECK(plainLine("a \\\nb") == 0);
+  CHECK(plainLine("a # b\n") == 0);
+}
