@@ -104,6 +104,7 @@ class Comparer {
 
   StatusCode addAbflat(const Method& method, MethodResult& row) const {
     FlattenOptions options;
+    options.threads = 1;  // as the methods that it is compared with
     options.t = method.t;
     options.progress = [&](const Progress& inside) { return tell(method, inside); };
     Result<FlattenResult> flat = flatten(mesh_, options);

@@ -10,6 +10,7 @@
 #include "chart/disk_chart.h"
 #include "chart_report.h"
 #include "mesh/surface.h"
+#include "parallel.h"
 #include "solve/kkt_step_solver.h"
 #include "stopwatch.h"
 
@@ -113,6 +114,13 @@ Result<Prepared> prepare(const PolygonMesh& mesh) {
   return out;
 }
 
+/// Fewer than asked for where a mesh is so small that starting a thread takes longer than it saves.
+unsigned usefulThreads(int wanted, std::size_t faces) {
+  constexpr std::size_t kFacesPerThread = 2000;
+  const std::size_t most = wanted > 0 ? static_cast<std::size_t>(wanted) : processors();
+  return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
+}
+
 }  // namespace
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
@@ -136,7 +144,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   const double connectivity = watch.lap();
 
   if (!monitor.tellStage("solve")) return aborted;
+  ThreadPool pool(usefulThreads(options.threads, chart.triangleCount()));
   SolverOptions solver;
+  solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
   solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); },
@@ -157,6 +167,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
 
   out.report.input = std::move(prepared.value.summary);
   out.report.options = options;
+  out.report.threads = pool.threads();
   out.report.valid = out.report.charts.front().valid;
   out.vertexMap = chart.inputVertex;
   out.triangles = chart.vertexOfCorner;

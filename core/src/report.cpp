@@ -158,6 +158,7 @@ std::string reportJson(const Report& report) {
       {"version", ABFLAT_VERSION},
       {"input", inputJson(report)},
       {"options", optionsJson(report.options)},
+      {"threads", report.threads},
       {"charts", charts},
       {"valid", report.valid},
       {"timings", timingsJson(report.timings)},

@@ -135,6 +135,8 @@ function setCase(option, index) {
   if (option.type === 'choice') {
     return `    case ${index}:\n      options.${id} = static_cast<${cppType(option)}>(static_cast<int>(value));\n      return value >= 0 && value < ${option.choices.length};`;
   }
+  if (option.type === 'integer')
+    return `    case ${index}:\n      if (!(${condition(option)}) || value != static_cast<int>(value)) return false;\n      options.${id} = static_cast<int>(value);\n      return true;`;
   return `    case ${index}:\n      options.${id} = static_cast<${cppType(option)}>(value);\n      return ${condition(option)};`;
 }
 

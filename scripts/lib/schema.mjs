@@ -41,6 +41,8 @@ function checkOption(option) {
   if (option.type === 'choice') return checkChoice(option);
   if ('unit' in option && !(option.unit in UNITS && jsType === 'number'))
     throw new Error(`option ${option.name}: unknown unit "${option.unit}"`);
+  if (option.type === 'integer' && !('atLeast' in option && 'atMost' in option))
+    throw new Error(`option ${option.name}: an integer needs "atLeast" and "atMost"`);
   const isWord = option.words && Object.hasOwn(option.words, option.default);
   if (typeof option.default !== jsType && !isWord)
     throw new Error(`option ${option.name}: default is not a ${jsType}`);
@@ -62,7 +64,8 @@ function checkChoice(option) {
 export function rangeText(option) {
   if (option.type === 'choice') return option.choices.map(({ name }) => name).join(', ');
   const bounds = BOUNDS.filter((bound) => bound in option);
-  const parts = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
+  const limits = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
+  const parts = [limits, option.type === 'integer' && 'whole'].filter(Boolean).join(', ');
   return [parts, ...Object.keys(option.words ?? {})].filter(Boolean).join(', or ');
 }
 

@@ -19,11 +19,12 @@ import {
 
 const CSV = join(ROOT, 'tests/bench/results/native.csv');
 const RECORDED = join(ROOT, 'tests/bench/recorded.json');
-/** The yardsticks are measured on one thread, as we are. */
+/** The yardsticks are measured on one thread, as we are but for one column. */
 const ENV = { OPENBLAS_NUM_THREADS: '1', OMP_NUM_THREADS: '1' };
 
 const KEYS = [
   ...['mesh', 'faces', 'vertices', 't', 'repeat', ...STAGES, 'linear', 'iterations', 'residual'],
+  ...['solveOnTwo', 'identical'],
   ...['fallbacks', 'valid', 'memoryMB', 'u', 'uNumeric', 'e', 'eNumeric', 'own', 'ownNumeric'],
   'compiler',
 ];
@@ -45,6 +46,8 @@ const COLUMNS = [
   ["solve/U'", (row) => row.u && row.solve / row.uOrdered, 2],
   ['solve/E', (row) => row.solve / row.e, 2],
   ['solve/own', (row) => row.solve / row.own, 2],
+  ['1/2 threads', (row) => row.solveOnTwo && row.solve / row.solveOnTwo, 2],
+  ['same bytes', (row) => ({ true: 'yes', false: 'NO' })[row.identical]],
   [
     'io+check',
     (row) => `${((100 * (row.read + row.check + row.write)) / totalOf(row)).toFixed(0)}%`,

@@ -25,14 +25,30 @@ void print(const char* solver, const FactorRow& r, const FactorRow& reference) {
               r.numeric / reference.numeric, r.all() / reference.all());
 }
 
+/// Two threads beside the one that was measured just before.
+void compareThreads(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat,
+                    const FactorRow& one, const Eigen::VectorXd& solution) {
+  ThreadPool pool(2);
+  if (pool.threads() < 2) return;
+  Eigen::VectorXd x;
+  const FactorRow two = bench::runOwn(m, b, repeat, {widestSimd(), &pool, &x});
+  print("own, 2 thr.", two, one);
+  const bool isSame = std::equal(x.begin(), x.end(), solution.begin(), solution.end());
+  std::printf("  two threads faster by: analysis %.2f, numeric %.2f, solution %.2f, all %.2f; %s\n",
+              one.analyze / two.analyze, one.numeric / two.numeric, one.solve / two.solve,
+              one.all() / two.all(), isSame ? "identical" : "NOT IDENTICAL");
+}
+
 void compare(const SparseMatrix& m, const char* kind, int repeat, bool withEigen) {
   std::printf(" %s, %ld rows\n", kind, static_cast<long>(m.rows()));
   std::srand(1);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(m.rows());
-  const FactorRow own = bench::runOwn(m, b, repeat);
+  Eigen::VectorXd x;
+  const FactorRow own = bench::runOwn(m, b, repeat, {widestSimd(), nullptr, &x});
   print("own", own, own);
   if (widestSimd() != SimdWidth::Two)
-    print("own, 2 lanes", bench::runOwn(m, b, repeat, SimdWidth::Two), own);
+    print("own, 2 lanes", bench::runOwn(m, b, repeat, {SimdWidth::Two}), own);
+  compareThreads(m, b, repeat, own, x);
 #ifdef ABFLAT_BENCH_CHOLMOD
   print("CHOLMOD", bench::runCholmod(m, b, repeat), own);
 #endif

@@ -54,7 +54,8 @@ FactorRow runSimplicial(const SparseMatrix& m, const Eigen::VectorXd& b, int rep
 
 }  // namespace
 
-FactorRow runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat, SimdWidth width) {
+FactorRow runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat,
+                 const OwnOptions& own) {
   FactorRow row;
   std::shared_ptr<const CholeskySymbolic> symbolic;
   row.analyze = seconds(repeat, [&] {
@@ -62,7 +63,8 @@ FactorRow runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat, Si
         {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}));
   });
   CholeskyOptions options;
-  options.simd = width;
+  options.simd = own.width;
+  options.pool = own.pool;
   Cholesky factor(symbolic, options);
   CholeskyStatus status;
   row.numeric = seconds(repeat, [&] { status = factor.factorize(m.valuePtr()); });
@@ -72,6 +74,7 @@ FactorRow runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat, Si
     x = b;
     factor.solve(x.data());
   });
+  if (own.solution) *own.solution = x;
   row.entries = static_cast<double>(symbolic->factorEntries);
   row.flops = symbolic->flops;
   row.residual = residual(m, x, b);

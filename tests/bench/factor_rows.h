@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 
+#include "parallel.h"
 #include "solve/cholesky/front_kernel.h"
 
 namespace abflat::bench {
@@ -17,8 +18,14 @@ struct FactorRow {
 /// Lower triangle of a symmetric matrix, by columns.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// What it computed, where it is compared to the last bit.
+struct OwnOptions {
+  SimdWidth width = widestSimd();
+  ThreadPool* pool = nullptr;
+  Eigen::VectorXd* solution = nullptr;
+};
 FactorRow runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat,
-                 SimdWidth width = widestSimd());
+                 const OwnOptions& options = {});
 FactorRow runEigenLdlt(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat);
 FactorRow runEigenLlt(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat);
 

@@ -3,8 +3,9 @@
 //
 //   abflat_flatten_bench make FACES FILE.obj         the generated head
 //   abflat_flatten_bench subdivide IN N FILE.obj     N times one to four
-//   abflat_flatten_bench run FILE.obj T REPEAT       medians of REPEAT runs
-//   abflat_flatten_bench plain FILE.obj T REPEAT     the same without the yardsticks
+//   abflat_flatten_bench run FILE.obj T REPEAT       medians of REPEAT runs on one thread, each
+//                                                    followed by one on two, and the yardsticks
+//   abflat_flatten_bench plain FILE.obj T REPEAT     the runs on one thread alone
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -66,14 +67,17 @@ bool writeText(const std::string& path, const std::string& text) {
   return static_cast<bool>(out);
 }
 
-/// One run as the command line program does it; false when there is no layout.
-bool runOnce(const std::string& path, double t, Report& report, PolygonMesh& mesh) {
+/// One run as the command line program does it; false when there is no layout. `text` gets what it
+/// would write.
+bool runOnce(const std::string& path, double t, int threads, Report& report, PolygonMesh& mesh,
+             std::string& text) {
   Stopwatch watch;
   std::string bytes;
   if (!readObj(path, bytes, mesh)) return false;
   const double read = watch.lap();
   FlattenOptions options;
   options.t = t;
+  options.threads = threads;
   Result<FlattenResult> flat = flatten(mesh, options);
   if (!flat.ok()) {
     std::fprintf(stderr, "%s: %s\n", path.c_str(), flat.status.message.c_str());
@@ -83,7 +87,8 @@ bool runOnce(const std::string& path, double t, Report& report, PolygonMesh& mes
   report.timings.read = read;
   watch.lap();
   const std::string target = path + ".layout";
-  const bool written = writeText(target, writeObj(mesh, flat.value.uv, flat.value.cornerUv, bytes));
+  text = writeObj(mesh, flat.value.uv, flat.value.cornerUv, bytes);
+  const bool written = writeText(target, text);
   report.timings.write = watch.lap();
   std::remove(target.c_str());
   return written;
@@ -120,13 +125,21 @@ bool printYardsticks(const PolygonMesh& mesh, int repeat) {
   return isSolved;
 }
 
-bool run(const std::string& path, double t, int repeat, bool withYardsticks) {
-  std::vector<Report> runs(static_cast<std::size_t>(std::max(1, repeat)));
+bool run(const std::string& path, double t, int repeat, bool isPlain) {
+  std::vector<Report> runs(static_cast<std::size_t>(std::max(1, repeat))), runsOnTwo;
   PolygonMesh mesh;
-  for (Report& report : runs)
-    if (!runOnce(path, t, report, mesh)) return false;
+  double memory = 0;
+  bool isIdentical = true;
+  for (Report& report : runs) {
+    std::string text, textOfTwo;
+    if (!runOnce(path, t, 1, report, mesh, text)) return false;
+    if (memory == 0) memory = peakMemory();
+    if (isPlain) continue;
+    runsOnTwo.emplace_back();
+    if (!runOnce(path, t, 2, runsOnTwo.back(), mesh, textOfTwo)) return false;
+    isIdentical &= text == textOfTwo;
+  }
   const ChartReport& chart = runs.back().charts.front();
-  const double memory = peakMemory();
   double linear = 0;
   for (const NewtonStep& step : chart.history) linear += step.linearSeconds;
   std::printf("{\"faces\": %zu, \"vertices\": %zu, \"t\": %g, \"repeat\": %zu", chart.faces,
@@ -142,7 +155,10 @@ bool run(const std::string& path, double t, int repeat, bool withYardsticks) {
   std::printf(", \"fallbacks\": %zu, \"valid\": %s", chart.fallbacks.size(),
               runs.back().valid && chart.converged ? "true" : "false");
   if (std::isfinite(memory)) std::printf(", \"memoryMB\": %.1f", memory);
-  const bool isSolved = !withYardsticks || printYardsticks(mesh, repeat);
+  if (!isPlain && runsOnTwo.back().threads == 2)
+    std::printf(", \"solveOnTwo\": %.6g, \"identical\": %s", medianOf(runsOnTwo, &Timings::solve),
+                isIdentical ? "true" : "false");
+  const bool isSolved = isPlain || printYardsticks(mesh, repeat);
   std::printf(", \"compiler\": \"%s\"}\n", ABFLAT_COMPILER);
   return isSolved;
 }
@@ -168,8 +184,9 @@ int main(int argc, char** argv) {
   if (what == "subdivide" && args.size() == 4)
     return subdivideFile(args[1], std::atoi(args[2].c_str()), args[3]) ? 0 : 1;
   if ((what == "run" || what == "plain") && args.size() == 4)
-    return run(args[1], std::atof(args[2].c_str()), std::atoi(args[3].c_str()), what == "run") ? 0
-                                                                                               : 1;
+    return run(args[1], std::atof(args[2].c_str()), std::atoi(args[3].c_str()), what == "plain")
+               ? 0
+               : 1;
   std::fputs(
       "usage: make FACES OUT | subdivide IN N OUT | run FILE T REPEAT | plain FILE T REPEAT\n",
       stderr);

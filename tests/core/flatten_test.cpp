@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "abflat/samples.h"
 #include "angle/constants.h"
 #include "catch.h"
 #include "check/distortion.h"
@@ -32,6 +33,13 @@ std::vector<double> edgeLengths(const FlattenResult& r, const std::vector<std::u
     out.push_back(std::hypot(r.uv[2 * a] - r.uv[2 * b], r.uv[2 * a + 1] - r.uv[2 * b + 1]));
   }
   return out;
+}
+
+/// Of about 4000 faces times `detail`.
+PolygonMesh head(double detail) {
+  for (const Sample& sample : samples())
+    if (sample.name == "head") return sample.make(detail);
+  return {};
 }
 
 std::vector<std::uint32_t> identity(std::size_t n) {
@@ -256,4 +264,43 @@ TEST_CASE("every linear solver and formulation gives the same layout and is repo
   CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
   options.linearSolver = LinearSolver::Schur;
   CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
+}
+
+TEST_CASE("a result is the same to the last bit for any number of threads", "[flatten][threads]") {
+  const PolygonMesh mesh = head(9);
+  REQUIRE(mesh.faceCount() > 33000);  // enough for the assembly to be shared out
+  for (const double t : {1.0, 2.0}) {
+    FlattenOptions options;
+    options.t = t;
+    FlattenResult wanted;
+    for (const int threads : {1, 2, 3}) {
+      INFO(threads << " threads, t = " << t);
+      options.threads = threads;
+      Result<FlattenResult> r = flatten(mesh, options);
+      REQUIRE(r.ok());
+      CHECK(r.value.report.threads == static_cast<unsigned>(threads));
+      if (threads == 1) wanted = std::move(r.value);
+      if (threads == 1) continue;
+      CHECK(r.value.uv == wanted.uv);
+      const auto &history = r.value.report.charts[0].history,
+                 &wantedHistory = wanted.report.charts[0].history;
+      REQUIRE(history.size() == wantedHistory.size());
+      for (std::size_t i = 0; i < history.size(); ++i) {
+        CHECK(history[i].objective == wantedHistory[i].objective);
+        CHECK(history[i].constraint == wantedHistory[i].constraint);
+        CHECK(history[i].gradient == wantedHistory[i].gradient);
+      }
+    }
+  }
+}
+
+TEST_CASE("a run on several threads can be cancelled", "[flatten][threads]") {
+  const PolygonMesh mesh = head(3);
+  FlattenOptions options;
+  options.threads = 3;
+  for (int stop = 0; stop < 4; ++stop) {
+    int steps = 0;
+    options.progress = [&](const Progress& p) { return p.newtonStep == 0 || steps++ != stop; };
+    CHECK(flatten(mesh, options).status.code == StatusCode::Aborted);
+  }
 }

@@ -28,7 +28,8 @@ Json parsed(const Report& report) { return Json::parse(reportJson(report)); }
 
 TEST_CASE("the report has its keys in their order") {
   const Json json = parsed(reportOf(bumpyGrid(6, 6, 0.3, 1)));
-  CHECK(keysOf(json) == Keys{"version", "input", "options", "charts", "valid", "timings"});
+  CHECK(keysOf(json) ==
+        Keys{"version", "input", "options", "threads", "charts", "valid", "timings"});
   CHECK(keysOf(json["input"]) == Keys{"path", "vertices", "faces", "triangles", "components",
                                       "boundaryLoops", "boundaryEdges", "genus"});
   CHECK(keysOf(json["options"]) == Keys{"t", "untangle", "linearSolver", "formulation",

@@ -64,6 +64,7 @@ test('the report has its keys in their order', async (t) => {
     'version',
     'input',
     'options',
+    'threads',
     'charts',
     'valid',
     'timings',
@@ -152,6 +153,39 @@ test('two runs give the same bytes and, apart from timings, the same report', as
     results.push({ report, bytes: readFileSync(at(`${name}.obj`), 'utf8') });
   }
   assert.deepEqual(results[0], results[1]);
+});
+
+test('any number of threads gives the same bytes', async (t) => {
+  const at = prepared(t);
+  await runAbflat(['sample', 'head', '--detail', '4', '-o', at('large.obj')]);
+  const bytes = [];
+  for (const threads of ['1', '2', '3']) {
+    const run = await flatten(at, [
+      'large.obj',
+      '-o',
+      'o.obj',
+      '--report',
+      'r.json',
+      '--threads',
+      threads,
+    ]);
+    assert.deepEqual([run.code, run.stderr], [0, '']);
+    const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    assert.deepEqual([report.options.threads, report.threads], [Number(threads), Number(threads)]);
+    bytes.push(readFileSync(at('o.obj')));
+  }
+  assert.ok(bytes.every((other) => other.equals(bytes[0])));
+});
+
+test('a small mesh takes one thread, and threads are a whole number up to 256', async (t) => {
+  const at = prepared(t);
+  await flatten(at, ['in.obj', '-o', 'o.obj', '--report', 'r.json', '--threads', '256']);
+  assert.equal(JSON.parse(readFileSync(at('r.json'), 'utf8')).threads, 1);
+  for (const wrong of ['-1', '257', '1.5', 'many']) {
+    const run = await flatten(at, ['in.obj', '-o', 'o.obj', `--threads=${wrong}`]);
+    assert.equal(run.code, 2);
+    assert.match(run.stderr, /--threads/);
+  }
 });
 
 test('standard input and standard output give the same bytes as files', async (t) => {

@@ -109,6 +109,20 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[2]), /\bt: number \| 'auto';/);
   });
 
+  test('an integer refuses fractions and needs bounds', () => {
+    fresh();
+    const option = { name: 'rounds', type: 'integer', default: 1, atLeast: 0, text: 'how often' };
+    changeSchema((schema) => schema.flattenOptions.push(option));
+    assert.notEqual(generate(copy).status, 0);
+    changeSchema((schema) => {
+      schema.flattenOptions.at(-1).atMost = 9;
+    });
+    assert.equal(generate(copy).status, 0);
+    assert.match(read(OUTPUTS[1]), /int rounds = 1;/);
+    assert.match(read(OUTPUTS[1]), /value != static_cast<int>\(value\)\) return false;/);
+    assert.match(read(OUTPUTS[2]), /at least 0 and at most 9, whole/);
+  });
+
   test('a switch that is on by default is switched off by its flag', () => {
     fresh();
     changeSchema((schema) => {

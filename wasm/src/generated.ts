@@ -72,6 +72,7 @@ export interface FlattenOptionValues {
   memory: number | 'auto';
   adjacent: boolean;
   delaunay: boolean;
+  threads: number;
 }
 
 export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
@@ -83,6 +84,7 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
   memory: 'auto',
   adjacent: false,
   delaunay: false,
+  threads: 0,
 };
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
@@ -95,4 +97,5 @@ export const FLATTEN_OPTIONS = {
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it does without one, by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   adjacent: { type: 'boolean', default: false, text: 'condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there', range: '' },
   delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },
+  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },
 } as const;

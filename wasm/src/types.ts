@@ -123,6 +123,8 @@ export interface Report {
   };
   /** As asked. */
   options: FlattenOptionValues;
+  /** That the solver used. */
+  threads: number;
   charts: ChartReport[];
   valid: boolean;
   timings: {

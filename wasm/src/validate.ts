@@ -100,6 +100,8 @@ function optionNumber(name: string, value: unknown, rule: OptionRule): number {
   if (typeof value === 'string' && rule.words && Object.hasOwn(rule.words, value))
     return rule.words[value] as number;
   checkNumber(name, value, rule);
+  if (rule.type === 'integer' && !Number.isInteger(value))
+    throw invalid(`${name} must be a number ${rule.range}; it is ${value}.`);
   return value as number;
 }
 

@@ -104,6 +104,7 @@ struct Report {
   MeshSummary input;
   FlattenOptionValues options;  ///< as asked
   std::vector<ChartReport> charts;
+  unsigned threads = 1;  ///< that the solver used
   bool valid = false;
   Timings timings;
   Status error;  ///< why there is no result; ok when there is one

@@ -10,10 +10,11 @@ namespace abflat {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
 
 }  // namespace
 
-AngleProblem buildAngleProblem(const DiskChart& chart) {
+AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
   AngleProblem p;
   p.vertexOfCorner = chart.vertexOfCorner;
   p.isBoundary.assign(chart.vertexCount(), 0);
@@ -23,14 +24,14 @@ AngleProblem buildAngleProblem(const DiskChart& chart) {
     p.angleSum[v] = p.isBoundary[v] ? kUnbounded : 2 * kPi;
 
   p.target.resize(p.vertexOfCorner.size());
-  std::vector<double> sum(chart.vertexCount(), 0);
-  for (std::uint32_t f = 0; f < p.triangleCount(); ++f) {
-    const std::array<double, 3> alpha = anglesOrMadeUp(chart.angles[f]);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      p.target[3 * f + k] = alpha[k];
-      sum[p.vertexOfCorner[3 * f + k]] += alpha[k];
+  parallelRanges(pool, p.triangleCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::array<double, 3> alpha = anglesOrMadeUp(chart.angles[f]);
+      std::copy(alpha.begin(), alpha.end(), &p.target[3 * f]);
     }
-  }
+  });
+  std::vector<double> sum(chart.vertexCount(), 0);
+  for (std::size_t c = 0; c < p.target.size(); ++c) sum[p.vertexOfCorner[c]] += p.target[c];
   p.weight.resize(p.target.size());
   for (std::size_t c = 0; c < p.target.size(); ++c) {
     const std::uint32_t v = p.vertexOfCorner[c];

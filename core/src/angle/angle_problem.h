@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
+#include "parallel.h"
 
 namespace abflat {
 
@@ -41,7 +42,8 @@ struct AngleProblem {
 
 /// Targets a from the 3D angles: scaled to sum to 2 pi round an interior vertex, unchanged at a
 /// boundary vertex.
-AngleProblem buildAngleProblem(const DiskChart& chart);
+/// `pool`: null for one thread.
+AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool = nullptr);
 
 /// Upper bounds t_v pi of the angle sums at the chart's boundary vertices, in the order of
 /// chart.boundary: condition (4) with the boundary control coefficient. t >= 2 is classic ABF,

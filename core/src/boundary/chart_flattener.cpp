@@ -39,7 +39,7 @@ std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solu
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
-      problem_(buildAngleProblem(chart)),
+      problem_(buildAngleProblem(chart, options.pool)),
       solver_(problem_, std::move(options), linear),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
 

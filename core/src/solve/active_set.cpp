@@ -115,7 +115,7 @@ class ActiveSet {
     s_ = startFrom(problem(), rows(), start);
     relinearize();
     updateActive(problem(), rows(), lin_, s_);
-    s_.constraintResidual = constraintResidual(problem(), rows(), lin_);
+    s_.constraintResidual = constraintResidual(problem(), rows(), lin_, options_.pool);
     for (int step = 1; step <= options_.maxSteps; ++step) {
       if (!takeStep()) break;
       if (options_.onStep && !options_.onStep(step, s_.history.back())) {
@@ -140,7 +140,8 @@ class ActiveSet {
   void relinearize() { relinearize(isNear() ? Curvature::Exact : Curvature::Clamped); }
 
   void relinearize(Curvature curvature) {
-    linearize(problem(), rows(), s_.angles, s_.multipliers.row, lin_, curvature);
+    linearize(problem(), rows(), s_.angles, s_.multipliers.row, lin_, curvature, nullptr,
+              options_.pool);
     for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
       lin_.edgeResidual[i] -= problem().edgeCompliance * s_.multipliers.edge[i];
   }
@@ -189,8 +190,9 @@ class ActiveSet {
     for (const std::uint8_t active : s_.active) now.active += active;
     for (const std::uint8_t active : s_.activeEdge) now.activeEdges += active;
     now.objective = lin_.objective;
-    now.constraint = s_.constraintResidual = constraintResidual(problem(), rows(), lin_);
-    now.gradient = gradientResidual(problem(), rows(), lin_, s_.multipliers);
+    now.constraint = s_.constraintResidual =
+        constraintResidual(problem(), rows(), lin_, options_.pool);
+    now.gradient = gradientResidual(problem(), rows(), lin_, s_.multipliers, options_.pool);
     s_.history.push_back(now);
     s_.converged = now.constraint <= options_.constraintTolerance && !isActiveChanged &&
                    (now.gradient <= options_.gradientTolerance ||

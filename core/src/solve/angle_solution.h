@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "parallel.h"
 #include "solve/linearization.h"
 
 namespace abflat {
@@ -21,6 +22,7 @@ struct SolverOptions {
   int stalledSteps = 2;  ///< so many steps of hardly any length in a row end the iteration
   /// Called after each step; return false to stop early.
   std::function<bool(int step, const NewtonStep&)> onStep;
+  ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
 struct AngleSolution {

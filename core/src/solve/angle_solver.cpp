@@ -21,8 +21,8 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
       options_(std::move(options)),
       linear_(linear),
       system_(linear.solver == LinearSolver::Eigen
-                  ? std::make_unique<NewtonSystem>(problem, makeEigenRowSolver)
-                  : std::make_unique<NewtonSystem>(problem, options_.allowedBytes)) {
+                  ? std::make_unique<NewtonSystem>(problem, makeEigenRowSolver, options_.pool)
+                  : std::make_unique<NewtonSystem>(problem, options_.allowedBytes, options_.pool)) {
   if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 

@@ -33,7 +33,7 @@ bool DelaunaySystem::step(const NewtonPoint& at, std::vector<double>& dx, Multip
   assemble(at);
   const std::pair<Flags, Flags> pattern(at.active, at.activeEdge);
   if (!solver_ || analyzedFor_ != pattern) {
-    solver_ = makeDirectRowSolver(matrix_);
+    solver_ = makeDirectRowSolver(matrix_, nullptr);
     analyzedFor_ = pattern;
   }
   Eigen::VectorXd solved;

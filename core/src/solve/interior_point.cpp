@@ -90,7 +90,8 @@ class InteriorPoint {
   void linearizeHere() { linearizeHere(isNear() ? Curvature::Exact : Curvature::Clamped); }
 
   void linearizeHere(Curvature curvature) {
-    linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_, curvature, &barrier_);
+    linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_, curvature, &barrier_,
+              options_.common.pool);
   }
 
   bool solveStep() {
@@ -158,8 +159,8 @@ class InteriorPoint {
     NewtonStep now;
     now.step = primal;
     now.objective = lin_.objective;
-    now.constraint = constraintResidual(problem_, rows_, lin_);
-    now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers);
+    now.constraint = constraintResidual(problem_, rows_, lin_, options_.common.pool);
+    now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers, options_.common.pool);
     s_.constraintResidual = now.constraint;
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
       s_.active[v] = bounded_[v] && multiplier(v) > slack_[v];

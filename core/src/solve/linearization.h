@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "angle/angle_problem.h"
+#include "parallel.h"
 #include "solve/element.h"
 
 namespace abflat {
@@ -47,10 +48,13 @@ struct Linearization {
   std::vector<double> residual;   ///< h and g per row: (1), (6) and, for boundary rows, sum - bound
   std::vector<double> edgeResidual;  ///< per edge of condition (9): sum - limit
   double objective = 0;
+  std::vector<double> logSine;  ///< per corner
 };
+/// Here and below results do not depend on `pool`; null: one thread.
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
                const std::vector<double>& x, const std::vector<double>& rowMultipliers,
-               Linearization& out, Curvature curvature, const Barrier* barrier = nullptr);
+               Linearization& out, Curvature curvature, const Barrier* barrier = nullptr,
+               ThreadPool* pool = nullptr);
 
 /// The six row values of triangle f's vertices; rows that do not exist (wheels on the boundary)
 /// read as 0.
@@ -67,11 +71,12 @@ inline std::array<double, 6> gatherRows(const AngleProblem& problem, const Const
 
 /// Largest violation of any constraint, radians (wheels: of the logarithm).
 double constraintResidual(const AngleProblem& problem, const ConstraintRows& rows,
-                          const Linearization& lin);
+                          const Linearization& lin, ThreadPool* pool = nullptr);
 
 /// Largest a_c |dL/dx_c| / 2: the gradient of the Lagrangian in units of the relative change of an
 /// angle.
 double gradientResidual(const AngleProblem& problem, const ConstraintRows& rows,
-                        const Linearization& lin, const Multipliers& multipliers);
+                        const Linearization& lin, const Multipliers& multipliers,
+                        ThreadPool* pool = nullptr);
 
 }  // namespace abflat

@@ -2,14 +2,21 @@
 
 namespace abflat {
 
-NewtonSystem::NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver)
-    : rows_(numberRows(problem)), schur_(problem, rows_), solver_(makeSolver(schur_.matrix())) {}
-
-NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes)
+NewtonSystem::NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver, ThreadPool* pool)
     : rows_(numberRows(problem)),
-      schur_(problem, rows_),
+      schur_(problem, rows_, pool),
+      solver_(makeSolver(schur_.matrix(), pool)) {
+  if (solver_->place()) schur_.divide(*solver_->place());
+}
+
+NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes,
+                           ThreadPool* pool)
+    : rows_(numberRows(problem)),
+      schur_(problem, rows_, pool),
       memory_{allowedBytes},
-      solver_(makeRowSolverWithin(schur_.matrix(), rowKinds(rows_), memory_)) {}
+      solver_(makeRowSolverWithin(schur_.matrix(), rowKinds(rows_), memory_, pool)) {
+  if (solver_->place()) schur_.divide(*solver_->place());
+}
 
 bool NewtonSystem::step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) {
   schur_.assemble(at.lin, at.active);

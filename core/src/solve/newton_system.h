@@ -14,10 +14,12 @@ namespace abflat {
 /// active sets and solvers.
 class NewtonSystem : public NewtonStepSolver {
  public:
-  /// Keeps a reference to the problem, of which only the connectivity is used here.
-  explicit NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver = makeRowSolver);
+  /// Keeps a reference to the problem, of which only the connectivity is used here. `pool`:
+  /// null for one thread.
+  explicit NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver = makeRowSolver,
+                        ThreadPool* pool = nullptr);
   /// The factor may take so many bytes; without it takes longer and little memory.
-  NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes);
+  NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes, ThreadPool* pool = nullptr);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 

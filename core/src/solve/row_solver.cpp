@@ -21,14 +21,26 @@ constexpr double kWorthwhile = 9;
 /// can tell from singular need more.
 constexpr int kMaxIterations = 30;
 
-Symbolic analyze(const SparseMatrix& m) {
-  return std::make_shared<const CholeskySymbolic>(
-      analyzePattern({static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}));
+Symbolic analyze(const SparseMatrix& m, ThreadPool* pool) {
+  CholeskyAnalysisOptions options;
+  options.pool = pool;
+  return std::make_shared<const CholeskySymbolic>(analyzePattern(
+      {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}, options));
+}
+
+CholeskyOptions choleskyOptions(bool allowNegative, ThreadPool* pool) {
+  CholeskyOptions options;
+  options.allowNegative = allowNegative;
+  options.pool = pool;
+  return options;
 }
 
 class DirectRowSolver : public RowSolver {
  public:
-  explicit DirectRowSolver(const Symbolic& symbolic) : factor_(symbolic) {}
+  DirectRowSolver(const Symbolic& symbolic, ThreadPool* pool)
+      : factor_(symbolic, choleskyOptions(true, pool)) {}
+
+  const std::vector<std::uint32_t>* place() const override { return &factor_.symbolic().place; }
 
   bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double,
              Eigen::VectorXd& x) override {
@@ -56,7 +68,10 @@ class FactorPreconditioner : public Preconditioner {
 
 class InexactRowSolver : public RowSolver {
  public:
-  explicit InexactRowSolver(Symbolic symbolic) : symbolic_(std::move(symbolic)) {}
+  InexactRowSolver(Symbolic symbolic, ThreadPool* pool)
+      : symbolic_(std::move(symbolic)), pool_(pool) {}
+
+  const std::vector<std::uint32_t>* place() const override { return &symbolic_->place; }
 
   bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double tolerance,
              Eigen::VectorXd& x) override {
@@ -66,7 +81,7 @@ class InexactRowSolver : public RowSolver {
       if (refactor(lower) && iterate(lower, b, {tolerance, kMaxIterations}, x)) return true;
     }
     factor_.reset();
-    if (!direct_) direct_ = std::make_unique<DirectRowSolver>(symbolic_);
+    if (!direct_) direct_ = std::make_unique<DirectRowSolver>(symbolic_, pool_);
     return direct_->solve(lower, b, tolerance, x);
   }
 
@@ -77,8 +92,7 @@ class InexactRowSolver : public RowSolver {
   bool refactor(const SparseMatrix& lower) {
     direct_.reset();
     if (!factor_)
-      factor_ =
-          std::make_unique<FloatCholesky>(symbolic_, CholeskyOptions{/*allowNegative=*/false});
+      factor_ = std::make_unique<FloatCholesky>(symbolic_, choleskyOptions(false, pool_));
     return factor_->factorize(lower.valuePtr()).isOk();
   }
 
@@ -91,6 +105,7 @@ class InexactRowSolver : public RowSolver {
   }
 
   Symbolic symbolic_;
+  ThreadPool* pool_;
   std::unique_ptr<FloatCholesky> factor_;    ///< of this or an earlier matrix
   std::unique_ptr<DirectRowSolver> direct_;  ///< at most one of the two exists
   int iterations_ = 0;
@@ -113,36 +128,36 @@ class EigenRowSolver : public RowSolver {
 };
 
 /// Direct or inexact, whichever is faster.
-std::unique_ptr<RowSolver> makeFactorRowSolver(Symbolic symbolic) {
-  if (symbolic->flops <= kDirectFlops) return std::make_unique<DirectRowSolver>(symbolic);
-  return std::make_unique<InexactRowSolver>(std::move(symbolic));
+std::unique_ptr<RowSolver> makeFactorRowSolver(Symbolic symbolic, ThreadPool* pool) {
+  if (symbolic->flops <= kDirectFlops) return std::make_unique<DirectRowSolver>(symbolic, pool);
+  return std::make_unique<InexactRowSolver>(std::move(symbolic), pool);
 }
 
 }  // namespace
 
-std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower) {
-  return makeFactorRowSolver(analyze(lower));
+std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
+  return makeFactorRowSolver(analyze(lower, pool), pool);
 }
 
 std::unique_ptr<RowSolver> makeRowSolverWithin(const SparseMatrix& lower,
-                                               std::vector<std::uint8_t> kind,
-                                               FactorMemory& memory) {
-  Symbolic symbolic = analyze(lower);
+                                               std::vector<std::uint8_t> kind, FactorMemory& memory,
+                                               ThreadPool* pool) {
+  Symbolic symbolic = analyze(lower, pool);
   constexpr std::uint64_t kEntry = sizeof(double) + sizeof(int);
   memory.needed = symbolic->factorBytes() + kEntry * static_cast<std::uint64_t>(lower.nonZeros());
-  if (memory.fits()) return makeFactorRowSolver(std::move(symbolic));
+  if (memory.fits()) return makeFactorRowSolver(std::move(symbolic), pool);
   return std::make_unique<MultigridRowSolver>(std::move(kind));
 }
 
-std::unique_ptr<RowSolver> makeDirectRowSolver(const SparseMatrix& lower) {
-  return std::make_unique<DirectRowSolver>(analyze(lower));
+std::unique_ptr<RowSolver> makeDirectRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
+  return std::make_unique<DirectRowSolver>(analyze(lower, pool), pool);
 }
 
-std::unique_ptr<RowSolver> makeInexactRowSolver(const SparseMatrix& lower) {
-  return std::make_unique<InexactRowSolver>(analyze(lower));
+std::unique_ptr<RowSolver> makeInexactRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
+  return std::make_unique<InexactRowSolver>(analyze(lower, pool), pool);
 }
 
-std::unique_ptr<RowSolver> makeEigenRowSolver(const SparseMatrix& lower) {
+std::unique_ptr<RowSolver> makeEigenRowSolver(const SparseMatrix& lower, ThreadPool*) {
   return std::make_unique<EigenRowSolver>(lower);
 }
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "parallel.h"
+
 namespace abflat {
 
 /// Solves symmetric systems of one pattern one after another: the rows of SchurSystem.
@@ -18,10 +20,13 @@ class RowSolver {
                      double tolerance, Eigen::VectorXd& x) = 0;
   /// Iterations of the last solve; 0 for a direct one.
   virtual int iterations() const { return 0; }
+  /// Rows of the matrix in the order of elimination, see CholeskySymbolic; null where unknown.
+  virtual const std::vector<std::uint32_t>* place() const { return nullptr; }
 };
 
-/// `lower` gives the pattern.
-using MakeRowSolver = std::unique_ptr<RowSolver>(const Eigen::SparseMatrix<double>& lower);
+/// `lower` gives the pattern. Results do not depend on `pool`; null: one thread.
+using MakeRowSolver = std::unique_ptr<RowSolver>(const Eigen::SparseMatrix<double>& lower,
+                                                 ThreadPool* pool);
 
 /// The faster of the next two, by the size of the factor.
 MakeRowSolver makeRowSolver;
@@ -43,7 +48,7 @@ struct FactorMemory {
 /// As makeRowSolver where the factor fits, which is known before it is computed; otherwise
 /// MultigridRowSolver. `kind`: see Multigrid. Sets memory.needed.
 std::unique_ptr<RowSolver> makeRowSolverWithin(const Eigen::SparseMatrix<double>& lower,
-                                               std::vector<std::uint8_t> kind,
-                                               FactorMemory& memory);
+                                               std::vector<std::uint8_t> kind, FactorMemory& memory,
+                                               ThreadPool* pool = nullptr);
 
 }  // namespace abflat

@@ -3,9 +3,15 @@
 #include <algorithm>
 
 namespace abflat {
+namespace {
 
-SchurSystem::SchurSystem(const AngleProblem& problem, const ConstraintRows& rows)
-    : problem_(problem), rows_(rows) {
+constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
+constexpr std::uint32_t kRegions = 16;
+
+}  // namespace
+
+SchurSystem::SchurSystem(const AngleProblem& problem, const ConstraintRows& rows, ThreadPool* pool)
+    : problem_(problem), rows_(rows), pool_(pool) {
   buildPattern();
   buildScatter();
 }
@@ -75,38 +81,62 @@ void SchurSystem::buildScatter() {
   }
 }
 
-void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint8_t>& active,
-                           const std::vector<double>& compliance) {
-  double* values = matrix_.valuePtr();
-  std::fill(values, values + matrix_.nonZeros(), 0.0);
-  for (std::uint32_t r = 0; r < rows_.count(); ++r) rhs_[r] = lin.residual[r];
+void SchurSystem::divide(const std::vector<std::uint32_t>& placeOfRow) {
+  if (!isParallel(pool_) || problem_.triangleCount() < kRegions * kGrain) return;
+  regionOfVertex_.resize(problem_.vertexCount());
+  const std::uint64_t rows = rows_.count();
+  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+    regionOfVertex_[v] =
+        static_cast<std::uint8_t>(kRegions * std::uint64_t{placeOfRow[rows_.ofVertex[v]]} / rows);
+  triangles_.resize(kRegions);
   for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
-    const Element& e = lin.elements[f];
-    std::array<bool, 3> off;  // vertices whose only row is inactive
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
-      off[k] = problem_.isBoundary[v] && !active[v];
-    }
-    const std::array<double, 21> m = elementMatrix(e);
-    const std::uint32_t* place = &scatter_[21 * static_cast<std::size_t>(f)];
-    unsigned i = 0;
-    for (unsigned r = 0; r < 6; ++r)
-      for (unsigned c = 0; c <= r; ++c, ++i)
-        if (place[i] != kDropped && !off[r / 2] && !off[c / 2]) values[place[i]] += m[i];
-    // h - B P g - B D 1 r / (1^T D 1)
-    std::array<double, 3> z = applyProjected(e, e.gradient);
-    const std::array<double, 3> unit = unitStep(e);
-    for (unsigned k = 0; k < 3; ++k) z[k] += unit[k] * e.triangleResidual;
-    const std::array<double, 6> y = applyJacobian(e, z);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
-      rhs_[rows_.ofVertex[v]] -= y[2 * k];
-      if (!problem_.isBoundary[v]) rhs_[rows_.ofVertex[v] + 1] -= y[2 * k + 1];
-    }
+    const std::uint32_t* v = &problem_.vertexOfCorner[3 * f];
+    const std::uint8_t a = regionOfVertex_[v[0]], b = regionOfVertex_[v[1]],
+                       c = regionOfVertex_[v[2]];
+    triangles_[a].push_back(f);
+    if (b != a) triangles_[b].push_back(f);
+    if (c != a && c != b) triangles_[c].push_back(f);
   }
+}
+
+/// Into the rows of the vertices of a region only; columns of the matrix count as rows.
+void SchurSystem::assembleTriangle(const Linearization& lin,
+                                   const std::vector<std::uint8_t>& active, std::uint32_t f,
+                                   std::uint32_t region) {
+  const Element& e = lin.elements[f];
+  double* values = matrix_.valuePtr();
+  std::array<bool, 3> off, own;  // off: vertices whose only row is inactive
+  std::array<std::uint32_t, 3> vertex;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    vertex[k] = problem_.vertexOfCorner[3 * f + k];
+    off[k] = problem_.isBoundary[vertex[k]] && !active[vertex[k]];
+    own[k] = regionOfVertex_.empty() || regionOfVertex_[vertex[k]] == region;
+  }
+  const std::array<double, 21> m = elementMatrix(e);
+  const std::uint32_t* place = &scatter_[21 * static_cast<std::size_t>(f)];
+  unsigned i = 0;
+  for (unsigned r = 0; r < 6; ++r)
+    for (unsigned c = 0; c <= r; ++c, ++i)
+      if (place[i] != kDropped && !off[r / 2] && !off[c / 2] &&
+          own[vertex[r / 2] < vertex[c / 2] ? r / 2 : c / 2])
+        values[place[i]] += m[i];
+  // h - B P g - B D 1 r / (1^T D 1)
+  std::array<double, 3> z = applyProjected(e, e.gradient);
+  const std::array<double, 3> unit = unitStep(e);
+  for (unsigned k = 0; k < 3; ++k) z[k] += unit[k] * e.triangleResidual;
+  const std::array<double, 6> y = applyJacobian(e, z);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (!own[k]) continue;
+    rhs_[rows_.ofVertex[vertex[k]]] -= y[2 * k];
+    if (!problem_.isBoundary[vertex[k]]) rhs_[rows_.ofVertex[vertex[k]] + 1] -= y[2 * k + 1];
+  }
+}
+
+void SchurSystem::assembleBoundary(const std::vector<std::uint8_t>& active,
+                                   const std::vector<double>& compliance) {
   for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
     if (!problem_.isBoundary[v]) continue;
-    double& diagonal = values[matrix_.outerIndexPtr()[rows_.ofVertex[v]]];
+    double& diagonal = matrix_.valuePtr()[matrix_.outerIndexPtr()[rows_.ofVertex[v]]];
     if (active[v]) {
       if (!compliance.empty()) diagonal += compliance[v];
       continue;
@@ -116,24 +146,43 @@ void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint
   }
 }
 
+void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint8_t>& active,
+                           const std::vector<double>& compliance) {
+  double* values = matrix_.valuePtr();
+  parallelRanges(pool_, static_cast<std::size_t>(matrix_.nonZeros()), 16 * kGrain,
+                 [&](std::size_t a, std::size_t b) { std::fill(values + a, values + b, 0.0); });
+  std::copy(lin.residual.begin(), lin.residual.end(), rhs_.begin());
+  if (regionOfVertex_.empty())
+    for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f)
+      assembleTriangle(lin, active, f, 0);
+  else
+    parallelFor(pool_, kRegions, [&](std::size_t region) {
+      for (const std::uint32_t f : triangles_[region])
+        assembleTriangle(lin, active, f, static_cast<std::uint32_t>(region));
+    });
+  assembleBoundary(active, compliance);
+}
+
 void SchurSystem::backSubstitute(const Linearization& lin,
                                  const std::vector<double>& rowMultipliers, std::vector<double>& dx,
                                  std::vector<double>& triangleMultipliers) const {
   dx.resize(problem_.vertexOfCorner.size());
   triangleMultipliers.resize(problem_.triangleCount());
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
-    const Element& e = lin.elements[f];
-    std::array<double, 3> z =
-        applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
-    for (unsigned k = 0; k < 3; ++k) z[k] += e.gradient[k];
-    const std::array<double, 3> step = applyProjected(e, z), unit = unitStep(e);
-    double& lambda = triangleMultipliers[f];
-    lambda = e.triangleResidual * e.hessian[0] * unit[0];
-    for (unsigned k = 0; k < 3; ++k) {
-      lambda -= unit[k] * z[k];
-      dx[3 * f + k] = -step[k] - unit[k] * e.triangleResidual;
+  parallelRanges(pool_, problem_.triangleCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+      const Element& e = lin.elements[f];
+      std::array<double, 3> z =
+          applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
+      for (unsigned k = 0; k < 3; ++k) z[k] += e.gradient[k];
+      const std::array<double, 3> step = applyProjected(e, z), unit = unitStep(e);
+      double& lambda = triangleMultipliers[f];
+      lambda = e.triangleResidual * e.hessian[0] * unit[0];
+      for (unsigned k = 0; k < 3; ++k) {
+        lambda -= unit[k] * z[k];
+        dx[3 * f + k] = -step[k] - unit[k] * e.triangleResidual;
+      }
     }
-  }
+  });
 }
 
 }  // namespace abflat

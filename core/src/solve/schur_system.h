@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "parallel.h"
 #include "solve/linearization.h"
 
 namespace abflat {
@@ -13,7 +14,12 @@ namespace abflat {
 /// matrices into a pattern that never changes.
 class SchurSystem {
  public:
-  SchurSystem(const AngleProblem& problem, const ConstraintRows& rows);
+  /// `pool`: null for one thread.
+  SchurSystem(const AngleProblem& problem, const ConstraintRows& rows, ThreadPool* pool = nullptr);
+
+  /// For assembling with several threads: each gets rows that are neighbours in the given order of
+  /// elimination, which keeps regions of the mesh together.
+  void divide(const std::vector<std::uint32_t>& placeOfRow);
 
   /// Inactive boundary rows become identity rows with right-hand side 0. `active` has one entry per
   /// vertex.
@@ -33,11 +39,20 @@ class SchurSystem {
  private:
   void buildPattern();
   void buildScatter();
+  void assembleTriangle(const Linearization& lin, const std::vector<std::uint8_t>& active,
+                        std::uint32_t f, std::uint32_t region);
+  void assembleBoundary(const std::vector<std::uint8_t>& active,
+                        const std::vector<double>& compliance);
 
   static constexpr std::uint32_t kDropped = 0xffffffffu;  ///< entry of a row that does not exist
 
   const AngleProblem& problem_;
   const ConstraintRows& rows_;
+  ThreadPool* pool_;
+  std::vector<std::uint8_t> regionOfVertex_;  ///< whose rows one thread fills; empty: not divided
+  /// Per region those that contribute to its rows, ascending: each entry is summed in the order of
+  /// the triangles, whoever does it.
+  std::vector<std::vector<std::uint32_t>> triangles_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd rhs_;
   std::vector<std::uint32_t>

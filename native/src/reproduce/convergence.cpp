@@ -100,6 +100,7 @@ class Runs {
     if (isIterative(m) && stalls_)
       return leaveOut(m, "left out: the active set stalls on this mesh with exact steps too");
     FlattenOptions options;
+    options.threads = 1;  // not all linear solvers have several
     options.t = 1;
     options.linearSolver = m.solver;
     options.formulation = m.formulation;

@@ -77,6 +77,9 @@ export function complaints(rows, recorded) {
     const most = recorded[`${row.mesh} t=${row.t}`];
     return [
       ...(row.valid ? [] : [`${row.mesh}: the result is not valid`]),
+      ...(row.identical === false
+        ? [`${row.mesh}: one and two threads do not write the same bytes`]
+        : []),
       ...(row.iterations > most
         ? [
             `${row.mesh}: ${row.iterations} Newton steps, ${most} are recorded in tests/bench/recorded.json`,

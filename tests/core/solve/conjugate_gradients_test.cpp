@@ -98,7 +98,7 @@ TEST_CASE("conjugate gradients say why they end") {
 TEST_CASE("an inexact row solver reaches the tolerance whatever the matrices do") {
   SparseMatrix m = withTwoRowsEach(gridMatrix());
   const Eigen::VectorXd b = randomVector(m.rows(), 1);
-  const auto solver = makeInexactRowSolver(m);
+  const auto solver = makeInexactRowSolver(m, nullptr);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> factor(0.5, 2);
   const auto check = [&](double tolerance) {

@@ -99,6 +99,8 @@ struct FlattenOptionValues {
   bool adjacent = false;
   /// condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows
   bool delaunay = false;
+  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one
+  int threads = 0;
 };
 
 /// An option for people: names, default and range as on the command line.
@@ -122,8 +124,9 @@ constexpr OptionInfo kFlattenOptions[] = {
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it does without one, by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
 };
-constexpr int kFlattenOptionCount = 8;
+constexpr int kFlattenOptionCount = 9;
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
 /// the numbers that stand for words are refused.
@@ -154,6 +157,10 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
     case 7:
       options.delaunay = value != 0;
       return value == 0 || value == 1;
+    case 8:
+      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      options.threads = static_cast<int>(value);
+      return true;
   }
   return false;
 }
@@ -203,6 +210,7 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
     visit("memory", options.memory);
   visit("adjacent", options.adjacent);
   visit("delaunay", options.delaunay);
+  visit("threads", options.threads);
 }
 
 }  // namespace abflat

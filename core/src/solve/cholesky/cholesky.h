@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "parallel.h"
 #include "solve/cholesky/front_kernel.h"
 #include "solve/cholesky/large_buffer.h"
 #include "solve/cholesky/symbolic.h"
@@ -14,6 +15,7 @@ struct CholeskyOptions {
   /// A pivot of at most this share of the diagonal entry in the matrix counts as 0.
   double pivotTolerance = 0;
   SimdWidth simd = widestSimd();  ///< results do not depend on it
+  ThreadPool* pool = nullptr;     ///< results do not depend on it; null: one thread
 };
 
 struct CholeskyStatus {
@@ -46,8 +48,10 @@ class BasicCholesky {
   std::uint32_t negativePivots() const { return negativePivots_; }
 
  private:
+  class Factorization;
+
   void allocate();
-  void assemble(std::uint32_t supernode, const double* values);
+  void assemble(std::uint32_t supernode, const double* values, ThreadPool* pool);
   CholeskyStatus failure(std::uint32_t supernode, const PivotFailure& failure) const;
 
   std::shared_ptr<const CholeskySymbolic> symbolic_;

@@ -1,6 +1,10 @@
 #include "solve/cholesky/front_kernel.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "parallel.h"
+#include "solve/cholesky/large_buffer.h"
 
 namespace abflat {
 namespace {
@@ -46,6 +50,18 @@ bool acceptPivot(Block<Scalar>& b, std::size_t column, Scalar pivot) {
 #else
 #define ABFLAT_TILE inline
 #endif
+
+/// What front_kernel.inc provides for one scalar type and vector width.
+template <typename Scalar>
+struct Kernel {
+  bool (*factorDiagonal)(Block<Scalar>&);
+  std::size_t (*stripCount)(const Block<Scalar>&, const Front<Scalar>&);
+  void (*solveStrips)(const Block<Scalar>&, const Front<Scalar>&, std::size_t, std::size_t,
+                      Scalar*);
+  void (*updateStrips)(const Block<Scalar>&, const Front<Scalar>&, std::size_t, std::size_t,
+                       const Scalar*);
+  void (*eliminateStrips)(const Block<Scalar>&, const Front<Scalar>&);
+};
 
 #define ABFLAT_SCALAR double
 #define ABFLAT_TARGET
@@ -100,25 +116,67 @@ namespace float16 {
 #undef ABFLAT_SCALAR
 #endif
 
-bool factorBlock(Block<double>& block, const Front<double>& front, SimdWidth width) {
+template <typename Scalar>
+const Kernel<Scalar>& kernelOf(SimdWidth width);
+
+template <>
+const Kernel<double>& kernelOf(SimdWidth width) {
 #ifdef __x86_64__
-  if (width == SimdWidth::Eight) return double8::factorBlock(block, front);
-  if (width == SimdWidth::Four) return double4::factorBlock(block, front);
+  if (width == SimdWidth::Eight) return double8::kKernel;
+  if (width == SimdWidth::Four) return double4::kKernel;
 #else
   static_cast<void>(width);
 #endif
-  return double2::factorBlock(block, front);
+  return double2::kKernel;
 }
 
-bool factorBlock(Block<float>& block, const Front<float>& front, SimdWidth width) {
+template <>
+const Kernel<float>& kernelOf(SimdWidth width) {
 #ifdef __x86_64__
-  if (width == SimdWidth::Eight) return float16::factorBlock(block, front);
-  if (width == SimdWidth::Four) return float8::factorBlock(block, front);
+  if (width == SimdWidth::Eight) return float16::kKernel;
+  if (width == SimdWidth::Four) return float8::kKernel;
 #else
   static_cast<void>(width);
 #endif
-  return float4::factorBlock(block, front);
+  return float4::kKernel;
 }
+
+/// The strips of a block at the same time: all of them are packed before any is used.
+template <typename Scalar>
+class ParallelStrips {
+ public:
+  ParallelStrips(const Front<Scalar>& front, const Kernel<Scalar>& kernel)
+      : f_(front), kernel_(kernel) {}
+
+  bool isWorthIt(const Block<Scalar>& b) const {
+    const auto rest = static_cast<double>(f_.rows - b.begin - b.columns);
+    const auto columns = static_cast<double>(b.columns);
+    return isParallel(f_.pool) && rest * (rest / 2 + columns) * columns > kLargeBlock;
+  }
+
+  void eliminate(const Block<Scalar>& b) {
+    if (!packed_) packed_ = largeBuffer<Scalar>(kBlock * (f_.rows + 4 * kMaxStrip));
+    const std::size_t count = kernel_.stripCount(b, f_), pieces = (count + kPiece - 1) / kPiece;
+    const auto end = [&](std::size_t i) { return std::min(count, (i + 1) * kPiece); };
+    parallelFor(f_.pool, pieces, [&](std::size_t i) {
+      kernel_.solveStrips(b, f_, i * kPiece, end(i), packed_.get());
+    });
+    // The last strips are the longest.
+    parallelFor(f_.pool, pieces, [&](std::size_t k) {
+      const std::size_t i = pieces - 1 - k;
+      kernel_.updateStrips(b, f_, i * kPiece, end(i), packed_.get());
+    });
+  }
+
+ private:
+  /// Multiplications from which it pays to wake up other threads: about 0.3 ms.
+  static constexpr double kLargeBlock = 2e6;
+  static constexpr std::size_t kPiece = 2;  ///< strips in a piece of work
+
+  const Front<Scalar>& f_;
+  const Kernel<Scalar>& kernel_;
+  LargeBuffer<Scalar> packed_;
+};
 
 }  // namespace
 
@@ -143,12 +201,18 @@ PivotFailure factorFront(const Front<Scalar>& f, SimdWidth width) {
   b.inverse = b.diagonal + kBlock * kBlock;
   b.strip = b.inverse + kBlock;
   b.slivers = b.strip + kBlock * kMaxStrip;
+  const Kernel<Scalar>& kernel = kernelOf<Scalar>(width);
+  ParallelStrips<Scalar> strips(f, kernel);
   for (; b.begin < f.columns; b.begin += b.columns) {
     b.columns = f.columns - b.begin < kBlock ? f.columns - b.begin : kBlock;
     b.at = f.panel + b.begin * (f.rows + 1);
     b.sign = f.sign + b.begin;
     b.leastPivot = f.leastPivot + b.begin;
-    if (!factorBlock(b, f, width)) return b.failure;
+    if (!kernel.factorDiagonal(b)) return b.failure;
+    if (strips.isWorthIt(b))
+      strips.eliminate(b);
+    else
+      kernel.eliminateStrips(b, f);
   }
   return {f.columns, 0};
 }

@@ -5,6 +5,8 @@
 
 namespace abflat {
 
+class ThreadPool;
+
 /// One dense front, of which the first `columns` columns are eliminated: A = L S L^T with a lower
 /// triangular L and a diagonal S of signs. Only lower triangles are read; what lies above them is
 /// undefined afterwards. `Scalar` is float or double.
@@ -17,6 +19,7 @@ struct Front {
   const Scalar* leastPivot = nullptr;  ///< per column: a pivot must be larger in magnitude
   bool allowNegative = true;
   Scalar* workspace = nullptr;  ///< frontWorkspace(rows) scalars
+  ThreadPool* pool = nullptr;   ///< for the parts of a large front; null: one thread
 };
 
 struct PivotFailure {

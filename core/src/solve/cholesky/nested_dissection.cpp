@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint32_t kMaxLeaf = 2000;
 /// A separator that weighs more than this share of the whole does not help.
 constexpr double kUselessSeparator = 0.5;
+/// Parts of at most this size are ordered by one task: about 5 ms.
+constexpr std::uint32_t kSmallTask = 4000;
 
 struct Part {
   WeightedGraph graph;
@@ -69,57 +71,115 @@ void orderAlong(const Part& p, std::vector<std::uint32_t>& result) {
   }
 }
 
+/// Work space of one thread.
+struct Scratch {
+  std::vector<std::uint32_t> number, placed;
+  LocalMinimumDegree minimumDegree;
+
+  explicit Scratch(const WeightedGraph& graph) : minimumDegree(graph) {}
+};
+
+/// Orders parts, each independently of all others, into places of its own.
+class Dissection {
+ public:
+  Dissection(const WeightedGraph& graph, const DissectionOptions& options, ThreadPool* pool)
+      : graph_(graph), options_(options), pool_(pool), order_(graph.size()), group_(pool) {}
+
+  std::vector<std::uint32_t> run() {
+    Part all;
+    all.graph = graph_;
+    all.vertex.resize(graph_.size());
+    all.end = graph_.size();
+    for (std::uint32_t v = 0; v < graph_.size(); ++v) all.vertex[v] = v;
+    addTask(std::move(all));
+    group_.wait();
+    return std::move(order_);
+  }
+
+ private:
+  void addTask(Part part) {
+    group_.add([this, shared = std::make_shared<Part>(std::move(part))] {
+      std::unique_ptr<Scratch> scratch = spares_.take();
+      if (!scratch) scratch = std::make_unique<Scratch>(graph_);
+      orderPart(std::move(*shared), *scratch);
+      spares_.give(std::move(scratch));
+    });
+  }
+
+  /// A large part leaves its halves to other tasks.
+  void orderPart(Part part, Scratch& scratch) {
+    std::vector<Part> todo;
+    todo.push_back(std::move(part));
+    while (!todo.empty()) {
+      const Part whole = std::move(todo.back());
+      todo.pop_back();
+      Part first, second;
+      if (whole.graph.size() <= options_.leafVertices || !divide(whole, scratch, first, second)) {
+        orderLeaf(whole, scratch);
+        continue;
+      }
+      for (Part* half : {&second, &first})
+        if (whole.graph.size() > kSmallTask)
+          addTask(std::move(*half));
+        else
+          todo.push_back(std::move(*half));
+    }
+  }
+
+  /// Orders the separator. False when the part cannot be separated.
+  bool divide(const Part& whole, Scratch& scratch, Part& first, Part& second) {
+    ThreadPool* const pool = whole.graph.size() > kSmallTask ? pool_ : nullptr;
+    const Separation s = separate(whole.graph, pool);
+    const auto total = static_cast<double>(s.weight[0] + s.weight[1] + s.weight[2]);
+    if (s.weight[0] == 0 || s.weight[1] == 0 ||
+        static_cast<double>(s.weight[2]) > kUselessSeparator * total)
+      return false;
+    const Part separator = extract(whole, s.set, 2, scratch.number);
+    scratch.placed.clear();
+    orderAlong(separator, scratch.placed);
+    place(scratch.placed, whole.end);
+    std::vector<std::uint32_t> otherNumber;
+    parallelFor(pool, 2, [&](std::size_t i) {
+      if (i == 0)
+        second = extract(whole, s.set, 1, scratch.number);
+      else
+        first = extract(whole, s.set, 0, otherNumber);
+    });
+    second.end = whole.end - scratch.placed.size();
+    first.end = second.end - second.vertex.size();
+    return true;
+  }
+
+  void orderLeaf(const Part& part, Scratch& scratch) {
+    std::vector<std::uint32_t>& placed = scratch.placed;
+    placed = part.vertex;
+    if (part.vertex.size() <= kMaxLeaf)
+      scratch.minimumDegree.order(placed);
+    else
+      std::stable_sort(placed.begin(), placed.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return graph_.degree(a) < graph_.degree(b);
+      });
+    place(placed, part.end);
+  }
+
+  void place(const std::vector<std::uint32_t>& placed, std::size_t end) {
+    std::copy(placed.begin(), placed.end(),
+              order_.begin() + static_cast<std::ptrdiff_t>(end - placed.size()));
+  }
+
+  const WeightedGraph& graph_;
+  const DissectionOptions& options_;
+  ThreadPool* pool_;
+  std::vector<std::uint32_t> order_;
+  Spares<Scratch> spares_;
+  TaskGroup group_;
+};
+
 }  // namespace
 
 std::vector<std::uint32_t> nestedDissection(const WeightedGraph& graph,
-                                            const DissectionOptions& options) {
-  std::vector<std::uint32_t> order(graph.size()), number, placed;
-  LocalMinimumDegree minimumDegree(graph);
-  const auto place = [&](std::size_t end) {
-    std::copy(placed.begin(), placed.end(),
-              order.begin() + static_cast<std::ptrdiff_t>(end - placed.size()));
-  };
-  const auto orderLeaf = [&](Part& part) {
-    placed = part.vertex;
-    if (part.vertex.size() <= kMaxLeaf)
-      minimumDegree.order(placed);
-    else
-      std::stable_sort(placed.begin(), placed.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return graph.degree(a) < graph.degree(b);
-      });
-    place(part.end);
-  };
-  std::vector<Part> todo(1);
-  todo[0].graph = graph;
-  todo[0].vertex.resize(graph.size());
-  todo[0].end = graph.size();
-  for (std::uint32_t v = 0; v < graph.size(); ++v) todo[0].vertex[v] = v;
-  while (!todo.empty()) {
-    Part whole = std::move(todo.back());
-    todo.pop_back();
-    if (whole.graph.size() <= options.leafVertices) {
-      orderLeaf(whole);
-      continue;
-    }
-    const Separation s = separate(whole.graph);
-    const auto total = static_cast<double>(s.weight[0] + s.weight[1] + s.weight[2]);
-    if (s.weight[0] == 0 || s.weight[1] == 0 ||
-        static_cast<double>(s.weight[2]) > kUselessSeparator * total) {
-      orderLeaf(whole);
-      continue;
-    }
-    const Part separator = extract(whole, s.set, 2, number);
-    placed.clear();
-    orderAlong(separator, placed);
-    place(whole.end);
-    Part second = extract(whole, s.set, 1, number);
-    second.end = whole.end - placed.size();
-    Part first = extract(whole, s.set, 0, number);
-    first.end = second.end - second.vertex.size();
-    todo.push_back(std::move(second));
-    todo.push_back(std::move(first));
-  }
-  return order;
+                                            const DissectionOptions& options, ThreadPool* pool) {
+  return Dissection(graph, options, pool).run();
 }
 
 }  // namespace abflat

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parallel.h"
 #include "solve/cholesky/graph.h"
 
 namespace abflat {
@@ -9,8 +10,9 @@ struct DissectionOptions {
 };
 
 /// Elimination order of the vertices: entry k is the vertex eliminated k-th. Recursively, the two
-/// parts of a separation come before its separator.
+/// parts of a separation come before its separator. The same for any number of threads.
 std::vector<std::uint32_t> nestedDissection(const WeightedGraph& graph,
-                                            const DissectionOptions& options);
+                                            const DissectionOptions& options,
+                                            ThreadPool* pool = nullptr);
 
 }  // namespace abflat

@@ -158,31 +158,46 @@ bool cutSmall(const WeightedGraph& g, Separation& s) {
   return true;
 }
 
+bool cutByLevels(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeWeight, int level,
+                 std::uint32_t seed, ThreadPool* pool, Separation& best);
+
+/// One cut of a coarsened graph, refined in this one.
+bool cutCoarsened(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeWeight, int level,
+                  std::uint32_t seed, ThreadPool* pool, Separation& s) {
+  const CoarseGraph coarse = coarsen(g, edgeWeight, seed);
+  if (coarse.graph.size() > kLeastShrinking * g.size()) return cutFrom(g, 0, s);
+  Separation rough;
+  if (!cutByLevels(coarse.graph, coarse.edgeWeight, level + 1, seed, pool, rough)) return false;
+  s.set.resize(g.size());
+  for (std::uint32_t v = 0; v < g.size(); ++v) s.set[v] = rough.set[coarse.cluster[v]];
+  addWeights(g, s);
+  refineSeparator(g, s);
+  return true;
+}
+
 /// `level`: how many times the graph has been coarsened already.
 bool cutByLevels(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeWeight, int level,
-                 std::uint32_t seed, Separation& best) {
+                 std::uint32_t seed, ThreadPool* pool, Separation& best) {
   if (g.size() <= kSmallGraph) return cutSmall(g, best);
-  const std::uint32_t tries = level == kLevelOfTries ? kCoarseTries : 1;
-  for (std::uint32_t t = 0; t < tries; ++t) {
-    const CoarseGraph coarse = coarsen(g, edgeWeight, seed + t);
-    if (coarse.graph.size() > kLeastShrinking * g.size()) return cutFrom(g, 0, best);
-    Separation rough, s;
-    if (!cutByLevels(coarse.graph, coarse.edgeWeight, level + 1, seed + t, rough)) return false;
-    s.set.resize(g.size());
-    for (std::uint32_t v = 0; v < g.size(); ++v) s.set[v] = rough.set[coarse.cluster[v]];
-    addWeights(g, s);
-    refineSeparator(g, s);
-    if (t == 0 || isBetter(s, best)) best = std::move(s);
-  }
-  return true;
+  if (level != kLevelOfTries) return cutCoarsened(g, edgeWeight, level, seed, pool, best);
+  std::array<Separation, kCoarseTries> tries;
+  std::array<bool, kCoarseTries> isCut{};
+  parallelFor(pool, kCoarseTries, [&](std::size_t t) {
+    isCut[t] =
+        cutCoarsened(g, edgeWeight, level, seed + static_cast<std::uint32_t>(t), pool, tries[t]);
+  });
+  best = std::move(tries[0]);
+  for (std::size_t t = 1; t < tries.size(); ++t)
+    if (isCut[t] && isBetter(tries[t], best)) best = std::move(tries[t]);
+  return isCut[0];
 }
 
 }  // namespace
 
-Separation separate(const WeightedGraph& g) {
+Separation separate(const WeightedGraph& g, ThreadPool* pool) {
   Separation s;
   const bool isConnected =
-      g.size() <= kMediumGraph ? cutFrom(g, 0, s) : cutByLevels(g, {}, 0, 0, s);
+      g.size() <= kMediumGraph ? cutFrom(g, 0, s) : cutByLevels(g, {}, 0, 0, pool, s);
   return isConnected ? s : splitComponents(g);
 }
 

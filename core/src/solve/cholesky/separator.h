@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "parallel.h"
 #include "solve/cholesky/graph.h"
 
 namespace abflat {
@@ -14,7 +15,7 @@ struct Separation {
 
 /// Two parts of similar weight and a light separator. Either part may come out empty where the
 /// graph cannot be split; the separator is empty where the graph is disconnected.
-Separation separate(const WeightedGraph& graph);
+Separation separate(const WeightedGraph& graph, ThreadPool* pool = nullptr);
 
 /// Fiduccia-Mattheyses moves of separator vertices into a part until no series of moves makes the
 /// separator lighter.

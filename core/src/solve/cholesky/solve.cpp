@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "solve/cholesky/cholesky.h"
+#include "solve/cholesky/run_tasks.h"
 
 namespace abflat {
 namespace {
@@ -9,6 +10,8 @@ namespace {
 constexpr std::size_t kTogether = 4;
 /// Right-hand sides that pass through the factor together.
 constexpr std::size_t kMaxSides = 8;
+/// Numbers that are copied as one piece of work.
+constexpr std::size_t kGrain = 1 << 15;
 
 /// Sixteen bytes everywhere, so that sums are the same on every machine.
 template <typename Scalar>
@@ -93,58 +96,113 @@ struct Panel {
   }
 };
 
-/// Right-hand sides in the order of the factor, and those rows of them that a panel sees.
+/// Right-hand sides in the order of the factor. What a subtree takes from the rows above it is
+/// passed on from child to parent: tasks share no numbers, and the order of additions is that of
+/// the tree.
 template <typename Scalar>
 class Substitution {
  public:
   Substitution(const CholeskySymbolic& s, const Scalar* factor, const Scalar* sign,
-               std::size_t sides)
+               std::size_t sides, ThreadPool* pool)
       : s_(s),
         factor_(factor),
         sign_(sign),
         sides_(sides),
+        pool_(pool),
         x_(std::size_t{s.size} * sides),
-        local_(std::size_t{s.maxFrontRows} * sides) {}
+        result_(s.tasks.all.size()) {}
 
   void run(double* b) {
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      x_[i / s_.size * s_.size + s_.place[i % s_.size]] = static_cast<Scalar>(b[i]);
-    for (std::uint32_t p = 0; p < s_.supernodes(); ++p) forward(p);
-    for (std::uint32_t p = s_.supernodes(); p-- > 0;) backward(p);
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      b[i] = x_[i / s_.size * s_.size + s_.place[i % s_.size]];
+    parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        x_[i / s_.size * s_.size + s_.place[i % s_.size]] = static_cast<Scalar>(b[i]);
+    });
+    runUpwards(pool_, s_.tasks.all, [this](std::uint32_t t) { forwardTask(t); });
+    runDownwards(pool_, s_.tasks.all, [this](std::uint32_t t) { backwardTask(t); });
+    parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        b[i] = x_[i / s_.size * s_.size + s_.place[i % s_.size]];
+    });
   }
 
  private:
+  using Numbers = std::vector<Scalar>;
+
+  /// Finished supernodes and what they pass on, for each of them `sides_` times its rows: a stack.
+  struct Waiting {
+    std::vector<std::uint32_t> supernodes;
+    Numbers numbers;
+  };
+
   Panel<Scalar> panel(std::uint32_t p) const {
     return {factor_ + s_.panelBegin[p], std::size_t{s_.columns(p)} + s_.rowsBelow(p), s_.columns(p),
             sign_ + s_.firstColumn[p]};
   }
 
-  void forward(std::uint32_t p) {
-    const Panel<Scalar> at = panel(p);
-    const std::uint32_t* row = s_.rows.data() + s_.rowsBegin[p];
-    for (std::size_t r = 0; r < sides_; ++r) {
-      Scalar* const x = &x_[r * s_.size];
-      Scalar* const local = &local_[r * at.rows];
-      std::copy_n(x + s_.firstColumn[p], at.columns, local);
-      std::fill(local + at.columns, local + at.rows, Scalar{0});
-      at.forward(local);
-      std::copy_n(local, at.columns, x + s_.firstColumn[p]);
-      for (std::size_t i = at.columns; i < at.rows; ++i) x[row[i - at.columns]] += local[i];
+  Waiting resultsOfChildren(const CholeskyTask& task) {
+    Waiting waiting;
+    for (std::uint32_t c = task.firstChild; c != kNoParent; c = s_.tasks.all[c].nextSibling) {
+      const CholeskyTask& child = s_.tasks.all[c];
+      for (std::uint32_t q = child.begin; q < child.end; ++q)
+        if (s_.parent[q] == task.begin) waiting.supernodes.push_back(q);
+      waiting.numbers.insert(waiting.numbers.end(), result_[c].begin(), result_[c].end());
+      Numbers().swap(result_[c]);
     }
+    return waiting;
   }
 
-  void backward(std::uint32_t p) {
+  void forwardTask(std::uint32_t t) {
+    const CholeskyTask& task = s_.tasks.all[t];
+    Waiting waiting = resultsOfChildren(task);
+    Numbers local(s_.maxFrontRows * sides_);
+    for (std::uint32_t p = task.begin; p < task.end; ++p) forward(p, waiting, local);
+    result_[t] = std::move(waiting.numbers);
+  }
+
+  void forward(std::uint32_t p, Waiting& waiting, Numbers& local) {
     const Panel<Scalar> at = panel(p);
-    const std::uint32_t* row = s_.rows.data() + s_.rowsBegin[p];
+    std::vector<std::uint32_t>& children = waiting.supernodes;
+    std::size_t first = children.size(), length = 0;
+    while (first > 0 && s_.parent[children[first - 1]] == p)
+      length += s_.rowsBelow(children[--first]) * sides_;
     for (std::size_t r = 0; r < sides_; ++r) {
-      Scalar* const x = &x_[r * s_.size];
-      Scalar* const local = &local_[r * at.rows];
-      std::copy_n(x + s_.firstColumn[p], at.columns, local);
-      for (std::size_t i = at.columns; i < at.rows; ++i) local[i] = x[row[i - at.columns]];
-      at.backward(local);
-      std::copy_n(local, at.columns, x + s_.firstColumn[p]);
+      Scalar* const front = &local[r * at.rows];
+      std::copy_n(&x_[r * s_.size + s_.firstColumn[p]], at.columns, front);
+      std::fill(front + at.columns, front + at.rows, Scalar{0});
+    }
+    const Scalar* from = waiting.numbers.data() + waiting.numbers.size() - length;
+    for (std::size_t i = first; i < children.size(); ++i) {
+      const std::uint32_t* row = s_.inParent.data() + s_.rowsBegin[children[i]];
+      const std::size_t size = s_.rowsBelow(children[i]);
+      for (std::size_t r = 0; r < sides_; ++r, from += size)
+        for (std::size_t k = 0; k < size; ++k) local[r * at.rows + row[k]] += from[k];
+    }
+    children.resize(first);
+    waiting.numbers.resize(waiting.numbers.size() - length);
+    const bool isRoot = s_.parent[p] == kNoParent;
+    for (std::size_t r = 0; r < sides_; ++r) {
+      const Scalar* const front = &local[r * at.rows];
+      at.forward(&local[r * at.rows]);
+      std::copy_n(front, at.columns, &x_[r * s_.size + s_.firstColumn[p]]);
+      if (!isRoot)
+        waiting.numbers.insert(waiting.numbers.end(), front + at.columns, front + at.rows);
+    }
+    if (!isRoot) children.push_back(p);
+  }
+
+  void backwardTask(std::uint32_t t) {
+    const CholeskyTask& task = s_.tasks.all[t];
+    Numbers local(s_.maxFrontRows);
+    for (std::uint32_t p = task.end; p-- > task.begin;) {
+      const Panel<Scalar> at = panel(p);
+      const std::uint32_t* row = s_.rows.data() + s_.rowsBegin[p];
+      for (std::size_t r = 0; r < sides_; ++r) {
+        Scalar* const x = &x_[r * s_.size];
+        std::copy_n(x + s_.firstColumn[p], at.columns, local.data());
+        for (std::size_t i = at.columns; i < at.rows; ++i) local[i] = x[row[i - at.columns]];
+        at.backward(local.data());
+        std::copy_n(local.data(), at.columns, x + s_.firstColumn[p]);
+      }
     }
   }
 
@@ -152,7 +210,9 @@ class Substitution {
   const Scalar* factor_;
   const Scalar* sign_;
   std::size_t sides_;
-  std::vector<Scalar> x_, local_;
+  ThreadPool* pool_;
+  Numbers x_;
+  std::vector<Numbers> result_;  ///< per task: what its roots pass on
 };
 
 }  // namespace
@@ -161,7 +221,7 @@ template <typename Scalar>
 void BasicCholesky<Scalar>::solve(double* b, std::size_t columns) const {
   for (std::size_t done = 0; done < columns; done += kMaxSides)
     Substitution<Scalar>(*symbolic_, factor_.get(), sign_.get(),
-                         std::min(kMaxSides, columns - done))
+                         std::min(kMaxSides, columns - done), options_.pool)
         .run(b + done * symbolic_->size);
 }
 

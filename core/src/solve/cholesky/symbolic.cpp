@@ -44,31 +44,31 @@ void numberInParents(CholeskySymbolic& s) {
   }
 }
 
-/// The update matrices of a supernode and of its children lie in different stacks, so that each
-/// stack grows and shrinks at its end only.
+/// Sizes and work. The update matrices of a supernode and of its children lie in different stacks,
+/// so that each stack grows and shrinks at its end only.
 void measure(CholeskySymbolic& s) {
   s.panelBegin.assign(1, 0);
   s.stack.assign(s.supernodes(), 0);
   for (std::uint32_t p = s.supernodes(); p-- > 0;)
     if (s.parent[p] != kNoParent) s.stack[p] = !s.stack[s.parent[p]];
-  std::array<std::size_t, 2> used{};
-  std::vector<std::size_t> childrenSize(s.supernodes(), 0);
+  SupernodeSizes sizes;
   for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
     const std::size_t columns = s.columns(p), below = s.rowsBelow(p), rows = columns + below;
     s.panelBegin.push_back(s.panelBegin.back() + rows * columns);
     s.factorEntries += rows * columns - columns * (columns - 1) / 2;
+    double flops = 0;
     for (std::size_t j = 0; j < columns; ++j)
-      s.flops += static_cast<double>(rows - j) * static_cast<double>(rows - j);
+      flops += static_cast<double>(rows - j) * static_cast<double>(rows - j);
+    s.flops += flops;
     s.maxFrontRows = std::max(s.maxFrontRows, static_cast<std::uint32_t>(rows));
-    used[s.stack[p]] += below * below;
-    s.stackSize[s.stack[p]] = std::max(s.stackSize[s.stack[p]], used[s.stack[p]]);
-    used[!s.stack[p]] -= childrenSize[p];
-    if (s.parent[p] != kNoParent) childrenSize[s.parent[p]] += below * below;
+    sizes.update.push_back(below * below);
+    sizes.flops.push_back(flops);
   }
+  s.tasks = divideIntoTasks(s.parent, s.stack, sizes);
 }
 
 /// Where each entry of the matrix is added.
-void placeEntries(const LowerPattern& pattern, CholeskySymbolic& s) {
+void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymbolic& s) {
   std::vector<std::uint32_t> supernodeOf(s.size);
   for (std::uint32_t p = 0; p < s.supernodes(); ++p)
     std::fill(supernodeOf.begin() + s.firstColumn[p], supernodeOf.begin() + s.firstColumn[p + 1],
@@ -98,16 +98,22 @@ void placeEntries(const LowerPattern& pattern, CholeskySymbolic& s) {
     s.entries[i].source = source;
     position[i] = {row, column};
   });
-  std::vector<std::uint32_t> inFront(s.size);
-  for (std::uint32_t p = 0; p < s.supernodes(); ++p) {
-    const std::uint32_t columns = s.columns(p), front = columns + s.rowsBelow(p);
-    for (std::uint32_t j = 0; j < columns; ++j) inFront[s.firstColumn[p] + j] = j;
-    for (std::uint32_t i = columns; i < front; ++i)
-      inFront[s.rows[s.rowsBegin[p] + i - columns]] = i;
-    for (std::size_t i = s.entriesBegin[p]; i < s.entriesBegin[p + 1]; ++i)
-      s.entries[i].target =
-          inFront[position[i].row] + (position[i].column - s.firstColumn[p]) * front;
-  }
+  Spares<std::vector<std::uint32_t>> spares;
+  parallelRanges(pool, s.supernodes(), 1000, [&](std::size_t begin, std::size_t end) {
+    std::unique_ptr<std::vector<std::uint32_t>> spare = spares.take();
+    if (!spare) spare = std::make_unique<std::vector<std::uint32_t>>(s.size);
+    std::vector<std::uint32_t>& inFront = *spare;
+    for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+      const std::uint32_t columns = s.columns(p), front = columns + s.rowsBelow(p);
+      for (std::uint32_t j = 0; j < columns; ++j) inFront[s.firstColumn[p] + j] = j;
+      for (std::uint32_t i = columns; i < front; ++i)
+        inFront[s.rows[s.rowsBegin[p] + i - columns]] = i;
+      for (std::size_t i = s.entriesBegin[p]; i < s.entriesBegin[p + 1]; ++i)
+        s.entries[i].target =
+            inFront[position[i].row] + (position[i].column - s.firstColumn[p]) * front;
+    }
+    spares.give(std::move(spare));
+  });
 }
 
 }  // namespace
@@ -119,11 +125,11 @@ CholeskySymbolic analyzePattern(const LowerPattern& pattern,
   s.values = pattern.rows ? static_cast<std::uint32_t>(pattern.columnStart[pattern.rows]) : 0;
   const CompressedGraph c = compressGraph(pattern);
   const EliminationTree tree =
-      eliminationTree(c.graph, nestedDissection(c.graph, options.dissection));
+      eliminationTree(c.graph, nestedDissection(c.graph, options.dissection, options.pool));
   expandRows(c, findSupernodes(c.graph, tree, options.panelCost), s);
   numberInParents(s);
   measure(s);
-  placeEntries(pattern, s);
+  placeEntries(pattern, options.pool, s);
   return s;
 }
 

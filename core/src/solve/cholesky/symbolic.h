@@ -1,16 +1,16 @@
 #pragma once
 
-#include <array>
-
 #include "solve/cholesky/graph.h"
 #include "solve/cholesky/nested_dissection.h"
 #include "solve/cholesky/supernodes.h"
+#include "solve/cholesky/tasks.h"
 
 namespace abflat {
 
 struct CholeskyAnalysisOptions {
   DissectionOptions dissection;
   PanelCost panelCost;
+  ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
 /// All that depends on the pattern alone. Several factors may share one; it is never changed.
@@ -33,8 +33,8 @@ struct CholeskySymbolic {
   std::vector<std::size_t> panelBegin;    ///< size S+1, into the factor's storage
   std::vector<std::size_t> entriesBegin;  ///< size S+1, into `entries`
   std::vector<Entry> entries;
-  std::vector<std::uint8_t> stack;         ///< which of the two stacks holds the update matrix
-  std::array<std::size_t, 2> stackSize{};  ///< doubles
+  std::vector<std::uint8_t> stack;  ///< which of the two stacks holds the update matrix
+  CholeskyTasks tasks;
   std::uint32_t maxFrontRows = 0;
 
   std::uint64_t factorEntries = 0;  ///< of the lower triangle, with the zeros of joined columns
@@ -44,9 +44,10 @@ struct CholeskySymbolic {
   std::uint32_t rowsBelow(std::uint32_t s) const {
     return static_cast<std::uint32_t>(rowsBegin[s + 1] - rowsBegin[s]);
   }
-  /// Of a factor, while it is being computed.
+  /// Of a factor, while it is being computed by one thread.
   std::uint64_t factorBytes() const {
-    return 8 * (static_cast<std::uint64_t>(panelBegin.back()) + stackSize[0] + stackSize[1]);
+    return 8 * (static_cast<std::uint64_t>(panelBegin.back()) + tasks.stackSize[0] +
+                tasks.stackSize[1] + tasks.maxResults);
   }
 };
 

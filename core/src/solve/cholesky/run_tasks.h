@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+
+#include "parallel.h"
+#include "solve/cholesky/tasks.h"
+
+namespace abflat {
+
+/// Each task after its children; without threads in postorder.
+void runUpwards(ThreadPool* pool, const std::vector<CholeskyTask>& tasks,
+                const std::function<void(std::uint32_t)>& work);
+
+/// Each task before its children.
+void runDownwards(ThreadPool* pool, const std::vector<CholeskyTask>& tasks,
+                  const std::function<void(std::uint32_t)>& work);
+
+}  // namespace abflat
