@@ -33,7 +33,8 @@ TEST_CASE("the report has its keys in their order") {
   CHECK(keysOf(json["input"]) == Keys{"path", "vertices", "faces", "triangles", "components",
                                       "boundaryLoops", "boundaryEdges", "genus"});
   CHECK(keysOf(json["options"]) == Keys{"t", "untangle", "linearSolver", "formulation",
-                                        "precondition", "memory", "adjacent", "delaunay"});
+                                        "precondition", "memory", "adjacent", "delaunay",
+                                        "threads"});
   CHECK(keysOf(json["timings"]) ==
         Keys{"read", "connectivity", "solve", "layout", "check", "write", "total"});
   const Json& chart = json["charts"].at(0);
