@@ -38,7 +38,8 @@ void compareLimits(const AngleProblem& problem) {
   CHECK(a.barrierFloor == b.barrierFloor);
   if (!a.converged || !b.converged) return;
   CHECK(b.constraintResidual <= options.constraintTolerance);
-  CHECK(b.history.back().objective == Approx(a.history.back().objective).epsilon(1e-8).margin(1e-12));
+  CHECK(b.history.back().objective ==
+        Approx(a.history.back().objective).epsilon(1e-8).margin(1e-12));
   // Where the exact Hessian is indefinite, the limited solver goes on with the clamped one, which
   // converges linearly, and stops by the change of the objective.
   const bool isQuadratic = a.history.size() == b.history.size() && a.barrierFloor == 0;
