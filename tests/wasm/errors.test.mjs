@@ -206,3 +206,20 @@ test('a mesh that does not even fit in: OutOfMemory', async () => {
   assert.equal((await small.inspect(triangle)).disk.ok, true);
   small.terminate();
 });
+
+test('wherever memory gives out: a result or OutOfMemory, and the next call works', async () => {
+  const mesh = grid(100);
+  const outcomes = new Set();
+  for (let megabytes = 16; megabytes <= 64; megabytes += 4) {
+    const limited = await createAbflat({ maxMemory: megabytes * 2 ** 20 });
+    const outcome = await limited.flatten(mesh).then(
+      ({ report }) => report.valid,
+      ({ code }) => code,
+    );
+    assert.ok(outcome === true || outcome === 'OutOfMemory', `${outcome} with ${megabytes} MB`);
+    outcomes.add(outcome);
+    assert.equal((await limited.flatten(grid(2))).report.valid, true);
+    limited.terminate();
+  }
+  assert.equal(outcomes.size, 2);
+});

@@ -66,3 +66,22 @@ test('of many wishes for t the last one is shown', async (t) => {
   assert.equal(await textOf(page, '#layout-info'), 't = 1.7');
   assert.equal(await textOf(page, '#alert'), '');
 });
+
+test('the page runs the build of the module that suits the browser', async (t) => {
+  const modules = (page) =>
+    page.evaluate(() =>
+      performance
+        .getEntriesByType('resource')
+        .map(({ name }) => /(abflat(?:-simd)?)-[^/]*\.wasm$/.exec(name)?.[1])
+        .filter(Boolean),
+    );
+  assert.deepEqual(await modules(await openPage(t)), ['abflat-simd']);
+  const without = await openPage(t, {
+    prepare: (page) =>
+      page.addInitScript(() => {
+        WebAssembly.validate = () => false;
+      }),
+  });
+  assert.deepEqual(await modules(without), ['abflat']);
+  assert.equal(await textOf(without, '#badge'), 'Valid');
+});
