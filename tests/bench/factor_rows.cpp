@@ -58,9 +58,11 @@ FactorRow runOwn(const SparseMatrix& m, const Eigen::VectorXd& b, int repeat,
                  const OwnOptions& own) {
   FactorRow row;
   std::shared_ptr<const CholeskySymbolic> symbolic;
+  CholeskyAnalysisOptions analysis;
+  analysis.pool = own.pool;
   row.analyze = seconds(repeat, [&] {
     symbolic = std::make_shared<const CholeskySymbolic>(analyzePattern(
-        {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}));
+        {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}, analysis));
   });
   CholeskyOptions options;
   options.simd = own.width;
