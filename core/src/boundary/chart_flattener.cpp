@@ -54,7 +54,9 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   timings_.solve += watch.lap();
   if (a.solution.cancelled) return a;
   if (const std::string note = memoryNote(); !note.empty() && !isDelaunay)
-    a.fallbacks.push_back(note + "; conjugate gradients with multigrid instead");
+    a.fallbacks.push_back(note + (solver_.memory().fitsInSingle()
+                                      ? "; single precision and conjugate gradients instead"
+                                      : "; conjugate gradients with multigrid instead"));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
     a.fallbacks.push_back(

@@ -1,6 +1,7 @@
 #include "solve/row_solver.h"
 
 #include <Eigen/SparseCholesky>
+#include <functional>
 
 #include "solve/cholesky/cholesky.h"
 #include "solve/conjugate_gradients.h"
@@ -68,8 +69,10 @@ class FactorPreconditioner : public Preconditioner {
 
 class InexactRowSolver : public RowSolver {
  public:
-  InexactRowSolver(Symbolic symbolic, ThreadPool* pool)
-      : symbolic_(std::move(symbolic)), pool_(pool) {}
+  /// `makeExact` makes what solves where the iterations do not converge.
+  InexactRowSolver(Symbolic symbolic, ThreadPool* pool,
+                   std::function<std::unique_ptr<RowSolver>()> makeExact)
+      : symbolic_(std::move(symbolic)), pool_(pool), makeExact_(std::move(makeExact)) {}
 
   const std::vector<std::uint32_t>* place() const override { return &symbolic_->place; }
 
@@ -81,8 +84,10 @@ class InexactRowSolver : public RowSolver {
       if (refactor(lower) && iterate(lower, b, {tolerance, kMaxIterations}, x)) return true;
     }
     factor_.reset();
-    if (!direct_) direct_ = std::make_unique<DirectRowSolver>(symbolic_, pool_);
-    return direct_->solve(lower, b, tolerance, x);
+    if (!exact_) exact_ = makeExact_();
+    const bool isSolved = exact_->solve(lower, b, tolerance, x);
+    iterations_ += exact_->iterations();
+    return isSolved;
   }
 
   int iterations() const override { return iterations_; }
@@ -90,7 +95,7 @@ class InexactRowSolver : public RowSolver {
  private:
   /// False where the matrix is not positive definite in single precision.
   bool refactor(const SparseMatrix& lower) {
-    direct_.reset();
+    exact_.reset();
     if (!factor_)
       factor_ = std::make_unique<FloatCholesky>(symbolic_, choleskyOptions(false, pool_));
     return factor_->factorize(lower.valuePtr()).isOk();
@@ -106,8 +111,9 @@ class InexactRowSolver : public RowSolver {
 
   Symbolic symbolic_;
   ThreadPool* pool_;
-  std::unique_ptr<FloatCholesky> factor_;    ///< of this or an earlier matrix
-  std::unique_ptr<DirectRowSolver> direct_;  ///< at most one of the two exists
+  std::function<std::unique_ptr<RowSolver>()> makeExact_;
+  std::unique_ptr<FloatCholesky> factor_;  ///< of this or an earlier matrix
+  std::unique_ptr<RowSolver> exact_;       ///< at most one of the two exists
   int iterations_ = 0;
 };
 
@@ -127,10 +133,15 @@ class EigenRowSolver : public RowSolver {
   Eigen::SimplicialLDLT<SparseMatrix> factor_;
 };
 
+std::unique_ptr<RowSolver> makeInexact(const Symbolic& symbolic, ThreadPool* pool) {
+  return std::make_unique<InexactRowSolver>(
+      symbolic, pool, [=] { return std::make_unique<DirectRowSolver>(symbolic, pool); });
+}
+
 /// Direct or inexact, whichever is faster.
-std::unique_ptr<RowSolver> makeFactorRowSolver(Symbolic symbolic, ThreadPool* pool) {
+std::unique_ptr<RowSolver> makeFactorRowSolver(const Symbolic& symbolic, ThreadPool* pool) {
   if (symbolic->flops <= kDirectFlops) return std::make_unique<DirectRowSolver>(symbolic, pool);
-  return std::make_unique<InexactRowSolver>(std::move(symbolic), pool);
+  return makeInexact(symbolic, pool);
 }
 
 }  // namespace
@@ -142,11 +153,18 @@ std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower, ThreadPool* 
 std::unique_ptr<RowSolver> makeRowSolverWithin(const SparseMatrix& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,
                                                ThreadPool* pool) {
-  Symbolic symbolic = analyze(lower, pool);
+  const Symbolic symbolic = analyze(lower, pool);
   constexpr std::uint64_t kEntry = sizeof(double) + sizeof(int);
-  memory.needed = symbolic->factorBytes() + kEntry * static_cast<std::uint64_t>(lower.nonZeros());
-  if (memory.fits()) return makeFactorRowSolver(std::move(symbolic), pool);
-  return std::make_unique<MultigridRowSolver>(std::move(kind));
+  const std::uint64_t matrix = kEntry * static_cast<std::uint64_t>(lower.nonZeros());
+  memory.needed = matrix + symbolic->factorBytes();
+  memory.neededInSingle = matrix + symbolic->factorBytes() / 2;
+  if (memory.fits()) return makeFactorRowSolver(symbolic, pool);
+  const auto withoutFactor = [kind = std::move(kind)] {
+    return std::make_unique<MultigridRowSolver>(kind);
+  };
+  if (memory.fitsInSingle())
+    return std::make_unique<InexactRowSolver>(symbolic, pool, withoutFactor);
+  return withoutFactor();
 }
 
 std::unique_ptr<RowSolver> makeDirectRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
@@ -154,7 +172,7 @@ std::unique_ptr<RowSolver> makeDirectRowSolver(const SparseMatrix& lower, Thread
 }
 
 std::unique_ptr<RowSolver> makeInexactRowSolver(const SparseMatrix& lower, ThreadPool* pool) {
-  return std::make_unique<InexactRowSolver>(analyze(lower, pool), pool);
+  return makeInexact(analyze(lower, pool), pool);
 }
 
 std::unique_ptr<RowSolver> makeEigenRowSolver(const SparseMatrix& lower, ThreadPool*) {

@@ -38,15 +38,18 @@ MakeRowSolver makeInexactRowSolver;
 /// Eigen's SimplicialLDLT, as the reference.
 MakeRowSolver makeEigenRowSolver;
 
-/// Bytes of a factor in double precision and of the matrix.
+/// Bytes of a factor and of the matrix.
 struct FactorMemory {
   std::uint64_t allowed = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t needed = 0;
+  std::uint64_t needed = 0;          ///< in double precision
+  std::uint64_t neededInSingle = 0;  ///< in single precision
   bool fits() const { return needed <= allowed; }
+  bool fitsInSingle() const { return neededInSingle <= allowed; }
 };
 
-/// As makeRowSolver where the factor fits, which is known before it is computed; otherwise
-/// MultigridRowSolver. `kind`: see Multigrid. Sets memory.needed.
+/// As makeRowSolver where the factor fits, which is known before it is computed; where it does in
+/// single precision only, the inexact one, with MultigridRowSolver in place of direct solves;
+/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets what is needed in `memory`.
 std::unique_ptr<RowSolver> makeRowSolverWithin(const Eigen::SparseMatrix<double>& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,
                                                ThreadPool* pool = nullptr);

@@ -55,10 +55,31 @@ TEST_CASE("a factor that does not fit is done without") {
   const std::uint64_t needed = roomy.memory().needed;
   CHECK(NewtonSystem(problem, needed).memory().fits());
   CHECK_FALSE(NewtonSystem(problem, needed - 1).memory().fits());
-  NewtonSystem limited(problem, needed - 1);
-  const AngleSolution s = solveActiveSet(problem, limited, {}, nullptr);
-  CHECK(s.converged);
-  for (const NewtonStep& step : s.history) CHECK(step.linearIterations > 0);
+  const std::uint64_t single = roomy.memory().neededInSingle;
+  CHECK(single < needed);
+  NewtonSystem direct(problem);
+  const AngleSolution wanted = solveActiveSet(problem, direct, {}, nullptr);
+  for (const std::uint64_t allowed : {needed - 1, single, single - 1}) {
+    NewtonSystem limited(problem, allowed);
+    CHECK(limited.memory().fitsInSingle() == (allowed >= single));
+    const AngleSolution s = solveActiveSet(problem, limited, {}, nullptr);
+    CHECK(s.converged);
+    CHECK(largestDifference(s, wanted) < 1e-8);
+    for (const NewtonStep& step : s.history) CHECK(step.linearIterations > 0);
+  }
+}
+
+TEST_CASE("where single precision must do, the interior point converges all the same") {
+  const AngleProblem problem = problemOf(bumpyGrid(50, 50, 0.3, 5), 1);
+  SolverOptions options;
+  AngleSolver usual(problem, options);
+  options.allowedBytes = usual.memory().needed - 1;
+  AngleSolver limited(problem, options);
+  REQUIRE(limited.memory().fitsInSingle());
+  const AngleSolution a = usual.solveWithFloor(1e-2), b = limited.solveWithFloor(1e-2);
+  REQUIRE(a.converged);
+  REQUIRE(b.converged);
+  CHECK(largestDifference(a, b) < 1e-8);
 }
 
 TEST_CASE("little memory leads to the same angles on generated disks") {
