@@ -6,14 +6,16 @@ import { grid } from '../support/small-meshes.mjs';
 import { drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
 /** Large enough that no machine flattens it between two looks at the page. */
-const LARGE = grid(400);
+const LARGE = grid(450);
 
-/** Waits until the large mesh is on screen and the solver is at work. */
+/** Waits until the large mesh is on screen and the solver is at work. Not by frames: they take seconds without a graphics card. */
 async function solving(page) {
   await page.waitForFunction(
     () =>
       document.querySelector('#source').textContent === 'large.obj' &&
       /step \d/.test(document.querySelector('#run-text').textContent),
+    null,
+    { polling: 50 },
   );
 }
 
