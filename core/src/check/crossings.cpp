@@ -1,7 +1,7 @@
 #include "check/crossings.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "check/orientation.h"
@@ -44,7 +44,8 @@ std::uint64_t spread(std::uint64_t x) {
 /// Edges of a closed polygon along a curve that fills the plane (Morton's); those at one place keep
 /// their order.
 std::vector<std::uint32_t> spatialOrder(const std::vector<double>& points) {
-  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double lo[2] = {kInfinity, kInfinity}, hi[2] = {-kInfinity, -kInfinity};
   for (std::size_t i = 0; i < points.size(); ++i) {
     lo[i % 2] = std::min(lo[i % 2], points[i]);
     hi[i % 2] = std::max(hi[i % 2], points[i]);
