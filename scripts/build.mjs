@@ -22,10 +22,12 @@ const COMMON_INPUTS = [
 const WASM_BUILDS = {
   wasm: { ABFLAT_WASM_SIMD: 'OFF' },
   'wasm-simd': { ABFLAT_WASM_SIMD: 'ON' },
+  'wasm-threads': { ABFLAT_WASM_SIMD: 'ON', ABFLAT_THREADS: 'ON' },
 };
-const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) =>
-  ['abflat.mjs', 'abflat.wasm'].map((file) => `build/${folder}/${file}`),
-);
+const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
+  const name = folder === 'wasm-threads' ? 'abflat-threads' : 'abflat';
+  return ['mjs', 'wasm'].map((type) => `build/${folder}/${name}.${type}`);
+});
 
 /** Without `tests` nothing is asked of Catch2, which only the tests need. */
 export async function buildNative({ tests = false } = {}) {
@@ -56,7 +58,14 @@ export async function buildWasm() {
 
 /** Needs buildWasm before. */
 export async function buildWeb() {
-  const inputs = [...COMMON_INPUTS, 'web', 'wasm/package.json', 'wasm/src', ...WASM_MODULES];
+  const inputs = [
+    ...COMMON_INPUTS,
+    'web',
+    'wasm/package.json',
+    'wasm/build.mjs',
+    'wasm/src',
+    ...WASM_MODULES,
+  ];
   await unlessFresh('web', inputs, [join(WEB_DIST, 'index.html')], async () => {
     await npmBuild('web');
     writeLicenses(WEB_DIST, 'web');

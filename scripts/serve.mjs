@@ -2,12 +2,12 @@
 // Serves the built page.
 // Usage: serve.mjs [--host ADDRESS] [--port N]   (or PORT in the environment)
 
-import { createReadStream, existsSync, statSync } from 'node:fs';
+import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
-import { WEB_DIST } from './lib/paths.mjs';
+import { ROOT, WEB_DIST } from './lib/paths.mjs';
 import { Failure, runMain } from './lib/run.mjs';
 
 const DEFAULT_PORT = 4173;
@@ -44,7 +44,10 @@ export function fileFor(folder, requestPath) {
   return existsSync(full) && statSync(full).isFile() ? full : undefined;
 }
 
-export function createStaticServer(folder) {
+/** What a browser asks of a page that wants threads: nothing of other origins that did not agree to it. */
+export const ISOLATED = JSON.parse(readFileSync(join(ROOT, 'web/headers.json'), 'utf8'));
+
+export function createStaticServer(folder, headers = {}) {
   return createServer((request, response) => {
     if (request.method !== 'GET' && request.method !== 'HEAD') {
       response.writeHead(405, { Allow: 'GET, HEAD' }).end();
@@ -60,6 +63,7 @@ export function createStaticServer(folder) {
       'Content-Length': statSync(file).size,
       'Cache-Control': 'no-cache',
       'X-Content-Type-Options': 'nosniff',
+      ...headers,
     });
     if (request.method === 'HEAD') response.end();
     else createReadStream(file).pipe(response);
@@ -109,7 +113,7 @@ export async function serve(args) {
     options: { host: { type: 'string', default: '127.0.0.1' }, port: { type: 'string' } },
   });
   const asked = values.port ?? process.env.PORT;
-  const server = createStaticServer(WEB_DIST);
+  const server = createStaticServer(WEB_DIST, ISOLATED);
   const port = await listen(
     server,
     values.host,

@@ -9,10 +9,11 @@ import { writeLicenses } from '../scripts/lib/licenses.mjs';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const DIST = join(HERE, 'dist');
-/** Folder below build/ and base name in dist/ of every build in src/builds.ts. */
+/** Folder below build/, base name there and in dist/ of every build in src/builds.ts. */
 const MODULES = {
-  plain: { folder: 'wasm', name: 'abflat' },
-  simd: { folder: 'wasm-simd', name: 'abflat-simd' },
+  plain: { folder: 'wasm', built: 'abflat', name: 'abflat' },
+  simd: { folder: 'wasm-simd', built: 'abflat', name: 'abflat-simd' },
+  threads: { folder: 'wasm-threads', built: 'abflat-threads', name: 'abflat-threads' },
 };
 
 /** The module with a section "abflat.build" that says which build it is; all lengths fit in one byte. */
@@ -22,9 +23,24 @@ function labelled(bytes, build) {
   return Buffer.concat([bytes, Buffer.from([0, content.length]), content]);
 }
 
+/**
+ * The engine always says which script a thread is to load. The import that is there in case it did not would make
+ * bundlers split the worker, which not all of their formats allow.
+ */
+function withoutImport(text, file) {
+  const unused = `import("./${file}")`;
+  if (text.split(unused).length === 2) return text.replace(unused, 'undefined');
+  console.error(
+    `${file}: its starter for threads is not as expected; it should contain ${unused}.`,
+  );
+  process.exit(1);
+}
+
 const pathOf = (folder, file) => join(HERE, '../build', folder, file);
 const missing = Object.values(MODULES)
-  .flatMap(({ folder }) => ['abflat.mjs', 'abflat.wasm'].map((file) => pathOf(folder, file)))
+  .flatMap(({ folder, built }) =>
+    [`${built}.mjs`, `${built}.wasm`].map((file) => pathOf(folder, file)),
+  )
   .find((path) => !existsSync(path));
 if (missing) {
   console.error(`${missing} does not exist: run "npm run build:wasm" in the repository.`);
@@ -33,9 +49,15 @@ if (missing) {
 const tsc = createRequire(import.meta.url).resolve('typescript/bin/tsc');
 rmSync(DIST, { recursive: true, force: true });
 execFileSync(process.execPath, [tsc, '-p', HERE], { stdio: 'inherit' });
-for (const [build, { folder, name }] of Object.entries(MODULES)) {
-  copyFileSync(pathOf(folder, 'abflat.mjs'), join(DIST, `${name}.mjs`));
-  const wasm = readFileSync(pathOf(folder, 'abflat.wasm'));
+for (const [build, { folder, built, name }] of Object.entries(MODULES)) {
+  copyFileSync(pathOf(folder, `${built}.mjs`), join(DIST, `${name}.mjs`));
+  const wasm = readFileSync(pathOf(folder, `${built}.wasm`));
   writeFileSync(join(DIST, `${name}.wasm`), labelled(wasm, build));
+  // What a thread begins with; newer releases of Emscripten have it in the module's script.
+  const starter = pathOf(folder, `${built}.worker.js`);
+  if (existsSync(starter)) {
+    const text = withoutImport(readFileSync(starter, 'utf8'), `${built}.mjs`);
+    writeFileSync(join(DIST, `${name}.worker.js`), text);
+  }
 }
 writeLicenses(DIST, 'wasm');

@@ -15,9 +15,19 @@ constexpr int kLooks = 100;
 
 }  // namespace
 
-unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+unsigned processors() {
+  const unsigned found = std::max(1u, std::thread::hardware_concurrency());
+#ifdef ABFLAT_MOST_THREADS
+  return std::min(found, unsigned{ABFLAT_MOST_THREADS});
+#else
+  return found;
+#endif
+}
 
 ThreadPool::ThreadPool(unsigned threads) {
+#ifdef ABFLAT_MOST_THREADS
+  threads = std::min(threads, processors());  // there are no workers for more
+#endif
   const unsigned others = (threads == 0 ? processors() : threads) - 1;
   threads_.reserve(others);
   for (unsigned i = 0; i < others; ++i) {

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
-import { createStaticServer, listen } from '../../scripts/serve.mjs';
+import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
@@ -106,7 +106,11 @@ test('a Vite build', NEEDS_CHROME, async (context) => {
   );
   writeFileSync(join(root, 'main.js'), examples().vite);
   await vite.build({ root, logLevel: 'warn', configFile: false });
-  await assertShows(`${await serve(join(root, 'dist'))}/`, /^\s*valid: true, \d+ texcoords/);
+  for (const headers of [{}, ISOLATED])
+    await assertShows(
+      `${await serve(join(root, 'dist'), headers)}/`,
+      /^\s*valid: true, \d+ texcoords/,
+    );
 });
 
 /** Runs a function in a page that serves the package; `path` is where its modules are. */

@@ -10,10 +10,10 @@ const PATIENCE = 120_000;
 
 /**
  * Opens the page; `t.after` closes it and checks that it logged no error but those that `expected` matches. `prepare` is
- * called with the page before it loads; other options are those of launchBrowser.
+ * called with the page before it loads; `headers` are those of serveFolder, other options are those of launchBrowser.
  */
-export async function openPage(t, { prepare, expected, ...options } = {}) {
-  const server = await serveFolder(join(ROOT, 'web/dist'));
+export async function openPage(t, { prepare, expected, headers, ...options } = {}) {
+  const server = await serveFolder(join(ROOT, 'web/dist'), headers);
   const browser = await launchBrowser(options);
   const problems = [];
   t.after(async () => {

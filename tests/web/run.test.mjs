@@ -74,10 +74,19 @@ test('the page runs the build of the module that suits the browser', async (t) =
     page.evaluate(() =>
       performance
         .getEntriesByType('resource')
-        .map(({ name }) => /(abflat(?:-simd)?)-[^/]*\.wasm$/.exec(name)?.[1])
+        .map(({ name }) => /(abflat(?:-simd|-threads)?)-[^/]*\.wasm$/.exec(name)?.[1])
         .filter(Boolean),
     );
-  assert.deepEqual(await modules(await openPage(t)), ['abflat-simd']);
+  const isolated = await openPage(t, { prepare: withProcessors(2) });
+  assert.deepEqual(await modules(isolated), ['abflat-threads']);
+  assert.equal(await textOf(isolated, '#badge'), 'Valid');
+  await dropAndWait(isolated, 'large.obj', grid(60));
+  assert.equal(await textOf(isolated, '#badge'), 'Valid');
+
+  const alone = await openPage(t, { headers: {}, prepare: withProcessors(2) });
+  assert.deepEqual(await modules(alone), ['abflat-simd']);
+  assert.equal(await textOf(alone, '#badge'), 'Valid');
+
   const without = await openPage(t, {
     prepare: (page) =>
       page.addInitScript(() => {
@@ -87,3 +96,11 @@ test('the page runs the build of the module that suits the browser', async (t) =
   assert.deepEqual(await modules(without), ['abflat']);
   assert.equal(await textOf(without, '#badge'), 'Valid');
 });
+
+/** The page takes the machine to have so many processors; the worker counts for itself. */
+function withProcessors(count) {
+  return (page) =>
+    page.addInitScript((value) => {
+      Object.defineProperty(navigator, 'hardwareConcurrency', { value });
+    }, count);
+}

@@ -1,6 +1,7 @@
 // The functions that JavaScript calls. Sizes are in elements unless said otherwise; pointers are
 // valid until the job is freed or the next call that takes it.
 
+#include <emscripten/em_asm.h>
 #include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
 
@@ -19,16 +20,14 @@ EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double res
   Module["onProgress"](stage, newtonStep, residual, fraction);
 });
 
-// Must throw: nothing of the module may run afterwards.
-EM_JS(void, abflatReportOutOfMemory, (), {
-  Module["onOutOfMemory"]();
-});
 // clang-format on
 
 namespace {
 
+/// What it calls throws, in the thread that JavaScript called: nothing of the module may run
+/// afterwards. That thread listens whenever it waits for others.
 void outOfMemory() {
-  abflatReportOutOfMemory();
+  MAIN_THREAD_EM_ASM({ Module["onOutOfMemory"](); });
   std::abort();
 }
 
@@ -129,7 +128,9 @@ EMSCRIPTEN_KEEPALIVE std::size_t abflatMethodUvSize(const Job* job, int method) 
 
 /// The names are those of BUILDS in builds.ts.
 EMSCRIPTEN_KEEPALIVE const char* abflatBuild() {
-#ifdef __wasm_simd128__
+#if ABFLAT_THREADS
+  return "threads";
+#elif defined(__wasm_simd128__)
   return "simd";
 #else
   return "plain";

@@ -28,6 +28,8 @@ export interface NativeModule {
 
 export interface NativeSettings {
   wasmMemory: WebAssembly.Memory;
+  /** Of a module with threads. */
+  mainScriptUrlOrBlob?: string;
   instantiateWasm(
     imports: WebAssembly.Imports,
     receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,

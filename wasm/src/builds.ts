@@ -2,10 +2,13 @@
 
 import { AbflatError } from './errors.js';
 
-/** `plain` runs wherever WebAssembly does, `simd` needs vectors of 128 bits and is faster. */
-export type Build = 'plain' | 'simd';
+/**
+ * `plain` runs wherever WebAssembly does, `simd` needs vectors of 128 bits and is faster, `threads` is `simd` on several
+ * processors and needs a page that is cross-origin isolated.
+ */
+export type Build = 'plain' | 'simd' | 'threads';
 
-export const BUILDS: readonly Build[] = ['plain', 'simd'];
+export const BUILDS: readonly Build[] = ['plain', 'simd', 'threads'];
 
 /** A module with one vector instruction, i8x16.popcnt, which drafts of the vector proposal did not have yet. */
 const WITH_VECTORS = new Uint8Array([
@@ -15,9 +18,25 @@ const WITH_VECTORS = new Uint8Array([
   ...[10, 10, 1, 8, 0, 0x41, 0, 0xfd, 15, 0xfd, 98, 0x0b], // i32.const 0, i8x16.splat, i8x16.popcnt, end
 ]);
 
-/** The fastest build that runs here. */
+/**
+ * The fastest build that runs here. Where a browser refuses what `threads` needs, memory or further workers, which
+ * only trying tells, createAbflat takes the next one.
+ */
 export function bestBuild(): Build {
-  return WebAssembly.validate(WITH_VECTORS) ? 'simd' : 'plain';
+  if (!WebAssembly.validate(WITH_VECTORS)) return 'plain';
+  return whyNoThreads() === undefined && navigator.hardwareConcurrency > 1 ? 'threads' : 'simd';
+}
+
+/** What keeps the build `threads` from running here. */
+export function whyNoThreads(): string | undefined {
+  if (typeof Worker === 'undefined')
+    return 'there are no Web Workers here, as in Node; the command line program has threads there';
+  if (globalThis.crossOriginIsolated !== true || typeof SharedArrayBuffer === 'undefined')
+    return (
+      'the page is not cross-origin isolated; serve it with the headers ' +
+      '"Cross-Origin-Opener-Policy: same-origin" and "Cross-Origin-Embedder-Policy: require-corp"'
+    );
+  return undefined;
 }
 
 /** As the module says in a section of its own, written by wasm/build.mjs. */

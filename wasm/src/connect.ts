@@ -1,5 +1,5 @@
-import { bestBuild, buildOf } from './builds.js';
-import { Client } from './client.js';
+import { type Build, bestBuild, buildOf, whyNoThreads } from './builds.js';
+import { Client, type ClientSettings } from './client.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import { takeFile, takeMesh } from './input.js';
@@ -40,13 +40,11 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
   checkKeys(options, KEYS.create);
   const { maxMemory = MAX_MEMORY, workerUrl } = options;
   checkMaxMemory(maxMemory);
-  const module = await loadModule(platform, options);
-  const client = new Client(platform, { module, maxMemory, workerUrl });
-  const { build, statuses } = await client.call<Description>({ kind: 'describe' });
-  if (statuses.join() !== STATUS_NAMES.join()) {
-    client.terminate();
-    throw new AbflatError('Internal', 'abflat.wasm and abflat are of different versions.');
-  }
+  const start = (wanted: CreateOptions) => startClient(platform, wanted, { maxMemory, workerUrl });
+  // Whatever kept threads from starting, the next build either runs or says what is wrong.
+  const { client, build } = await (isFree(options)
+    ? start({ build: 'threads' }).catch(() => start({ build: 'simd' }))
+    : start(options));
   return {
     build,
     flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
@@ -58,12 +56,31 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
   };
 }
 
+/** Whether the build with threads may be tried: nothing was asked for that it does not do. */
+function isFree({ build, wasmUrl }: CreateOptions): boolean {
+  return build === undefined && wasmUrl === undefined && bestBuild() === 'threads';
+}
+
+async function startClient(
+  platform: Platform,
+  options: CreateOptions,
+  settings: Omit<ClientSettings, 'module'>,
+): Promise<{ client: Client; build: Build }> {
+  const module = await loadModule(platform, options);
+  const client = new Client(platform, { ...settings, module });
+  const { build, statuses } = await client.call<Description>({ kind: 'describe' });
+  if (statuses.join() === STATUS_NAMES.join()) return { client, build };
+  client.terminate();
+  throw new AbflatError('Internal', 'abflat.wasm and abflat are of different versions.');
+}
+
 /** The file that was named, whichever build it is, or the build that was asked for. */
 async function loadModule(
   platform: Platform,
   { build, wasmUrl }: CreateOptions,
 ): Promise<WebAssembly.Module> {
   checkBuild(build);
+  if (build === 'threads') checkThreads();
   const address = wasmUrl ?? wasmFile(build ?? bestBuild());
   const module = await platform.loadModule(address).catch((error: unknown) => {
     throw new AbflatError('UnreadableFile', messageOf(error));
@@ -71,7 +88,14 @@ async function loadModule(
   const found = buildOf(module);
   if (build !== undefined && build !== found)
     throw new AbflatError('InvalidOption', `build is ${build}, but ${address} is ${found}.`);
+  if (found === 'threads') checkThreads();
   return module;
+}
+
+function checkThreads(): void {
+  const reason = whyNoThreads();
+  if (reason !== undefined)
+    throw new AbflatError('InvalidOption', `The build threads does not run here: ${reason}.`);
 }
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {

@@ -2,6 +2,7 @@
 
 import createPlain, { type NativeModule } from './abflat.mjs';
 import createSimd from './abflat-simd.mjs';
+import createThreads from './abflat-threads.mjs';
 import { type Build, buildOf } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
@@ -20,7 +21,10 @@ import type { Comparison, FlattenResult, MeshSummary, Report, TriangleMesh } fro
 const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, text: 5 } as const;
 
 /** Minified names may differ between builds, so each module needs its own. */
-const CREATE = { plain: createPlain, simd: createSimd };
+const CREATE = { plain: createPlain, simd: createSimd, threads: createThreads };
+
+/** What a thread loads; bundlers find the file by exactly this expression, and copy it as it is. */
+const threadScript = () => new URL('./abflat-threads.mjs', import.meta.url).href;
 
 /** Thrown through the module by its allocator. */
 class OutOfMemory extends Error {}
@@ -50,14 +54,17 @@ export class Engine {
   }
 
   static async create(module: WebAssembly.Module, maxMemory: number): Promise<Engine> {
+    const build = buildOf(module);
     const memory = new WebAssembly.Memory({
       initial: MIN_MEMORY / PAGE,
       maximum: Math.floor(maxMemory / PAGE),
+      shared: build === 'threads',
     });
     const hooks: Hooks = { onProgress: ignore };
     const native = await new Promise<NativeModule>((resolve, reject) => {
-      CREATE[buildOf(module)]({
+      CREATE[build]({
         wasmMemory: memory,
+        ...(build === 'threads' && { mainScriptUrlOrBlob: threadScript() }),
         instantiateWasm: (imports, receive) => {
           WebAssembly.instantiate(module, imports)
             .then((instance) => receive(instance, module))
@@ -254,11 +261,10 @@ export class Engine {
     return this.#copy(start, this.#native._abflatResultSize(job, field));
   }
 
-  /** Address and bytes as the module returns them. */
+  /** Address and bytes as the module returns them. What is shared is neither transferred nor decoded, but its copy is. */
   #copy(address: number, bytes: number): ArrayBuffer {
-    const start = address >>> 0;
     try {
-      return this.#memory.buffer.slice(start, start + (bytes >>> 0));
+      return new Uint8Array(this.#memory.buffer, address >>> 0, bytes >>> 0).slice().buffer;
     } catch (error) {
       throw error instanceof RangeError ? new OutOfMemory() : error;
     }

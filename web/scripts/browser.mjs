@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
-import { createStaticServer, listen } from '../../scripts/serve.mjs';
+import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
 
 const FLAGS = [
   '--no-sandbox',
@@ -19,11 +19,11 @@ const FLAGS = [
 const SOFTWARE_GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
 
-/** Serves a folder on a free port of this machine. */
-export async function serveFolder(folder) {
+/** Serves a folder on a free port of this machine, as npm start does unless there are other `headers`. */
+export async function serveFolder(folder, headers = ISOLATED) {
   if (!existsSync(join(folder, 'index.html')))
     throw new Error(`${folder} has no index.html: run "npm run build:web" first.`);
-  const server = createStaticServer(folder);
+  const server = createStaticServer(folder, headers);
   const port = await listen(server, '127.0.0.1', 0, false);
   return {
     url: `http://127.0.0.1:${port}/`,

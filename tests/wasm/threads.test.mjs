@@ -1,0 +1,198 @@
+// The build with threads, which needs a page that is cross-origin isolated: in Chromium, beside a page that is not.
+
+import assert from 'node:assert/strict';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
+import { findChrome } from '../../scripts/lib/requirements.mjs';
+import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { DIST, ROOT } from './support/paths.mjs';
+
+const ARGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking'];
+const executablePath = findChrome();
+const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
+
+/** Scripts of the site that start the worker of the package without something that threads need. */
+const WORKERS = {
+  'no-memory.js': `const { Memory } = WebAssembly;
+    WebAssembly.Memory = class extends Memory {
+      constructor(wanted) {
+        if (wanted.shared) throw new RangeError('could not allocate memory');
+        super(wanted);
+      }
+    };`,
+  'no-workers.js': `self.Worker = class { constructor() { throw new Error('refused'); } };`,
+  'no-script.js': `const Original = self.Worker;
+    self.Worker = class extends Original { constructor() { super('/nowhere.js'); } };`,
+};
+
+let browser;
+let folder;
+const servers = [];
+
+before(async () => {
+  if (!executablePath) return;
+  mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
+  folder = mkdtempSync(join(ROOT, 'build/tests/wasm-threads-'));
+  cpSync(DIST, join(folder, 'dist'), { recursive: true });
+  writeFileSync(join(folder, 'index.html'), '<!doctype html><link rel="icon" href="data:,">');
+  for (const [name, text] of Object.entries(WORKERS)) {
+    writeFileSync(join(folder, `patch-${name}`), text);
+    writeFileSync(join(folder, name), `import './patch-${name}'; import './dist/worker.js';`);
+  }
+  browser = await chromium.launch({ executablePath, args: ARGS });
+});
+after(async () => {
+  await browser?.close();
+  for (const server of servers) server.close();
+  if (folder) rmSync(folder, { recursive: true });
+});
+
+/** Runs a function in a page; `headers` are those of all that the page loads. */
+async function inPage(headers, action, argument) {
+  const server = createStaticServer(folder, headers);
+  servers.push(server);
+  const page = await browser.newPage();
+  try {
+    await page.goto(`http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}/`);
+    // Also where there is one processor; the worker counts for itself.
+    await page.evaluate(() =>
+      Object.defineProperty(navigator, 'hardwareConcurrency', { value: 2 }),
+    );
+    return await page.evaluate(action, argument);
+  } finally {
+    await page.close();
+  }
+}
+
+test(
+  'an isolated page runs threads, with the bytes of the other builds',
+  NEEDS_CHROME,
+  async () => {
+    const found = await inPage(ISOLATED, async () => {
+      const { bestBuild, createAbflat } = await import('/dist/index.js');
+      const abflat = await createAbflat();
+      const plain = await createAbflat({ build: 'plain' });
+      const same = (a, b) => {
+        const [x, y] = [a, b].map(({ buffer }) => new Uint8Array(buffer));
+        return x.length > 0 && x.length === y.length && x.every((byte, i) => byte === y[i]);
+      };
+      const runs = [];
+      for (const [name, detail, options] of [
+        ['hemisphere', 1, {}],
+        ['head', 20, { t: 2 }],
+        ['head', 2, {}],
+        ['head', 2, { t: 1, memory: 1 }],
+      ]) {
+        const mesh = await plain.sample(name, { detail });
+        const wanted = await plain.flatten(mesh, { ...options, obj: true });
+        for (const threads of [0, 1, 2, 256]) {
+          const result = await abflat.flatten(mesh, { ...options, threads, obj: true });
+          runs.push({
+            same: ['uv', 'indices', 'vertexMap', 'obj'].every((key) =>
+              same(result[key], wanted[key]),
+            ),
+            faces: mesh.indices.length / 3,
+            threads,
+            used: result.report.threads,
+            valid: result.report.valid,
+          });
+        }
+      }
+      const processors = new Worker(
+        URL.createObjectURL(new Blob(['postMessage(navigator.hardwareConcurrency)'])),
+      );
+      const count = await new Promise((resolve) => {
+        processors.onmessage = ({ data }) => resolve(data);
+      });
+      return { best: bestBuild(), build: abflat.build, plain: plain.build, runs, count };
+    });
+    assert.deepEqual([found.best, found.build, found.plain], ['threads', 'threads', 'plain']);
+    for (const { same, faces, threads, used, valid } of found.runs) {
+      assert.ok(same, `${faces} faces, ${threads} threads`);
+      assert.ok(valid);
+      if (faces < 4000) assert.equal(used, 1);
+      else
+        assert.ok(used <= Math.min(found.count, threads || 256), `${used} of ${threads} threads`);
+      if (faces >= 4000 && threads === 2) assert.equal(used, Math.min(found.count, 2));
+    }
+  },
+);
+
+test('a page that is not isolated takes simd, and refuses threads', NEEDS_CHROME, async () => {
+  const found = await inPage({}, async () => {
+    const { bestBuild, createAbflat } = await import('/dist/index.js');
+    const { build } = await createAbflat();
+    const asked = [{ build: 'threads' }, { wasmUrl: '/dist/abflat-threads.wasm' }];
+    const errors = await Promise.all(
+      asked.map((options) => createAbflat(options).catch(({ code, message }) => [code, message])),
+    );
+    return { best: bestBuild(), build, errors };
+  });
+  assert.deepEqual([found.best, found.build], ['simd', 'simd']);
+  for (const [code, message] of found.errors) {
+    assert.equal(code, 'InvalidOption');
+    assert.match(message, /not cross-origin isolated.*Cross-Origin-Embedder-Policy/);
+  }
+});
+
+for (const worker of Object.keys(WORKERS)) {
+  test(`where threads cannot start (${worker}), simd runs instead`, NEEDS_CHROME, async () => {
+    const found = await inPage(
+      ISOLATED,
+      async (worker) => {
+        const { createAbflat } = await import('/dist/index.js');
+        const workerUrl = `/${worker}`;
+        const asked = await createAbflat({ workerUrl, build: 'threads' }).catch((e) => e.code);
+        const abflat = await createAbflat({ workerUrl });
+        const { report } = await abflat.flatten(await abflat.sample('hemisphere'));
+        return [asked, abflat.build, report.valid];
+      },
+      worker,
+    );
+    assert.deepEqual(found, ['Internal', 'simd', true]);
+  });
+}
+
+test(
+  'lack of memory and an abort end a run on threads, and the next one works',
+  NEEDS_CHROME,
+  async () => {
+    const found = await inPage(ISOLATED, async () => {
+      const { createAbflat } = await import('/dist/index.js');
+      const plain = await createAbflat({ build: 'plain' });
+      const large = await plain.sample('head', { detail: 20 });
+      const small = await plain.sample('hemisphere');
+      const abflat = await createAbflat({ build: 'threads' });
+      const aborted = [];
+      for (const steps of [1, 2, 3]) {
+        const controller = new AbortController();
+        const onProgress = ({ newtonStep }) => newtonStep >= steps && controller.abort();
+        aborted.push(
+          await abflat
+            .flatten(large, { signal: controller.signal, onProgress })
+            .catch((e) => e.name),
+        );
+      }
+      const codes = [];
+      for (let megabytes = 32; megabytes <= 144; megabytes += 16) {
+        const limited = await createAbflat({ build: 'threads', maxMemory: megabytes * 2 ** 20 });
+        codes.push(
+          await limited.flatten(large).then(
+            ({ report }) => report.valid,
+            ({ code }) => code,
+          ),
+        );
+        codes.push((await limited.flatten(small)).report.valid);
+        limited.terminate();
+      }
+      const { report } = await abflat.flatten(small);
+      return { aborted, codes, valid: report.valid, faces: large.indices.length / 3 };
+    });
+    assert.deepEqual(found.aborted, ['AbortError', 'AbortError', 'AbortError']);
+    assert.ok(found.valid);
+    assert.equal(found.codes[0], 'OutOfMemory', `${found.faces} faces`);
+    for (const code of found.codes) assert.ok(code === 'OutOfMemory' || code === true, code);
+  },
+);

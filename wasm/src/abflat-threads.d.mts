@@ -1,0 +1,2 @@
+// The same module with vector instructions and threads.
+export { default } from './abflat.mjs';
