@@ -13,10 +13,10 @@ import {
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { renderFlattenOptions, renderStatusCode } from './lib/generate-cpp.mjs';
+import { renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
 import { fillRegions } from './lib/generate-docs.mjs';
 import { renderTypeScript } from './lib/generate-ts.mjs';
-import { checkSchema } from './lib/schema.mjs';
+import { checkSchema, optionSets } from './lib/schema.mjs';
 
 const REPO = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const SCHEMA = 'core/schema/abflat.json';
@@ -27,7 +27,10 @@ export function renderAll(root) {
   const schema = checkSchema(JSON.parse(readFileSync(join(root, SCHEMA), 'utf8')));
   const files = new Map([
     ['core/include/abflat/generated/status_code.h', renderStatusCode(schema)],
-    ['core/include/abflat/generated/flatten_options.h', renderFlattenOptions(schema)],
+    ...optionSets(schema).map((set, i, sets) => [
+      `core/include/abflat/generated/${set.verb}_options.h`,
+      renderOptions(set, i > 0 ? sets[0].verb : undefined),
+    ]),
     ['wasm/src/generated.ts', renderTypeScript(schema)],
   ]);
   for (const path of documents(root)) {

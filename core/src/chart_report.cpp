@@ -27,7 +27,8 @@ int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
   return shortest > 0 ? static_cast<int>(std::log10(longest / shortest)) : 300;
 }
 
-/// Why the layout is not valid; empty when it is.
+}  // namespace
+
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
   constexpr int kDrawable =
@@ -53,8 +54,6 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
            "; a smaller t, down to 1, straightens it, and t = auto finds how much that takes";
   return {};
 }
-
-}  // namespace
 
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
   const Validity& v = attempt.validity;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "abflat/flatten.h"
 #include "boundary/chart_flattener.h"
 
@@ -7,5 +9,8 @@ namespace abflat {
 
 /// Everything there is to say about a chart's layout.
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t);
+
+/// Why the layout is not valid, one sentence; empty when it is.
+std::string findProblem(const DiskChart& chart, const Attempt& attempt);
 
 }  // namespace abflat

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "abflat/io.h"
-#include "boundary/auto_bounds.h"
-#include "boundary/delaunay_step.h"
 #include "boundary/requested_bounds.h"
 #include "chart/disk_chart.h"
 #include "chart_report.h"
+#include "flatten_chart.h"
 #include "mesh/surface.h"
 #include "parallel.h"
 #include "solve/kkt_step_solver.h"
@@ -48,47 +47,6 @@ class Monitor {
   bool stopped_ = false;
 };
 
-constexpr double kMegabyte = 1048576;
-#ifdef __EMSCRIPTEN__
-/// MB. Of the 4 GB that 32 bits can address the mesh and the results need the rest.
-constexpr double kAutoMemoryMegabytes = 3072;
-#else
-constexpr double kAutoMemoryMegabytes = 1e9;
-#endif
-
-std::uint64_t allowedBytes(double megabytes) {
-  // Larger numbers do not fit; nor would the factors.
-  constexpr double kMost = 1e12;
-  const double allowed = megabytes == kAutoMemory ? kAutoMemoryMegabytes : megabytes;
-  return static_cast<std::uint64_t>(std::min(allowed, kMost) * kMegabyte);
-}
-
-Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
-                     const FlattenOptions& options) {
-  const bool isAuto = options.t == kAutoT;
-  const Untangle untangle =
-      isAuto && options.untangle == Untangle::Auto ? Untangle::Best : options.untangle;
-  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle)
-                        : untangled(flattener, flattener.attempt(t, nullptr), untangle);
-  if (!options.delaunay || best.solution.cancelled) return best;
-  return madeDelaunay(flattener, std::move(best), untangle);
-}
-
-/// The layout in the mesh's unit, a power of two. Where that costs digits, the attempt becomes the
-/// layout that is left, measured anew; elsewhere all that is known about it holds digit by digit.
-std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt) {
-  std::vector<double> uv = attempt.uv;
-  for (double& x : uv) x *= chart.unit;
-  bool isExact = true;
-  for (std::size_t i = 0; i < uv.size(); ++i)
-    isExact = isExact && uv[i] / chart.unit == attempt.uv[i];
-  if (isExact) return uv;
-  for (std::size_t i = 0; i < uv.size(); ++i) attempt.uv[i] = uv[i] / chart.unit;
-  attempt.validity = checkValidity(chart, attempt.uv);
-  attempt.distortion = measureDistortion(chart, attempt.uv);
-  return uv;
-}
-
 std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {
   std::vector<std::uint32_t> out(mesh.faceVertices.size());
   for (std::size_t c = 0; c < surface.triangulation.corner.size(); ++c)
@@ -112,13 +70,6 @@ Result<Prepared> prepare(const PolygonMesh& mesh) {
   out.cornerUv = cornerToOutput(mesh, surface);
   out.summary = std::move(surface.summary);
   return out;
-}
-
-/// Fewer than asked for where a mesh is so small that starting a thread takes longer than it saves.
-unsigned usefulThreads(int wanted, std::size_t faces) {
-  constexpr std::size_t kFacesPerThread = 2000;
-  const std::size_t most = wanted > 0 ? static_cast<std::size_t>(wanted) : processors();
-  return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
 }
 
 }  // namespace

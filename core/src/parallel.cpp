@@ -54,6 +54,8 @@ ThreadPool::~ThreadPool() {
 
 unsigned ThreadPool::threads() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
+bool ThreadPool::isOwner() const { return std::this_thread::get_id() == owner_; }
+
 void ThreadPool::work() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!isEnding_)
@@ -150,6 +152,7 @@ unsigned processors() { return 1; }
 ThreadPool::ThreadPool(unsigned) {}
 ThreadPool::~ThreadPool() = default;
 unsigned ThreadPool::threads() const { return 1; }
+bool ThreadPool::isOwner() const { return true; }
 
 TaskGroup::TaskGroup(ThreadPool*) {}
 TaskGroup::~TaskGroup() = default;

@@ -35,6 +35,9 @@ class ThreadPool {
 
   unsigned threads() const;
 
+  /// Whether this is the thread that made the pool: the only one that may call the user's functions.
+  bool isOwner() const;
+
 #if ABFLAT_THREADS
  private:
   friend class TaskGroup;
@@ -52,6 +55,7 @@ class ThreadPool {
   std::atomic<unsigned> changes_{0};
   std::vector<TaskGroup*> groups_;  ///< open ones, the oldest first
   bool isEnding_ = false;
+  const std::thread::id owner_ = std::this_thread::get_id();
   std::vector<std::thread> threads_;
 #endif
 };

@@ -1,41 +1,10 @@
-#include <cstdint>
-#include <nlohmann/json.hpp>
-
 #include "abflat/compare.h"
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
+#include "report_json.h"
 
 namespace abflat {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// Paths need not be UTF-8: what is not becomes U+FFFD.
-std::string text(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-bool isInputKnown(StatusCode error) {
-  return exitCodeOf(error) != static_cast<int>(ExitCode::Unreadable) &&
-         error != StatusCode::OutOfMemory;
-}
-
-Json inputJson(const Report& report) {
-  const MeshSummary& in = report.input;
-  const auto count = [isKnown = isInputKnown(report.error.code)](auto value) {
-    return isKnown ? Json(value) : Json();
-  };
-  return {
-      {"path", report.path},
-      {"vertices", count(in.vertices)},
-      {"faces", count(in.faces)},
-      {"triangles", count(in.triangles)},
-      {"components", count(in.components)},
-      {"boundaryLoops", count(in.boundaryLoops)},
-      {"boundaryEdges", count(in.boundaryEdges)},
-      {"genus", count(in.genus)},
-  };
-}
 
 Json historyJson(const std::vector<NewtonStep>& history) {
   Json out = Json::array();
@@ -96,12 +65,6 @@ Json chartJson(const ChartReport& c) {
   };
 }
 
-Json optionsJson(const FlattenOptionValues& options) {
-  Json out = Json::object();
-  forEachOption(options, [&](const char* name, const auto& value) { out[name] = value; });
-  return out;
-}
-
 Json timingsJson(const Timings& t) {
   return {
       {"read", t.read},   {"connectivity", t.connectivity},
@@ -156,26 +119,25 @@ std::string reportJson(const Report& report) {
   for (const ChartReport& chart : report.charts) charts.push_back(chartJson(chart));
   Json out = {
       {"version", ABFLAT_VERSION},
-      {"input", inputJson(report)},
+      {"input", inputJson(report.input, report.path, report.error.code)},
       {"options", optionsJson(report.options)},
       {"threads", report.threads},
       {"charts", charts},
       {"valid", report.valid},
       {"timings", timingsJson(report.timings)},
   };
-  if (!report.error.ok())
-    out["error"] = {{"code", statusName(report.error.code)}, {"message", report.error.message}};
-  return text(out);
+  if (!report.error.ok()) out["error"] = errorJson(report.error);
+  return jsonText(out);
 }
 
 std::string inspectJson(const MeshSummary& summary, const std::string& path) {
-  return text(summaryJson(summary, path));
+  return jsonText(summaryJson(summary, path));
 }
 
 std::string compareJson(const Comparison& comparison, const std::string& path) {
   Json methods = Json::array();
   for (const MethodResult& row : comparison.methods) methods.push_back(methodJson(row));
-  return text({{"version", ABFLAT_VERSION},
+  return jsonText({{"version", ABFLAT_VERSION},
                {"input", summaryJson(comparison.input, path)},
                {"methods", methods}});
 }

@@ -71,9 +71,10 @@ bool isNumber(const std::string& text, double& value) {
 }
 
 /// A number, with or without one of the option's units: "3G".
-bool isNumberOfOption(int index, const std::string& text, double& value) {
+template <class Values>
+bool isNumberOfOption(const Values& values, int index, const std::string& text, double& value) {
   if (isNumber(text, value)) return true;
-  const double unit = text.empty() ? 0 : unitSize(index, text.back());
+  const double unit = text.empty() ? 0 : unitSize(values, index, text.back());
   if (unit == 0 || !isNumber(text.substr(0, text.size() - 1), value)) return false;
   value *= unit;
   return true;
@@ -142,8 +143,9 @@ void addOutput(CLI::App& app, std::string& output) {
 bool isOff(const OptionInfo& info) { return std::string_view(info.defaultText) == "false"; }
 
 /// An option of the schema: its flag, range, default and help come from there.
-void addFlattenOption(CLI::App& app, FlattenOptionValues& values, int index) {
-  const OptionInfo& info = kFlattenOptions[index];
+template <class Values>
+void addOption(CLI::App& app, Values& values, int index) {
+  const OptionInfo& info = optionInfos(values)[index];
   if (info.isSwitch) {
     app.add_flag_callback(
         info.flag, [&values, index, on = isOff(info)] { setOption(values, index, on); },
@@ -151,12 +153,12 @@ void addFlattenOption(CLI::App& app, FlattenOptionValues& values, int index) {
     return;
   }
   const auto set = [&values, index](const std::string& text) {
-    const OptionInfo& option = kFlattenOptions[index];
+    const OptionInfo& option = optionInfos(values)[index];
     const std::string wanted =
         (option.isChoice ? "one of " : "a number ") + std::string(option.range);
     bool isWord = false;
-    double value = wordValue(index, text, isWord);
-    if (!isWord && (option.isChoice || !isNumberOfOption(index, text, value)))
+    double value = wordValue(values, index, text, isWord);
+    if (!isWord && (option.isChoice || !isNumberOfOption(values, index, text, value)))
       throw CLI::ValidationError(option.flag, "'" + text + "' is not " + wanted);
     if (!setOption(values, index, value, isWord))
       throw CLI::ValidationError(option.flag, "must be " + wanted + ", not " + text);
@@ -166,26 +168,53 @@ void addFlattenOption(CLI::App& app, FlattenOptionValues& values, int index) {
       ->type_name(info.isChoice ? "WORD" : "NUMBER");
 }
 
+template <class Values>
+void addOptions(CLI::App& app, Values& values) {
+  for (int i = 0; i < optionInfos(values).count; ++i) addOption(app, values, i);
+}
+
+void addReport(CLI::App& app, std::string& report) {
+  app.add_option("--report", report,
+                 wrapped("JSON file for what was done and how well; - for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+}
+
+void addQuiet(CLI::App& app, bool& quiet) {
+  app.add_flag("-q,--quiet", quiet, "no progress and no summary; errors are still printed");
+}
+
 CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
   CLI::App* sub = app.add_subcommand(
       "flatten", "Flatten a mesh that is a disk and write it with its uv layout");
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
-  for (int i = 0; i < kFlattenOptionCount; ++i) addFlattenOption(*sub, c.options, i);
+  addOptions(*sub, c.options);
   sub->add_option(
          "--bounds", c.bounds,
          wrapped("text file with bounds for single boundary vertices, in place of the "
                  "common t: a line 'VERTEX T' each, vertices counted from 0; - for standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
-  sub->add_option("--report", c.report,
-                  wrapped("JSON file for what was done and how well; - for standard output"))
-      ->check(notEmpty())
-      ->type_name("FILE");
-  sub->add_flag("-q,--quiet", c.quiet, "no progress and no summary; errors are still printed");
+  addReport(*sub, c.report);
+  addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());
   setUsage(*sub, "abflat flatten IN -o OUT [OPTIONS]");
+  return sub;
+}
+
+CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "unwrap", "Cut any mesh into charts, flatten them and write it with a packed uv atlas");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  addOutput(*sub, c.output);
+  addOptions(*sub, c.options);
+  addReport(*sub, c.report);
+  addQuiet(*sub, c.quiet);
+  sub->footer(exitCodeHelp());
+  setUsage(*sub, "abflat unwrap IN -o OUT [OPTIONS]");
   return sub;
 }
 
@@ -228,10 +257,10 @@ std::vector<double> parseBounds(const std::string& text) {
   for (std::string word; std::getline(words, word, ',');) {
     FlattenOptionValues values;
     bool isWord = false;
-    double t = wordValue(kIndexOfT, word, isWord);
+    double t = wordValue(values, kIndexOfT, word, isWord);
     if ((!isWord && !isNumber(word, t)) || !setOption(values, kIndexOfT, t, isWord))
       throw CLI::ValidationError(
-          "--t", "'" + word + "' is not a number " + kFlattenOptions[kIndexOfT].range);
+          "--t", "'" + word + "' is not a number " + optionInfos(values)[kIndexOfT].range);
     out.push_back(t);
   }
   if (out.empty()) throw CLI::ValidationError("--t", "the list is empty");
@@ -299,9 +328,9 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
          wrapped("one part of it: tables, convergence or figures"))
       ->check(CLI::IsMember({"tables", "convergence", "figures"}))
       ->type_name("PART");
-  for (int i = 0; i < kFlattenOptionCount; ++i)
-    if (kFlattenOptions[i].name == std::string("precondition"))
-      addFlattenOption(*sub, c.options, i);
+  const OptionInfos infos = optionInfos(c.options);
+  for (int i = 0; i < infos.count; ++i)
+    if (infos[i].name == std::string("precondition")) addOption(*sub, c.options, i);
   sub->add_flag("-q,--quiet", c.quiet, "no progress; errors are still printed");
   setUsage(*sub, "abflat reproduce [--meshes DIR] --out DIR [OPTIONS]");
   sub->footer(
@@ -316,9 +345,9 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'; known are flatten, inspect, sample, sweep, compare, reproduce";
+           "'; known are unwrap, flatten, inspect, sample, sweep, compare, reproduce";
   else if (named.empty())
-    what = "name a command: flatten, inspect, sample, sweep, compare or reproduce";
+    what = "name a command: unwrap, flatten, inspect, sample, sweep, compare or reproduce";
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
@@ -346,6 +375,12 @@ void checkTogether(const FlattenCommand& c) {
     throw CLI::ValidationError("--bounds", "standard input is the mesh already; name a file");
 }
 
+void checkTogether(const UnwrapCommand& c) {
+  if (!c.report.empty() && isSameTarget(c.report, c.output))
+    refuse("--report", "is the same file as --output");
+  if (replaces(c.report, c.input)) refuse("--report", "would replace the input");
+}
+
 void checkTogether(const SweepCommand& c) {
   if (replaces(c.csv, c.input)) refuse("--csv", "would replace the input");
 }
@@ -358,8 +393,8 @@ void checkTogether(const CompareCommand& c) {
 
 Command parseArguments(int argc, const char* const* argv) {
   CLI::App app(
-      "Flattens 3D triangle meshes into uv layouts by their angles, with a convex or free "
-      "boundary.",
+      "Unwraps 3D meshes: cuts them into charts and flattens these by their angles, with a convex "
+      "or free boundary.",
       "abflat");
   app.set_version_flag("--version", "abflat " ABFLAT_VERSION, "print the version");
   app.require_subcommand(1);
@@ -367,17 +402,20 @@ Command parseArguments(int argc, const char* const* argv) {
   app.footer(
       "abflat COMMAND --help says more about a command.\n\n"
       "Examples:\n"
+      "  abflat unwrap character.obj -o character-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj --t 2 --report head.json\n"
       "  abflat inspect head.obj\n"
       "  abflat sample head -o head.obj\n\n" +
       exitCodeHelp());
+  UnwrapCommand unwrap;
   FlattenCommand flatten;
   InspectCommand inspect;
   SampleCommand sample;
   SweepCommand sweep;
   CompareCommand compare;
   ReproduceCommand reproduce;
+  const CLI::App* unwrapApp = addUnwrap(app, unwrap);
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
@@ -386,6 +424,7 @@ Command parseArguments(int argc, const char* const* argv) {
   const CLI::App* reproduceApp = addReproduce(app, reproduce);
   try {
     app.parse(argc, argv);
+    if (unwrapApp->parsed()) checkTogether(unwrap);
     if (flattenApp->parsed()) checkTogether(flatten);
     if (sweepApp->parsed()) checkTogether(sweep);
     if (compareApp->parsed()) checkTogether(compare);
@@ -395,6 +434,7 @@ Command parseArguments(int argc, const char* const* argv) {
     std::cerr << usageError(app, error);
     return Finished{static_cast<int>(ExitCode::Usage)};
   }
+  if (unwrapApp->parsed()) return unwrap;
   if (flattenApp->parsed()) return flatten;
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;

@@ -6,11 +6,19 @@
 
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
+#include "abflat/unwrap.h"
 
 namespace abflat::cli {
 
 /// Stands for standard input or standard output where a path is expected.
 constexpr const char* kStandardStream = "-";
+
+struct UnwrapCommand {
+  std::string input, output;
+  std::string report;  ///< empty: none is wanted
+  UnwrapOptionValues options;
+  bool quiet = false;
+};
 
 struct FlattenCommand {
   std::string input, output;
@@ -55,7 +63,7 @@ struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, FlattenCommand, InspectCommand, SampleCommand, SweepCommand,
+using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, InspectCommand, SampleCommand, SweepCommand,
                              CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.

@@ -5,6 +5,7 @@
 namespace abflat::cli {
 
 // Each returns the exit code, after saying on standard error what went wrong.
+int runUnwrap(const UnwrapCommand& command);
 int runFlatten(const FlattenCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);

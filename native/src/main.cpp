@@ -12,6 +12,7 @@ namespace {
 
 struct Runner {
   int operator()(const Finished& finished) const { return finished.exitCode; }
+  int operator()(const UnwrapCommand& command) const { return runUnwrap(command); }
   int operator()(const FlattenCommand& command) const { return runFlatten(command); }
   int operator()(const InspectCommand& command) const { return runInspect(command); }
   int operator()(const SampleCommand& command) const { return runSample(command); }

@@ -2,12 +2,30 @@
 
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 namespace abflat::cli {
 namespace {
 
 std::string counted(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+/// What had to be done to see the surface in the mesh, if anything.
+std::vector<std::string> repairLines(const RepairReport& r) {
+  std::vector<std::string> lines;
+  const auto add = [&](std::size_t n, const char* one, const char* many) {
+    if (n > 0) lines.push_back(counted(n, one, many));
+  };
+  add(r.mergedVertices, "vertex at the place of another one", "vertices at places of others");
+  add(r.collapsedFaces.size(), "face without area left out", "faces without area left out");
+  add(r.splitFaces.size(), "face that touches itself", "faces that touch themselves");
+  add(r.duplicateFaces.size(), "repeated face", "repeated faces");
+  add(r.nonManifoldEdges.size(), "edge of more than two faces cut",
+      "edges of more than two faces cut");
+  add(r.orientationConflicts.size(), "edge cut where the orientation changes",
+      "edges cut where the orientation changes");
+  return lines;
 }
 
 }  // namespace
@@ -34,6 +52,26 @@ std::string resultText(const Report& report, const std::string& inputName,
         << " before\n";
   for (const std::string& fallback : c.fallbacks) out << "  " << fallback << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
+  return out.str();
+}
+
+std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
+                       const std::string& outputName) {
+  std::ostringstream out;
+  out << std::setprecision(3);
+  out << inputName << " -> " << outputName << "\n"
+      << "  " << counted(report.input.faces, "face", "faces") << ", "
+      << counted(report.input.vertices, "vertex", "vertices") << ", "
+      << counted(report.input.components, "component", "components") << "\n";
+  for (const std::string& line : repairLines(report.repair)) out << "  " << line << "\n";
+  out << "  " << counted(report.charts.size(), "chart", "charts") << ", seams of "
+      << report.seams.relativeLength << " times the root of the area\n"
+      << "  distortion: angles " << report.angularDistortion << ", conformal "
+      << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
+      << "  atlas: " << report.atlas.resolution << " x " << report.atlas.resolution << ", "
+      << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
+      << " texels per unit\n"
+      << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
 }
 

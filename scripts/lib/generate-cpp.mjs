@@ -1,4 +1,4 @@
-// The C++ side of the schema: two headers, excluded from clang-format.
+// The C++ side of the schema: headers that are excluded from clang-format.
 
 import { BOUNDS, flagOf, fullText, pascalCase, rangeText, UNITS } from './schema.mjs';
 
@@ -187,33 +187,48 @@ function visitLine(option) {
   return `${words.join('')}  visit("${option.name}", ${value});`;
 }
 
-export function renderFlattenOptions({ flattenOptions }) {
-  const choices = flattenOptions.filter(({ type }) => type === 'choice');
-  const fields = flattenOptions.map(
+/** What the headers of all sets of options share. */
+const OPTION_INFO = [
+  '/// An option for people: names, default and range as on the command line.',
+  'struct OptionInfo {\n  const char* name;\n  const char* flag;\n  const char* defaultText;\n  const char* range;\n  const char* help;\n  bool isSwitch;  ///< takes no value\n  bool isChoice;  ///< takes one of the words of its range\n};\n',
+  '/// The options of a set, in the order of the numbers that setOption takes.',
+  'struct OptionInfos {\n  const OptionInfo* first;\n  int count;\n\n  const OptionInfo& operator[](int index) const { return first[index]; }\n};\n',
+];
+
+/** The functions find their set by the type of the values; where they do not need them the parameter has no name. */
+function optionFunctions(values, options) {
+  return [
+    `inline OptionInfos optionInfos(const ${values}&) {\n  static constexpr OptionInfo kInfos[] = {\n${options.map(infoRow).join('\n')}\n  };\n  return {kInfos, ${options.length}};\n}\n`,
+    '/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`\n/// the numbers that stand for words are refused.',
+    `inline bool setOption(${values}& options, int index, double value,\n                      [[maybe_unused]] bool isWord = true) {\n  switch (index) {\n${options.map(setCase).join('\n')}\n  }\n  return false;\n}\n`,
+    '/// The number that stands for a word ("auto") or a choice of an option.',
+    `inline double wordValue(const ${values}&, int index, std::string_view text, bool& found) {\n${options.flatMap(wordCases).join('\n')}\n  return found = false, 0;\n}\n`,
+    '/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.',
+    `inline double unitSize(const ${values}&, int index, char letter) {\n${options.flatMap(unitCases).join('\n')}\n  return 0;\n}\n`,
+    '/// Calls visit(name, value) for every option; words and choices are passed as text.',
+    `template <class Visit>\nvoid forEachOption(const ${values}& options, Visit&& visit) {\n${options.map(visitLine).join('\n')}\n}\n`,
+  ];
+}
+
+/** The header of one set; `base` is the set whose header it builds on. */
+export function renderOptions({ verb, text, options, shared }, base) {
+  const values = `${pascalCase(verb)}OptionValues`;
+  const own = options.filter((option) => !shared.includes(option));
+  const fields = options.map(
     (option) =>
       `  /// ${fullText(option)}\n  ${cppType(option)} ${option.name} = ${defaultOf(option)};`,
   );
   const parts = [
     HEADER,
     '#include <limits>\n#include <string_view>\n',
+    ...(base ? [`#include "abflat/generated/${base}_options.h"\n`] : []),
     'namespace abflat {\n',
-    ...choices.flatMap(choiceParts),
-    ...flattenOptions.flatMap(wordConstants),
-    '\n/// The options of flattening that are plain values, with their defaults.',
-    `struct FlattenOptionValues {\n${fields.join('\n')}\n};\n`,
-    '/// An option for people: names, default and range as on the command line.',
-    'struct OptionInfo {\n  const char* name;\n  const char* flag;\n  const char* defaultText;\n  const char* range;\n  const char* help;\n  bool isSwitch;  ///< takes no value\n  bool isChoice;  ///< takes one of the words of its range\n};\n',
-    '/// In the order of the numbers that setOption takes.',
-    `constexpr OptionInfo kFlattenOptions[] = {\n${flattenOptions.map(infoRow).join('\n')}\n};`,
-    `constexpr int kFlattenOptionCount = ${flattenOptions.length};\n`,
-    '/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`\n/// the numbers that stand for words are refused.',
-    `inline bool setOption(FlattenOptionValues& options, int index, double value,\n                      [[maybe_unused]] bool isWord = true) {\n  switch (index) {\n${flattenOptions.map(setCase).join('\n')}\n  }\n  return false;\n}\n`,
-    '/// The number that stands for a word ("auto") or a choice of an option.',
-    `inline double wordValue(int index, std::string_view text, bool& found) {\n${flattenOptions.flatMap(wordCases).join('\n')}\n  return found = false, 0;\n}\n`,
-    '/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.',
-    `inline double unitSize(int index, char letter) {\n${flattenOptions.flatMap(unitCases).join('\n')}\n  return 0;\n}\n`,
-    '/// Calls visit(name, value) for every option; words and choices are passed as text.',
-    `template <class Visit>\nvoid forEachOption(const FlattenOptionValues& options, Visit&& visit) {\n${flattenOptions.map(visitLine).join('\n')}\n}\n`,
+    ...own.filter(({ type }) => type === 'choice').flatMap(choiceParts),
+    ...own.flatMap(wordConstants),
+    `\n/// ${text}`,
+    `struct ${values} {\n${fields.join('\n')}\n};\n`,
+    ...(base ? [] : OPTION_INFO),
+    ...optionFunctions(values, options),
     '}  // namespace abflat',
   ];
   return `${parts.join('\n')}\n`;

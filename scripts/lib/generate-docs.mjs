@@ -13,18 +13,22 @@ const TABLES = {
       ['Code', 'Exit code', 'Meaning'],
       statuses.map(({ name, exit, text }) => [`\`${name}\``, String(exit), text]),
     ),
-  'flatten-options': ({ flattenOptions }) =>
-    table(
-      ['Option', 'Command line', 'Default', 'Range', 'Meaning'],
-      flattenOptions.map((option) => [
-        `\`${option.name}\``,
-        `\`${flagOf(option)}\``,
-        `\`${option.default}\``,
-        rangeText(option),
-        fullText(option),
-      ]),
-    ),
+  'flatten-options': ({ flattenOptions }) => optionTable(flattenOptions),
+  'unwrap-options': ({ unwrapOptions }) => optionTable(unwrapOptions),
 };
+
+function optionTable(options) {
+  return table(
+    ['Option', 'Command line', 'Default', 'Range', 'Meaning'],
+    options.map((option) => [
+      `\`${option.name}\``,
+      `\`${flagOf(option)}\``,
+      `\`${option.default}\``,
+      rangeText(option),
+      fullText(option),
+    ]),
+  );
+}
 
 function table(head, rows) {
   const line = (cells) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`;

@@ -1,6 +1,6 @@
 // The TypeScript side of the schema.
 
-import { BOUNDS, fullText, OPTION_TYPES, pascalCase, rangeText } from './schema.mjs';
+import { BOUNDS, fullText, OPTION_TYPES, optionSets, pascalCase, rangeText } from './schema.mjs';
 
 const HEADER = '// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.\n';
 
@@ -62,30 +62,33 @@ function infoFields(option) {
   return `  ${option.name}: { ${entries.join(', ')} },`;
 }
 
-function optionParts(options) {
+function optionParts({ verb, text, options, shared }) {
   const choices = options.filter(({ type }) => type === 'choice');
-  const aliases = choices.map(
-    ({ name, choices: list }) =>
-      `export type ${pascalCase(name)} = ${union(list.map((choice) => choice.name))};\n`,
-  );
+  const aliases = choices
+    .filter((option) => !shared.includes(option))
+    .map(
+      ({ name, choices: list }) =>
+        `export type ${pascalCase(name)} = ${union(list.map((choice) => choice.name))};\n`,
+    );
   const types = options.map((option) => `  ${option.name}: ${tsType(option)};`);
   const values = options.map((option) => `  ${option.name}: ${literal(option.default)},`);
+  const name = pascalCase(verb);
   return [
     ...aliases,
-    '/** The options of flattening that are plain values. */',
-    `export interface FlattenOptionValues {\n${types.join('\n')}\n}\n`,
-    `export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {\n${values.join('\n')}\n};\n`,
+    `/** ${text} */`,
+    `export interface ${name}OptionValues {\n${types.join('\n')}\n}\n`,
+    `export const ${verb.toUpperCase()}_DEFAULTS: Readonly<${name}OptionValues> = {\n${values.join('\n')}\n};\n`,
     '/** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */',
-    `export const FLATTEN_OPTIONS = {\n${options.map(infoFields).join('\n')}\n} as const;`,
+    `export const ${verb.toUpperCase()}_OPTIONS = {\n${options.map(infoFields).join('\n')}\n} as const;\n`,
   ];
 }
 
-export function renderTypeScript({ exitCodes, statuses, flattenOptions }) {
+export function renderTypeScript(schema) {
   const parts = [
     HEADER,
-    ...statusParts(statuses),
-    ...exitParts(exitCodes),
-    ...optionParts(flattenOptions),
+    ...statusParts(schema.statuses),
+    ...exitParts(schema.exitCodes),
+    ...optionSets(schema).flatMap(optionParts),
   ];
-  return `${parts.join('\n')}\n`;
+  return `${parts.join('\n').trimEnd()}\n`;
 }

@@ -14,15 +14,44 @@ const BOUND_WORDS = { above: 'above', atLeast: 'at least', below: 'below', atMos
 export function checkSchema(schema) {
   checkUnique(schema.exitCodes, 'exitCodes');
   checkUnique(schema.statuses, 'statuses');
-  checkUnique(schema.flattenOptions, 'flattenOptions');
   const exits = new Set(schema.exitCodes.map((exit) => exit.code));
   for (const status of schema.statuses) {
     if (!exits.has(status.exit)) {
       throw new Error(`status ${status.name}: there is no exit code ${status.exit}`);
     }
   }
+  checkUnique(schema.flattenOptions, 'flattenOptions');
   for (const option of schema.flattenOptions) checkOption(option);
-  return schema;
+  const unwrapOptions = schema.unwrapOptions.map((option) => resolved(option, schema));
+  checkUnique(unwrapOptions, 'unwrapOptions');
+  for (const option of unwrapOptions) checkOption(option);
+  return { ...schema, unwrapOptions };
+}
+
+/** An option that is a name only is that of flattening. */
+function resolved(option, { flattenOptions }) {
+  if (typeof option !== 'string') return option;
+  const found = flattenOptions.find(({ name }) => name === option);
+  if (!found) throw new Error(`unwrapOptions: there is no option "${option}" of flattening`);
+  return found;
+}
+
+/** The sets of options: what they are called, what they hold, and which of it another set has defined. */
+export function optionSets({ flattenOptions, unwrapOptions }) {
+  return [
+    {
+      verb: 'flatten',
+      text: 'The options of flattening that are plain values, with their defaults.',
+      options: flattenOptions,
+      shared: [],
+    },
+    {
+      verb: 'unwrap',
+      text: 'The options of unwrapping that are plain values, with their defaults.',
+      options: unwrapOptions,
+      shared: flattenOptions,
+    },
+  ];
 }
 
 function checkUnique(entries, list) {

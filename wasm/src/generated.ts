@@ -62,7 +62,7 @@ export type LinearSolver = 'schur' | 'eigen' | 'minres' | 'symmlq' | 'gmres' | '
 
 export type Formulation = 'log' | 'product';
 
-/** The options of flattening that are plain values. */
+/** The options of flattening that are plain values, with their defaults. */
 export interface FlattenOptionValues {
   t: number | 'auto';
   untangle: Untangle;
@@ -97,5 +97,31 @@ export const FLATTEN_OPTIONS = {
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   adjacent: { type: 'boolean', default: false, text: 'condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there', range: '' },
   delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },
+  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },
+} as const;
+
+/** The options of unwrapping that are plain values, with their defaults. */
+export interface UnwrapOptionValues {
+  t: number | 'auto';
+  resolution: number;
+  padding: number;
+  memory: number | 'auto';
+  threads: number;
+}
+
+export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
+  t: 'auto',
+  resolution: 1024,
+  padding: 2,
+  memory: 'auto',
+  threads: 0,
+};
+
+/** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
+export const UNWRAP_OPTIONS = {
+  t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
+  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 65536, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 65536, whole' },
+  padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
+  memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },
 } as const;

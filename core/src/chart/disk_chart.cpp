@@ -26,7 +26,13 @@ DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
   chart.twin = surface.table.twin;
   chart.boundary = surface.boundaryLoops.front();
   chart.inputVertex = surface.fans.inputVertex;
+  placeChart(mesh, chart);
+  return chart;
+}
+
+void placeChart(const PolygonMesh& mesh, DiskChart& chart) {
   chart.unit = unitOf(mesh, chart.inputVertex);
+  chart.positions.clear();
   chart.positions.reserve(3 * chart.inputVertex.size());
   for (std::uint32_t v : chart.inputVertex)
     for (std::size_t d = 0; d < 3; ++d)
@@ -34,7 +40,6 @@ DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
   chart.angles.resize(chart.triangleCount());
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
     chart.angles[f] = cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f]);
-  return chart;
 }
 
 double surfaceArea(const DiskChart& chart) {

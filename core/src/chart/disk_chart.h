@@ -32,4 +32,7 @@ double surfaceArea(const DiskChart& chart);
 /// The whole surface as one chart. Precondition: surface.summary.disk is Ok.
 DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface);
 
+/// Sets positions, angles and unit of a chart whose connectivity is complete.
+void placeChart(const PolygonMesh& mesh, DiskChart& chart);
+
 }  // namespace abflat

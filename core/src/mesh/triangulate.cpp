@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 namespace abflat {
 namespace {
@@ -150,6 +151,15 @@ class EarClipper {
   std::priority_queue<Ear> ears_;
 };
 
+/// Whether the two triangles that nearly every program makes of a quad, (0, 1, 2) and (0, 2, 3), are
+/// fine: texcoords should suit them, too.
+bool isFan(const std::vector<Point2>& quad, const std::vector<std::uint8_t>& keep) {
+  if (keep[1] || keep[3]) return false;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (!(cross(quad[k], quad[(k + 1) % 4], quad[(k + 2) % 4]) > 0)) return false;
+  return true;
+}
+
 /// A vertex with two faces that is cut off as an ear in both would be left with two triangles,
 /// which no flat mesh can have round an interior vertex.
 std::vector<std::uint8_t> facesPerVertex(const PolygonMesh& mesh) {
@@ -191,7 +201,13 @@ Triangulation triangulate(const PolygonMesh& mesh) {
     if (valence.empty()) valence = facesPerVertex(mesh);
     std::vector<std::uint8_t> keep(n);
     for (std::uint32_t k = 0; k < n; ++k) keep[k] = valence[mesh.faceVertices[begin + k]] == 2;
-    for (const auto& local : EarClipper(projectFace(mesh, begin, end), keep).run())
+    std::vector<Point2> points = projectFace(mesh, begin, end);
+    if (n == 4 && isFan(points, keep)) {
+      appendTriangle(mesh, f, {0, 1, 2}, out);
+      appendTriangle(mesh, f, {0, 2, 3}, out);
+      continue;
+    }
+    for (const auto& local : EarClipper(std::move(points), keep).run())
       appendTriangle(mesh, f, local, out);
   }
   return out;

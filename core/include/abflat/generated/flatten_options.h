@@ -114,8 +114,16 @@ struct OptionInfo {
   bool isChoice;  ///< takes one of the words of its range
 };
 
-/// In the order of the numbers that setOption takes.
-constexpr OptionInfo kFlattenOptions[] = {
+/// The options of a set, in the order of the numbers that setOption takes.
+struct OptionInfos {
+  const OptionInfo* first;
+  int count;
+
+  const OptionInfo& operator[](int index) const { return first[index]; }
+};
+
+inline OptionInfos optionInfos(const FlattenOptionValues&) {
+  static constexpr OptionInfo kInfos[] = {
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
     {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
@@ -125,8 +133,9 @@ constexpr OptionInfo kFlattenOptions[] = {
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
-};
-constexpr int kFlattenOptionCount = 9;
+  };
+  return {kInfos, 9};
+}
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
 /// the numbers that stand for words are refused.
@@ -166,7 +175,7 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
 }
 
 /// The number that stands for a word ("auto") or a choice of an option.
-inline double wordValue(int index, std::string_view text, bool& found) {
+inline double wordValue(const FlattenOptionValues&, int index, std::string_view text, bool& found) {
   if (index == 0 && text == "auto") return found = true, 0;
   if (index == 1 && text == "auto") return found = true, 0;
   if (index == 1 && text == "none") return found = true, 1;
@@ -186,7 +195,7 @@ inline double wordValue(int index, std::string_view text, bool& found) {
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
-inline double unitSize(int index, char letter) {
+inline double unitSize(const FlattenOptionValues&, int index, char letter) {
   if (index == 5 && letter == 'M') return 1;
   if (index == 5 && letter == 'G') return 1024;
   if (index == 5 && letter == 'T') return 1048576;

@@ -1,0 +1,96 @@
+// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+// clang-format off
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+#include "abflat/generated/flatten_options.h"
+
+namespace abflat {
+
+
+/// The options of unwrapping that are plain values, with their defaults.
+struct UnwrapOptionValues {
+  /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
+  double t = 0;
+  /// texels along a side of the texture that charts are packed for
+  int resolution = 1024;
+  /// free texels between charts at that resolution
+  int padding = 2;
+  /// what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
+  double memory = 0;
+  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one
+  int threads = 0;
+};
+
+inline OptionInfos optionInfos(const UnwrapOptionValues&) {
+  static constexpr OptionInfo kInfos[] = {
+    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
+    {"resolution", "--resolution", "1024", "at least 16 and at most 65536, whole", "texels along a side of the texture that charts are packed for", false, false},
+    {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
+    {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
+  };
+  return {kInfos, 5};
+}
+
+/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
+/// the numbers that stand for words are refused.
+inline bool setOption(UnwrapOptionValues& options, int index, double value,
+                      [[maybe_unused]] bool isWord = true) {
+  switch (index) {
+    case 0:
+      options.t = static_cast<double>(value);
+      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+    case 1:
+      if (!(value >= 16 && value <= 65536) || value != static_cast<int>(value)) return false;
+      options.resolution = static_cast<int>(value);
+      return true;
+    case 2:
+      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      options.padding = static_cast<int>(value);
+      return true;
+    case 3:
+      options.memory = static_cast<double>(value);
+      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+    case 4:
+      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      options.threads = static_cast<int>(value);
+      return true;
+  }
+  return false;
+}
+
+/// The number that stands for a word ("auto") or a choice of an option.
+inline double wordValue(const UnwrapOptionValues&, int index, std::string_view text, bool& found) {
+  if (index == 0 && text == "auto") return found = true, 0;
+  if (index == 3 && text == "auto") return found = true, 0;
+  return found = false, 0;
+}
+
+/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
+inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
+  if (index == 3 && letter == 'M') return 1;
+  if (index == 3 && letter == 'G') return 1024;
+  if (index == 3 && letter == 'T') return 1048576;
+  return 0;
+}
+
+/// Calls visit(name, value) for every option; words and choices are passed as text.
+template <class Visit>
+void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
+  if (options.t == 0)
+    visit("t", "auto");
+  else
+    visit("t", options.t);
+  visit("resolution", options.resolution);
+  visit("padding", options.padding);
+  if (options.memory == 0)
+    visit("memory", "auto");
+  else
+    visit("memory", options.memory);
+  visit("threads", options.threads);
+}
+
+}  // namespace abflat

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "abflat/generated/unwrap_options.h"
+#include "abflat/mesh.h"
+
+namespace abflat {
+
+struct UnwrapOptions : UnwrapOptionValues {
+  /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
+  ProgressCallback progress;
+};
+
+/// What was done to see the surface in the mesh. The mesh itself keeps all of it. Faces and vertices
+/// are those of the input.
+struct RepairReport {
+  std::size_t mergedVertices = 0;  ///< at the place of another one: one vertex of the surface
+  std::vector<std::uint32_t> collapsedFaces;  ///< fewer than three places: uv of their neighbours
+  std::vector<std::uint32_t> splitFaces;      ///< use a place twice: split there
+  /// Have the places of an earlier one (the second number): charts of their own.
+  std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
+  /// Edges of more than two faces, by their vertices: cut.
+  std::vector<std::array<std::uint32_t, 2>> nonManifoldEdges;
+  /// Edges whose two faces run in the same direction, by their vertices: cut.
+  std::vector<std::array<std::uint32_t, 2>> orientationConflicts;
+  std::size_t degenerateTriangles = 0;  ///< of zero area: their angles are made up
+};
+
+/// Where the surface was cut, beyond its boundary.
+struct SeamReport {
+  std::size_t edges = 0;
+  double length = 0;          ///< in the unit of the mesh
+  double relativeLength = 0;  ///< divided by the root of the mesh's area
+  std::int64_t genus = 0;     ///< of the surface, summed over components
+};
+
+/// A chart as a row of a table; measures as in ChartReport, at the chart's own scale.
+struct UnwrapChart {
+  std::size_t faces = 0;  ///< triangles
+  std::uint32_t firstFace = 0;  ///< an input face in it
+  std::size_t boundaryVertices = 0;
+  double area = 0;  ///< 3D
+  std::string solver;
+  int iterations = 0;
+  double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
+         symmetricDirichlet = 0;
+  std::vector<std::string> fallbacks;
+  std::string problem;
+  bool valid = false;
+};
+
+struct AtlasReport {
+  int resolution = 0;      ///< texels along a side
+  int padding = 0;         ///< texels
+  double utilization = 0;  ///< uv area of the charts, of 1
+  double texelDensity = 0;  ///< texels per unit of length of the mesh
+};
+
+/// Seconds.
+struct UnwrapTimings {
+  double read = 0, surface = 0, seams = 0, solve = 0, pack = 0, check = 0, write = 0, total = 0;
+};
+
+struct UnwrapReport {
+  std::string path;
+  MeshSummary input;
+  UnwrapOptionValues options;  ///< as asked
+  RepairReport repair;
+  SeamReport seams;
+  std::vector<UnwrapChart> charts;
+  /// Means over all charts by 3D area, at one common scale.
+  double angularDistortion = 0, quasiConformalMean = 0, symmetricDirichlet = 0;
+  AtlasReport atlas;
+  unsigned threads = 1;
+  bool valid = false;
+  UnwrapTimings timings;
+  Status error;  ///< why there is no result; ok when there is one
+};
+
+/// Two tables of vertices: texcoords are as few as possible, output vertices are input vertices, one
+/// more for each further texcoord of theirs.
+struct UnwrapResult {
+  std::vector<double> uv;               ///< 2 per texcoord, in [0, 1]
+  std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
+  std::vector<std::uint32_t> chartOfFace;  ///< per input face, index into report.charts; that of its
+                                           ///< first triangle, or of a neighbour where it has none
+  std::vector<std::uint32_t> vertexMap;    ///< input vertex of each output vertex
+  std::vector<std::uint32_t> vertexUv;     ///< texcoord of each output vertex
+  std::vector<std::uint32_t> cornerVertex;  ///< output vertex of each input face corner
+  UnwrapReport report;  ///< path and timings.read/write/total are the caller's to fill
+};
+
+/// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square. The
+/// result is valid when every chart is and none overlap.
+/// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
+Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
+
+/// The report as JSON text, indented by two spaces; keys as in the README.
+std::string unwrapReportJson(const UnwrapReport& report);
+
+}  // namespace abflat

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// Per half-edge of a surface, 1 on both sides of an edge to cut along. Boundaries are none.
+using Seams = std::vector<std::uint8_t>;
+
+/// The twins of a surface that has been cut.
+std::vector<std::uint32_t> cutTwins(const std::vector<std::uint32_t>& twin, const Seams& seams);
+
+/// The parts of a surface that has been cut into topological disks, in the order of their first
+/// triangles.
+struct ChartSet {
+  std::vector<DiskChart> charts;
+  std::vector<std::vector<std::uint32_t>> triangles;  ///< per chart: surface triangle of each
+  std::vector<std::uint32_t> ofTriangle;              ///< chart per surface triangle
+};
+
+/// Precondition: every part is a disk. inputVertex of the charts are vertices of `mesh`.
+ChartSet makeCharts(const PolygonMesh& mesh, const Surface& surface, const Seams& seams);
+
+}  // namespace abflat

@@ -1,0 +1,59 @@
+#include "flatten_chart.h"
+
+#include <algorithm>
+
+#include "boundary/auto_bounds.h"
+#include "boundary/delaunay_step.h"
+#include "parallel.h"
+
+namespace abflat {
+namespace {
+
+constexpr double kMegabyte = 1048576;
+#ifdef __EMSCRIPTEN__
+/// MB. Of the 4 GB that 32 bits can address the mesh and the results need the rest.
+constexpr double kAutoMemoryMegabytes = 3072;
+#else
+constexpr double kAutoMemoryMegabytes = 1e9;
+#endif
+
+}  // namespace
+
+std::uint64_t allowedBytes(double megabytes) {
+  // Larger numbers do not fit; nor would the factors.
+  constexpr double kMost = 1e12;
+  const double allowed = megabytes == kAutoMemory ? kAutoMemoryMegabytes : megabytes;
+  return static_cast<std::uint64_t>(std::min(allowed, kMost) * kMegabyte);
+}
+
+unsigned usefulThreads(int wanted, std::size_t faces) {
+  constexpr std::size_t kFacesPerThread = 2000;
+  const std::size_t most = wanted > 0 ? static_cast<std::size_t>(wanted) : processors();
+  return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
+}
+
+Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
+                     const FlattenOptions& options) {
+  const bool isAuto = options.t == kAutoT;
+  const Untangle untangle =
+      isAuto && options.untangle == Untangle::Auto ? Untangle::Best : options.untangle;
+  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle)
+                        : untangled(flattener, flattener.attempt(t, nullptr), untangle);
+  if (!options.delaunay || best.solution.cancelled) return best;
+  return madeDelaunay(flattener, std::move(best), untangle);
+}
+
+std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt) {
+  std::vector<double> uv = attempt.uv;
+  for (double& x : uv) x *= chart.unit;
+  bool isExact = true;
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    isExact = isExact && uv[i] / chart.unit == attempt.uv[i];
+  if (isExact) return uv;
+  for (std::size_t i = 0; i < uv.size(); ++i) attempt.uv[i] = uv[i] / chart.unit;
+  attempt.validity = checkValidity(chart, attempt.uv);
+  attempt.distortion = measureDistortion(chart, attempt.uv);
+  return uv;
+}
+
+}  // namespace abflat

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "boundary/chart_flattener.h"
+
+namespace abflat {
+
+/// `FlattenOptions::memory` in bytes.
+std::uint64_t allowedBytes(double megabytes);
+
+/// Fewer than asked for where a mesh is so small that starting a thread takes longer than it saves.
+unsigned usefulThreads(int wanted, std::size_t faces);
+
+/// One chart with the bounds and all that the options ask for beyond them.
+Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
+                     const FlattenOptions& options);
+
+/// The layout in the mesh's unit, a power of two. Where that costs digits, the attempt becomes the
+/// layout that is left, measured anew; elsewhere all that is known about it holds digit by digit.
+std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt);
+
+}  // namespace abflat

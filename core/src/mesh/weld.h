@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace abflat {
+
+/// Vertices at one place, so that split normals, triangle soups and STL are the surfaces they show.
+struct Welding {
+  std::vector<std::uint32_t> ofVertex;  ///< first vertex at the same place, per vertex
+  std::size_t merged = 0;               ///< vertices that are at the place of an earlier one
+};
+
+/// Relative to the diagonal of the bounding box: far below any edge, above the rounding of float32.
+constexpr double kWeldTolerance = 1e-7;
+
+/// Vertices no further apart than the tolerance times the diagonal of the bounding box. A vertex
+/// joins the first one that stands for others, so places never grow beyond the tolerance.
+/// `positions` are xyz and finite.
+Welding weldVertices(const std::vector<double>& positions, double tolerance = kWeldTolerance);
+
+}  // namespace abflat

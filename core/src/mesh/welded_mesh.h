@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "abflat/mesh.h"
+
+namespace abflat {
+
+/// A mesh as the surface that it shows: vertices at one place are one, faces that use a place twice
+/// are split there, and what is left without area is gone. Faces that repeat others become layers of
+/// their own, which share no vertex with the first.
+struct WeldedMesh {
+  PolygonMesh mesh;
+  std::vector<std::uint32_t> inputFace;    ///< per face
+  std::vector<std::uint32_t> inputCorner;  ///< per face corner: index into the input's faceVertices
+  /// Per corner of the input: a corner of `mesh` at the same place, of the same face where that has
+  /// one, or kNone where no face is left there.
+  std::vector<std::uint32_t> cornerFor;
+  std::size_t mergedVertices = 0;  ///< that are at the place of an earlier one
+  std::vector<std::uint32_t> collapsedFaces;  ///< input faces without two different edges
+  std::vector<std::uint32_t> splitFaces;      ///< input faces that use a place twice
+  /// Input faces that have the places of an earlier one, and that one.
+  std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
+};
+
+/// `mesh` has passed validateArrays.
+WeldedMesh weld(const PolygonMesh& mesh);
+
+}  // namespace abflat

@@ -1,0 +1,179 @@
+#include "abflat/unwrap.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "abflat/io.h"
+#include "chart/chart_set.h"
+#include "chart/cut_to_disks.h"
+#include "mesh/surface.h"
+#include "mesh/triangle_geometry.h"
+#include "mesh/welded_mesh.h"
+#include "pack/pack.h"
+#include "parallel.h"
+#include "stopwatch.h"
+#include "unwrap_chart.h"
+#include "unwrap_output.h"
+
+namespace abflat {
+namespace {
+
+/// Where the stages are in the progress bar.
+struct Stage {
+  const char* name;
+  double from, to;
+};
+constexpr Stage kSurface{"surface", 0, 0.05}, kSeams{"seams", 0.05, 0.2}, kSolve{"solve", 0.2, 0.85},
+    kPack{"pack", 0.85, 0.97}, kCheck{"check", 0.97, 1};
+
+class Monitor {
+ public:
+  explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
+
+  /// False when the run is to end. `share` of the stage is done.
+  bool tell(const Stage& stage, double share = 0) {
+    Progress now;
+    now.stage = stage.name;
+    now.fraction = stage.from + share * (stage.to - stage.from);
+    if (callback_ && !stopped_ && !callback_(now)) stopped_ = true;
+    return !stopped_;
+  }
+  bool stopped() const { return stopped_; }
+
+ private:
+  const ProgressCallback& callback_;
+  std::atomic<bool> stopped_{false};
+};
+
+/// Charts by size, the largest first: what takes longest begins first.
+std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
+  std::vector<std::uint32_t> order(charts.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return charts[a].triangleCount() > charts[b].triangleCount();
+  });
+  return order;
+}
+
+std::vector<FlatChart> flattenAll(const std::vector<DiskChart>& charts,
+                                  const UnwrapOptionValues& options, ThreadPool& pool,
+                                  Monitor& monitor) {
+  std::vector<FlatChart> flat(charts.size());
+  const std::vector<std::uint32_t> order = largestFirst(charts);
+  std::size_t triangles = 0;
+  for (const DiskChart& c : charts) triangles += c.triangleCount();
+  std::atomic<std::size_t> done{0};
+  parallelFor(&pool, charts.size(), [&](std::size_t i) {
+    if (monitor.stopped()) return;
+    const DiskChart& chart = charts[order[i]];
+    // The caller hears of all charts, but from its own thread only.
+    const auto goesOn = [&] {
+      if (!pool.isOwner()) return !monitor.stopped();
+      return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
+    };
+    flat[order[i]] = flattenOne(chart, options, pool, goesOn);
+    done += chart.triangleCount();
+  });
+  return flat;
+}
+
+std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
+                                const std::vector<FlatChart>& flat) {
+  std::vector<PackShape> shapes(charts.size());
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    shapes[i].uv = flat[i].uv;
+    shapes[i].triangles = charts[i].vertexOfCorner;
+    for (const std::uint32_t h : charts[i].boundary)
+      shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
+  }
+  return shapes;
+}
+
+/// Moves the layouts to their places.
+void place(const Packing& packing, std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const Placement& p = packing.placements[i];
+    const double a = packing.scale * p.cos, b = packing.scale * p.sin;
+    std::vector<double>& uv = flat[i].uv;
+    for (std::size_t k = 0; k < uv.size(); k += 2) {
+      const double x = uv[k], y = uv[k + 1];
+      uv[k] = a * x - b * y + p.x;
+      uv[k + 1] = b * x + a * y + p.y;
+    }
+  }
+}
+
+SeamReport seamReport(const WeldedMesh& welded, const Surface& surface, const Seams& seams) {
+  SeamReport out;
+  out.genus = surface.summary.genus;
+  double area = 0;
+  const std::vector<double>& positions = welded.mesh.positions;
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    const std::uint32_t from = surface.table.vertex[h], to = surface.table.vertex[nextCorner(h)];
+    if (h % 3 == 0)
+      area += norm(cross(edgeVector(positions, from, to),
+                         edgeVector(positions, from, surface.table.vertex[h + 2]))) /
+              2;
+    if (!seams[h] || surface.table.twin[h] < h) continue;
+    ++out.edges;
+    out.length += norm(edgeVector(positions, from, to));
+  }
+  out.relativeLength = area > 0 ? out.length / std::sqrt(area) : 0;
+  return out;
+}
+
+}  // namespace
+
+Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  Stopwatch watch;
+  Monitor monitor(options.progress);
+  const Status aborted{StatusCode::Aborted, "cancelled"};
+  if (Status s = validateArrays(mesh); !s.ok()) return s;
+  if (mesh.faceCount() == 0) return Status{StatusCode::EmptyMesh, "the mesh has no faces"};
+  if (!monitor.tell(kSurface)) return aborted;
+  UnwrapResult out;
+  UnwrapReport& report = out.report;
+  report.options = options;
+  const WeldedMesh welded = weld(mesh);
+  const Surface surface = buildSurface(welded.mesh);
+  report.input = inspect(mesh);
+  report.repair = repairReport(welded, surface);
+  report.timings.surface = watch.lap();
+
+  if (!monitor.tell(kSeams)) return aborted;
+  Seams seams(surface.table.vertex.size(), 0);
+  cutToDisks(surface, seams);
+  const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  report.seams = seamReport(welded, surface, seams);
+  report.timings.seams = watch.lap();
+
+  if (!monitor.tell(kSolve)) return aborted;
+  ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
+  report.threads = pool.threads();
+  std::vector<FlatChart> flat = flattenAll(set.charts, options, pool, monitor);
+  if (monitor.stopped()) return aborted;
+  report.timings.solve = watch.lap();
+
+  if (!monitor.tell(kPack)) return aborted;
+  PackOptions packing;
+  packing.resolution = options.resolution;
+  packing.padding = options.padding;
+  packing.pool = &pool;
+  const Result<Packing> packed = pack(shapesOf(set.charts, flat), packing);
+  if (!packed.ok()) return packed.status;
+  place(packed.value, flat);
+  report.atlas = {options.resolution, options.padding, packed.value.utilization,
+                  packed.value.scale * options.resolution};
+  report.timings.pack = watch.lap();
+
+  if (!monitor.tell(kCheck)) return aborted;
+  parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(set.charts[i], flat[i]); });
+  fillOutput(mesh, welded, surface, set, flat, out);
+  fillReport(set, flat, surface, welded, report);
+  report.timings.check = watch.lap();
+  return out;
+}
+
+}  // namespace abflat

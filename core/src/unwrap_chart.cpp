@@ -1,0 +1,37 @@
+#include "unwrap_chart.h"
+
+#include <algorithm>
+
+#include "chart_report.h"
+
+namespace abflat {
+
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, ThreadPool& pool,
+                     const std::function<bool()>& goesOn) {
+  SolverOptions solver;
+  solver.pool = &pool;
+  solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
+  solver.allowedBytes = allowedBytes(options.memory);
+  ChartFlattener flattener(chart, solver);
+  FlattenOptions wanted;
+  wanted.t = options.t;
+  const auto n = static_cast<double>(chart.boundary.size());
+  // n angles sum to (n - 2) pi: a chart of few boundary vertices cannot be as convex as others.
+  const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
+  FlatChart out;
+  out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
+  if (out.attempt.solution.cancelled) return out;
+  out.uv = inMeshUnit(chart, out.attempt);
+  out.problem = findProblem(chart, out.attempt);
+  out.attempt.uv = {};
+  return out;
+}
+
+void checkInPlace(const DiskChart& chart, FlatChart& flat) {
+  if (!flat.problem.empty()) return;
+  flat.attempt.validity = checkValidity(chart, flat.uv);
+  if (!flat.attempt.validity.valid())
+    flat.problem = "valid by itself, but its smallest triangles are lost at the scale of the atlas";
+}
+
+}  // namespace abflat

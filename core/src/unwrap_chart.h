@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "abflat/generated/unwrap_options.h"
+#include "boundary/chart_flattener.h"
+#include "flatten_chart.h"
+
+namespace abflat {
+
+/// A chart that has been laid out.
+struct FlatChart {
+  std::vector<double> uv;  ///< of the chart's 3D area, in the mesh's unit; then in the atlas
+  Attempt attempt;         ///< its own uv is gone
+  std::string problem;     ///< why it is not valid, one sentence; empty when it is
+};
+
+/// `goesOn` is asked often, from the thread that calls; when it returns false the layout is empty.
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, ThreadPool& pool,
+                     const std::function<bool()>& goesOn);
+
+/// Decides anew whether the layout is valid, from the coordinates in the atlas.
+void checkInPlace(const DiskChart& chart, FlatChart& flat);
+
+}  // namespace abflat

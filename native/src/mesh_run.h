@@ -1,0 +1,160 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "abflat/inspect.h"
+#include "input_file.h"
+#include "out_of_memory.h"
+#include "output_file.h"
+#include "paths.h"
+#include "terminal.h"
+
+namespace abflat::cli {
+
+/// Runs `work` of the core, which knows no files: its errors are told with the name of the input.
+template <class Work>
+auto placed(const std::string& name, const Work& work) -> decltype(work()) {
+  auto result = orOutOfMemory(name, work);
+  // Lack of memory is worded with its place already.
+  if (!result.ok() && result.status.code != StatusCode::OutOfMemory)
+    result.status.message = name + ": " + result.status.message;
+  return result;
+}
+
+/// One run from a mesh to the files that a command writes: the mesh with texcoords, and a report
+/// where it is wanted. `Job` has
+///   Command           with input, output, report, options and quiet
+///   Outcome, Report   what the core returns, and the part of it that is written as JSON
+///   compute           from the mesh to a Result<Outcome>
+///   json, summary, problem   texts of the report
+template <class Job>
+class MeshRun {
+ public:
+  using Command = typename Job::Command;
+  using Outcome = typename Job::Outcome;
+  using Report = typename Job::Report;
+
+  explicit MeshRun(const Command& command)
+      : command_(command),
+        isTalking_(!command.quiet && isErrorTerminal()),
+        progress_(isTalking_),
+        layout_(command.output) {
+    if (!command.report.empty()) report_.emplace(command.report);
+  }
+
+  int run() {
+    if (Status s = checkTargets(); !s.ok()) return ended(s);
+    Result<Outcome> result = computeFromInput();
+    if (!result.ok()) return endedWithoutResult(result.status);
+    if (Status s = writeAll(result.value); !s.ok()) return ended(s);
+    progress_.clear();
+    const Report& report = result.value.report;
+    if (isTalking_)
+      std::fputs(
+          Job::summary(report, inputName(command_.input), outputName(command_.output)).c_str(),
+          stderr);
+    if (report.valid) return static_cast<int>(ExitCode::Valid);
+    complain(inputName(command_.input) +
+             ": the layout is written, but not valid: " + Job::problem(report));
+    return static_cast<int>(ExitCode::NotValid);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  /// Before the work, so that a wrong name costs no time.
+  Status checkTargets() const {
+    if (Status s = layout_.check(); !s.ok()) return s;
+    return report_ ? report_->check() : Status{};
+  }
+
+  Result<Outcome> computeFromInput() {
+    const std::string name = inputName(command_.input);
+    progress_.show({"read", 0, 0, 0});
+    Result<InputMesh> input = readInput(command_.input);
+    readSeconds_ = secondsSince(start_);
+    if (!input.ok()) return input.status;
+    input_ = std::move(input.value);
+    // The names cannot tell when one of them has no ending or is a link.
+    if (input_.format != MeshFormat::Obj && command_.output != kStandardStream &&
+        isSameTarget(command_.input, command_.output))
+      return Status{StatusCode::InvalidOption,
+                    name +
+                        ": the result is OBJ text and would replace this OFF file; give --output "
+                        "another name"};
+    return Job::compute(command_, input_.mesh, [this](const Progress& p) {
+      progress_.show(p);
+      return true;
+    });
+  }
+
+  /// Adds what only the caller of the core knows.
+  void complete(Report& report) const {
+    report.path = command_.input;
+    report.options = command_.options;
+    report.timings.read = readSeconds_;
+    report.timings.write = writeSeconds_;
+    report.timings.total = secondsSince(start_);
+  }
+
+  /// Both files are complete before either gets its name.
+  Status writeAll(Outcome& result) {
+    progress_.show({"write", 0, 0, 0.98});
+    const Clock::time_point begin = Clock::now();
+    const bool isObj = input_.format == MeshFormat::Obj;
+    if (Status s = layout_.write(writeObj(input_.mesh, result.uv, result.cornerUv,
+                                          isObj ? input_.bytes : std::string_view()));
+        !s.ok())
+      return s;
+    writeSeconds_ = secondsSince(begin);
+    complete(result.report);
+    if (report_)
+      if (Status s = report_->write(Job::json(result.report)); !s.ok()) return s;
+    if (Status s = layout_.commit(); !s.ok()) return s;
+    return report_ ? report_->commit() : Status{};
+  }
+
+  /// What is known about the input goes into the report with the error.
+  int endedWithoutResult(const Status& status) {
+    if (report_) {
+      Report report;
+      report.error = status;
+      if (exitCodeOf(status.code) != static_cast<int>(ExitCode::Unreadable) &&
+          status.code != StatusCode::OutOfMemory)
+        report.input = inspect(input_.mesh);
+      complete(report);
+      Status written = report_->write(Job::json(report));
+      if (written.ok()) written = report_->commit();
+      if (!written.ok()) complainCleared(written);
+    }
+    return ended(status);
+  }
+
+  int ended(const Status& status) {
+    complainCleared(status);
+    return exitCodeOf(status.code);
+  }
+
+  void complainCleared(const Status& status) {
+    progress_.clear();
+    complain(status.message);
+  }
+
+  const Command& command_;
+  const Clock::time_point start_ = Clock::now();
+  bool isTalking_;
+  ProgressLine progress_;
+  OutputFile layout_;
+  std::optional<OutputFile> report_;
+  InputMesh input_;
+  double readSeconds_ = 0, writeSeconds_ = 0;
+};
+
+}  // namespace abflat::cli

@@ -1,0 +1,45 @@
+#include "abflat/unwrap.h"
+
+#include "commands.h"
+#include "mesh_run.h"
+#include "texts.h"
+
+namespace abflat::cli {
+namespace {
+
+struct UnwrapJob {
+  using Command = UnwrapCommand;
+  using Outcome = UnwrapResult;
+  using Report = UnwrapReport;
+
+  static Result<UnwrapResult> compute(const UnwrapCommand& command, const PolygonMesh& mesh,
+                                      ProgressCallback progress) {
+    UnwrapOptions options;
+    static_cast<UnwrapOptionValues&>(options) = command.options;
+    options.progress = std::move(progress);
+    return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
+  }
+
+  static std::string json(const UnwrapReport& report) { return unwrapReportJson(report); }
+  static std::string summary(const UnwrapReport& report, const std::string& input,
+                             const std::string& output) {
+    return unwrapText(report, input, output);
+  }
+  static std::string problem(const UnwrapReport& report) {
+    std::size_t count = 0;
+    const UnwrapChart* first = nullptr;
+    for (const UnwrapChart& chart : report.charts) {
+      if (chart.valid) continue;
+      if (++count == 1) first = &chart;
+    }
+    return std::to_string(count) + " of " + std::to_string(report.charts.size()) +
+           (report.charts.size() == 1 ? " chart, " : " charts, ") + "the first with face " +
+           std::to_string(first->firstFace) + ": " + first->problem;
+  }
+};
+
+}  // namespace
+
+int runUnwrap(const UnwrapCommand& command) { return MeshRun<UnwrapJob>(command).run(); }
+
+}  // namespace abflat::cli
