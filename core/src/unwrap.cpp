@@ -7,12 +7,12 @@
 
 #include "abflat/io.h"
 #include "chart/chart_set.h"
-#include "chart/cut_to_disks.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/welded_mesh.h"
 #include "pack/pack.h"
 #include "parallel.h"
+#include "seam/find_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
 #include "unwrap_output.h"
@@ -95,33 +95,31 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const Placement& p = packing.placements[i];
-    const double a = packing.scale * p.cos, b = packing.scale * p.sin;
     std::vector<double>& uv = flat[i].uv;
     for (std::size_t k = 0; k < uv.size(); k += 2) {
-      const double x = uv[k], y = uv[k + 1];
-      uv[k] = a * x - b * y + p.x;
-      uv[k + 1] = b * x + a * y + p.y;
+      const double u = p.u(&uv[k]), v = p.v(&uv[k]);
+      uv[k] = u;
+      uv[k + 1] = v;
     }
   }
 }
 
-SeamReport seamReport(const WeldedMesh& welded, const Surface& surface, const Seams& seams) {
-  SeamReport out;
-  out.genus = surface.summary.genus;
-  double area = 0;
-  const std::vector<double>& positions = welded.mesh.positions;
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    const std::uint32_t from = surface.table.vertex[h], to = surface.table.vertex[nextCorner(h)];
-    if (h % 3 == 0)
-      area += norm(cross(edgeVector(positions, from, to),
-                         edgeVector(positions, from, surface.table.vertex[h + 2]))) /
-              2;
-    if (!seams[h] || surface.table.twin[h] < h) continue;
-    ++out.edges;
-    out.length += norm(edgeVector(positions, from, to));
-  }
-  out.relativeLength = area > 0 ? out.length / std::sqrt(area) : 0;
-  return out;
+Seams seamsOf(const WeldedMesh& welded, const Surface& surface, const UnwrapOptionValues& options,
+              ThreadPool& pool, Monitor& monitor, UnwrapReport& report) {
+  const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
+                                     surface.triangulation.isDiagonal);
+  SeamOptions wanted;
+  wanted.maxStretch = options.maxStretch;
+  wanted.pool = &pool;
+  wanted.keepsOn = [&] { return monitor.tell(kSeams); };
+  FoundSeams found;
+  Seams seams = findSeams(mesh, {}, wanted, &found);
+  report.seams.genus = surface.summary.genus;
+  report.seams.relativeLength = found.seamLength;
+  report.seams.handleLoops = found.handleLoops;
+  for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
+  report.seams.edges /= 2;
+  return seams;
 }
 
 }  // namespace
@@ -143,15 +141,14 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.timings.surface = watch.lap();
 
   if (!monitor.tell(kSeams)) return aborted;
-  Seams seams(surface.table.vertex.size(), 0);
-  cutToDisks(surface, seams);
+  ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
+  report.threads = pool.threads();
+  const Seams seams = seamsOf(welded, surface, options, pool, monitor, report);
+  if (monitor.stopped()) return aborted;
   const ChartSet set = makeCharts(welded.mesh, surface, seams);
-  report.seams = seamReport(welded, surface, seams);
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
-  ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
-  report.threads = pool.threads();
   std::vector<FlatChart> flat = flattenAll(set.charts, options, pool, monitor);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
@@ -161,11 +158,12 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   packing.resolution = options.resolution;
   packing.padding = options.padding;
   packing.pool = &pool;
+  packing.progress = [&](double share) { return monitor.tell(kPack, share); };
   const Result<Packing> packed = pack(shapesOf(set.charts, flat), packing);
   if (!packed.ok()) return packed.status;
   place(packed.value, flat);
   report.atlas = {options.resolution, options.padding, packed.value.utilization,
-                  packed.value.scale * options.resolution};
+                  packed.value.texelDensity};
   report.timings.pack = watch.lap();
 
   if (!monitor.tell(kCheck)) return aborted;

@@ -18,9 +18,9 @@ Json repairJson(const RepairReport& r) {
 
 Json seamsJson(const SeamReport& s) {
   return {{"edges", s.edges},
-          {"length", s.length},
           {"relativeLength", s.relativeLength},
-          {"genus", s.genus}};
+          {"genus", s.genus},
+          {"handleLoops", s.handleLoops}};
 }
 
 Json chartJson(const UnwrapChart& c) {

@@ -34,9 +34,10 @@ struct RepairReport {
 /// Where the surface was cut, beyond its boundary.
 struct SeamReport {
   std::size_t edges = 0;
-  double length = 0;          ///< in the unit of the mesh
-  double relativeLength = 0;  ///< divided by the root of the mesh's area
-  std::int64_t genus = 0;     ///< of the surface, summed over components
+  double relativeLength = 0;   ///< divided by the root of the mesh's area
+  std::int64_t genus = 0;      ///< of the surface, summed over components; -1 where it is cut
+                               ///< because it is no manifold
+  std::size_t handleLoops = 0; ///< two for each handle
 };
 
 /// A chart as a row of a table; measures as in ChartReport, at the chart's own scale.

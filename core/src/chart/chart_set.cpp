@@ -30,14 +30,15 @@ class VertexNumbers {
   std::vector<std::uint32_t> number_;  ///< fans belong to one chart each
 };
 
-}  // namespace
-
+/// The twins of a surface that has been cut.
 std::vector<std::uint32_t> cutTwins(const std::vector<std::uint32_t>& twin, const Seams& seams) {
   std::vector<std::uint32_t> out = twin;
   for (std::size_t h = 0; h < out.size(); ++h)
     if (seams[h]) out[h] = kNone;
   return out;
 }
+
+}  // namespace
 
 ChartSet makeCharts(const PolygonMesh& mesh, const Surface& surface, const Seams& seams) {
   CornerTable cut;

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
+#include "seam/cut_surface.h"
 
 namespace abflat {
-
-/// Per half-edge of a surface, 1 on both sides of an edge to cut along. Boundaries are none.
-using Seams = std::vector<std::uint8_t>;
-
-/// The twins of a surface that has been cut.
-std::vector<std::uint32_t> cutTwins(const std::vector<std::uint32_t>& twin, const Seams& seams);
 
 /// The parts of a surface that has been cut into topological disks, in the order of their first
 /// triangles.

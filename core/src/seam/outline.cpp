@@ -1,0 +1,133 @@
+#include "seam/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "angle/constants.h"
+#include "check/crossings.h"
+#include "portable_math.h"
+
+namespace abflat {
+namespace {
+
+/// Interior angle at the vertex that a boundary half-edge leaves.
+double flatAngle(const SeamMesh& mesh, const CutSurface& s, std::uint32_t h,
+                 const std::vector<double>& u) {
+  double angle = 0;
+  while (true) {
+    angle += mesh.angle[h];
+    const std::uint32_t p = prevCorner(h), o = s.twin[p];
+    if (o == kNone) return angle;
+    angle += mesh.weight[o] * u[mesh.vertexOfCorner[nextCorner(o)]];
+    h = o;
+  }
+}
+
+double cross(const Point2& a, const Point2& b, const Point2& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Area that is covered more than once, by sweeping lines over the outline.
+double overlapArea(const std::vector<Point2>& p) {
+  constexpr std::size_t kLines = 96;
+  double low = p[0][1], high = p[0][1];
+  for (const Point2& q : p) {
+    low = std::min(low, q[1]);
+    high = std::max(high, q[1]);
+  }
+  const double step = (high - low) / kLines;
+  if (!(step > 0)) return 0;
+  std::vector<std::vector<std::pair<double, int>>> hits(kLines);  // x, change of the winding number
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point2 &a = p[i], &b = p[(i + 1) % p.size()];
+    if (a[1] == b[1]) continue;
+    const double from = (std::min(a[1], b[1]) - low) / step,
+                 to = (std::max(a[1], b[1]) - low) / step;
+    for (double line = std::ceil(from - 0.5); line + 0.5 < to && line < kLines; ++line) {
+      const double y = low + (line + 0.5) * step;
+      const double x = a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]);
+      hits[static_cast<std::size_t>(line)].emplace_back(x, a[1] > b[1] ? 1 : -1);
+    }
+  }
+  double sum = 0;
+  for (auto& line : hits) {
+    std::sort(line.begin(), line.end());
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      winding += line[i].second;
+      if (winding > 1) sum += (line[i + 1].first - line[i].first) * step;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, std::uint32_t loop,
+                                   const std::vector<double>& u) {
+  const std::vector<std::uint32_t>& boundary = s.loops[loop];
+  const std::size_t n = boundary.size();
+  std::vector<double> turn(n);
+  double total = 0, length = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    turn[i] = kPi - flatAngle(mesh, s, boundary[i], u);
+    total += turn[i];
+    length += mesh.length[boundary[i]];
+  }
+  std::vector<Point2> out(n);
+  Point2 at{0, 0};
+  double heading = 0;
+  const double lack = (2 * kPi - total) / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    out[i] = at;
+    heading += turn[i] + lack;
+    const portable::SinCos direction = portable::sinCos(heading);
+    at[0] += mesh.length[boundary[i]] * direction.cos;
+    at[1] += mesh.length[boundary[i]] * direction.sin;
+  }
+  double passed = 0;  // what is missing to close is shared out by length
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t d = 0; d < 2; ++d) out[i][d] -= length > 0 ? at[d] * passed / length : 0;
+    passed += mesh.length[boundary[i]];
+  }
+  return out;
+}
+
+double polygonArea(const std::vector<Point2>& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point2 &a = p[i], &b = p[(i + 1) % p.size()];
+    sum += a[0] * b[1] - a[1] * b[0];
+  }
+  return sum / 2;
+}
+
+double hullArea(std::vector<Point2> p) {
+  std::sort(p.begin(), p.end());
+  std::vector<Point2> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t base = hull.size();
+    for (const Point2& q : p) {
+      while (hull.size() >= base + 2 && cross(hull[hull.size() - 2], hull.back(), q) <= 0)
+        hull.pop_back();
+      hull.push_back(q);
+    }
+    hull.pop_back();
+    std::reverse(p.begin(), p.end());
+  }
+  return polygonArea(hull);
+}
+
+Shape measureShape(const std::vector<Point2>& outline, double area) {
+  Shape shape;
+  if (outline.size() < 3 || !(area > 0)) return shape;
+  shape.fill = std::min(1.0, area / hullArea(outline));
+  shape.overlap = overlapArea(outline) / area;
+  if (!(shape.overlap > 0)) return shape;
+  std::vector<double> points;
+  for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
+  shape.crossings = findCrossings(points, kMostCrossings).first;
+  return shape;
+}
+
+}  // namespace abflat
