@@ -13,6 +13,7 @@
 #include "pack/pack.h"
 #include "parallel.h"
 #include "seam/find_seams.h"
+#include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
 #include "unwrap_output.h"
@@ -104,16 +105,18 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
   }
 }
 
-Seams seamsOf(const WeldedMesh& welded, const Surface& surface, const UnwrapOptionValues& options,
-              ThreadPool& pool, Monitor& monitor, UnwrapReport& report) {
+Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
+              const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
+              UnwrapReport& report) {
   const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
                                      surface.triangulation.isDiagonal);
   SeamOptions wanted;
+  wanted.isAuto = options.seams.isAuto;
   wanted.maxStretch = options.maxStretch;
   wanted.pool = &pool;
   wanted.keepsOn = [&] { return monitor.tell(kSeams); };
   FoundSeams found;
-  Seams seams = findSeams(mesh, {}, wanted, &found);
+  Seams seams = findSeams(mesh, std::move(given), wanted, &found);
   report.seams.genus = surface.summary.genus;
   report.seams.relativeLength = found.seamLength;
   report.seams.handleLoops = found.handleLoops;
@@ -134,16 +137,22 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   UnwrapResult out;
   UnwrapReport& report = out.report;
   report.options = options;
-  const WeldedMesh welded = weld(mesh);
-  const Surface surface = buildSurface(welded.mesh);
   report.input = inspect(mesh);
+  // A mesh that is a disk may be one because it has been cut: it is taken as it is.
+  const WeldedMesh welded = weld(mesh, !report.input.disk.ok());
+  const Surface surface = buildSurface(welded.mesh);
+  if (surface.table.vertex.empty())
+    return Status{StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
   report.repair = repairReport(welded, surface);
   report.timings.surface = watch.lap();
 
   if (!monitor.tell(kSeams)) return aborted;
   ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
   report.threads = pool.threads();
-  const Seams seams = seamsOf(welded, surface, options, pool, monitor, report);
+  Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
+  if (!given.ok()) return given.status;
+  const Seams seams =
+      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
   if (monitor.stopped()) return aborted;
   const ChartSet set = makeCharts(welded.mesh, surface, seams);
   report.timings.seams = watch.lap();
@@ -169,6 +178,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!monitor.tell(kCheck)) return aborted;
   parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(set.charts[i], flat[i]); });
   fillOutput(mesh, welded, surface, set, flat, out);
+  out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();
   return out;

@@ -204,12 +204,42 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
   return sub;
 }
 
+/// "auto,file=PATH": what is not the name of a file is for the core to understand.
+void setSeams(const std::string& text, UnwrapCommand& c) {
+  const std::string kFile = "file=";
+  std::string others;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (word.rfind(kFile, 0) == 0)
+      c.seamFile = word.substr(kFile.size());
+    else
+      others += (others.empty() ? "" : ",") + word;
+  }
+  const bool hasFile = !c.seamFile.empty();
+  Result<SeamSources> seams = parseSeams(others.empty() && hasFile ? "none" : others);
+  if (!seams.ok()) throw CLI::ValidationError("--seams", seams.status.message);
+  c.seams = std::move(seams.value);
+}
+
 CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   CLI::App* sub = app.add_subcommand(
       "unwrap", "Cut any mesh into charts, flatten them and write it with a packed uv atlas");
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
+  sub->add_option_function<std::string>(
+         "--seams", [&c](const std::string& text) { setSeams(text, c); },
+         wrapped("where to cut, separated by commas: auto = so that no chart is stretched too much "
+                 "or overlaps; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
+                 "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
+                 "disks, which is always done"))
+      ->default_str("auto")
+      ->type_name("LIST");
+  sub->add_option("--write-seams", c.writeSeams,
+                  wrapped("text file for the edges that were cut, as --seams file=PATH takes them; "
+                          "- for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
   addOptions(*sub, c.options);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);

@@ -17,6 +17,9 @@ struct UnwrapCommand {
   std::string input, output;
   std::string report;  ///< empty: none is wanted
   UnwrapOptionValues options;
+  SeamSources seams;
+  std::string seamFile;    ///< edges to cut along; empty: none
+  std::string writeSeams;  ///< file for the edges that were cut; empty: none is wanted
   bool quiet = false;
 };
 

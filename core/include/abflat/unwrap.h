@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "abflat/flatten.h"
@@ -11,7 +12,23 @@
 
 namespace abflat {
 
+/// An edge by its vertices, those of the input.
+using EdgeVertices = std::array<std::uint32_t, 2>;
+
+/// Where a mesh is cut, beyond what makes every chart a topological disk.
+struct SeamSources {
+  bool isAuto = true;  ///< where charts would be stretched too much or overlap
+  double sharpDegrees = 180;  ///< along edges that bend by more
+  std::vector<EdgeVertices> edges;
+};
+
+/// The sources in a list such as "auto,sharp=60": "auto", "none" or "sharp=DEGREES", which is above
+/// 0 and at most 180. Errors: InvalidOption.
+Result<SeamSources> parseSeams(std::string_view text);
+
 struct UnwrapOptions : UnwrapOptionValues {
+  SeamSources seams;
+
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
   ProgressCallback progress;
 };
@@ -25,9 +42,9 @@ struct RepairReport {
   /// Have the places of an earlier one (the second number): charts of their own.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
   /// Edges of more than two faces, by their vertices: cut.
-  std::vector<std::array<std::uint32_t, 2>> nonManifoldEdges;
+  std::vector<EdgeVertices> nonManifoldEdges;
   /// Edges whose two faces run in the same direction, by their vertices: cut.
-  std::vector<std::array<std::uint32_t, 2>> orientationConflicts;
+  std::vector<EdgeVertices> orientationConflicts;
   std::size_t degenerateTriangles = 0;  ///< of zero area: their angles are made up
 };
 
@@ -93,6 +110,7 @@ struct UnwrapResult {
   std::vector<std::uint32_t> vertexMap;    ///< input vertex of each output vertex
   std::vector<std::uint32_t> vertexUv;     ///< texcoord of each output vertex
   std::vector<std::uint32_t> cornerVertex;  ///< output vertex of each input face corner
+  std::vector<EdgeVertices> seams;          ///< edges that were cut, each once
   UnwrapReport report;  ///< path and timings.read/write/total are the caller's to fill
 };
 

@@ -1,6 +1,7 @@
 #include "mesh/welded_mesh.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "mesh/corner_table.h"
@@ -150,8 +151,14 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
 
 }  // namespace
 
-WeldedMesh weld(const PolygonMesh& mesh) {
-  const Welding welding = weldVertices(mesh.positions);
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
+  Welding welding;
+  if (byPosition) {
+    welding = weldVertices(mesh.positions);
+  } else {
+    welding.ofVertex.resize(mesh.vertexCount());
+    std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
+  }
   const auto placeOf = [&](std::uint32_t c) { return welding.ofVertex[mesh.faceVertices[c]]; };
   WeldedMesh out;
   out.mergedVertices = welding.merged;
@@ -176,6 +183,7 @@ WeldedMesh weld(const PolygonMesh& mesh) {
   }
   findCornersFor(mesh, welding.ofVertex, out);
   separateLayers(out);
+  out.place = std::move(welding.ofVertex);
   return out;
 }
 

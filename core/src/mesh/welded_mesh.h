@@ -18,6 +18,7 @@ struct WeldedMesh {
   /// Per corner of the input: a corner of `mesh` at the same place, of the same face where that has
   /// one, or kNone where no face is left there.
   std::vector<std::uint32_t> cornerFor;
+  std::vector<std::uint32_t> place;  ///< per input vertex: the first one at the same place
   std::size_t mergedVertices = 0;  ///< that are at the place of an earlier one
   std::vector<std::uint32_t> collapsedFaces;  ///< input faces without two different edges
   std::vector<std::uint32_t> splitFaces;      ///< input faces that use a place twice
@@ -25,7 +26,8 @@ struct WeldedMesh {
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
 };
 
-/// `mesh` has passed validateArrays.
-WeldedMesh weld(const PolygonMesh& mesh);
+/// `mesh` has passed validateArrays. Without `byPosition` vertices are one only where the mesh says
+/// so.
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true);
 
 }  // namespace abflat

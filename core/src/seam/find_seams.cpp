@@ -103,7 +103,7 @@ void Finder::run(Seams& seams) {
   report_.analysisSeconds = watch.lap();
   open(seams);
   constexpr int kMostRounds = 30;
-  while (report_.rounds < kMostRounds && goesOn()) {
+  while (options_.isAuto && report_.rounds < kMostRounds && goesOn()) {
     ++report_.rounds;
     if (!improve(seams)) break;
   }

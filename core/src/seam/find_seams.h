@@ -8,6 +8,7 @@
 namespace abflat {
 
 struct SeamOptions {
+  bool isAuto = true;  ///< false: only what topology needs
   /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
   double maxStretch = 1.06;
   /// Least share of its convex hull that a chart may fill.

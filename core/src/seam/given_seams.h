@@ -1,0 +1,18 @@
+#pragma once
+
+#include "abflat/unwrap.h"
+#include "mesh/surface.h"
+#include "mesh/welded_mesh.h"
+#include "seam/cut_surface.h"
+
+namespace abflat {
+
+/// The seams that the user asks for. Errors: InvalidOption names an edge that does not exist.
+Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                         const SeamSources& sources);
+
+/// Seams as edges of the input, each once and with its smaller vertex first.
+std::vector<EdgeVertices> seamEdges(const PolygonMesh& input, const WeldedMesh& welded,
+                                    const Surface& surface, const Seams& seams);
+
+}  // namespace abflat
