@@ -115,7 +115,7 @@ Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
   wanted.maxStretch = options.maxStretch;
   wanted.pool = &pool;
   wanted.keepsOn = [&] { return monitor.tell(kSeams); };
-  FoundSeams found;
+  SeamReport found;
   Seams seams = findSeams(mesh, std::move(given), wanted, &found);
   report.seams.genus = surface.summary.genus;
   report.seams.relativeLength = found.seamLength;

@@ -16,7 +16,7 @@ Json repairJson(const RepairReport& r) {
           {"degenerateTriangles", r.degenerateTriangles}};
 }
 
-Json seamsJson(const SeamReport& s) {
+Json seamsJson(const SeamSummary& s) {
   return {{"edges", s.edges},
           {"relativeLength", s.relativeLength},
           {"genus", s.genus},

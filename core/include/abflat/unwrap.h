@@ -49,7 +49,7 @@ struct RepairReport {
 };
 
 /// Where the surface was cut, beyond its boundary.
-struct SeamReport {
+struct SeamSummary {
   std::size_t edges = 0;
   double relativeLength = 0;   ///< divided by the root of the mesh's area
   std::int64_t genus = 0;      ///< of the surface, summed over components; -1 where it is cut
@@ -89,7 +89,7 @@ struct UnwrapReport {
   MeshSummary input;
   UnwrapOptionValues options;  ///< as asked
   RepairReport repair;
-  SeamReport seams;
+  SeamSummary seams;
   std::vector<UnwrapChart> charts;
   /// Means over all charts by 3D area, at one common scale.
   double angularDistortion = 0, quasiConformalMean = 0, symmetricDirichlet = 0;
