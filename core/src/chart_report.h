@@ -13,4 +13,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
 /// Why the layout is not valid, one sentence; empty when it is.
 std::string findProblem(const DiskChart& chart, const Attempt& attempt);
 
+/// What is measured of a layout whose bounds and solution are known.
+void setMeasures(ChartReport& report, const Validity& validity, const Distortion& distortion);
+
 }  // namespace abflat

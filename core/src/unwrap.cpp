@@ -105,6 +105,27 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
   }
 }
 
+/// All charts in the atlas, rounded or as they are.
+void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadPool& pool,
+              std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
+  const auto check = [&] {
+    parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(charts[i], flat[i]); });
+  };
+  if (!roundsToSingle) return check();
+  const std::vector<FlatChart> asTheyAre = flat;
+  for (FlatChart& chart : flat)
+    for (double& x : chart.uv) x = static_cast<double>(static_cast<float>(x));
+  check();
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    lost += !flat[i].problem.empty() && asTheyAre[i].problem.empty();
+  if (lost == 0) return;
+  flat = asTheyAre;
+  check();
+  notes.push_back("texcoords are in double precision: rounded to single, " + std::to_string(lost) +
+                  (lost == 1 ? " chart" : " charts") + " would not be valid");
+}
+
 Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
               const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
               UnwrapReport& report) {
@@ -176,7 +197,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.timings.pack = watch.lap();
 
   if (!monitor.tell(kCheck)) return aborted;
-  parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(set.charts[i], flat[i]); });
+  checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
   fillOutput(mesh, welded, surface, set, flat, out);
   out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);

@@ -56,6 +56,7 @@ std::string unwrapReportJson(const UnwrapReport& report) {
       {"repair", repairJson(report.repair)},
       {"seams", seamsJson(report.seams)},
       {"charts", charts},
+      {"notes", report.notes},
       {"angularDistortion", report.angularDistortion},
       {"quasiConformalMean", report.quasiConformalMean},
       {"symmetricDirichlet", report.symmetricDirichlet},

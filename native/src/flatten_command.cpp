@@ -23,9 +23,15 @@ struct FlattenJob {
       options.bounds = std::move(bounds.value);
     }
     options.progress = std::move(progress);
-    return placed(inputName(command.input), [&] { return flatten(mesh, options); });
+    Result<FlattenResult> result =
+        placed(inputName(command.input), [&] { return flatten(mesh, options); });
+    if (result.ok() && writtenFormat(command.output) == MeshFormat::Ply)
+      roundToSinglePrecision(mesh, result.value);
+    return result;
   }
 
+  static std::string extraPath(const FlattenCommand&) { return {}; }
+  static std::string extraText(const FlattenResult&) { return {}; }
   static std::string json(const Report& report) { return reportJson(report); }
   static std::string summary(const Report& report, const std::string& input,
                              const std::string& output) {

@@ -7,6 +7,7 @@
 
 #include "abflat/inspect.h"
 #include "input_file.h"
+#include "mesh_format.h"
 #include "out_of_memory.h"
 #include "output_file.h"
 #include "paths.h"
@@ -30,6 +31,7 @@ auto placed(const std::string& name, const Work& work) -> decltype(work()) {
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
+///   extraPath, extraText     one further file; an empty path where there is none
 template <class Job>
 class MeshRun {
  public:
@@ -43,6 +45,7 @@ class MeshRun {
         progress_(isTalking_),
         layout_(command.output) {
     if (!command.report.empty()) report_.emplace(command.report);
+    if (const std::string& path = Job::extraPath(command); !path.empty()) extra_.emplace(path);
   }
 
   int run() {
@@ -72,6 +75,8 @@ class MeshRun {
   /// Before the work, so that a wrong name costs no time.
   Status checkTargets() const {
     if (Status s = layout_.check(); !s.ok()) return s;
+    if (extra_)
+      if (Status s = extra_->check(); !s.ok()) return s;
     return report_ ? report_->check() : Status{};
   }
 
@@ -83,12 +88,12 @@ class MeshRun {
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
     // The names cannot tell when one of them has no ending or is a link.
-    if (input_.format != MeshFormat::Obj && command_.output != kStandardStream &&
+    const MeshFormat written = writtenFormat(command_.output);
+    if (input_.format != written && command_.output != kStandardStream &&
         isSameTarget(command_.input, command_.output))
       return Status{StatusCode::InvalidOption,
-                    name +
-                        ": the result is OBJ text and would replace this OFF file; give --output "
-                        "another name"};
+                    name + ": the result is " + formatName(written) + " and would replace this " +
+                        formatName(input_.format) + " file; give --output another name"};
     return Job::compute(command_, input_.mesh, [this](const Progress& p) {
       progress_.show(p);
       return true;
@@ -104,20 +109,22 @@ class MeshRun {
     report.timings.total = secondsSince(start_);
   }
 
-  /// Both files are complete before either gets its name.
+  /// All files are complete before any gets its name.
   Status writeAll(Outcome& result) {
     progress_.show({"write", 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
-    const bool isObj = input_.format == MeshFormat::Obj;
-    if (Status s = layout_.write(writeObj(input_.mesh, result.uv, result.cornerUv,
-                                          isObj ? input_.bytes : std::string_view()));
+    if (Status s = layout_.write(layoutText(input_, command_.output, result.uv, result.cornerUv));
         !s.ok())
       return s;
+    if (extra_)
+      if (Status s = extra_->write(Job::extraText(result)); !s.ok()) return s;
     writeSeconds_ = secondsSince(begin);
     complete(result.report);
     if (report_)
       if (Status s = report_->write(Job::json(result.report)); !s.ok()) return s;
     if (Status s = layout_.commit(); !s.ok()) return s;
+    if (extra_)
+      if (Status s = extra_->commit(); !s.ok()) return s;
     return report_ ? report_->commit() : Status{};
   }
 
@@ -152,7 +159,7 @@ class MeshRun {
   bool isTalking_;
   ProgressLine progress_;
   OutputFile layout_;
-  std::optional<OutputFile> report_;
+  std::optional<OutputFile> extra_, report_;
   InputMesh input_;
   double readSeconds_ = 0, writeSeconds_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "commands.h"
 #include "mesh_run.h"
+#include "seam_file.h"
 #include "texts.h"
 
 namespace abflat::cli {
@@ -16,15 +17,25 @@ struct UnwrapJob {
                                       ProgressCallback progress) {
     UnwrapOptions options;
     static_cast<UnwrapOptionValues&>(options) = command.options;
+    options.seams = command.seams;
+    if (!command.seamFile.empty()) {
+      Result<std::vector<EdgeVertices>> edges = readSeams(command.seamFile);
+      if (!edges.ok()) return edges.status;
+      options.seams.edges = std::move(edges.value);
+    }
+    options.roundsToSingle = writtenFormat(command.output) == MeshFormat::Ply;
     options.progress = std::move(progress);
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }
 
+  static const std::string& extraPath(const UnwrapCommand& command) { return command.writeSeams; }
+  static std::string extraText(const UnwrapResult& result) { return seamsText(result.seams); }
   static std::string json(const UnwrapReport& report) { return unwrapReportJson(report); }
   static std::string summary(const UnwrapReport& report, const std::string& input,
                              const std::string& output) {
     return unwrapText(report, input, output);
   }
+
   static std::string problem(const UnwrapReport& report) {
     std::size_t count = 0;
     const UnwrapChart* first = nullptr;

@@ -28,6 +28,9 @@ Result<SeamSources> parseSeams(std::string_view text);
 
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
+  /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
+  /// hold them; not where that would make a chart invalid.
+  bool roundsToSingle = false;
 
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
   ProgressCallback progress;
@@ -91,6 +94,7 @@ struct UnwrapReport {
   RepairReport repair;
   SeamSummary seams;
   std::vector<UnwrapChart> charts;
+  std::vector<std::string> notes;  ///< what was done otherwise than asked, one sentence each
   /// Means over all charts by 3D area, at one common scale.
   double angularDistortion = 0, quasiConformalMean = 0, symmetricDirichlet = 0;
   AtlasReport atlas;
