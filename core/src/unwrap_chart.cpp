@@ -13,6 +13,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, 
   solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
   solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(chart, solver);
+  flattener.requireSeparation();
   FlattenOptions wanted;
   wanted.t = options.t;
   const auto n = static_cast<double>(chart.boundary.size());

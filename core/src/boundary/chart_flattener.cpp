@@ -1,5 +1,6 @@
 #include "boundary/chart_flattener.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -32,6 +33,21 @@ std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solu
     count += solution.weight[c] != problem.weight[c];
   return std::to_string(count) + (count == 1 ? " angle weighs" : " angles weigh") +
          " more, to stay away from 0 and pi";
+}
+
+/// Points of the boundary on a grid of a millionth of their extent: single precision keeps more.
+std::vector<double> roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
+  std::vector<double> points;
+  double size = 0;
+  for (const std::uint32_t h : chart.boundary)
+    for (std::size_t d = 0; d < 2; ++d) {
+      points.push_back(uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[h]) + d]);
+      size = std::max(size, std::abs(points.back() - points[d]));
+    }
+  if (!(size > 0) || !std::isfinite(size)) return points;
+  const double grid = std::ldexp(1.0, std::ilogb(size) - 20);
+  for (double& x : points) x = std::round(x / grid) * grid;
+  return points;
 }
 
 }  // namespace
@@ -123,7 +139,7 @@ Attempt ChartFlattener::tutte(const std::string& reason) {
   a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
   a.solution.converged = true;
-  a.validity = checkValidity(chart_, a.uv);
+  a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
   timings_.check += watch.lap();
   a.fallbacks.push_back(reason + "; Tutte's embedding on a circle instead");
@@ -137,9 +153,15 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
   a.uv = layOut(chart_, a.solution.angles);
   timings_.layout += watch.lap();
   onStage_("check");
-  a.validity = checkValidity(chart_, a.uv);
+  a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
   timings_.check += watch.lap();
+}
+
+Validity ChartFlattener::check(const std::vector<double>& uv) const {
+  Validity v = checkValidity(chart_, uv);
+  if (requiresSeparation_ && v.valid()) v.crossings = findCrossings(roundedOutline(chart_, uv));
+  return v;
 }
 
 }  // namespace abflat

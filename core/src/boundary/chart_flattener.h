@@ -39,6 +39,10 @@ class ChartFlattener {
   /// the interior point takes over with rising floors of its barrier.
   Attempt attempt(const std::vector<double>& t, const Attempt* warm);
 
+  /// From now on parts of the boundary that are as good as touching count as crossings, so that a
+  /// layout stays valid when it is moved and rounded.
+  void requireSeparation() { requiresSeparation_ = true; }
+
   /// From now on attempts also meet condition (9), with the given margin in radians, and need an
   /// attempt to start from. There is no interior point to take over then.
   void requireDelaunay(double margin);
@@ -61,12 +65,14 @@ class ChartFlattener {
 
  private:
   void layOutAndCheck(Attempt& a);
+  Validity check(const std::vector<double>& uv) const;
 
   const DiskChart& chart_;
   AngleProblem problem_;
   AngleSolver solver_;
   std::function<void(const char*)> onStage_;
   Timings timings_;
+  bool requiresSeparation_ = false;
 };
 
 }  // namespace abflat
