@@ -31,7 +31,8 @@ export const sharedMesh = (file) => join(SHARED, 'meshes', file);
 
 /** What the judge measures of an OBJ result: an object with `valid`, `failures`, `flipped`, ... */
 export function judge(input, result, t) {
-  const { stdout, stderr } = spawnSync(process.execPath, [JUDGE, input, result, '--t', String(t)], {
+  const bound = t === undefined ? [] : ['--t', String(t)];
+  const { stdout, stderr } = spawnSync(process.execPath, [JUDGE, input, result, ...bound], {
     encoding: 'utf8',
   });
   if (!stdout) throw new Error(`the judge could not read the files: ${stderr}`);

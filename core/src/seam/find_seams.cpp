@@ -165,7 +165,7 @@ Seams Finder::run() {
   seams_ = result_;
   constexpr int kMostRounds = 40;
   bool isDone = false;
-  while (!isDone && report_.rounds < kMostRounds && goesOn()) {
+  while (options_.isAuto && !isDone && report_.rounds < kMostRounds && goesOn()) {
     ++report_.rounds;
     isDone = !improve();
   }

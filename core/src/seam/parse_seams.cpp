@@ -6,7 +6,7 @@ namespace {
 
 Status wrong(std::string_view word) {
   return {StatusCode::InvalidOption,
-          "seams: '" + std::string(word) +
+          "'" + std::string(word) +
               "' is not auto, none or sharp=DEGREES with degrees above 0 and at most 180"};
 }
 
@@ -33,7 +33,7 @@ Result<SeamSources> parseSeams(std::string_view text) {
       return wrong(word);
   }
   if (isNone && words > 1)
-    return Status{StatusCode::InvalidOption, "seams: none does not go with others"};
+    return Status{StatusCode::InvalidOption, "none does not go with others"};
   return out;
 }
 
