@@ -15,7 +15,14 @@ struct Prediction {
   double total = 1;               ///< mean of `stretch` by area
   /// A vertex's own stretch.
   double at(std::uint32_t chart, double u) const;
+  /// How far its log-scale is from the chart's mean.
+  double shift(std::uint32_t chart, double u) const;
 };
+
+/// What a vertex adds to the stretch of the triangles round it because their angles there grow to 2
+/// pi. The finer the mesh the less area that is: 0 where it is a small share of the chart's, as
+/// noise would count otherwise.
+double kinkStretch(const SeamMesh& mesh, const CutSurface& surface, std::uint32_t vertex);
 
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& surface,
                           const std::vector<double>& u);
