@@ -56,9 +56,23 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
 
 }  // namespace
 
+void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
+  r.angularDistortion = d.angular;
+  r.lengthDistortion = d.length;
+  r.quasiConformalMean = d.quasiConformalMean;
+  r.quasiConformalMax = d.quasiConformalMax;
+  r.stretchL2 = d.stretchL2;
+  r.stretchLinf = d.stretchLinf;
+  r.symmetricDirichlet = d.symmetricDirichlet;
+  r.areaDistortionMin = d.areaMin;
+  r.areaDistortionMax = d.areaMax;
+  r.degenerateTriangles = v.degenerateTriangles;
+  r.flippedTriangles = v.flippedTriangles;
+  r.boundaryCrossings = v.crossings.count;
+  r.maxBoundaryAngle = v.maxBoundaryAngle;
+}
+
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
-  const Validity& v = attempt.validity;
-  const Distortion& d = attempt.distortion;
   const AngleSolution& s = attempt.solution;
   ChartReport r;
   r.faces = chart.triangleCount();
@@ -75,19 +89,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   r.history = s.history;
   r.constraintResidual = s.constraintResidual;
   r.converged = s.converged;
-  r.angularDistortion = d.angular;
-  r.lengthDistortion = d.length;
-  r.quasiConformalMean = d.quasiConformalMean;
-  r.quasiConformalMax = d.quasiConformalMax;
-  r.stretchL2 = d.stretchL2;
-  r.stretchLinf = d.stretchLinf;
-  r.symmetricDirichlet = d.symmetricDirichlet;
-  r.areaDistortionMin = d.areaMin;
-  r.areaDistortionMax = d.areaMax;
-  r.degenerateTriangles = v.degenerateTriangles;
-  r.flippedTriangles = v.flippedTriangles;
-  r.boundaryCrossings = v.crossings.count;
-  r.maxBoundaryAngle = v.maxBoundaryAngle;
+  setMeasures(r, attempt.validity, attempt.distortion);
   r.delaunay = attempt.delaunay;
   r.fallbacks = attempt.fallbacks;
   r.problem = findProblem(chart, attempt);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "abflat/generated/status_code.h"
+#include "mesh_format.h"
 #include "paths.h"
 
 namespace abflat::cli {
@@ -110,31 +111,30 @@ CLI::Validator sampleName() {
       "");
 }
 
-/// Results are OBJ text: a name that promises another format would mislead who reads it next.
-CLI::Validator objName() {
+/// A name that promises another format would mislead who reads the file next.
+CLI::Validator resultName() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
-        const std::string ending = endingOf(text);
-        for (const char* other : {".off", ".ply", ".stl", ".glb", ".gltf", ".fbx", ".dae", ".usd"})
-          if (ending == other)
-            return "the result is written as OBJ: give it a name that ends in .obj, not " + ending;
-        return "";
+        if (isWritableName(text)) return "";
+        return "results are written as OBJ or PLY: give a name that ends in .obj or .ply, not " +
+               endingOf(text);
       },
       "");
 }
 
 void addInput(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "mesh to read, OBJ or OFF; - for standard input")
+  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL or OFF; - for standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
 }
 
 void addOutput(CLI::App& app, std::string& output) {
-  app.add_option("-o,--output", output, "OBJ file to write; - for standard output")
+  app.add_option("-o,--output", output,
+                 wrapped("file to write, OBJ or PLY by its ending; - for OBJ on standard output"))
       ->required()
       ->check(notEmpty())
-      ->check(objName())
+      ->check(resultName())
       ->type_name("OUT");
 }
 
@@ -281,8 +281,9 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
   CLI::App* sub = app.add_subcommand(
       "reproduce", "Repeat the experiments of the paper: tables, convergence, figures");
   sub->group("Commands");
-  sub->add_option("--meshes", c.meshes,
-                  wrapped("folder whose OBJ and OFF files are used beside the generated models"))
+  sub->add_option(
+         "--meshes", c.meshes,
+         wrapped("folder whose OBJ, PLY, STL and OFF files are used beside the generated models"))
       ->check(notEmpty())
       ->type_name("DIR");
   sub->add_option("-o,--out", c.out, wrapped("folder to write to; made when it is missing"))

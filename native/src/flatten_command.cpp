@@ -7,6 +7,7 @@
 #include "bounds_file.h"
 #include "commands.h"
 #include "input_file.h"
+#include "mesh_format.h"
 #include "out_of_memory.h"
 #include "output_file.h"
 #include "paths.h"
@@ -64,12 +65,12 @@ class FlattenRun {
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
     // The names cannot tell when one of them has no ending or is a link.
-    if (input_.format != MeshFormat::Obj && command_.output != kStandardStream &&
+    const MeshFormat written = writtenFormat(command_.output);
+    if (input_.format != written && command_.output != kStandardStream &&
         isSameTarget(command_.input, command_.output))
       return Status{StatusCode::InvalidOption,
-                    name +
-                        ": the result is OBJ text and would replace this OFF file; give --output "
-                        "another name"};
+                    name + ": the result is " + formatName(written) + " and would replace this " +
+                        formatName(input_.format) + " file; give --output another name"};
     FlattenOptions options;
     static_cast<FlattenOptionValues&>(options) = command_.options;
     if (!command_.bounds.empty()) {
@@ -101,10 +102,10 @@ class FlattenRun {
   /// Both files are complete before either gets its name.
   Status writeAll(FlattenResult& result) {
     progress_.show({"write", 0, 0, 0.98});
+    if (writtenFormat(command_.output) == MeshFormat::Ply)
+      roundToSinglePrecision(input_.mesh, result);
     const Clock::time_point begin = Clock::now();
-    const bool isObj = input_.format == MeshFormat::Obj;
-    if (Status s = layout_.write(writeObj(input_.mesh, result.uv, result.cornerUv,
-                                          isObj ? input_.bytes : std::string_view()));
+    if (Status s = layout_.write(layoutText(input_, command_.output, result.uv, result.cornerUv));
         !s.ok())
       return s;
     writeSeconds_ = secondsSince(begin);

@@ -1,6 +1,7 @@
 #include "abflat/io.h"
 #include "abflat/samples.h"
 #include "commands.h"
+#include "mesh_format.h"
 #include "out_of_memory.h"
 #include "output_file.h"
 #include "terminal.h"
@@ -10,7 +11,11 @@ namespace {
 
 Result<std::string> sampleText(const SampleCommand& command) {
   for (const Sample& sample : samples())
-    if (sample.name == command.name) return writeObj(sample.make(command.detail), {}, {});
+    if (sample.name == command.name) {
+      const PolygonMesh mesh = sample.make(command.detail);
+      return writtenFormat(command.output) == MeshFormat::Ply ? writePly(mesh, {}, {})
+                                                              : writeObj(mesh, {}, {});
+    }
   return Status{StatusCode::InvalidOption, "there is no sample '" + command.name + "'"};
 }
 

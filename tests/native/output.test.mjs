@@ -123,7 +123,7 @@ test('an OFF file is not replaced by OBJ text, whatever it is called', async (t)
   ]) {
     const run = await flatten(at, [input, '-o', output, '--report', 'r.json']);
     assert.equal(run.code, 2, run.stderr);
-    assert.match(run.stderr, /mesh: the result is OBJ text and would replace this OFF file/);
+    assert.match(run.stderr, /mesh: the result is OBJ and would replace this OFF file/);
     assert.equal(readFileSync(at('mesh'), 'utf8'), off);
     const { error, input: counts } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
     assert.deepEqual([error.code, counts.faces], ['InvalidOption', 1]);

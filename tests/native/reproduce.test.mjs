@@ -202,7 +202,11 @@ describe('folders', () => {
     const at = prepared(t, {});
     writeFileSync(at('file'), '');
     for (const [args, code, sentence] of [
-      [['--meshes', 'meshes', '--out', 'out'], 3, /meshes: there is no \.obj or \.off file in it/],
+      [
+        ['--meshes', 'meshes', '--out', 'out'],
+        3,
+        /meshes: there is no \.obj, \.ply, \.stl or \.off file in it/,
+      ],
       [['--meshes', 'missing', '--out', 'out'], 3, /missing: there is no such folder/],
       [['--meshes', 'file', '--out', 'out'], 3, /file: it is not a folder/],
       [['--out', 'file'], 5, /cannot make the folder file/],

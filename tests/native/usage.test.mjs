@@ -53,7 +53,7 @@ const WRONG = [
     ['flatten', '-', '-o', 'o.obj', '--bounds', '-'],
     /--bounds: standard input is the mesh already/,
   ],
-  [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ/],
+  [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ or PLY/],
   [['sweep', 'in.obj', '--csv', './in.obj'], /--csv: would replace the input/],
   [['inspect'], /IN/],
   [['sample'], /NAME/],

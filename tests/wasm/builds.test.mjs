@@ -90,13 +90,13 @@ describe('all builds give the same bytes', () => {
 
   const assertSame = async (mesh, options) => {
     const [expected, ...others] = await Promise.all(
-      abflats.map((abflat) => abflat.flatten(mesh, { ...options, obj: true })),
+      abflats.map((abflat) => abflat.flatten(mesh, { ...options, obj: true, ply: true })),
     );
     assert.ok(expected.uv.length > 0);
     const [{ history }] = expected.report.charts;
     for (const result of others) {
       // Not deepEqual: it takes 0 for -0.
-      for (const name of ['uv', 'indices', 'vertexMap', 'obj'])
+      for (const name of ['uv', 'indices', 'vertexMap', 'obj', 'ply'])
         assert.ok(Buffer.compare(bytesOf(result[name]), bytesOf(expected[name])) === 0, name);
       assert.deepEqual(result.report.charts[0].history, history);
     }

@@ -92,6 +92,7 @@ const OPTIONS = [
   [{ bounds: [{ vertex: 1, t: 0 }] }, /bounds\[0\]\.t must be a number above 0/],
   [{ t: null }, /t/],
   [{ obj: 'yes' }, /obj/],
+  [{ ply: 1 }, /ply/],
   [{ transfer: 1 }, /transfer/],
   [{ onProgress: true }, /onProgress/],
   [{ signal: {} }, /signal/],

@@ -3,6 +3,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createAbflat, SAMPLE_NAMES } from 'abflat';
+import { column, elementOf, PLY_FORMATS, parsePly, plyBytes } from '../support/ply.mjs';
+import { binaryStl, textStl } from '../support/stl.mjs';
 import {
   bytesOf,
   grid,
@@ -81,6 +83,54 @@ test('arrays, OBJ and OFF of one mesh give the same layout', async () => {
     assert.deepEqual(result.indices, mesh.indices, name);
     assert.deepEqual(result.positions, mesh.positions, name);
     assert.equal(result.report.input.path, name);
+  }
+});
+
+/** The mesh in the formats that are made of bytes; coordinates must be single precision. */
+function files(mesh) {
+  const points = Array.from({ length: mesh.positions.length / 3 }, (_, v) =>
+    Array.from(mesh.positions.subarray(3 * v, 3 * v + 3)),
+  );
+  const faces = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
+    Array.from(mesh.indices.subarray(3 * f, 3 * f + 3)),
+  );
+  const triangles = faces.map((face) => face.map((v) => points[v]));
+  const xyz = ['x', 'y', 'z'].map((name) => ({ name, type: 'float' }));
+  const corners = { name: 'vertex_indices', type: 'int', countType: 'uchar' };
+  const elements = [
+    { name: 'vertex', properties: xyz, rows: points },
+    { name: 'face', properties: [corners], rows: faces.map((face) => [face]) },
+  ];
+  return {
+    ...Object.fromEntries(
+      PLY_FORMATS.map((format) => [`${format}.ply`, plyBytes({ format, elements })]),
+    ),
+    'binary.stl': binaryStl(triangles),
+    'text.stl': textStl(triangles),
+  };
+}
+
+test('PLY and STL of one mesh give the same layout', async () => {
+  const mesh = grid(8, Float32Array);
+  const fromArrays = await abflat.flatten(mesh);
+  for (const [name, bytes] of Object.entries(files(mesh))) {
+    const result = await abflat.flatten({ bytes, name });
+    if (name.endsWith('ply')) assert.deepEqual(result.uv, fromArrays.uv, name);
+    assert.equal(result.report.valid, true);
+    assert.equal(result.report.input.vertices, 81);
+    const { indices } = await abflat.load({ bytes, name });
+    assert.equal(indices.length, mesh.indices.length);
+  }
+});
+
+test('ply: true gives the file back with the texcoords of the layout', async () => {
+  for (const [name, bytes] of Object.entries(files(grid(4, Float32Array)))) {
+    const { ply, obj, uv } = await abflat.flatten({ bytes, name }, { ply: true });
+    assert.equal(obj, undefined);
+    const after = parsePly(Buffer.from(ply));
+    assert.equal(after.format, name.endsWith('ply') ? name.slice(0, -4) : PLY_FORMATS[1]);
+    assert.deepEqual(column(elementOf(after, 'vertex'), 's', 't').flat(), [...uv], name);
+    assert.deepEqual(uv, Float64Array.from(Float32Array.from(uv)), 'single precision');
   }
 });
 

@@ -91,8 +91,8 @@ EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double 
   job->options.bounds.push_back({vertex, t});
 }
 
-EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj) {
-  return finish(*job, flattenJob(*job, wantsObj != 0, reportProgress));
+EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj, int wantsPly) {
+  return finish(*job, flattenJob(*job, {wantsObj != 0, wantsPly != 0}, reportProgress));
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {

@@ -45,6 +45,8 @@ Bytes resultOf(const Job& job, Field field) {
       return bytesOf(job.positions);
     case Field::Obj:
       return bytesOf(job.obj);
+    case Field::Ply:
+      return bytesOf(job.ply);
     case Field::Text:
       return bytesOf(job.text);
   }
@@ -57,29 +59,34 @@ Status readInput(Job& job) {
   if (!job.isFile) return validateArrays(job.mesh);
   const Result<MeshFormat> format = detectFormat(job.name, job.source);
   if (!format.ok()) return format.status;
+  job.format = format.value;
   Result<PolygonMesh> mesh = readMesh(job.source, format.value, job.name);
-  // Only an OBJ is written back with its own text around the new texcoords.
-  if (format.value != MeshFormat::Obj) std::string().swap(job.source);
   job.mesh = std::move(mesh.value);
   return mesh.status;
 }
 
-Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress) {
+Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
   const Clock::time_point started = Clock::now();
   progress({"read", 0, 0, 0});
   if (Status s = readInput(job); !s.ok()) return s;
   const double read = secondsSince(started);
 
-  if (!wantsObj) std::string().swap(job.source);
+  // A file is written with the text of its source around the new texcoords.
+  const bool isObj = job.format == MeshFormat::Obj && wanted.obj;
+  const bool isPly = job.format == MeshFormat::Ply && wanted.ply;
+  if (!isObj && !isPly) std::string().swap(job.source);
   job.options.progress = progress;
   Result<FlattenResult> flat = flatten(job.mesh, job.options);
   if (!flat.ok()) return flat.status;
   job.result = std::move(flat.value);
 
-  const Clock::time_point writing = Clock::now();
   progress({"write", 0, 0, 0.98});
+  if (wanted.ply) roundToSinglePrecision(job.mesh, job.result);
+  const Clock::time_point writing = Clock::now();
   if (job.isFile) job.positions = gatherPositions(job.mesh, job.result.vertexMap);
-  if (wantsObj) job.obj = writeObj(job.mesh, job.result.uv, job.result.cornerUv, job.source);
+  const auto source = [&](bool isKept) { return isKept ? job.source : std::string_view(); };
+  if (wanted.obj) job.obj = writeObj(job.mesh, job.result.uv, job.result.cornerUv, source(isObj));
+  if (wanted.ply) job.ply = writePly(job.mesh, job.result.uv, job.result.cornerUv, source(isPly));
   job.result.report.path = job.name;
   job.result.report.timings.read = read;
   job.result.report.timings.write = secondsSince(writing);
@@ -92,6 +99,7 @@ Status flattenJob(Job& job, bool wantsObj, const ProgressCallback& progress) {
 Status compareJob(Job& job, const ProgressCallback& progress) {
   progress({"read", 0, 0, 0});
   if (Status s = readInput(job); !s.ok()) return s;
+  std::string().swap(job.source);
   Result<Comparison> compared = compare(job.mesh, {progress});
   if (!compared.ok()) return compared.status;
   Comparison& comparison = compared.value;

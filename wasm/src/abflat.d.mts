@@ -10,7 +10,7 @@ export interface NativeModule {
   _abflatIndices(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatAddBound(job: number, vertex: number, t: number): void;
-  _abflatFlatten(job: number, wantsObj: number): number;
+  _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
   _abflatCompare(job: number): number;
   _abflatInspect(job: number): number;
   _abflatLoad(job: number): number;

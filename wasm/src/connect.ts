@@ -100,17 +100,26 @@ function checkThreads(): void {
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
   checkKeys(options, KEYS.flatten);
-  const { obj, transfer, signal, onProgress } = options;
+  const { obj, ply, transfer, signal, onProgress } = options;
   const values = optionNumbers(options);
   const bounds = boundNumbers(options.bounds);
   checkBoolean('obj', obj);
+  checkBoolean('ply', ply);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
   client.checkUsable(signal);
   const owned = takeMesh(mesh, transfer);
   const wantsProgress = onProgress !== undefined;
   return client.call<FlattenResult>(
-    { kind: 'flatten', mesh: owned.mesh, values, bounds, wantsObj: obj === true, wantsProgress },
+    {
+      kind: 'flatten',
+      mesh: owned.mesh,
+      values,
+      bounds,
+      wantsObj: obj === true,
+      wantsPly: ply === true,
+      wantsProgress,
+    },
     { transfer: owned.buffers, signal, onProgress },
   );
 }

@@ -18,7 +18,7 @@ import type {
 import type { Comparison, FlattenResult, MeshSummary, Report, TriangleMesh } from './types.js';
 
 /** The numbers are those of `Field` in wasm/bindings/job.h. */
-const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, text: 5 } as const;
+const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, ply: 5, text: 6 } as const;
 
 /** Minified names may differ between builds, so each module needs its own. */
 const CREATE = { plain: createPlain, simd: createSimd, threads: createThreads };
@@ -134,7 +134,7 @@ export class Engine {
     };
   }
 
-  #flatten({ mesh, values, bounds, wantsObj }: FlattenRequest): FlattenResult {
+  #flatten({ mesh, values, bounds, wantsObj, wantsPly }: FlattenRequest): FlattenResult {
     const started = performance.now();
     return this.#withJob((job) => {
       this.#writeMesh(job, mesh);
@@ -144,7 +144,7 @@ export class Engine {
       });
       for (let i = 0; i < bounds.length; i += 2)
         this.#native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
-      this.#check(job, this.#native._abflatFlatten(job, Number(wantsObj)));
+      this.#check(job, this.#native._abflatFlatten(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
       const result: FlattenResult = {
         uv: new Float64Array(this.#read(job, FIELD.uv)),
@@ -154,6 +154,7 @@ export class Engine {
       };
       if ('bytes' in mesh) result.positions = new Float64Array(this.#read(job, FIELD.positions));
       if (wantsObj) result.obj = new Uint8Array(this.#read(job, FIELD.obj));
+      if (wantsPly) result.ply = new Uint8Array(this.#read(job, FIELD.ply));
       const { timings } = result.report;
       const now = performance.now();
       timings.read += (written - started) / 1000;

@@ -29,7 +29,7 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   Ok: { exit: 0, text: 'no error' },
   InvalidOption: { exit: 2, text: 'an option is unknown or out of its range' },
   UnreadableFile: { exit: 3, text: 'the file does not exist, cannot be opened or has an unknown format' },
-  ParseError: { exit: 3, text: 'the content is not what its format promises; the message names the line' },
+  ParseError: { exit: 3, text: 'the content is not what its format promises; the message names the line, or the byte of a binary file' },
   InvalidMesh: { exit: 3, text: 'mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners' },
   EmptyMesh: { exit: 4, text: 'the mesh has no faces' },
   DegenerateFace: { exit: 4, text: 'a face uses the same vertex twice' },
@@ -51,7 +51,7 @@ export const EXIT_CODES = [
   { code: 0, name: 'Valid', text: 'a valid result was written' },
   { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says which' },
   { code: 2, name: 'Usage', text: 'the command line cannot be understood' },
-  { code: 3, name: 'Unreadable', text: 'the input cannot be read: the message names file, line and what is wrong' },
+  { code: 3, name: 'Unreadable', text: 'the input cannot be read: the message names file, place and what is wrong' },
   { code: 4, name: 'NotFlattenable', text: 'the mesh was read but cannot be flattened: the message says why' },
   { code: 5, name: 'CannotWrite', text: 'the output cannot be written; an existing file is left as it was' },
 ] as const;

@@ -28,6 +28,7 @@ export interface FlattenRequest {
   /** Vertex and t of each bound in turn. */
   bounds: number[];
   wantsObj: boolean;
+  wantsPly: boolean;
   wantsProgress: boolean;
 }
 

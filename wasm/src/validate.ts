@@ -8,7 +8,7 @@ import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
 const OF_CALL = ['signal', 'transfer'];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
-  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'onProgress', 'obj', ...OF_CALL],
+  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'onProgress', 'obj', 'ply', ...OF_CALL],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],

@@ -126,6 +126,12 @@ struct FlattenResult {
 /// InfeasibleBound, Aborted.
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options);
 
+/// Rounds a valid layout to single precision, which is all that many programs read from a PLY file,
+/// and measures it again: the report is about the rounded coordinates then. Where that would flip a
+/// triangle, make the boundary cross itself or lose the Delaunay condition, the layout stays as it
+/// is and a sentence among the fallbacks says so. Returns whether it was rounded.
+bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result);
+
 /// The report as JSON text, indented by two spaces; keys as in the README. Numbers that are not
 /// finite, and counts of an input that is not known (it could not be read), are null.
 std::string reportJson(const Report& report);

@@ -9,14 +9,15 @@
 
 namespace abflat {
 
-enum class MeshFormat { Obj, Off };
+enum class MeshFormat { Obj, Off, Ply, Stl };
 
-/// Format by the ending of a file name (".obj", ".off", any case); without a known ending by the
-/// first bytes. Errors: UnreadableFile when neither tells.
+/// Format by the ending of a file name (".obj", ".off", ".ply", ".stl", any case); without a known
+/// ending by the first bytes. Errors: UnreadableFile when neither tells.
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes);
 
-/// Parses a whole file. `fileName` is used in messages only.
-/// Errors: ParseError (names file and line).
+/// Parses a whole file. STL has no connectivity: corners at identical coordinates are one vertex.
+/// `fileName` is used in messages only. Errors: ParseError (names file and line, or byte of a
+/// binary file).
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName);
 
 /// Checks arrays that did not come from a file: index ranges, finite coordinates, face sizes.
@@ -31,5 +32,14 @@ Status validateArrays(const PolygonMesh& mesh);
 /// doubles.
 std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj = {});
+
+/// PLY of the mesh with texcoords: vertex properties `s` and `t`, `float` where every coordinate of
+/// `uv` is one and `double` otherwise. Arguments as for writeObj. Vertices and faces keep their
+/// order; a vertex with several texcoords is repeated behind all others. When `sourcePly` is the
+/// PLY file that `mesh` was read from, encoding and all other elements, properties and comments
+/// are copied from it byte for byte, and texcoords that it had give way; otherwise the file is
+/// binary.
+std::string writePly(const PolygonMesh& mesh, const std::vector<double>& uv,
+                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourcePly = {});
 
 }  // namespace abflat

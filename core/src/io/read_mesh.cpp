@@ -4,6 +4,8 @@
 #include "io/obj_lines.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
+#include "io/read_ply.h"
+#include "io/read_stl.h"
 #include "io/text_lines.h"
 
 namespace abflat {
@@ -33,6 +35,10 @@ bool looksLikeOff(std::string_view bytes) {
   return false;
 }
 
+bool looksLikePly(std::string_view bytes) {
+  return beginsWith(bytes, "ply") && bytes.size() > 3 && (bytes[3] == '\n' || bytes[3] == '\r');
+}
+
 bool looksLikeObj(std::string_view bytes) {
   ObjLines lines(bytes.substr(0, 1 << 16));
   ObjLine line;
@@ -46,17 +52,32 @@ bool looksLikeObj(std::string_view bytes) {
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
   if (endsWith(fileName, ".obj")) return MeshFormat::Obj;
   if (endsWith(fileName, ".off")) return MeshFormat::Off;
+  if (endsWith(fileName, ".ply")) return MeshFormat::Ply;
+  if (endsWith(fileName, ".stl")) return MeshFormat::Stl;
+  if (looksLikeStl(bytes)) return MeshFormat::Stl;
   if (hasByteOrderMark(bytes)) bytes.remove_prefix(kByteOrderMark.size());
+  if (looksLikePly(bytes)) return MeshFormat::Ply;
   if (looksLikeOff(bytes)) return MeshFormat::Off;
   if (looksLikeObj(bytes)) return MeshFormat::Obj;
   return Status{StatusCode::UnreadableFile,
                 std::string(fileName) +
-                    (bytes.empty() ? ": the file is empty" : ": neither an OBJ nor an OFF file")};
+                    (bytes.empty() ? ": the file is empty" : ": not an OBJ, PLY, STL or OFF file")};
 }
 
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
-  if (hasByteOrderMark(bytes)) bytes.remove_prefix(kByteOrderMark.size());
-  return format == MeshFormat::Obj ? readObj(bytes, fileName) : readOff(bytes, fileName);
+  std::string_view text = bytes;
+  if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
+  switch (format) {
+    case MeshFormat::Obj:
+      return readObj(text, fileName);
+    case MeshFormat::Off:
+      return readOff(text, fileName);
+    case MeshFormat::Ply:
+      return readPly(text, fileName);
+    case MeshFormat::Stl:
+      return readStl(bytes, fileName);  // binary ones may begin with anything
+  }
+  return Status{StatusCode::Internal, "no reader for this format"};
 }
 
 Status validateArrays(const PolygonMesh& mesh) {

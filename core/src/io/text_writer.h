@@ -30,6 +30,8 @@ class TextWriter {
     std::memcpy(room(part.size()), part.data(), part.size());
     size_ += part.size();
   }
+  /// Takes back the last character.
+  void unput() { --size_; }
   void put(double value) { endAt(writeDouble(room(kMostDoubleChars), value)); }
   void put(std::uint32_t value) { endAt(writeInteger(room(kMostIntegerChars), value)); }
 

@@ -53,10 +53,11 @@ Result<std::vector<fs::path>> meshFiles(const std::string& folder) {
   fs::directory_iterator at(folder, error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
     const std::string ending = endingOf(at->path().string());
-    if (ending == ".obj" || ending == ".off") out.push_back(at->path());
+    if (ending == ".obj" || ending == ".ply" || ending == ".stl" || ending == ".off")
+      out.push_back(at->path());
   }
   if (error) return noMeshes(folder, error.message());
-  if (out.empty()) return noMeshes(folder, "there is no .obj or .off file in it");
+  if (out.empty()) return noMeshes(folder, "there is no .obj, .ply, .stl or .off file in it");
   std::sort(out.begin(), out.end());
   return out;
 }

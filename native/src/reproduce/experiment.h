@@ -18,8 +18,8 @@ struct Model {
   const PaperModel* paper = nullptr;
 };
 
-/// The generated models that look like those of the paper, then the OBJ and OFF files of a folder
-/// by name; an empty `folder` adds none. Errors: UnreadableFile.
+/// The generated models that look like those of the paper, then the OBJ, PLY, STL and OFF files of
+/// a folder by name; an empty `folder` adds none. Errors: UnreadableFile.
 Result<std::vector<Model>> findModels(const std::string& folder);
 
 /// Seconds of everything between arrays in and arrays out, as `sweep` counts them.

@@ -210,7 +210,7 @@ TEST_CASE("the format is told by the name, or else by the content") {
   CHECK(detectFormat("a.off", "v 0 0 0").value == MeshFormat::Off);
   CHECK(detectFormat("-", "# c\n COFF 1 2 3\n").value == MeshFormat::Off);
   CHECK(detectFormat("-", "# c\no thing\nv 0 0 0\n").value == MeshFormat::Obj);
-  CHECK(detectFormat("a.stl", "solid x\n").status.code == StatusCode::UnreadableFile);
+  CHECK(detectFormat("a.glb", "glTF").status.code == StatusCode::UnreadableFile);
   CHECK(detectFormat("-", "").status.code == StatusCode::UnreadableFile);
 }
 

@@ -9,7 +9,7 @@ enum class ExitCode : int {
   Valid = 0,  ///< a valid result was written
   NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says which
   Usage = 2,  ///< the command line cannot be understood
-  Unreadable = 3,  ///< the input cannot be read: the message names file, line and what is wrong
+  Unreadable = 3,  ///< the input cannot be read: the message names file, place and what is wrong
   NotFlattenable = 4,  ///< the mesh was read but cannot be flattened: the message says why
   CannotWrite = 5,  ///< the output cannot be written; an existing file is left as it was
 };
@@ -19,7 +19,7 @@ enum class StatusCode : int {
   Ok = 0,  ///< no error
   InvalidOption = 1,  ///< an option is unknown or out of its range
   UnreadableFile = 2,  ///< the file does not exist, cannot be opened or has an unknown format
-  ParseError = 3,  ///< the content is not what its format promises; the message names the line
+  ParseError = 3,  ///< the content is not what its format promises; the message names the line, or the byte of a binary file
   InvalidMesh = 4,  ///< mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners
   EmptyMesh = 5,  ///< the mesh has no faces
   DegenerateFace = 6,  ///< a face uses the same vertex twice
@@ -92,7 +92,7 @@ inline const char* statusText(StatusCode code) {
     case StatusCode::UnreadableFile:
       return "the file does not exist, cannot be opened or has an unknown format";
     case StatusCode::ParseError:
-      return "the content is not what its format promises; the message names the line";
+      return "the content is not what its format promises; the message names the line, or the byte of a binary file";
     case StatusCode::InvalidMesh:
       return "mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners";
     case StatusCode::EmptyMesh:
@@ -165,7 +165,7 @@ inline const char* exitCodeText(ExitCode code) {
     case ExitCode::Usage:
       return "the command line cannot be understood";
     case ExitCode::Unreadable:
-      return "the input cannot be read: the message names file, line and what is wrong";
+      return "the input cannot be read: the message names file, place and what is wrong";
     case ExitCode::NotFlattenable:
       return "the mesh was read but cannot be flattened: the message says why";
     case ExitCode::CannotWrite:

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "abflat/status.h"
+
+namespace abflat {
+
+enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+constexpr std::size_t sizeOf(PlyType type) {
+  constexpr std::uint8_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+/// The name that every reader knows: "uchar", not "uint8".
+std::string_view nameOf(PlyType type);
+
+enum class PlyEncoding { Text, LittleEndian, BigEndian };
+
+constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
+
+struct PlyProperty {
+  std::string_view name;
+  PlyType type = PlyType::Float32;       ///< of the number, or of each number of the list
+  PlyType countType = PlyType::Float32;  ///< of the number that a list begins with
+  bool isList = false;
+};
+
+struct PlyElement {
+  std::string_view name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+  bool hasLists = false;
+  std::size_t leastBytes = 0;  ///< of a row of a binary file; exactly that many without lists
+
+  /// kNoIndex when there is none.
+  std::size_t find(std::string_view property) const;
+};
+
+/// What a PLY file says of itself. Views refer to the bytes of the file.
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::Text;
+  std::vector<PlyElement> elements;
+  std::string_view text;     ///< with the line that ends it
+  std::string_view lineEnd;  ///< of its first line, and so of the others
+  std::size_t lines = 0;
+
+  std::size_t vertex = kNoIndex;    ///< element
+  std::size_t face = kNoIndex;      ///< element; kNoIndex in a point cloud
+  std::size_t x = 0, y = 0, z = 0;  ///< properties of a vertex
+  std::size_t corners = kNoIndex;   ///< property of a face: the list of its vertices
+};
+
+/// Errors: ParseError (names file and line), also where there are no vertices with x, y and z, or
+/// no lists of vertices in the faces.
+Result<PlyHeader> readPlyHeader(std::string_view bytes, std::string_view fileName);
+
+/// The first line of the rest of a header, with its end. Where lines end in "\r" alone, as on old
+/// Macs, a "\n" behind the last one is data.
+std::string_view headerLine(std::string_view rest, std::string_view lineEnd);
+
+}  // namespace abflat

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "io/ply_header.h"
+
+namespace abflat {
+
+inline std::string tooFewCorners(std::size_t corners) {
+  return "the face has " + std::to_string(corners) + " corners; at least 3 are needed";
+}
+
+inline std::string noSuchVertex(const std::string& vertex, std::uint64_t vertices) {
+  return "the face refers to vertex " + vertex + ", but the file has " + std::to_string(vertices) +
+         " vertices, counted from 0";
+}
+
+/// "3 of 'face'", "1 of 'vertex'".
+inline std::string rowsOf(std::uint64_t rows, const PlyElement& element) {
+  return std::to_string(rows) + " of '" + std::string(element.name.substr(0, 40)) + "'";
+}
+
+}  // namespace abflat

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "abflat/mesh.h"
+#include "io/ply_header.h"
+#include "io/split_vertices.h"
+#include "io/text_writer.h"
+
+namespace abflat {
+
+/// What becomes of a property of a vertex or a face.
+struct PlyTarget {
+  enum class Source {
+    Copied,
+    Dropped,   ///< an old texcoord of a vertex
+    Corners,   ///< the vertices of a face
+    Texcoords  ///< of the corners of a face
+  };
+  Source source = Source::Copied;
+  PlyType type = PlyType::Float32;
+  PlyType countType = PlyType::Float32;  ///< of a list
+};
+
+/// How a PLY file is written with other texcoords.
+struct PlyPlan {
+  std::vector<PlyTarget> vertex, face;  ///< one a property
+  PlyType uvType = PlyType::Float32;    ///< of s and t, behind the properties of a vertex
+  bool dropsFromVertex = false;
+};
+
+/// Numbers are `float` where all of them are, and `double` otherwise.
+PlyType smallestType(const std::vector<double>& numbers);
+
+PlyPlan makePlyPlan(const PlyHeader& header, const PolygonMesh& mesh,
+                    const SplitVertices& vertices);
+
+/// The header of the source with what the plan changes.
+void putPlyHeader(TextWriter& out, const PlyHeader& header, const PlyPlan& plan,
+                  std::uint64_t vertexCount);
+
+}  // namespace abflat

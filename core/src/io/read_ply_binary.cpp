@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "io/number_text.h"
+#include "io/parse_error.h"
+#include "io/ply_messages.h"
+#include "io/ply_row.h"
+#include "io/read_ply.h"
+
+namespace abflat {
+namespace {
+
+std::string numberText(double value) {
+  std::array<char, kMostDoubleChars> text{};
+  return {text.data(), writeDouble(text.data(), value)};
+}
+
+class BinaryReader {
+ public:
+  BinaryReader(const PlyHeader& header, std::string_view bytes, std::string_view fileName)
+      : header_(header),
+        isBigEndian_(header.encoding == PlyEncoding::BigEndian),
+        begin_(bytes.data()),
+        at_(begin_ + header.text.size()),
+        end_(begin_ + bytes.size()),
+        fileName_(fileName) {}
+
+  Result<PolygonMesh> run() {
+    mesh_.faceOffsets.push_back(0);
+    for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+      element_ = &header_.elements[i];
+      row_ = 0;
+      if (element_->count == 0 || element_->properties.empty()) continue;
+      // Counts that lie must not make the reader reserve more than the file is worth.
+      if (room() / element_->leastBytes < element_->count) return cutOff();
+      const Status s = i == header_.vertex ? vertices() : i == header_.face ? faces() : skipped();
+      if (!s.ok()) return s;
+    }
+    // Padding is harmless; anything else means that a count is wrong.
+    for (const char* c = at_; c != end_; ++c)
+      if (*c != '\0' && *c != '\n' && *c != '\r' && *c != ' ')
+        return Status{StatusCode::ParseError,
+                      std::string(fileName_) + ": the file goes on for " + std::to_string(room()) +
+                          " bytes behind the last element that its header promises"};
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Of the element; no more than there are bytes.
+  std::size_t rows() const { return static_cast<std::size_t>(element_->count); }
+  std::size_t room() const { return static_cast<std::size_t>(end_ - at_); }
+
+  std::string fileEnds() const {
+    return std::string(fileName_) + ": the file ends at byte " + std::to_string(end_ - begin_);
+  }
+
+  Status cutOff() const {
+    return {StatusCode::ParseError, fileEnds() + " before the " +
+                                        rowsOf(element_->count, *element_) +
+                                        " that its header promises; is it cut off?"};
+  }
+
+  Status here(const std::string& sentence) const {
+    return {StatusCode::ParseError,
+            std::string(fileName_) + ": " + std::string(element_->name.substr(0, 40)) + " " +
+                std::to_string(row_) + " (byte " + std::to_string(at_ - begin_) + "): " + sentence};
+  }
+
+  Status take(const PlyProperty& property, PlyField& field) {
+    switch (scanField(property, at_, end_, isBigEndian_, field)) {
+      case PlyScan::Ok:
+        at_ = field.end;
+        return {};
+      case PlyScan::CutOff:
+        return {StatusCode::ParseError,
+                fileEnds() + ", within " + quoted(element_->name) + " " + std::to_string(row_) +
+                    " of " + std::to_string(element_->count) + " (counted from 0); is it cut off?"};
+      case PlyScan::BadCount:
+        break;
+    }
+    return here("the length of list " + quoted(property.name) + " is not a whole number");
+  }
+
+  Status skipped() {
+    if (!element_->hasLists) {
+      at_ += rows() * element_->leastBytes;
+      return {};
+    }
+    PlyField field;
+    for (; row_ < element_->count; ++row_)
+      for (const PlyProperty& property : element_->properties)
+        if (Status s = take(property, field); !s.ok()) return s;
+    return {};
+  }
+
+  Status vertices() {
+    mesh_.positions.reserve(3 * rows());
+    // All rows are alike: positions are read where they are known to be.
+    std::size_t offsets[3] = {};
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t p = 0; p < axis(d); ++p) offsets[d] += sizeOf(element_->properties[p].type);
+    for (; row_ < element_->count; ++row_) {
+      const char* numbers[3] = {at_ + offsets[0], at_ + offsets[1], at_ + offsets[2]};
+      const char* next = at_ + element_->leastBytes;
+      if (element_->hasLists)
+        if (Status s = scanRow(numbers, next); !s.ok()) return s;
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double value =
+            loadNumber(numbers[d], element_->properties[axis(d)].type, isBigEndian_);
+        if (!std::isfinite(value))
+          return here(std::string("coordinate ") + "xyz"[d] + " is not finite");
+        mesh_.positions.push_back(value);
+      }
+      at_ = next;
+    }
+    return {};
+  }
+
+  /// Property of the coordinate x, y or z.
+  std::size_t axis(std::size_t d) const {
+    return d == 0 ? header_.x : d == 1 ? header_.y : header_.z;
+  }
+
+  /// A vertex with lists: where its coordinates and the next row are.
+  Status scanRow(const char* (&numbers)[3], const char*& next) {
+    const char* const row = at_;
+    PlyField field;
+    for (std::size_t p = 0; p < element_->properties.size(); ++p) {
+      if (Status s = take(element_->properties[p], field); !s.ok()) return s;
+      for (std::size_t d = 0; d < 3; ++d)
+        if (p == axis(d)) numbers[d] = field.numbers;
+    }
+    next = std::exchange(at_, row);
+    return {};
+  }
+
+  Status faces() {
+    mesh_.faceOffsets.reserve(rows() + 1);
+    const PlyType type = element_->properties[header_.corners].type;
+    mesh_.faceVertices.reserve(std::min(3 * rows(), room() / sizeOf(type)));
+    for (; row_ < element_->count; ++row_)
+      for (std::size_t p = 0; p < element_->properties.size(); ++p) {
+        PlyField field;
+        if (Status s = take(element_->properties[p], field); !s.ok()) return s;
+        if (p != header_.corners) continue;
+        if (Status s = face(field, type); !s.ok()) return s;
+      }
+    return {};
+  }
+
+  Status face(const PlyField& field, PlyType type) {
+    const auto vertices = static_cast<double>(header_.elements[header_.vertex].count);
+    if (field.count < 3) return here(tooFewCorners(field.count));
+    const char* number = field.numbers;
+    for (std::size_t k = 0; k < field.count; ++k, number += sizeOf(type)) {
+      const double value = loadNumber(number, type, isBigEndian_);
+      if (!(value >= 0 && value < vertices) || value != std::floor(value))
+        return here(noSuchVertex(numberText(value), header_.elements[header_.vertex].count));
+      mesh_.faceVertices.push_back(static_cast<std::uint32_t>(value));
+    }
+    if (mesh_.faceVertices.size() > 0xffffffff)
+      return here("more than 4294967295 face corners are not supported");
+    mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
+    return {};
+  }
+
+  const PlyHeader& header_;
+  bool isBigEndian_;
+  const char *begin_, *at_, *end_;
+  std::string_view fileName_;
+  const PlyElement* element_ = nullptr;
+  std::uint64_t row_ = 0;
+  PolygonMesh mesh_;
+};
+
+}  // namespace
+
+Result<PolygonMesh> readPlyBinary(const PlyHeader& header, std::string_view bytes,
+                                  std::string_view fileName) {
+  return BinaryReader(header, bytes, fileName).run();
+}
+
+}  // namespace abflat

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/number_text.h"
+#include "io/parse_error.h"
+#include "io/ply_messages.h"
+#include "io/ply_value.h"
+#include "io/read_ply.h"
+#include "io/text_lines.h"
+
+namespace abflat {
+namespace {
+
+/// A row is a line; lines that hold nothing are no rows.
+class TextReader {
+ public:
+  TextReader(const PlyHeader& header, std::string_view bytes, std::string_view fileName)
+      : header_(header),
+        rest_(bytes.substr(header.text.size())),
+        line_(header.lines),
+        fileName_(fileName) {}
+
+  Result<PolygonMesh> run() {
+    mesh_.faceOffsets.push_back(0);
+    std::string_view words;
+    for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+      element_ = &header_.elements[i];
+      if (element_->properties.empty()) continue;
+      reserve(i);
+      for (std::uint64_t row = 0; row < element_->count; ++row) {
+        if (!nextRow(words))
+          return here("the header promises " + rowsOf(element_->count, *element_) +
+                      ", but the file ends after " + std::to_string(row));
+        const Status s = i == header_.vertex ? vertex(words) : skippedOrFace(words, i);
+        if (!s.ok()) return s;
+      }
+    }
+    if (nextRow(words))
+      return here("the file goes on behind the last row that its header promises");
+    return std::move(mesh_);
+  }
+
+ private:
+  Status here(const std::string& sentence) const { return parseError(fileName_, line_, sentence); }
+
+  /// A number takes 2 bytes at least: counts that lie cannot make the reader reserve more than the
+  /// file is worth.
+  void reserve(std::size_t element) {
+    const auto rows =
+        static_cast<std::size_t>(std::min<std::uint64_t>(element_->count, rest_.size() / 2 + 1));
+    if (element == header_.vertex)
+      mesh_.positions.reserve(std::min(3 * rows, rest_.size() / 2 + 3));
+    if (element != header_.face) return;
+    mesh_.faceOffsets.reserve(rows + 1);
+    mesh_.faceVertices.reserve(std::min(3 * rows, rest_.size() / 2 + 3));
+  }
+
+  bool nextRow(std::string_view& words) {
+    while (!rest_.empty()) {
+      const std::string_view line = rest_.substr(0, lineSize(rest_));
+      rest_.remove_prefix(line.size());
+      ++line_;
+      const std::size_t first = line.find_first_not_of(" \t\r\n");
+      if (first == std::string_view::npos) continue;
+      words = line.substr(first, line.find_last_not_of(" \t\r\n") + 1 - first);
+      return true;
+    }
+    return false;
+  }
+
+  Status missing(const PlyProperty& property) const {
+    return here("the row ends before " + quoted(property.name) + "; is the file cut off?");
+  }
+
+  Status ended(std::string_view words) const {
+    const std::string_view word = takeWord(words);
+    if (word.empty()) return {};
+    return here("the row has more values than its element has properties: " + quoted(word));
+  }
+
+  Status vertex(std::string_view words) {
+    const std::size_t at = mesh_.positions.size();
+    mesh_.positions.resize(at + 3);
+    for (std::size_t p = 0; p < element_->properties.size(); ++p) {
+      const bool isWanted = p == header_.x || p == header_.y || p == header_.z;
+      if (!isWanted) {
+        if (Status s = skip(element_->properties[p], words); !s.ok()) return s;
+        continue;
+      }
+      const std::string_view word = takeWord(words);
+      double value = 0;
+      if (word.empty()) return missing(element_->properties[p]);
+      if (!parseDouble(word, value)) return here(quoted(word) + " is not a number");
+      if (!std::isfinite(value))
+        return here("vertex " + std::to_string(at / 3) + " has the coordinate " + quoted(word) +
+                    ", which is not finite");
+      mesh_.positions[at + (p == header_.x ? 0 : p == header_.y ? 1 : 2)] = value;
+    }
+    return ended(words);
+  }
+
+  Status skippedOrFace(std::string_view words, std::size_t element) {
+    for (std::size_t p = 0; p < element_->properties.size(); ++p) {
+      const bool isFace = element == header_.face && p == header_.corners;
+      const PlyProperty& property = element_->properties[p];
+      if (Status s = isFace ? face(property, words) : skip(property, words); !s.ok()) return s;
+    }
+    return ended(words);
+  }
+
+  /// Whole numbers may be written as "3.0" where their type is float.
+  static bool parseWhole(std::string_view word, std::int64_t& whole) {
+    if (parseInteger(word, whole)) return true;
+    double value = 0;
+    if (!parseDouble(word, value) || !(std::abs(value) < 1e15) || value != std::floor(value))
+      return false;
+    whole = static_cast<std::int64_t>(value);
+    return true;
+  }
+
+  Status listSize(const PlyProperty& property, std::string_view& words, std::int64_t& size) {
+    const std::string_view word = takeWord(words);
+    if (word.empty()) return missing(property);
+    if (!parseWhole(word, size) || size < 0)
+      return here(quoted(word) + " is not the length of list " + quoted(property.name));
+    return {};
+  }
+
+  Status skip(const PlyProperty& property, std::string_view& words) {
+    std::int64_t size = 1;
+    if (property.isList)
+      if (Status s = listSize(property, words, size); !s.ok()) return s;
+    for (std::int64_t k = 0; k < size; ++k)
+      if (takeWord(words).empty()) return missing(property);
+    return {};
+  }
+
+  Status face(const PlyProperty& property, std::string_view& words) {
+    const std::uint64_t vertices = header_.elements[header_.vertex].count;
+    std::int64_t size = 0;
+    if (Status s = listSize(property, words, size); !s.ok()) return s;
+    if (size < 3) return here(tooFewCorners(static_cast<std::size_t>(size)));
+    for (std::int64_t k = 0; k < size; ++k) {
+      const std::string_view word = takeWord(words);
+      std::int64_t vertex = 0;
+      if (word.empty())
+        return here("the face has " + std::to_string(k) + " of its " + std::to_string(size) +
+                    " corners; is the file cut off?");
+      if (!parseWhole(word, vertex)) return here(quoted(word) + " is not a vertex number");
+      if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices)
+        return here(noSuchVertex(std::to_string(vertex), vertices));
+      mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    if (mesh_.faceVertices.size() > 0xffffffff)
+      return here("more than 4294967295 face corners are not supported");
+    mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
+    return {};
+  }
+
+  const PlyHeader& header_;
+  std::string_view rest_;
+  std::size_t line_;
+  std::string_view fileName_;
+  const PlyElement* element_ = nullptr;
+  PolygonMesh mesh_;
+};
+
+}  // namespace
+
+Result<PolygonMesh> readPlyText(const PlyHeader& header, std::string_view bytes,
+                                std::string_view fileName) {
+  return TextReader(header, bytes, fileName).run();
+}
+
+}  // namespace abflat

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "abflat/mesh.h"
+
+namespace abflat {
+
+/// Vertices for a format that has one texcoord a vertex: those of the mesh in their order, and
+/// behind them a copy for every further texcoord of one of them.
+struct SplitVertices {
+  std::vector<std::uint32_t> ofCorner;  ///< vertex of each face corner
+  std::vector<std::uint32_t> copied;    ///< vertex of the mesh that each copy repeats
+  std::vector<double> uv;               ///< 2 per vertex; 0 where no face refers to it
+};
+
+/// Arguments as for writePly; `uv` may be empty.
+SplitVertices splitVertices(const PolygonMesh& mesh, const std::vector<double>& uv,
+                            const std::vector<std::uint32_t>& cornerUv);
+
+}  // namespace abflat

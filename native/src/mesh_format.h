@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "abflat/io.h"
+#include "input_file.h"
+
+namespace abflat::cli {
+
+/// "OBJ", "PLY", ...
+std::string formatName(MeshFormat format);
+
+/// Whether results can be written under this name: it ends in .obj or .ply, or has no ending.
+bool isWritableName(const std::string& path);
+
+/// The format that is written under a name; OBJ where it has no ending.
+MeshFormat writtenFormat(const std::string& path);
+
+/// The file to write as `path`: the input with these texcoords, see writeObj and writePly.
+std::string layoutText(const InputMesh& input, const std::string& path,
+                       const std::vector<double>& uv, const std::vector<std::uint32_t>& cornerUv);
+
+}  // namespace abflat::cli

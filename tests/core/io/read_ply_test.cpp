@@ -1,0 +1,223 @@
+#include <cmath>
+#include <random>
+
+#include "abflat/io.h"
+#include "catch.h"
+#include "support/ply_files.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+Result<PolygonMesh> ply(const std::string& bytes) {
+  return readMesh(bytes, MeshFormat::Ply, "a.ply");
+}
+
+void checkError(const std::string& bytes, const std::string& place, const std::string& part) {
+  const Result<PolygonMesh> r = ply(bytes);
+  INFO(r.status.message);
+  CHECK(r.status.code == StatusCode::ParseError);
+  CHECK(r.status.message.rfind(place, 0) == 0);
+  CHECK(r.status.message.find(part) != std::string::npos);
+}
+
+const std::vector<std::vector<double>> kPoints = {{0, 0, 0}, {2, 0, 0}, {2, 1.5, 0.25}, {0, 1, 0}};
+const std::vector<double> kPositions = {0, 0, 0, 2, 0, 0, 2, 1.5, 0.25, 0, 1, 0};
+
+PlyTestElement vertices() { return {"vertex", {"float x", "float y", "float z"}, kPoints}; }
+PlyTestElement faces() {
+  return {"face", {"list uchar int vertex_indices"}, {{4, 0, 1, 2, 3}, {3, 2, 1, 0}}};
+}
+
+void checkQuadAndTriangle(const Result<PolygonMesh>& r) {
+  INFO(r.status.message);
+  REQUIRE(r.ok());
+  CHECK(r.value.positions == kPositions);
+  CHECK(r.value.faceOffsets == std::vector<std::uint32_t>{0, 4, 7});
+  CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1, 0});
+}
+
+/// Lists of all sorts on vertices and faces, unknown elements, a permuted order.
+std::vector<PlyTestElement> richElements() {
+  PlyTestElement v{
+      "vertex",
+      {"uchar red", "double z", "list ushort short links", "float y", "int x", "double weight"},
+      {}};
+  for (const std::vector<double>& p : kPoints)
+    v.rows.push_back({200, p[2], 2, -5, 7, p[1], p[0], 0.1});
+  const PlyTestElement f{
+      "face",
+      {"list char float texcoord", "uchar flags", "list uint ushort vertex_index", "float area"},
+      {{2, 0.5, 0.5, 1, 4, 0, 1, 2, 3, 9.5}, {0, 255, 3, 2, 1, 0, 1}}};
+  return {{"camera", {"float a", "list int double b"}, {{1, 3, 1, 2, 3}, {2, 0}}},
+          f,
+          {"empty", {}, {}},
+          v,
+          {"edge", {"int vertex1", "int vertex2"}, {{0, 1}, {1, 2}}}};
+}
+
+}  // namespace
+
+TEST_CASE("PLY: all encodings, line ends and types of numbers", "[ply]") {
+  for (const std::string& format : kPlyFormats)
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      INFO(format << " " << end.size());
+      checkQuadAndTriangle(ply(plyFile(format, {vertices(), faces()}, end)));
+      checkQuadAndTriangle(ply(plyFile(format, {faces(), vertices()}, end)));
+      checkQuadAndTriangle(ply(plyFile(format, richElements(), end)));
+    }
+  for (const char* count : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double",
+                            "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32"})
+    for (const char* index : {"char", "uint8", "short", "uint16", "int", "uint32", "float"})
+      for (const std::string& format : kPlyFormats) {
+        PlyTestElement f = faces();
+        f.properties = {std::string("list ") + count + " " + index + " vertex_index"};
+        checkQuadAndTriangle(ply(plyFile(format, {vertices(), f})));
+      }
+}
+
+TEST_CASE("PLY: binary data may begin with a byte that ends lines", "[ply]") {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const PlyTestElement first{"first", {"uchar a", "uchar b"}, {{10, 13}}};
+    checkQuadAndTriangle(ply(plyFile("binary_big_endian", {first, vertices(), faces()}, end)));
+  }
+}
+
+TEST_CASE("PLY: a point cloud, a blank line, padding and a byte order mark are harmless", "[ply]") {
+  for (const std::string& format : kPlyFormats) {
+    const Result<PolygonMesh> cloud = ply(plyFile(format, {vertices()}));
+    REQUIRE(cloud.ok());
+    CHECK(cloud.value.vertexCount() == 4);
+    CHECK(cloud.value.faceCount() == 0);
+    const std::string bytes = plyFile(format, {vertices(), faces()});
+    checkQuadAndTriangle(ply(bytes + "\n"));
+    checkQuadAndTriangle(ply("\xEF\xBB\xBF" + bytes));
+  }
+  std::string text = plyFile("ascii", {vertices(), faces()});
+  text.replace(text.find("4 0 1 2 3"), 9, "\n  +4\t0.0 1 2 3");
+  checkQuadAndTriangle(ply(text));
+}
+
+TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
+  const std::string start = "ply\nformat ascii 1.0\n";
+  const std::string xyz =
+      "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  checkError("", "a.ply: ", "empty");
+  checkError("plyx\n", "a.ply:1: ", "not a PLY file");
+  checkError("ply\nformat text 1.0\n", "a.ply:2: ", "'text' is none of ascii");
+  checkError("ply\nformat ascii 2.0\n", "a.ply:2: ", "version '2.0'");
+  checkError("ply\nelement vertex 1\nend_header\n", "a.ply:3: ", "no format");
+  checkError(start + "element vertex\n", "a.ply:3: ", "element NAME COUNT");
+  checkError(start + "element vertex -1\n", "a.ply:3: ", "element NAME COUNT");
+  checkError(start + "property float x\n", "a.ply:3: ", "belongs to no element");
+  checkError(start + "element a 1\nproperty real x\n", "a.ply:4: ", "'real' is not a type");
+  checkError(start + "element a 1\nproperty list real int x\n", "a.ply:4: ", "'real' is not");
+  checkError(start + "element a 1\nproperty float\n", "a.ply:4: ", "property TYPE NAME");
+  checkError(start + "element a 1\nelement a 2\n", "a.ply:4: ", "a second element 'a'");
+  checkError(start + "element a 1\nproperty int b\nproperty int b\n",
+             "a.ply:5: ", "a second property 'b'");
+  checkError(start + "elements a 1\n", "a.ply:3: ", "'elements' is none of");
+  checkError(start + xyz, "a.ply:6: ", "does not end with end_header");
+  checkError(start + "element face 0\nend_header\n", "a.ply:4: ", "no element 'vertex'");
+  checkError(start + "element vertex 1\nproperty float x\nproperty list int int y\nend_header\n",
+             "a.ply:6: ", "no number 'y'");
+  checkError(start + xyz + "element face 1\nproperty int vertex_index\nend_header\n0 0 0\n3\n",
+             "a.ply:9: ", "no list 'vertex_indices'");
+  checkError(
+      start + xyz + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n",
+      "a.ply:9: ", "triangle strips");
+}
+
+TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
+  const std::string good = plyFile("ascii", {vertices(), faces()});
+  const auto changed = [&](const std::string& what, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(what), what.size(), to);
+  };
+  checkError(changed("2 1.5 0.25", "2 1.5 x"), "a.ply:14: ", "'x' is not a number");
+  checkError(changed("2 1.5 0.25", "2 1.5 nan"), "a.ply:14: ", "vertex 2 has the coordinate 'nan'");
+  checkError(changed("2 1.5 0.25", "2 -inf 0"), "a.ply:14: ", "vertex 2 has the coordinate '-inf'");
+  checkError(changed("2 1.5 0.25", "2 1.5"), "a.ply:14: ", "ends before 'z'");
+  checkError(changed("2 1.5 0.25", "2 1.5 0 7"), "a.ply:14: ", "more values");
+  checkError(changed("3 2 1 0", "2 2 1"), "a.ply:17: ", "2 corners");
+  checkError(changed("3 2 1 0", "-3 2 1 0"), "a.ply:17: ", "'-3' is not the length");
+  checkError(changed("3 2 1 0", "3 2 1"), "a.ply:17: ", "2 of its 3 corners");
+  checkError(changed("3 2 1 0", "3 2 1 4"), "a.ply:17: ", "vertex 4, but the file has 4");
+  checkError(changed("3 2 1 0", "3 2 1 -1"), "a.ply:17: ", "vertex -1");
+  checkError(changed("3 2 1 0", "3 2 1 0.5"), "a.ply:17: ", "'0.5' is not a vertex number");
+  checkError(changed("3 2 1 0\n", ""), "a.ply:16: ", "2 of 'face', but the file ends after 1");
+  checkError(good + "3 0 1 2\n", "a.ply:18: ", "goes on behind the last row");
+  checkError(changed("face 2", "face 4000000000"), "a.ply:17: ", "ends after 2");
+  checkError(changed("vertex 4", "vertex 4000000000"), "a.ply:16: ", "more values");
+  checkError(changed("vertex 4", "vertex 99999999999"), "a.ply:11: ", "4294967295 vertices");
+}
+
+TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[ply]") {
+  const std::string good = plyFile("binary_little_endian", {vertices(), faces()});
+  const std::size_t body = good.find("end_header\n") + 11, face = body + 4 * 12;
+  const auto changed = [&](std::size_t at, const std::string& to) {
+    std::string bytes = good;
+    return bytes.replace(at, to.size(), to);
+  };
+  const auto promising = [&](const std::string& what, const std::string& to) {
+    std::string bytes = good;
+    return bytes.replace(bytes.find(what), what.size(), to);
+  };
+  const auto place = [](const std::string& row, std::size_t byte) {
+    return "a.ply: " + row + " (byte " + std::to_string(byte) + "): ";
+  };
+  const std::string nan("\0\0\xc0\x7f", 4);
+  checkError(changed(body + 28, nan), place("vertex 2", body + 24), "y is not finite");
+  checkError(changed(face, "\2"), "a.ply: face 0 (byte ", "2 corners");
+  checkError(changed(face + 1, "\7"), "a.ply: face 0 (byte ", "vertex 7, but the file has 4");
+  checkError(changed(face + 4, "\xff"), "a.ply: face 0 (byte ", "vertex -16777216");
+  checkError(good.substr(0, good.size() - 1), "a.ply: the file ends at byte ", "within 'face' 1");
+  checkError(good.substr(0, face), "a.ply: the file ends at byte ", "before the 2 of 'face'");
+  checkError(good + "x", "a.ply: the file goes on for 1 bytes", "behind");
+  checkError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 of");
+  checkError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "of 'face'");
+  const std::string other = plyFile(
+      "binary_big_endian", {{"strange", {"list int double a"}, {{1, 5}}}, vertices(), faces()});
+  std::string negative = other, endless = other;
+  const std::size_t at = other.find("end_header\n") + 11;
+  checkError(negative.replace(at, 4, "\xff\xff\xff\xff"), place("strange 0", at),
+             "length of list 'a' is not a whole");
+  checkError(endless.replace(at, 4, "\x7f\xff\xff\xff"), "a.ply: the file ends at byte ",
+             "within 'strange' 0");
+}
+
+TEST_CASE("PLY: damaged files are read or refused, never misread", "[ply]") {
+  std::mt19937_64 random(3);
+  const std::string bytes("\\\r\n\t #/+-.0123456789efvlOnaix\xff\x7f\x80\0", 34);
+  for (const std::string& format : kPlyFormats) {
+    const std::string whole = plyFile(format, richElements());
+    const auto isReadOrRefused = [](const std::string& damaged) {
+      const Result<PolygonMesh> r = ply(damaged);
+      return r.ok() ? validateArrays(r.value).ok() : r.status.code == StatusCode::ParseError;
+    };
+    for (std::size_t n = 0; n <= whole.size(); ++n) CHECK(isReadOrRefused(whole.substr(0, n)));
+    std::size_t refused = 0, bad = 0;
+    for (int i = 0; i < 6000; ++i) {
+      std::string damaged = whole;
+      for (std::size_t k = 1 + random() % 3; k > 0; --k) {
+        const std::size_t at = random() % damaged.size();
+        const std::size_t what = random() % 3;
+        if (what == 0) damaged[at] = bytes[random() % bytes.size()];
+        if (what == 1) damaged.insert(at, 1, bytes[random() % bytes.size()]);
+        if (what == 2) damaged.erase(at, 1 + random() % 8);
+      }
+      refused += !ply(damaged).ok();
+      bad += !isReadOrRefused(damaged);
+    }
+    CHECK(bad == 0);
+    CHECK(refused > 1000);
+    CHECK(refused < 6000);
+  }
+}
+
+TEST_CASE("PLY: the format is told by the name, or else by the content", "[ply]") {
+  CHECK(detectFormat("dir/A.PLY", "").value == MeshFormat::Ply);
+  CHECK(detectFormat("-", "ply\r\nformat").value == MeshFormat::Ply);
+  CHECK(detectFormat("-", "plywood\n").status.code == StatusCode::UnreadableFile);
+}
