@@ -4,32 +4,15 @@
 #include <cstring>
 
 #include "io/number_text.h"
+#include "io/text_cursor.h"
 
 namespace abflat {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
-bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
-
-struct Cursor {
-  const char* at;
-  const char* end;
-
-  bool done() const { return at == end; }
-  bool atLineEnd() const { return done() || isLineEnd(*at); }
-  bool atWordEnd() const { return atLineEnd() || isBlank(*at); }
-  void skipBlanks() {
-    while (!done() && isBlank(*at)) ++at;
-  }
-  bool take(char c) {
-    if (done() || *at != c) return false;
-    ++at;
-    return true;
-  }
-};
+using Cursor = TextCursor;
 
 bool takeKeyword(Cursor& c, char keyword) {
-  if (!c.take(keyword) || c.done() || !isBlank(*c.at)) return false;
+  if (!c.take(keyword) || c.done() || !Cursor::isBlank(*c.at)) return false;
   c.skipBlanks();
   return true;
 }
@@ -53,22 +36,8 @@ bool skipPlain(Cursor& c) {
 }
 
 std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
-  c.take('\r');
-  c.take('\n');
+  c.takeLineEnd();
   return static_cast<std::size_t>(c.at - text.data());
-}
-
-bool takeInteger(Cursor& c, std::int64_t& value) {
-  constexpr int kMostDigits = 18;  // fit any std::int64_t
-  const bool isNegative = c.take('-');
-  const char* const first = c.at;
-  std::int64_t size = 0;
-  for (; !c.done() && *c.at >= '0' && *c.at <= '9'; ++c.at) {
-    if (c.at - first == kMostDigits) return false;
-    size = 10 * size + (*c.at - '0');
-  }
-  value = isNegative ? -size : size;
-  return c.at != first;
 }
 
 /// v, v/vt, v//vn or v/vt/vn

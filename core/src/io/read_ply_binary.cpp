@@ -156,7 +156,9 @@ class BinaryReader {
     const char* number = field.numbers;
     for (std::size_t k = 0; k < field.count; ++k, number += sizeOf(type)) {
       const double value = loadNumber(number, type, isBigEndian_);
-      if (!(value >= 0 && value < vertices) || value != std::floor(value))
+      // No std::floor: it is a call where there is no instruction for it.
+      if (!(value >= 0 && value < vertices) ||
+          value != static_cast<double>(static_cast<std::uint32_t>(value)))
         return here(noSuchVertex(numberText(value), header_.elements[header_.vertex].count));
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(value));
     }

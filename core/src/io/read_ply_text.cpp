@@ -7,10 +7,13 @@
 #include "io/ply_messages.h"
 #include "io/ply_value.h"
 #include "io/read_ply.h"
+#include "io/text_cursor.h"
 #include "io/text_lines.h"
 
 namespace abflat {
 namespace {
+
+constexpr std::uint64_t kMostCorners = 0xffffffff;
 
 /// A row is a line; lines that hold nothing are no rows.
 class TextReader {
@@ -29,6 +32,8 @@ class TextReader {
       if (element_->properties.empty()) continue;
       reserve(i);
       for (std::uint64_t row = 0; row < element_->count; ++row) {
+        if (i == header_.vertex ? takePlainVertex() : i == header_.face && takePlainFace())
+          continue;
         if (!nextRow(words))
           return here("the header promises " + rowsOf(element_->count, *element_) +
                       ", but the file ends after " + std::to_string(row));
@@ -67,6 +72,62 @@ class TextReader {
       return true;
     }
     return false;
+  }
+
+  /// Nearly all rows are numbers and single separators that need no second look: they are taken in
+  /// one sweep. What is anything else, right or wrong, is left where it is.
+  bool takePlainVertex() {
+    if (element_->hasLists) return false;
+    TextCursor c{rest_.data(), rest_.data() + rest_.size()};
+    double xyz[3];
+    for (std::size_t p = 0; p < element_->properties.size(); ++p) {
+      c.skipBlanks();
+      if (c.atLineEnd()) return false;
+      const std::size_t d = p == header_.x ? 0 : p == header_.y ? 1 : p == header_.z ? 2 : 3;
+      if (d < 3) {
+        const char* const end = scanDouble(c.at, c.end, xyz[d]);
+        if (end == nullptr || !std::isfinite(xyz[d])) return false;
+        c.at = end;
+        if (!c.atWordEnd()) return false;
+      } else {
+        c.skipWord();
+      }
+    }
+    if (!takeRowEnd(c)) return false;
+    mesh_.positions.insert(mesh_.positions.end(), xyz, xyz + 3);
+    return true;
+  }
+
+  bool takePlainFace() {
+    if (element_->properties.size() > 1) return false;
+    TextCursor c{rest_.data(), rest_.data() + rest_.size()};
+    const std::uint64_t vertices = header_.elements[header_.vertex].count;
+    const std::size_t before = mesh_.faceVertices.size();
+    std::int64_t size = 0, vertex = 0;
+    c.skipBlanks();
+    bool isPlain = takeInteger(c, size) && c.atWordEnd() && size >= 3;
+    for (std::int64_t k = 0; k < size && isPlain; ++k) {
+      c.skipBlanks();
+      isPlain = takeInteger(c, vertex) && c.atWordEnd() && vertex >= 0 &&
+                static_cast<std::uint64_t>(vertex) < vertices;
+      if (isPlain) mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    if (!isPlain || mesh_.faceVertices.size() > kMostCorners || !takeRowEnd(c)) {
+      mesh_.faceVertices.resize(before);
+      return false;
+    }
+    mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
+    return true;
+  }
+
+  /// Moves behind the row when nothing else stands in its line.
+  bool takeRowEnd(TextCursor c) {
+    c.skipBlanks();
+    if (!c.atLineEnd()) return false;
+    c.takeLineEnd();
+    rest_.remove_prefix(static_cast<std::size_t>(c.at - rest_.data()));
+    ++line_;
+    return true;
   }
 
   Status missing(const PlyProperty& property) const {
@@ -152,7 +213,7 @@ class TextReader {
         return here(noSuchVertex(std::to_string(vertex), vertices));
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
     }
-    if (mesh_.faceVertices.size() > 0xffffffff)
+    if (mesh_.faceVertices.size() > kMostCorners)
       return here("more than 4294967295 face corners are not supported");
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
     return {};

@@ -112,7 +112,7 @@ class StlReader {
   }
 
   std::string_view nextWord() {
-    while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
+    skipBlanks();
     if (at_ == text_.size()) return {};
     word_ = at_;
     while (at_ < text_.size() && !isBlank(text_[at_])) ++at_;
@@ -134,10 +134,39 @@ class StlReader {
   }
 
   Status expect(std::string_view keyword) {
+    if (takePlain(keyword)) return {};
     const std::string_view word = nextWord();
     if (is(word, keyword)) return {};
     return here("expected '" + std::string(keyword) + "', not " +
                 (word.empty() ? "the end of the file; is it cut off?" : quoted(word)));
+  }
+
+  void skipBlanks() {
+    while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
+  }
+
+  bool atWordEnd(std::size_t at) const { return at == text_.size() || isBlank(text_[at]); }
+
+  /// Takes the keyword when it comes next and is written as usual.
+  bool takePlain(std::string_view keyword) {
+    skipBlanks();
+    const std::size_t end = at_ + keyword.size();
+    if (end > text_.size() || text_.compare(at_, keyword.size(), keyword) != 0 || !atWordEnd(end))
+      return false;
+    word_ = std::exchange(at_, end);
+    return true;
+  }
+
+  /// The same for a number.
+  bool takePlain(double& value) {
+    skipBlanks();
+    const char* const begin = text_.data() + at_;
+    const char* const end = scanDouble(begin, text_.data() + text_.size(), value);
+    if (end == nullptr || !std::isfinite(value)) return false;
+    const std::size_t next = at_ + static_cast<std::size_t>(end - begin);
+    if (!atWordEnd(next)) return false;
+    word_ = std::exchange(at_, next);
+    return true;
   }
 
   /// Behind 'facet'. Its normal is not read: many programs write one that is no number.
@@ -156,6 +185,7 @@ class StlReader {
     if (Status s = expect("vertex"); !s.ok()) return s;
     double xyz[3];
     for (double& x : xyz) {
+      if (takePlain(x)) continue;
       const std::string_view word = nextWord();
       if (!parseDouble(word, x))
         return here(word.empty() ? "the file ends within a vertex; is it cut off?"
