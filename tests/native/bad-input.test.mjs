@@ -5,9 +5,13 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { fan, grid, TETRAHEDRON, TRIANGLE, TWO_TRIANGLES } from '../support/small-meshes.mjs';
+import { textStl, trianglesOf } from '../support/stl.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
 const HEAD = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n';
+
+const plyText = (points = '0 0 0\n1 0 0\n0 1 0\n', faces = '3 0 1 2\n') =>
+  `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n${points || '0 0 0\n1 0 0\n0 1 0\n'}${faces}`;
 
 /** name, file, content, exit code, what the sentence must say. */
 const REFUSED = [
@@ -71,6 +75,41 @@ const REFUSED = [
     3,
     /a\.off:10: .*3 faces.*one more/,
   ],
+  [
+    'NaN in PLY',
+    'a.ply',
+    plyText('0 0 0\n1 nan 0\n0 1 0\n'),
+    3,
+    /a\.ply:11: vertex 1 .*not finite/,
+  ],
+  [
+    'a PLY face without such a vertex',
+    'a.ply',
+    plyText('', '3 0 1 3\n'),
+    3,
+    /a\.ply:13: .*vertex 3/,
+  ],
+  [
+    'a PLY that promises too much',
+    'a.ply',
+    plyText().replace('face 1', 'face 2'),
+    3,
+    /2 of 'face'/,
+  ],
+  ['an STL that is cut off', 'a.stl', `${' '.repeat(80)}\x01\0\0\0`, 3, /1 facets.*134 bytes.*84/],
+  [
+    'an STL facet without area',
+    'a.stl',
+    `${textStl([
+      [
+        [0, 0, 0],
+        [1, 0, 0],
+        [0, 0, 0],
+      ],
+    ])}`,
+    4,
+    /twice/,
+  ],
   ['an OFF file without counts', 'a.off', 'OFF\n', 3, /a\.off/],
   ['an empty OBJ file', 'a.obj', '', 3, /a\.obj: .*empty/],
   ['an empty OFF file', 'a.off', '', 3, /a\.off.*empty/],
@@ -80,7 +119,7 @@ const REFUSED = [
     'a.png',
     '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
     3,
-    /a\.png: neither an OBJ nor an OFF/,
+    /a\.png: not an OBJ, PLY, STL or OFF file/,
   ],
   ['vertices without faces', 'a.obj', HEAD, 4, /a\.obj: .*no faces/],
   ['a face that uses a vertex twice', 'a.obj', `${TRIANGLE}f 1 2 2\n`, 4, /face 1 .*twice|face 1 /],
@@ -159,7 +198,12 @@ for (const [what, content] of ACCEPTED)
 
 test('every truncation of a mesh ends with a documented exit code', async (t) => {
   const at = tempFolder(t);
-  const texts = { 'a.obj': grid(2), 'a.off': TETRAHEDRON };
+  const texts = {
+    'a.obj': grid(2),
+    'a.off': TETRAHEDRON,
+    'a.ply': plyText('0 0 0\n1 0 0\n0 1 0\n', '3 0 1 2\n'),
+    'a.stl': `${textStl(trianglesOf(grid(1)))}`,
+  };
   for (const [file, text] of Object.entries(texts))
     for (let length = 0; length < text.length; length += 7) {
       writeFileSync(at(file), text.slice(0, length));

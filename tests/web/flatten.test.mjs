@@ -3,10 +3,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { column, elementOf, parsePly, plyBytes } from '../support/ply.mjs';
 import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid } from '../support/small-meshes.mjs';
+import { textStl, trianglesOf } from '../support/stl.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-import { dropAndWait, exportObj, metrics, openPage, settled, textOf } from './page.mjs';
+import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 /** Bytes of a canvas as a picture: any change of what is drawn changes them. */
 const picture = (page, id) => page.locator(id).screenshot();
@@ -76,7 +78,7 @@ test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mes
   );
   assert.notDeepEqual(await picture(page, '#layout-canvas'), layout);
 
-  const { name, path } = await exportObj(page);
+  const { name, path } = await exportMesh(page);
   assert.equal(name, 'waves-uv.obj');
   const text = readFileSync(path, 'utf8');
   assert.deepEqual(lines(text, 'v'), lines(mesh, 'v'));
@@ -87,6 +89,43 @@ test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mes
       .map((corner) => corner.split('/')[0]);
   assert.deepEqual(lines(text, 'f').map(vertices), lines(mesh, 'f').map(vertices));
   assert.equal(lines(text, 'vt').length, 81);
+});
+
+test('a dropped PLY comes back as PLY with its colours, an STL as OBJ', async (t) => {
+  const page = await openPage(t);
+  const triangles = trianglesOf(grid(4));
+  const vertices = triangles.flat().map((xyz, v) => [...xyz, v]);
+  // Three vertices of its own for one triangle: a disk.
+  const text = `${plyBytes({
+    format: 'ascii',
+    elements: [
+      {
+        name: 'vertex',
+        properties: ['x', 'y', 'z', 'red'].map((name) => ({ name, type: 'float' })),
+        rows: vertices.slice(0, 3),
+      },
+      {
+        name: 'face',
+        properties: [{ name: 'vertex_indices', type: 'int', countType: 'uchar' }],
+        rows: [[[0, 1, 2]]],
+      },
+    ],
+  })}`;
+  await dropAndWait(page, 'one.PLY', text);
+  assert.equal(await textOf(page, '#export'), 'Export PLY');
+  const ply = await exportMesh(page);
+  assert.equal(ply.name, 'one-uv.ply');
+  const vertex = elementOf(parsePly(readFileSync(ply.path)), 'vertex');
+  assert.deepEqual(column(vertex, 'red'), [0, 1, 2]);
+  assert.equal(column(vertex, 's', 't').flat().length, 6);
+
+  await dropAndWait(page, 'waves.stl', `${textStl(triangles)}`);
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal((await metrics(page)).Faces, '32');
+  assert.equal(await textOf(page, '#export'), 'Export OBJ');
+  const obj = await exportMesh(page);
+  assert.equal(obj.name, 'waves-uv.obj');
+  assert.equal(lines(readFileSync(obj.path, 'utf8'), 'v').length, 25);
 });
 
 test('a chosen file exports what an independent judge calls valid', {
@@ -109,7 +148,7 @@ test('a chosen file exports what an independent judge calls valid', {
       file,
     );
     await settled(page);
-    const { path: exported } = await exportObj(page);
+    const { path: exported } = await exportMesh(page);
     const copy = path(`${file}.obj`);
     writeFileSync(copy, readFileSync(exported));
     const verdict = judge(sharedMesh(file), copy, bound);

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid } from '../support/small-meshes.mjs';
-import { drop, dropAndWait, exportObj, metrics, openPage, settled, textOf } from './page.mjs';
+import { drop, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 const picture = (page, id) => page.locator(id).screenshot();
 
@@ -71,7 +71,7 @@ test('edges that resist the Delaunay condition are marked', { skip: withoutShare
 test('methods are compared; a selected one is shown, marked, and not exported', async (t) => {
   const page = await openPage(t);
   await dropAndWait(page, 'waves.obj', grid(12));
-  const { path } = await exportObj(page);
+  const { path } = await exportMesh(page);
   const exported = readFileSync(path, 'utf8');
   await compare(page);
   const table = await rows(page);
@@ -93,7 +93,7 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
   assert.match(await textOf(page, '#reason'), /^Numbers of waves\.obj, t = auto$/);
   assert.notDeepEqual(await picture(page, '#layout-canvas'), layout);
   assert.notDeepEqual(await picture(page, '#mesh-canvas'), mesh);
-  assert.equal(readFileSync((await exportObj(page)).path, 'utf8'), exported);
+  assert.equal(readFileSync((await exportMesh(page)).path, 'utf8'), exported);
 
   await page.click('#method-back');
   assert.ok(await page.isHidden('#method-note'));

@@ -83,7 +83,7 @@ export function metrics(page) {
 }
 
 /** Exports through the button; returns the name it suggests and where the file is. */
-export async function exportObj(page) {
+export async function exportMesh(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export')]);
   return { name: download.suggestedFilename(), path: await download.path() };
 }

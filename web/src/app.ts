@@ -3,7 +3,7 @@ import { hideAlert, showAlert } from './alert';
 import { BoundControl } from './bound-control';
 import { Details } from './details';
 import { bindToggle, element } from './dom';
-import { exportObj } from './export-obj';
+import { exportFormat, exportMesh } from './export-mesh';
 import { count, counted, duration } from './format';
 import type { DisplayMesh } from './mesh';
 import { MethodsTab } from './methods-tab';
@@ -51,6 +51,7 @@ export class App implements SessionEvents {
     () => this.session.flatten(this.settings),
   );
   private readonly exportButton = element('export', HTMLButtonElement);
+  private readonly exportText = element('export-text', HTMLSpanElement);
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
@@ -201,12 +202,13 @@ export class App implements SessionEvents {
   /** Only what belongs to the mesh on screen is exported. */
   private updateExport(): void {
     this.exportButton.disabled = this.outcome === null || this.outcome.source !== this.shown;
+    const format = this.shown ? exportFormat(this.shown) : 'obj';
+    this.exportText.textContent = `Export ${format.toUpperCase()}`;
   }
 
   private export(): void {
     if (!this.outcome) return;
-    const name = exportObj(this.outcome);
-    const size = this.outcome.result.obj?.length ?? 0;
+    const { name, size } = exportMesh(this.outcome);
     this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`);
   }
 }

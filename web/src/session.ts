@@ -1,5 +1,6 @@
 import type { Abflat, FlattenResult, MeshFile, MeshInput, Progress } from 'abflat';
 import { Background } from './background';
+import { exportFormat } from './export-mesh';
 import type { Bound } from './format';
 import type { DisplayMesh } from './mesh';
 
@@ -126,7 +127,8 @@ export class Session {
       const abflat = await this.abflat;
       const result = await abflat.flatten(input, {
         ...settings,
-        obj: true,
+        obj: exportFormat(source) === 'obj',
+        ply: exportFormat(source) === 'ply',
         signal: controller.signal,
         onProgress: (progress) => {
           if (controller === this.running) this.events.progress(progress);

@@ -12,15 +12,17 @@ namespace {
 constexpr std::string_view kTexcoordNames[][2] = {
     {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
 
-/// One name of a pair alone means something else.
+/// One name of a pair alone means something else; but s and t are needed.
 bool isTexcoord(const PlyElement& vertex, std::size_t property) {
+  const std::string_view ownName = vertex.properties[property].name;
+  if (ownName == "s" || ownName == "t") return true;
   const auto isNumber = [&](std::string_view name) {
     const std::size_t p = vertex.find(name);
     return p != kNoIndex && !vertex.properties[p].isList;
   };
   for (const auto& pair : kTexcoordNames)
     for (const std::string_view name : pair)
-      if (vertex.properties[property].name == name) return isNumber(pair[0]) && isNumber(pair[1]);
+      if (ownName == name) return isNumber(pair[0]) && isNumber(pair[1]);
   return false;
 }
 

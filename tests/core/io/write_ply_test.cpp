@@ -105,6 +105,13 @@ TEST_CASE("PLY out: old texcoords give way, whatever they are called", "[ply]") 
     for (std::vector<double>& row : v.rows) row.insert(row.begin(), 5);
   }
   CHECK(rewritten(plyFile("ascii", in)) == plyFile("ascii", out));
+  for (const std::string& format : kPlyFormats) {
+    // There is only one t.
+    std::vector<PlyTestElement> timed = source();
+    timed[1].properties.insert(timed[1].properties.begin(), "list uchar float t");
+    for (std::vector<double>& row : timed[1].rows) row.insert(row.begin(), {2, 5, 5});
+    CHECK(rewritten(plyFile(format, timed)) == plyFile(format, expected("float")));
+  }
 }
 
 TEST_CASE("PLY out: types that are too small for new vertices grow", "[ply]") {
