@@ -71,22 +71,6 @@ void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
   r.maxBoundaryAngle = v.maxBoundaryAngle;
 }
 
-void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
-  r.angularDistortion = d.angular;
-  r.lengthDistortion = d.length;
-  r.quasiConformalMean = d.quasiConformalMean;
-  r.quasiConformalMax = d.quasiConformalMax;
-  r.stretchL2 = d.stretchL2;
-  r.stretchLinf = d.stretchLinf;
-  r.symmetricDirichlet = d.symmetricDirichlet;
-  r.areaDistortionMin = d.areaMin;
-  r.areaDistortionMax = d.areaMax;
-  r.degenerateTriangles = v.degenerateTriangles;
-  r.flippedTriangles = v.flippedTriangles;
-  r.boundaryCrossings = v.crossings.count;
-  r.maxBoundaryAngle = v.maxBoundaryAngle;
-}
-
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
   const AngleSolution& s = attempt.solution;
   ChartReport r;

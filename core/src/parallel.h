@@ -35,7 +35,8 @@ class ThreadPool {
 
   unsigned threads() const;
 
-  /// Whether this is the thread that made the pool: the only one that may call the user's functions.
+  /// Whether this is the thread that made the pool: the only one that may call the user's
+  /// functions.
   bool isOwner() const;
 
 #if ABFLAT_THREADS

@@ -138,8 +138,8 @@ std::string compareJson(const Comparison& comparison, const std::string& path) {
   Json methods = Json::array();
   for (const MethodResult& row : comparison.methods) methods.push_back(methodJson(row));
   return jsonText({{"version", ABFLAT_VERSION},
-               {"input", summaryJson(comparison.input, path)},
-               {"methods", methods}});
+                   {"input", summaryJson(comparison.input, path)},
+                   {"methods", methods}});
 }
 
 }  // namespace abflat

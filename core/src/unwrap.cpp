@@ -26,8 +26,8 @@ struct Stage {
   const char* name;
   double from, to;
 };
-constexpr Stage kSurface{"surface", 0, 0.05}, kSeams{"seams", 0.05, 0.2}, kSolve{"solve", 0.2, 0.85},
-    kPack{"pack", 0.85, 0.97}, kCheck{"check", 0.97, 1};
+constexpr Stage kSurface{"surface", 0, 0.05}, kSeams{"seams", 0.05, 0.2},
+    kSolve{"solve", 0.2, 0.85}, kPack{"pack", 0.85, 0.97}, kCheck{"check", 0.97, 1};
 
 class Monitor {
  public:

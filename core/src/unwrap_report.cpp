@@ -39,8 +39,8 @@ Json chartJson(const UnwrapChart& c) {
 }
 
 Json timingsJson(const UnwrapTimings& t) {
-  return {{"read", t.read},   {"surface", t.surface}, {"seams", t.seams}, {"solve", t.solve},
-          {"pack", t.pack},   {"check", t.check},     {"write", t.write}, {"total", t.total}};
+  return {{"read", t.read}, {"surface", t.surface}, {"seams", t.seams}, {"solve", t.solve},
+          {"pack", t.pack}, {"check", t.check},     {"write", t.write}, {"total", t.total}};
 }
 
 }  // namespace

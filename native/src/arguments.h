@@ -66,8 +66,8 @@ struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, InspectCommand, SampleCommand, SweepCommand,
-                             CompareCommand, ReproduceCommand>;
+using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, InspectCommand, SampleCommand,
+                             SweepCommand, CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

@@ -1,5 +1,4 @@
 #include "abflat/flatten.h"
-
 #include "bounds_file.h"
 #include "commands.h"
 #include "mesh_run.h"

@@ -1,5 +1,4 @@
 #include "abflat/unwrap.h"
-
 #include "commands.h"
 #include "mesh_run.h"
 #include "seam_file.h"

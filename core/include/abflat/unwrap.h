@@ -17,7 +17,7 @@ using EdgeVertices = std::array<std::uint32_t, 2>;
 
 /// Where a mesh is cut, beyond what makes every chart a topological disk.
 struct SeamSources {
-  bool isAuto = true;  ///< where charts would be stretched too much or overlap
+  bool isAuto = true;         ///< where charts would be stretched too much or overlap
   double sharpDegrees = 180;  ///< along edges that bend by more
   std::vector<EdgeVertices> edges;
 };
@@ -36,8 +36,8 @@ struct UnwrapOptions : UnwrapOptionValues {
   ProgressCallback progress;
 };
 
-/// What was done to see the surface in the mesh. The mesh itself keeps all of it. Faces and vertices
-/// are those of the input.
+/// What was done to see the surface in the mesh. The mesh itself keeps all of it. Faces and
+/// vertices are those of the input.
 struct RepairReport {
   std::size_t mergedVertices = 0;  ///< at the place of another one: one vertex of the surface
   std::vector<std::uint32_t> collapsedFaces;  ///< fewer than three places: uv of their neighbours
@@ -54,15 +54,15 @@ struct RepairReport {
 /// Where the surface was cut, beyond its boundary.
 struct SeamSummary {
   std::size_t edges = 0;
-  double relativeLength = 0;   ///< divided by the root of the mesh's area
-  std::int64_t genus = 0;      ///< of the surface, summed over components; -1 where it is cut
-                               ///< because it is no manifold
-  std::size_t handleLoops = 0; ///< two for each handle
+  double relativeLength = 0;    ///< divided by the root of the mesh's area
+  std::int64_t genus = 0;       ///< of the surface, summed over components; -1 where it is cut
+                                ///< because it is no manifold
+  std::size_t handleLoops = 0;  ///< two for each handle
 };
 
 /// A chart as a row of a table; measures as in ChartReport, at the chart's own scale.
 struct UnwrapChart {
-  std::size_t faces = 0;  ///< triangles
+  std::size_t faces = 0;        ///< triangles
   std::uint32_t firstFace = 0;  ///< an input face in it
   std::size_t boundaryVertices = 0;
   double area = 0;  ///< 3D
@@ -76,9 +76,9 @@ struct UnwrapChart {
 };
 
 struct AtlasReport {
-  int resolution = 0;      ///< texels along a side
-  int padding = 0;         ///< texels
-  double utilization = 0;  ///< uv area of the charts, of 1
+  int resolution = 0;       ///< texels along a side
+  int padding = 0;          ///< texels
+  double utilization = 0;   ///< uv area of the charts, of 1
   double texelDensity = 0;  ///< texels per unit of length of the mesh
 };
 
@@ -104,15 +104,16 @@ struct UnwrapReport {
   Status error;  ///< why there is no result; ok when there is one
 };
 
-/// Two tables of vertices: texcoords are as few as possible, output vertices are input vertices, one
-/// more for each further texcoord of theirs.
+/// Two tables of vertices: texcoords are as few as possible, output vertices are input vertices,
+/// one more for each further texcoord of theirs.
 struct UnwrapResult {
   std::vector<double> uv;               ///< 2 per texcoord, in [0, 1]
   std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
-  std::vector<std::uint32_t> chartOfFace;  ///< per input face, index into report.charts; that of its
-                                           ///< first triangle, or of a neighbour where it has none
-  std::vector<std::uint32_t> vertexMap;    ///< input vertex of each output vertex
-  std::vector<std::uint32_t> vertexUv;     ///< texcoord of each output vertex
+  std::vector<std::uint32_t>
+      chartOfFace;                       ///< per input face, index into report.charts; that of its
+                                         ///< first triangle, or of a neighbour where it has none
+  std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
+  std::vector<std::uint32_t> vertexUv;   ///< texcoord of each output vertex
   std::vector<std::uint32_t> cornerVertex;  ///< output vertex of each input face corner
   std::vector<EdgeVertices> seams;          ///< edges that were cut, each once
   UnwrapReport report;  ///< path and timings.read/write/total are the caller's to fill

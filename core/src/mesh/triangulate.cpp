@@ -151,8 +151,8 @@ class EarClipper {
   std::priority_queue<Ear> ears_;
 };
 
-/// Whether the two triangles that nearly every program makes of a quad, (0, 1, 2) and (0, 2, 3), are
-/// fine: texcoords should suit them, too.
+/// Whether the two triangles that nearly every program makes of a quad, (0, 1, 2) and (0, 2, 3),
+/// are fine: texcoords should suit them, too.
 bool isFan(const std::vector<Point2>& quad, const std::vector<std::uint8_t>& keep) {
   if (keep[1] || keep[3]) return false;
   for (std::size_t k = 0; k < 4; ++k)

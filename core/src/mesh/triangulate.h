@@ -16,8 +16,8 @@ struct Triangulation {
   std::vector<std::uint8_t> isDiagonal;  ///< half-edge is a diagonal of its face, size 3T
 };
 
-/// Convex quads are cut from their first corner to the third, others by ear clipping in the plane of
-/// each face's area vector; concave faces keep their shape.
+/// Convex quads are cut from their first corner to the third, others by ear clipping in the plane
+/// of each face's area vector; concave faces keep their shape.
 Triangulation triangulate(const PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -107,8 +107,7 @@ void separateLayers(WeldedMesh& out) {
   std::vector<Copy> copies;
   for (std::uint32_t f = 0; f < out.mesh.faceCount(); ++f) {
     if (repetitions.layer(f) == 0) continue;
-    out.duplicateFaces.push_back(
-        {out.inputFace[f], out.inputFace[repetitions.original(f)]});
+    out.duplicateFaces.push_back({out.inputFace[f], out.inputFace[repetitions.original(f)]});
     for (std::uint32_t c = out.mesh.faceOffsets[f]; c < out.mesh.faceOffsets[f + 1]; ++c)
       copies.push_back({out.mesh.faceVertices[c], repetitions.layer(f), c});
   }
@@ -170,8 +169,10 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
     const std::vector<Loop>& loops = splitter.split(begin, end, placeOf);
-    if (loops.empty()) out.collapsedFaces.push_back(f);
-    else if (loops.size() > 1 || loops.front().size() < end - begin) out.splitFaces.push_back(f);
+    if (loops.empty())
+      out.collapsedFaces.push_back(f);
+    else if (loops.size() > 1 || loops.front().size() < end - begin)
+      out.splitFaces.push_back(f);
     for (const Loop& loop : loops) {
       out.inputFace.push_back(f);
       for (const std::uint32_t c : loop) {

@@ -9,8 +9,8 @@
 namespace abflat {
 
 /// A mesh as the surface that it shows: vertices at one place are one, faces that use a place twice
-/// are split there, and what is left without area is gone. Faces that repeat others become layers of
-/// their own, which share no vertex with the first.
+/// are split there, and what is left without area is gone. Faces that repeat others become layers
+/// of their own, which share no vertex with the first.
 struct WeldedMesh {
   PolygonMesh mesh;
   std::vector<std::uint32_t> inputFace;    ///< per face
@@ -18,8 +18,8 @@ struct WeldedMesh {
   /// Per corner of the input: a corner of `mesh` at the same place, of the same face where that has
   /// one, or kNone where no face is left there.
   std::vector<std::uint32_t> cornerFor;
-  std::vector<std::uint32_t> place;  ///< per input vertex: the first one at the same place
-  std::size_t mergedVertices = 0;  ///< that are at the place of an earlier one
+  std::vector<std::uint32_t> place;           ///< per input vertex: the first one at the same place
+  std::size_t mergedVertices = 0;             ///< that are at the place of an earlier one
   std::vector<std::uint32_t> collapsedFaces;  ///< input faces without two different edges
   std::vector<std::uint32_t> splitFaces;      ///< input faces that use a place twice
   /// Input faces that have the places of an earlier one, and that one.

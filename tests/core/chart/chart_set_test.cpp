@@ -1,0 +1,72 @@
+#include "chart/chart_set.h"
+
+#include <set>
+
+#include "catch.h"
+#include "mesh/topology.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Every triangle by itself.
+Seams allSeams(const Surface& surface) {
+  Seams seams(surface.table.twin.size());
+  for (std::size_t h = 0; h < seams.size(); ++h) seams[h] = surface.table.twin[h] != kNone;
+  return seams;
+}
+
+}  // namespace
+
+TEST_CASE("without seams a disk is its own chart") {
+  const PolygonMesh mesh = bumpyGrid(6, 5, 0.3, 2);
+  const Surface surface = buildSurface(mesh);
+  const ChartSet set = makeCharts(mesh, surface, Seams(surface.table.twin.size(), 0));
+  REQUIRE(set.charts.size() == 1);
+  const DiskChart wanted = makeDiskChart(mesh, surface);
+  CHECK(set.charts[0].vertexOfCorner == wanted.vertexOfCorner);
+  CHECK(set.charts[0].twin == wanted.twin);
+  CHECK(set.charts[0].boundary == wanted.boundary);
+  CHECK(set.charts[0].inputVertex == wanted.inputVertex);
+  CHECK(set.charts[0].positions == wanted.positions);
+}
+
+TEST_CASE("cut along all edges a surface is its triangles") {
+  const PolygonMesh mesh = torus(5, 4);
+  const Surface surface = buildSurface(mesh);
+  const ChartSet set = makeCharts(mesh, surface, allSeams(surface));
+  REQUIRE(set.charts.size() == surface.table.triangleCount());
+  for (std::uint32_t f = 0; f < set.charts.size(); ++f) {
+    CHECK(set.charts[f].vertexCount() == 3);
+    CHECK(set.charts[f].boundary.size() == 3);
+    CHECK(set.triangles[f] == std::vector<std::uint32_t>{f});
+    CHECK(set.ofTriangle[f] == f);
+  }
+}
+
+TEST_CASE("a strip cut across falls into charts whose corners are those of the surface") {
+  const PolygonMesh mesh = bumpyGrid(8, 2, 0.2, 3);
+  const Surface surface = buildSurface(mesh);
+  Seams seams(surface.table.twin.size(), 0);
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    // The edges of the grid's middle line.
+    const std::uint32_t a = surface.table.vertex[h] % 9,
+                        b = surface.table.vertex[nextCorner(h)] % 9;
+    if (a == 4 && b == 4 && surface.table.twin[h] != kNone) seams[h] = 1;
+  }
+  const ChartSet set = makeCharts(mesh, surface, seams);
+  REQUIRE(set.charts.size() == 2);
+  std::set<std::uint32_t> seen;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const DiskChart& chart = set.charts[i];
+    for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c) {
+      const std::uint32_t whole = 3 * set.triangles[i][c / 3] + c % 3;
+      CHECK(chart.inputVertex[chart.vertexOfCorner[c]] == surface.table.vertex[whole]);
+      if (chart.twin[c] != kNone) CHECK(chart.twin[chart.twin[c]] == c);
+      seen.insert(whole);
+    }
+  }
+  CHECK(seen.size() == surface.table.vertex.size());
+}

@@ -1,0 +1,103 @@
+#include "mesh/welded_mesh.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "mesh/surface.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+PolygonMesh meshOf(std::vector<double> positions,
+                   const std::vector<std::vector<std::uint32_t>>& faces) {
+  PolygonMesh mesh;
+  mesh.positions = std::move(positions);
+  mesh.faceOffsets.push_back(0);
+  for (const auto& face : faces) {
+    mesh.faceVertices.insert(mesh.faceVertices.end(), face.begin(), face.end());
+    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+  }
+  return mesh;
+}
+
+/// Each corner has a vertex of its own.
+PolygonMesh exploded(const PolygonMesh& mesh) {
+  PolygonMesh out = mesh;
+  out.positions.clear();
+  for (std::uint32_t c = 0; c < mesh.faceVertices.size(); ++c) {
+    for (std::size_t d = 0; d < 3; ++d)
+      out.positions.push_back(mesh.positions[3 * mesh.faceVertices[c] + d]);
+    out.faceVertices[c] = c;
+  }
+  return out;
+}
+
+const std::vector<double> kSquare{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+
+}  // namespace
+
+TEST_CASE("loose triangles are the surface they show") {
+  for (const PolygonMesh& mesh : {tetrahedron(), torus(9, 7), star(5)}) {
+    const WeldedMesh welded = weld(exploded(mesh));
+    const MeshSummary found = buildSurface(welded.mesh).summary, wanted = inspect(mesh);
+    CHECK(found.components == wanted.components);
+    CHECK(found.boundaryLoops == wanted.boundaryLoops);
+    CHECK(found.genus == wanted.genus);
+    CHECK(welded.mergedVertices == mesh.faceVertices.size() - mesh.vertexCount());
+    for (std::uint32_t c = 0; c < welded.cornerFor.size(); ++c) CHECK(welded.cornerFor[c] == c);
+  }
+}
+
+TEST_CASE("without positions vertices are what the mesh says") {
+  const WeldedMesh welded = weld(exploded(tetrahedron()), false);
+  CHECK(welded.mergedVertices == 0);
+  CHECK(buildSurface(welded.mesh).summary.components == 4);
+}
+
+TEST_CASE("faces without area are gone, and their corners find others at their places") {
+  const PolygonMesh mesh = meshOf(kSquare, {{0, 1, 2}, {0, 2, 2}, {0, 2, 3}, {1, 1, 1}});
+  const WeldedMesh welded = weld(mesh);
+  CHECK(welded.collapsedFaces == std::vector<std::uint32_t>{1, 3});
+  CHECK(welded.inputFace == std::vector<std::uint32_t>{0, 2});
+  CHECK(buildSurface(welded.mesh).summary.disk.ok());
+  for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c) {
+    REQUIRE(welded.cornerFor[c] != kNone);
+    const std::uint32_t found = mesh.faceVertices[welded.inputCorner[welded.cornerFor[c]]];
+    CHECK(found == mesh.faceVertices[c]);
+  }
+}
+
+TEST_CASE("a corner whose place has no face left has none to find") {
+  const WeldedMesh welded = weld(meshOf(kSquare, {{0, 1, 2}, {3, 3, 3}}));
+  CHECK(std::count(welded.cornerFor.begin(), welded.cornerFor.end(), kNone) == 3);
+}
+
+TEST_CASE("a face that touches itself is split there") {
+  std::vector<double> positions = kSquare;
+  positions.insert(positions.end(), {-1, 0, 0, -1, -1, 0});
+  const PolygonMesh mesh = meshOf(positions, {{0, 1, 2, 0, 4, 5}});
+  const WeldedMesh welded = weld(mesh);
+  CHECK(welded.splitFaces == std::vector<std::uint32_t>{0});
+  CHECK(welded.mesh.faceCount() == 2);
+  CHECK(std::count(welded.cornerFor.begin(), welded.cornerFor.end(), kNone) == 0);
+  // A corner that is given twice in a row is no place where a face touches itself twice.
+  const WeldedMesh doubled = weld(meshOf(kSquare, {{0, 1, 1, 2, 3}}));
+  CHECK(doubled.mesh.faceVertices.size() == 4);
+}
+
+TEST_CASE("repeated faces are layers, whichever way they face") {
+  const WeldedMesh sheet = weld(meshOf(kSquare, {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}}));
+  CHECK(sheet.duplicateFaces == std::vector<std::array<std::uint32_t, 2>>{{2, 0}, {3, 1}});
+  const MeshSummary summary = buildSurface(sheet.mesh).summary;
+  CHECK(summary.nonManifoldEdges == 0);
+  CHECK(summary.components == 2);
+  CHECK(summary.boundaryLoops == 2);
+
+  const WeldedMesh pile = weld(meshOf(
+      kSquare, std::vector<std::vector<std::uint32_t>>(2000, std::vector<std::uint32_t>{0, 1, 2})));
+  CHECK(pile.duplicateFaces.size() == 1999);
+  CHECK(buildSurface(pile.mesh).summary.components == 2000);
+}

@@ -1,0 +1,95 @@
+#include "abflat/unwrap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+TEST_CASE("every corner has a texcoord, and a vertex is repeated along seams only") {
+  for (const PolygonMesh& mesh : {tetrahedron(), torus(24, 12), cylinder(12, 6), star(7)}) {
+    const Result<UnwrapResult> result = unwrap(mesh, {});
+    REQUIRE(result.ok());
+    const UnwrapResult& r = result.value;
+    CHECK(r.report.valid);
+    REQUIRE(r.cornerUv.size() == mesh.faceVertices.size());
+    CHECK(std::all_of(r.uv.begin(), r.uv.end(), [](double x) { return x >= 0 && x <= 1; }));
+    for (std::size_t c = 0; c < r.cornerUv.size(); ++c) {
+      const std::uint32_t vertex = r.cornerVertex[c];
+      CHECK(r.vertexMap[vertex] == mesh.faceVertices[c]);
+      CHECK(r.vertexUv[vertex] == r.cornerUv[c]);
+    }
+    CHECK(std::is_sorted(r.vertexMap.begin(), r.vertexMap.end()));
+    CHECK(r.vertexMap.size() == r.uv.size() / 2);
+    CHECK(r.vertexMap.size() <= mesh.vertexCount() + 2 * r.seams.size());
+  }
+}
+
+TEST_CASE("the atlas is of one scale: areas on the surface are to each other as in uv") {
+  const PolygonMesh mesh = torus(32, 16);
+  const Result<UnwrapResult> result = unwrap(mesh, {});
+  REQUIRE(result.ok());
+  const UnwrapResult& r = result.value;
+  std::vector<double> uvArea(r.report.charts.size(), 0);
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    for (std::uint32_t k = mesh.faceOffsets[f] + 1; k + 1 < mesh.faceOffsets[f + 1]; ++k) {
+      const double *a = &r.uv[2 * r.cornerUv[mesh.faceOffsets[f]]], *b = &r.uv[2 * r.cornerUv[k]],
+                   *c = &r.uv[2 * r.cornerUv[k + 1]];
+      uvArea[r.chartOfFace[f]] +=
+          ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    }
+  double used = 0;
+  const double density = r.report.atlas.texelDensity / r.report.atlas.resolution;
+  for (std::size_t i = 0; i < uvArea.size(); ++i) {
+    CHECK(uvArea[i] == Approx(r.report.charts[i].area * density * density).epsilon(1e-9));
+    used += uvArea[i];
+  }
+  CHECK(r.report.atlas.utilization == Approx(used).epsilon(1e-9));
+}
+
+TEST_CASE("seams that are asked for are cut") {
+  const PolygonMesh mesh = torus(12, 8);
+  UnwrapOptions options;
+  options.seams.isAuto = false;
+  options.seams.edges = {{0, 1}, {2, 1}};
+  const Result<UnwrapResult> result = unwrap(mesh, options);
+  REQUIRE(result.ok());
+  CHECK(result.value.report.valid);
+  for (const EdgeVertices& wanted : {EdgeVertices{0, 1}, EdgeVertices{1, 2}})
+    CHECK(std::count(result.value.seams.begin(), result.value.seams.end(), wanted) == 1);
+  options.seams.edges = {{0, 50}};
+  CHECK(unwrap(mesh, options).status.code == StatusCode::InvalidOption);
+}
+
+TEST_CASE("a run can be cancelled at each stage") {
+  const PolygonMesh mesh = torus(40, 30);
+  std::vector<std::string> stages;
+  UnwrapOptions options;
+  options.progress = [&](const Progress& p) {
+    if (stages.empty() || stages.back() != p.stage) stages.emplace_back(p.stage);
+    return true;
+  };
+  REQUIRE(unwrap(mesh, options).ok());
+  CHECK(stages == std::vector<std::string>{"surface", "seams", "solve", "pack", "check"});
+  for (const std::string& last : stages) {
+    options.progress = [&](const Progress& p) { return p.stage != last; };
+    CHECK(unwrap(mesh, options).status.code == StatusCode::Aborted);
+  }
+}
+
+TEST_CASE("lists of seams") {
+  const auto parsed = [](const char* text) { return parseSeams(text).value; };
+  CHECK(parsed("auto").isAuto);
+  CHECK(parsed("auto").sharpDegrees == 180);
+  CHECK_FALSE(parsed("none").isAuto);
+  CHECK_FALSE(parsed("sharp=45").isAuto);
+  CHECK(parsed("sharp=45").sharpDegrees == 45);
+  CHECK(parsed("sharp=45.5,auto").isAuto);
+  CHECK(parsed("sharp=45.5,auto").sharpDegrees == 45.5);
+  for (const char* text : {"", ",", "auto,", "sharp=", "sharp=0", "sharp=181", "sharp=nan",
+                           "none,auto", "Auto", "auto none", "file=x"})
+    CHECK(parseSeams(text).status.code == StatusCode::InvalidOption);
+}
