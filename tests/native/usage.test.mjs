@@ -16,7 +16,8 @@ const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 /** arguments, what the message must say. */
 const WRONG = [
   [[], /flatten, inspect, sample, sweep, compare or reproduce/],
-  [['unwrap'], /no command 'unwrap'/],
+  [['unfold'], /no command 'unfold'; known are unwrap, flatten/],
+  [['unwrap'], /IN/],
   [['flatten'], /IN/],
   [['flatten', 'in.obj'], /--output/],
   [['flatten', 'in.obj', '-o'], /--output takes exactly one value/],
@@ -86,18 +87,19 @@ test('help goes to standard output and tells every exit code', async () => {
   }
 });
 
-test('help of flatten tells its options, their meaning and defaults', async () => {
-  const { stdout } = await runAbflat(['flatten', '--help']);
-  const words = stdout.replaceAll(/\s+/g, ' ');
-  for (const { name, type, text, default: value } of SCHEMA.flattenOptions) {
-    assert.ok(words.includes(text));
-    const shown = { choice: ` WORD=${value}`, boolean: '' }[type] ?? ` NUMBER=${value}`;
-    assert.match(
-      words,
-      new RegExp(`--${value === true ? 'no-' : ''}${kebabCase(name)}${shown}\\b`),
-    );
-  }
-});
+for (const command of ['flatten', 'unwrap'])
+  test(`help of ${command} tells its options, their meaning and defaults`, async () => {
+    const { stdout } = await runAbflat([command, '--help']);
+    const words = stdout.replaceAll(/\s+/g, ' ');
+    for (const { name, type, text, default: value } of SCHEMA[`${command}Options`]) {
+      assert.ok(words.includes(text));
+      const shown = { choice: ` WORD=${value}`, boolean: '' }[type] ?? ` NUMBER=${value}`;
+      assert.match(
+        words,
+        new RegExp(`--${value === true ? 'no-' : ''}${kebabCase(name)}${shown}\\b`),
+      );
+    }
+  });
 
 test('help of sample lists the samples', async () => {
   const { stdout } = await runAbflat(['sample', '--help']);
