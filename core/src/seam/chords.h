@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "seam/path_forest.h"
+
+namespace abflat {
+
+/// A seam that splits a disk in two: an edge and the paths from both of its ends to the boundary.
+struct Chord {
+  std::uint32_t h = kNone;
+  double length = 0;
+  double left = 0, right = 0;  ///< area on the side of h, and on the other
+};
+
+/// All edges off the forest of paths. Those of a disk are a spanning tree of its triangles, so each
+/// splits it in two, and one pass over the tree gives all areas.
+class ChordFinder {
+ public:
+  ChordFinder(const SeamMesh& mesh, const CutSurface& surface, const PathForest& forest);
+
+  /// Of least length / sqrt(smaller area); h is kNone when there is none.
+  Chord best(std::uint32_t chart);
+
+ private:
+  void walk(std::uint32_t chart);
+
+  const SeamMesh& mesh_;
+  const CutSurface& surface_;
+  const PathForest& forest_;
+  std::vector<std::uint32_t> order_, parent_;  ///< half-edge of the triangle towards the root
+  std::vector<double> area_;                   ///< of the subtree
+};
+
+}  // namespace abflat

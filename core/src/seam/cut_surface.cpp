@@ -1,0 +1,96 @@
+#include "seam/cut_surface.h"
+
+#include <algorithm>
+
+namespace abflat {
+namespace {
+
+void findVertices(const SeamMesh& mesh, CutSurface& s) {
+  const auto corners = static_cast<std::uint32_t>(s.twin.size());
+  s.vertexOfCorner.assign(corners, kNone);
+  for (std::uint32_t start = 0; start < corners; ++start) {
+    if (s.vertexOfCorner[start] != kNone) continue;
+    std::uint32_t first = start;  // the corner beside the boundary on its clockwise side
+    for (std::uint32_t c = rotateClockwise(s.twin, start); c != kNone && c != start;
+         c = rotateClockwise(s.twin, c))
+      first = c;
+    const bool isOpen = rotateClockwise(s.twin, first) == kNone;
+    if (!isOpen) first = start;
+    const auto id = static_cast<std::uint32_t>(s.outgoing.size());
+    s.outgoing.push_back(first);
+    s.isBoundary.push_back(isOpen);
+    s.meshVertex.push_back(mesh.vertexOfCorner[start]);
+    std::uint32_t c = first;
+    do {
+      s.vertexOfCorner[c] = id;
+      c = rotateCounterClockwise(s.twin, c);
+    } while (c != kNone && c != first);
+  }
+}
+
+void findCharts(CutSurface& s) {
+  const auto triangles = static_cast<std::uint32_t>(s.twin.size() / 3);
+  s.chartOfTriangle.assign(triangles, kNone);
+  s.triangleOrder.reserve(triangles);
+  for (std::uint32_t start = 0; start < triangles; ++start) {
+    if (s.chartOfTriangle[start] != kNone) continue;
+    const auto id = static_cast<std::uint32_t>(s.charts.size());
+    s.charts.emplace_back();
+    s.charts.back().firstTriangle = start;
+    s.triangleBegin.push_back(static_cast<std::uint32_t>(s.triangleOrder.size()));
+    s.chartOfTriangle[start] = id;
+    s.triangleOrder.push_back(start);
+    for (std::size_t i = s.triangleBegin.back(); i < s.triangleOrder.size(); ++i)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t o = s.twin[3 * s.triangleOrder[i] + k];
+        if (o == kNone || s.chartOfTriangle[o / 3] != kNone) continue;
+        s.chartOfTriangle[o / 3] = id;
+        s.triangleOrder.push_back(o / 3);
+      }
+  }
+  s.triangleBegin.push_back(triangles);
+}
+
+void findLoops(CutSurface& s) {
+  std::vector<std::uint8_t> isSeen(s.twin.size(), 0);
+  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+    s.charts[c].loopBegin = static_cast<std::uint32_t>(s.loops.size());
+    for (std::uint32_t i = s.triangleBegin[c]; i < s.triangleBegin[c + 1]; ++i)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t start = 3 * s.triangleOrder[i] + k;
+        if (s.twin[start] != kNone || isSeen[start]) continue;
+        s.loops.emplace_back();
+        std::uint32_t h = start;
+        do {
+          isSeen[h] = 1;
+          s.loops.back().push_back(h);
+          h = nextCorner(h);
+          while (s.twin[h] != kNone) h = nextCorner(s.twin[h]);
+        } while (h != start);
+      }
+    s.charts[c].loops = static_cast<std::uint32_t>(s.loops.size()) - s.charts[c].loopBegin;
+  }
+}
+
+}  // namespace
+
+CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams) {
+  CutSurface s;
+  s.twin = mesh.twin;
+  for (std::size_t h = 0; h < s.twin.size(); ++h)
+    if (seams[h]) s.twin[h] = kNone;
+  findVertices(mesh, s);
+  findCharts(s);
+  findLoops(s);
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+    CutSurface::Chart& chart = s.charts[s.chartOfTriangle[f]];
+    ++chart.triangles;
+    chart.area += mesh.area[f];
+    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h)
+      if (s.twin[h] == kNone || s.twin[h] > h) ++chart.edges;
+  }
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) ++s.charts[s.chartOfVertex(v)].vertices;
+  return s;
+}
+
+}  // namespace abflat

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+
+#include "parallel.h"
+#include "seam/cut_surface.h"
+
+namespace abflat {
+
+struct SeamOptions {
+  /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
+  double maxStretch = 1.06;
+  /// Least share of its convex hull that a chart may fill.
+  double leastFill = 0.5;
+  ThreadPool* pool = nullptr;
+  std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which cut to disks
+};
+
+struct SeamReport {
+  std::uint32_t charts = 0;
+  double seamLength = 0;  ///< in 3D, over sqrt(surface area)
+  std::uint32_t slits = 0, splits = 0;
+  std::uint32_t handleLoops = 0;
+  double handleLength = 0;  ///< of the seams that topology needs, over sqrt(surface area)
+  double stretch = 1;       ///< predicted, mean by area
+  int rounds = 0;
+  double seconds = 0, analysisSeconds = 0, solveSeconds = 0;
+  bool cancelled = false;
+};
+
+/// `given` seams are kept. Afterwards every chart is a topological disk.
+Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report);
+
+}  // namespace abflat

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "parallel.h"
+#include "seam/cut_surface.h"
+#include "solve/cholesky/cholesky.h"
+
+namespace abflat {
+
+/// The scale that a conformal flattening needs at each vertex, from one linear system:
+/// sum_j w_ij (u_i - u_j) = (sum of angles at i) - 2 pi inside, u = 0 on seams and boundaries
+/// (Springborn et al. 2008, linearised; this boundary distorts areas least). Lengths grow by e^u.
+class LogScale {
+ public:
+  LogScale(const SeamMesh& mesh, ThreadPool* pool);
+
+  /// Per vertex of the mesh. `anchors` are vertices of the cut surface that closed charts are held
+  /// at; there the curvature is taken relative to its mean. Empty when the system cannot be solved.
+  std::vector<double> solve(const CutSurface& surface, const std::vector<std::uint32_t>& anchors);
+
+ private:
+  void buildPattern();
+
+  const SeamMesh& mesh_;
+  ThreadPool* pool_;
+  std::vector<int> columnStart_, row_;
+  std::vector<std::uint32_t> entryOfEdge_;  ///< per half-edge, into the values; kNone at a loop
+  std::vector<double> values_;
+  std::unique_ptr<BasicCholesky<double>> factor_;
+};
+
+}  // namespace abflat

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "seam/cut_surface.h"
+
+namespace abflat {
+
+using Point2 = std::array<double, 2>;
+
+/// Where the boundary of a chart will lie when it is flattened, one point per half-edge of its loop
+/// (its first vertex). Lengths stay as they are (u = 0); the angle at a vertex is that of its
+/// triangles plus sum_j w_ij u_j, the discrete normal derivative (Sawhney and Crane 2017).
+std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& surface,
+                                   std::uint32_t loop, const std::vector<double>& u);
+
+/// Twice signed.
+double polygonArea(const std::vector<Point2>& points);
+double hullArea(std::vector<Point2> points);
+
+}  // namespace abflat

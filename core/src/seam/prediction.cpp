@@ -1,0 +1,52 @@
+#include "seam/prediction.h"
+
+#include <algorithm>
+
+#include "portable_math.h"
+
+namespace abflat {
+namespace {
+
+/// e^(2u), where u is so large that nothing could be told any more, its bound.
+double areaScale(double u) {
+  constexpr double kMost = 8;
+  return portable::exp(2 * std::clamp(u, -kMost, kMost));
+}
+
+}  // namespace
+
+double Prediction::at(std::uint32_t chart, double u) const {
+  const double ratio = areaScale(u) / meanScale[chart];
+  return (ratio + 1 / ratio) / 2;
+}
+
+Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::vector<double>& u) {
+  Prediction p;
+  const std::size_t charts = s.charts.size();
+  std::vector<double> inside(charts, 0), grown(charts, 0), shrunk(charts, 0);
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
+    if (s.isBoundary[v]) continue;
+    const std::uint32_t i = s.meshVertex[v], c = s.chartOfVertex(v);
+    const double scale = areaScale(u[i]);
+    inside[c] += mesh.vertexArea[i];
+    grown[c] += mesh.vertexArea[i] * scale;
+    shrunk[c] += mesh.vertexArea[i] / scale;
+  }
+  p.stretch.assign(charts, 1);
+  p.meanScale.assign(charts, 1);
+  double area = 0, sum = 0;
+  for (std::size_t c = 0; c < charts; ++c) {
+    const double all = s.charts[c].area;
+    if (all > 0) {
+      const double rest = std::max(0.0, all - inside[c]);  // along the boundary, where u = 0
+      p.meanScale[c] = (rest + grown[c]) / all;
+      p.stretch[c] = std::max(1.0, (1 + p.meanScale[c] * (rest + shrunk[c]) / all) / 2);
+    }
+    area += all;
+    sum += all * p.stretch[c];
+  }
+  if (area > 0) p.total = sum / area;
+  return p;
+}
+
+}  // namespace abflat

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "seam/cut_surface.h"
+
+namespace abflat {
+
+/// What flattening will do to the charts, told from the log-scale alone.
+struct Prediction {
+  /// Symmetric Dirichlet energy / 4 of a conformal map by area at equal total area: 1 is an
+  /// isometry. Per chart.
+  std::vector<double> stretch;
+  std::vector<double> meanScale;  ///< area-weighted mean of e^(2u) per chart
+  double total = 1;               ///< mean of `stretch` by area
+  /// A vertex's own stretch.
+  double at(std::uint32_t chart, double u) const;
+};
+
+Prediction predictStretch(const SeamMesh& mesh, const CutSurface& surface,
+                          const std::vector<double>& u);
+
+}  // namespace abflat

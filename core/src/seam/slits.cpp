@@ -1,0 +1,65 @@
+#include "seam/slits.h"
+
+#include <algorithm>
+
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+struct Peak {
+  std::uint32_t chart, vertex;
+  double stretch;
+};
+
+bool isPeak(const CutSurface& s, const std::vector<double>& own, std::uint32_t v) {
+  const std::uint32_t first = s.outgoing[v];
+  std::uint32_t h = first;
+  do {
+    const std::uint32_t w = s.vertexOfCorner[nextCorner(h)];
+    if (own[w] > own[v] || (own[w] == own[v] && w < v)) return false;
+    h = s.twin[prevCorner(h)];
+  } while (h != kNone && h != first);
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
+                                    const PathForest& forest, const Prediction& prediction,
+                                    const std::vector<double>& u, double maxStretch) {
+  std::vector<double> own(s.vertexCount(), 1);
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+    own[v] = prediction.at(s.chartOfVertex(v), u[s.meshVertex[v]]);
+  std::vector<Peak> peaks;
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
+    const std::uint32_t c = s.chartOfVertex(v);
+    if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch)) continue;
+    if (isPeak(s, own, v)) peaks.push_back({c, v, own[v]});
+  }
+  std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) {
+    if (a.chart != b.chart) return a.chart < b.chart;
+    return a.stretch != b.stretch ? a.stretch > b.stretch : a.vertex < b.vertex;
+  });
+  constexpr std::size_t kMostPeaks = 32;  // of a chart in a round
+  constexpr double kShare = 0.3;          // of the greatest peak's excess
+  constexpr double kApart = 0.7;          // of the longer way to the boundary
+  std::vector<std::uint32_t> ends;
+  for (std::size_t i = 0; i < peaks.size();) {
+    const std::size_t first = ends.size();
+    const double top = peaks[i].stretch;
+    const std::uint32_t chart = peaks[i].chart;
+    for (; i < peaks.size() && peaks[i].chart == chart; ++i) {
+      const std::uint32_t v = peaks[i].vertex;
+      bool isFree = ends.size() - first < kMostPeaks &&
+                    peaks[i].stretch - 1 >= kShare * (top - 1) && peaks[i].stretch > maxStretch;
+      for (std::size_t k = first; isFree && k < ends.size(); ++k)
+        isFree = norm(edgeVector(mesh.positions, s.meshVertex[v], s.meshVertex[ends[k]])) >
+                 kApart * std::max(forest.distance[v], forest.distance[ends[k]]);
+      if (isFree || ends.size() == first) ends.push_back(v);
+    }
+  }
+  return ends;
+}
+
+}  // namespace abflat

@@ -1,0 +1,121 @@
+#include "seam/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Steps of the grid over the extent: far finer than any feature, far coarser than the rounding
+/// that a change of unit brings.
+constexpr double kGrid = 268435456;  // 2^28
+
+/// Cotangent weights outside of this come from needles; inside, the matrix is well conditioned.
+constexpr double kLeastWeight = 0.01, kMostWeight = 50;
+
+std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans) {
+  Vec3 low{};
+  double extent = 0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    double least = 0, most = 0;
+    for (std::size_t i = 0; i < fans.inputVertex.size(); ++i) {
+      const double x = positions[3 * static_cast<std::size_t>(fans.inputVertex[i]) + d] / 2;
+      least = i == 0 ? x : std::min(least, x);
+      most = i == 0 ? x : std::max(most, x);
+    }
+    low[d] = least;
+    extent = std::max(extent, most - least);
+  }
+  std::vector<double> out;
+  out.reserve(3 * fans.inputVertex.size());
+  for (const std::uint32_t v : fans.inputVertex)
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double x = positions[3 * static_cast<std::size_t>(v) + d] / 2 - low[d];
+      out.push_back(extent > 0 ? std::floor(x / extent * kGrid + 0.5) / kGrid : 0);
+    }
+  return out;
+}
+
+void measureTriangle(SeamMesh& m, std::uint32_t f, std::vector<double>& cotangent) {
+  const std::uint32_t* v = &m.vertexOfCorner[3 * f];
+  std::array<Vec3, 3> e;
+  for (std::size_t k = 0; k < 3; ++k) e[k] = edgeVector(m.positions, v[k], v[(k + 1) % 3]);
+  const double doubleArea = norm(cross(e[0], e[1]));
+  m.area[f] = doubleArea / 2;
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, m.length[3 * f + k] = norm(e[k]));
+  constexpr double kFlat = 1e-9;  // of the longest side squared
+  const bool isFlat = !(doubleArea > kFlat * longest * longest);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double along = -dot(e[k], e[(k + 2) % 3]);
+    cotangent[3 * f + k] = isFlat ? 1 / std::sqrt(3.0) : along / doubleArea;
+    m.angle[3 * f + k] = isFlat ? kPi / 3 : portable::atan2(doubleArea, along);
+  }
+}
+
+/// 0 where the surface is flat or convex, 1 in a sharp crease that opens outwards.
+double hiddenness(const SeamMesh& m, std::uint32_t h) {
+  const std::uint32_t o = m.twin[h];
+  const std::uint32_t *v = &m.vertexOfCorner[3 * (h / 3)], *w = &m.vertexOfCorner[3 * (o / 3)];
+  const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
+  const Vec3 q = cross(edgeVector(m.positions, w[0], w[1]), edgeVector(m.positions, w[0], w[2]));
+  const double scale = norm(n) * norm(q);
+  if (!(scale > 0)) return 0;
+  const double bend = (1 - dot(n, q) / scale) / 2;  // 0 flat, 1/2 at a right angle
+  const Vec3 across = edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[prevCorner(o)]);
+  const double share = std::min(1.0, 2 * bend);
+  return dot(across, n) > 0 ? share : share / 2;  // a convex ridge hides a seam less than a crease
+}
+
+void weighEdges(SeamMesh& m, const std::vector<double>& cotangent) {
+  constexpr double kDiscount = 0.4;
+  for (std::uint32_t h = 0; h < m.twin.size(); ++h) {
+    const std::uint32_t o = m.twin[h];
+    if (o != kNone && o < h) continue;
+    double w = cotangent[prevCorner(h)] / 2;
+    m.cost[h] = m.length[h];
+    if (o != kNone) {
+      w += cotangent[prevCorner(o)] / 2;
+      m.length[o] = m.length[h];
+      m.cost[h] = m.cost[o] = m.length[h] * (1 - kDiscount * hiddenness(m, h));
+    }
+    m.weight[h] = std::clamp(w, kLeastWeight, kMostWeight);
+    if (o != kNone) m.weight[o] = m.weight[h];
+  }
+}
+
+}  // namespace
+
+double SeamMesh::totalArea() const {
+  double sum = 0;
+  for (const double a : area) sum += a;
+  return sum;
+}
+
+SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
+                      const Fans& fans) {
+  SeamMesh m;
+  m.vertexOfCorner = fans.ofCorner;
+  m.twin = table.twin;
+  m.positions = onGrid(positions, fans);
+  const std::size_t corners = m.vertexOfCorner.size();
+  m.angle.resize(corners);
+  m.area.resize(corners / 3);
+  m.length.resize(corners);
+  m.cost.resize(corners);
+  m.weight.resize(corners);
+  std::vector<double> cotangent(corners);
+  for (std::uint32_t f = 0; f < m.triangleCount(); ++f) measureTriangle(m, f, cotangent);
+  weighEdges(m, cotangent);
+  m.vertexArea.assign(fans.inputVertex.size(), 0);
+  m.angleSum.assign(fans.inputVertex.size(), 0);
+  for (std::uint32_t c = 0; c < corners; ++c) {
+    m.vertexArea[m.vertexOfCorner[c]] += m.area[c / 3] / 3;
+    m.angleSum[m.vertexOfCorner[c]] += m.angle[c];
+  }
+  return m;
+}
+
+}  // namespace abflat

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "abflat/mesh.h"
+#include "mesh/corner_table.h"
+#include "mesh/topology.h"
+
+namespace abflat {
+
+/// What the seam finder works on: an oriented manifold surface, of any number of components, and
+/// its geometry. Vertices are fans, so each is either interior or passed by the boundary once.
+/// Coordinates are rounded to a grid over the mesh's own extent: no result depends on its unit or
+/// place.
+struct SeamMesh {
+  std::vector<std::uint32_t> vertexOfCorner;  ///< fan per corner, size 3F
+  std::vector<std::uint32_t> twin;            ///< opposite half-edge, kNone on the boundary
+  std::vector<double> positions;              ///< xyz per fan, within the unit cube
+  std::vector<double> angle;                  ///< per corner, radians; made up where degenerate
+  std::vector<double> area;                   ///< per triangle
+  std::vector<double> length;                 ///< per half-edge
+  std::vector<double> cost;        ///< of a seam per half-edge: its length, less where it is hidden
+  std::vector<double> weight;      ///< cotangent weight of the edge, positive; the same for twins
+  std::vector<double> vertexArea;  ///< a third of the triangles' round it
+  std::vector<double> angleSum;    ///< per fan
+
+  std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(area.size()); }
+  std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertexArea.size()); }
+  double totalArea() const;
+};
+
+/// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
+SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
+                      const Fans& fans);
+
+}  // namespace abflat
