@@ -111,6 +111,8 @@ int run(int argc, char** argv) {
       options.maxStretch = std::atof(argv[++i]);
     } else if (a == "--fill") {
       options.leastFill = std::atof(argv[++i]);
+    } else if (a == "--overlap") {
+      options.mostOverlap = std::atof(argv[++i]);
     } else if (a == "--t") {
       t = std::strcmp(argv[++i], "auto") == 0 ? kAutoT : std::atof(argv[i]);
     } else {

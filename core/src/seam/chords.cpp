@@ -10,7 +10,8 @@ ChordFinder::ChordFinder(const SeamMesh& mesh, const CutSurface& surface, const 
       surface_(surface),
       forest_(forest),
       parent_(mesh.triangleCount(), kNone),
-      area_(mesh.area) {}
+      area_(mesh.area),
+      place_(surface.vertexCount(), kNone) {}
 
 void ChordFinder::walk(std::uint32_t chart) {
   const std::uint32_t root = surface_.charts[chart].firstTriangle;
@@ -27,8 +28,29 @@ void ChordFinder::walk(std::uint32_t chart) {
     area_[surface_.twin[parent_[order_[i]]] / 3] += area_[order_[i]];
 }
 
-Chord ChordFinder::best(std::uint32_t chart) {
+void ChordFinder::numberLoop(std::uint32_t chart) {
+  const std::vector<std::uint32_t>& loop = surface_.loops[surface_.charts[chart].loopBegin];
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    place_[surface_.vertexOfCorner[loop[i]]] = static_cast<std::uint32_t>(i);
+}
+
+/// Of the pairs, those whose half-edges end up in different charts.
+double ChordFinder::resolvedShare(std::uint32_t h,
+                                  const std::vector<std::array<std::uint32_t, 2>>& pairs) const {
+  const auto placeOf = [&](std::uint32_t corner) {
+    return place_[forest_.source[surface_.vertexOfCorner[corner]]];
+  };
+  const auto ends = std::minmax(placeOf(h), placeOf(nextCorner(h)));
+  const auto isBetween = [&](std::uint32_t i) { return i >= ends.first && i < ends.second; };
+  std::size_t resolved = 0;
+  for (const auto& pair : pairs) resolved += isBetween(pair[0]) != isBetween(pair[1]);
+  return static_cast<double>(resolved) / static_cast<double>(pairs.size());
+}
+
+Chord ChordFinder::best(std::uint32_t chart,
+                        const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   walk(chart);
+  numberLoop(chart);
   constexpr double kLeastShare = 0.02;
   const double all = surface_.charts[chart].area;
   Chord best;
@@ -43,7 +65,10 @@ Chord ChordFinder::best(std::uint32_t chart) {
     if (!(smaller > kLeastShare * all)) continue;
     c.length = forest_.distance[surface_.vertexOfCorner[h]] + mesh_.cost[h] +
                forest_.distance[surface_.vertexOfCorner[nextCorner(h)]];
-    const double score = c.length / std::sqrt(smaller);
+    double score = c.length / std::sqrt(smaller);
+    if (best.h != kNone && score >= bestScore) continue;
+    constexpr double kUnresolved = 4;  // so much longer may a chord be that resolves all
+    if (!pairs.empty()) score *= 1 + (kUnresolved - 1) * (1 - resolvedShare(h, pairs));
     if (best.h == kNone || score < bestScore) {
       best = c;
       bestScore = score;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "seam/path_forest.h"
@@ -19,17 +20,23 @@ class ChordFinder {
  public:
   ChordFinder(const SeamMesh& mesh, const CutSurface& surface, const PathForest& forest);
 
-  /// Of least length / sqrt(smaller area); h is kNone when there is none.
-  Chord best(std::uint32_t chart);
+  /// Of least length / sqrt(smaller area), where chords that do not separate pairs of boundary
+  /// half-edges which will lie on each other count as longer; h is kNone when there is none.
+  /// `pairs` are places along the chart's loop.
+  Chord best(std::uint32_t chart, const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
  private:
   void walk(std::uint32_t chart);
+  void numberLoop(std::uint32_t chart);
+  double resolvedShare(std::uint32_t h,
+                       const std::vector<std::array<std::uint32_t, 2>>& pairs) const;
 
   const SeamMesh& mesh_;
   const CutSurface& surface_;
   const PathForest& forest_;
   std::vector<std::uint32_t> order_, parent_;  ///< half-edge of the triangle towards the root
   std::vector<double> area_;                   ///< of the subtree
+  std::vector<std::uint32_t> place_;  ///< along its loop, per boundary vertex that was numbered
 };
 
 }  // namespace abflat

@@ -42,7 +42,6 @@ class Finder {
  private:
   void open(Seams& seams);
   bool improve(Seams& seams);
-  bool isToSplit(const CutSurface& s, std::uint32_t chart, const std::vector<double>& u) const;
   bool goesOn() const { return !options_.keepsOn || options_.keepsOn(); }
 
   const SeamMesh& mesh_;
@@ -69,11 +68,6 @@ void Finder::open(Seams& seams) {
   report_.handleLength = cut.length;
 }
 
-bool Finder::isToSplit(const CutSurface& s, std::uint32_t c, const std::vector<double>& u) const {
-  const std::vector<Point2> outline = predictOutline(mesh_, s, s.charts[c].loopBegin, u);
-  return s.charts[c].area < options_.leastFill * hullArea(outline);
-}
-
 bool Finder::improve(Seams& seams) {
   Stopwatch watch;
   const CutSurface s = cutAlong(mesh_, seams);
@@ -89,8 +83,11 @@ bool Finder::improve(Seams& seams) {
   report_.slits += static_cast<std::uint32_t>(ends.size());
   ChordFinder chords(mesh_, s, forest);
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
-    if (p.stretch[c] > 1.5 || !isToSplit(s, c, u)) continue;
-    const Chord chord = chords.best(c);
+    if (p.stretch[c] > 1.5 || s.charts[c].triangles < 2) continue;
+    const Shape shape =
+        measureShape(predictOutline(mesh_, s, s.charts[c].loopBegin, u), s.charts[c].area);
+    if (shape.fill >= options_.leastFill && shape.overlap <= options_.mostOverlap) continue;
+    const Chord chord = chords.best(c, shape.crossings);
     if (chord.h == kNone) continue;
     added += markEdge(mesh_, chord.h, seams);
     added += markPath(mesh_, forest, s.vertexOfCorner[chord.h], seams);

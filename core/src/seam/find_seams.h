@@ -12,6 +12,8 @@ struct SeamOptions {
   double maxStretch = 1.06;
   /// Least share of its convex hull that a chart may fill.
   double leastFill = 0.5;
+  /// Share of a chart that its predicted layout may cover twice.
+  double mostOverlap = 0.002;
   ThreadPool* pool = nullptr;
   std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which cut to disks
 };

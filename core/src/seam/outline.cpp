@@ -1,8 +1,10 @@
 #include "seam/outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "angle/constants.h"
+#include "check/crossings.h"
 #include "portable_math.h"
 
 namespace abflat {
@@ -23,6 +25,40 @@ double flatAngle(const SeamMesh& mesh, const CutSurface& s, std::uint32_t h,
 
 double cross(const Point2& a, const Point2& b, const Point2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Area that is covered more than once, by sweeping lines over the outline.
+double overlapArea(const std::vector<Point2>& p) {
+  constexpr std::size_t kLines = 96;
+  double low = p[0][1], high = p[0][1];
+  for (const Point2& q : p) {
+    low = std::min(low, q[1]);
+    high = std::max(high, q[1]);
+  }
+  const double step = (high - low) / kLines;
+  if (!(step > 0)) return 0;
+  std::vector<std::vector<std::pair<double, int>>> hits(kLines);  // x, change of the winding number
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point2 &a = p[i], &b = p[(i + 1) % p.size()];
+    if (a[1] == b[1]) continue;
+    const double from = (std::min(a[1], b[1]) - low) / step,
+                 to = (std::max(a[1], b[1]) - low) / step;
+    for (double line = std::ceil(from - 0.5); line + 0.5 < to && line < kLines; ++line) {
+      const double y = low + (line + 0.5) * step;
+      const double x = a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]);
+      hits[static_cast<std::size_t>(line)].emplace_back(x, a[1] > b[1] ? 1 : -1);
+    }
+  }
+  double sum = 0;
+  for (auto& line : hits) {
+    std::sort(line.begin(), line.end());
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      winding += line[i].second;
+      if (winding > 1) sum += (line[i + 1].first - line[i].first) * step;
+    }
+  }
+  return sum;
 }
 
 }  // namespace
@@ -80,6 +116,18 @@ double hullArea(std::vector<Point2> p) {
     std::reverse(p.begin(), p.end());
   }
   return polygonArea(hull);
+}
+
+Shape measureShape(const std::vector<Point2>& outline, double area) {
+  Shape shape;
+  if (outline.size() < 3 || !(area > 0)) return shape;
+  shape.fill = std::min(1.0, area / hullArea(outline));
+  shape.overlap = overlapArea(outline) / area;
+  if (!(shape.overlap > 0)) return shape;
+  std::vector<double> points;
+  for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
+  shape.crossings = findCrossings(points, kMostCrossings).first;
+  return shape;
 }
 
 }  // namespace abflat

@@ -15,7 +15,16 @@ using Point2 = std::array<double, 2>;
 std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& surface,
                                    std::uint32_t loop, const std::vector<double>& u);
 
-/// Twice signed.
+/// What the outline tells about the layout.
+struct Shape {
+  double fill = 1;     ///< area over that of the convex hull
+  double overlap = 0;  ///< area that is covered more than once, over the whole
+  /// Pairs of half-edges of the loop that cross, at most `kMostCrossings`.
+  std::vector<std::array<std::uint32_t, 2>> crossings;
+};
+constexpr std::size_t kMostCrossings = 32;
+Shape measureShape(const std::vector<Point2>& outline, double area);
+
 double polygonArea(const std::vector<Point2>& points);
 double hullArea(std::vector<Point2> points);
 
