@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <string>
@@ -119,17 +120,19 @@ int run(int argc, char** argv) {
       PolygonMesh mesh;
       if (!read(a, mesh)) return 1;
       const Surface surface = buildSurface(mesh);
+      const std::clock_t begin = std::clock();
       Stopwatch watch;
       const SeamMesh seamMesh = makeSeamMesh(mesh.positions, surface.table, surface.fans);
       const double prepared = watch.lap();
       SeamReport r;
       const Seams seams = findSeams(seamMesh, {}, options, &r);
+      const double cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
       const CutSurface s = cutAlong(seamMesh, seams);
       std::printf(
           "%-24s F %7u charts %5u seam %7.2f (topology %6.2f) predicted %.4f slits %5u splits %5u "
-          "rounds %2d  s %.3f (mesh %.3f analysis %.3f solve %.3f)",
+          "rounds %2d  s %.3f cpu %.3f (mesh %.3f analysis %.3f solve %.3f)",
           a.substr(a.rfind('/') + 1).c_str(), seamMesh.triangleCount(), r.charts, r.seamLength,
-          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, prepared,
+          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu, prepared,
           r.analysisSeconds, r.solveSeconds);
       if (flattens) {
         const Flattened f = flattenCharts(mesh, surface, s, t);

@@ -5,6 +5,7 @@
 
 #include "seam/chords.h"
 #include "seam/cut_to_disks.h"
+#include "seam/extract_charts.h"
 #include "seam/log_scale.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
@@ -13,12 +14,6 @@
 
 namespace abflat {
 namespace {
-
-std::vector<std::uint32_t> firstVertices(const CutSurface& s) {
-  std::vector<std::uint32_t> out;
-  for (const CutSurface::Chart& c : s.charts) out.push_back(s.vertexOfCorner[3 * c.firstTriangle]);
-  return out;
-}
 
 /// For each chart the vertex of most extreme scale: the tip of something that sticks out.
 std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
@@ -32,98 +27,168 @@ std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
   return out;
 }
 
+/// Cuts in rounds. A chart that a round leaves as it is stays so; the rounds go on with the others
+/// alone as soon as these are much less than all.
 class Finder {
  public:
-  Finder(const SeamMesh& mesh, const SeamOptions& options, SeamReport& report)
-      : mesh_(mesh), options_(options), report_(report) {}
+  Finder(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report)
+      : whole_(mesh),
+        mesh_(&mesh),
+        result_(std::move(given)),
+        options_(options),
+        report_(report) {}
 
-  void run(Seams& seams);
+  Seams run();
 
  private:
-  void open(Seams& seams);
-  bool improve(Seams& seams);
+  void analyse();
+  void open();
+  bool improve();
+  void slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
+  void split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
+  bool finishUnchanged(const CutSurface& s);
+  void handBack();
+  std::uint32_t toWhole(std::uint32_t h) const {
+    return mesh_ == &whole_ ? h : part_.halfEdge[h];
+  }
   bool goesOn() const { return !options_.keepsOn || options_.keepsOn(); }
 
-  const SeamMesh& mesh_;
+  const SeamMesh& whole_;
+  const SeamMesh* mesh_;  ///< what is still being cut: the whole or part_.mesh
+  SeamPart part_;
+  Seams seams_;   ///< of *mesh_
+  Seams result_;  ///< of the whole; seams_ are added when their part is done
   const SeamOptions& options_;
   SeamReport& report_;
   std::unique_ptr<LogScale> scale_;
+  Prediction prediction_;
+  std::vector<std::uint8_t> isChanged_;  ///< per chart, in the round at work
 };
 
-void Finder::open(Seams& seams) {
-  const CutSurface s = cutAlong(mesh_, seams);
-  std::vector<std::uint32_t> anchors = firstVertices(s);
-  for (std::size_t c = 0; c < anchors.size(); ++c)
-    if (s.charts[c].loops > 0) anchors[c] = kNone;
+void Finder::analyse() {
+  Stopwatch watch;
+  scale_ = std::make_unique<LogScale>(*mesh_, options_.pool);
+  report_.analysisSeconds += watch.lap();
+}
+
+void Finder::open() {
+  const CutSurface s = cutAlong(whole_, result_);
   std::vector<std::uint32_t> closed;
-  for (const std::uint32_t a : anchors)
-    if (a != kNone) closed.push_back(a);
+  for (const CutSurface::Chart& c : s.charts)
+    if (c.loops == 0) closed.push_back(s.vertexOfCorner[3 * c.firstTriangle]);
   std::vector<std::uint32_t> roots;
   if (!closed.empty()) {
     const std::vector<double> u = scale_->solve(s, closed);
-    if (!u.empty()) roots = extremes(s, predictStretch(mesh_, s, u), u);
+    if (!u.empty()) roots = extremes(s, predictStretch(whole_, s, u), u);
   }
-  const TopologyCut cut = cutToDisks(mesh_, s, std::move(roots), seams);
+  const TopologyCut cut = cutToDisks(whole_, s, std::move(roots), result_);
   report_.handleLoops = cut.handleLoops;
   report_.handleLength = cut.length;
 }
 
-bool Finder::improve(Seams& seams) {
-  Stopwatch watch;
-  const CutSurface s = cutAlong(mesh_, seams);
-  const std::vector<double> u = scale_->solve(s, {});
-  report_.solveSeconds += watch.lap();
-  if (u.empty()) return false;
-  const Prediction p = predictStretch(mesh_, s, u);
-  report_.stretch = p.total;
-  const PathForest forest = findPaths(mesh_, s, {});
-  const std::vector<std::uint32_t> ends = slitEnds(mesh_, s, forest, p, u, options_.maxStretch);
-  double added = 0;
-  for (const std::uint32_t v : ends) added += markPath(mesh_, forest, v, seams);
-  report_.slits += static_cast<std::uint32_t>(ends.size());
-  ChordFinder chords(mesh_, s, forest);
+void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
+  for (const std::uint32_t v :
+       slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)) {
+    markPath(*mesh_, forest, v, seams_);
+    isChanged_[s.chartOfVertex(v)] = 1;
+    ++report_.slits;
+  }
+}
+
+void Finder::split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
+  constexpr double kTellsNothing = 1.5;  // stretch above which the outline is not to be trusted
+  ChordFinder chords(*mesh_, s, forest);
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
-    if (p.stretch[c] > 1.5 || s.charts[c].triangles < 2) continue;
+    if (prediction_.stretch[c] > kTellsNothing || s.charts[c].triangles < 2) continue;
     const Shape shape =
-        measureShape(predictOutline(mesh_, s, s.charts[c].loopBegin, u), s.charts[c].area);
+        measureShape(predictOutline(*mesh_, s, s.charts[c].loopBegin, u), s.charts[c].area);
     if (shape.fill >= options_.leastFill && shape.overlap <= options_.mostOverlap) continue;
     const Chord chord = chords.best(c, shape.crossings);
     if (chord.h == kNone) continue;
-    added += markEdge(mesh_, chord.h, seams);
-    added += markPath(mesh_, forest, s.vertexOfCorner[chord.h], seams);
-    added += markPath(mesh_, forest, s.vertexOfCorner[nextCorner(chord.h)], seams);
+    markEdge(*mesh_, chord.h, seams_);
+    markPath(*mesh_, forest, s.vertexOfCorner[chord.h], seams_);
+    markPath(*mesh_, forest, s.vertexOfCorner[nextCorner(chord.h)], seams_);
+    isChanged_[c] = 1;
     ++report_.splits;
   }
-  return added > 0;
 }
 
-void Finder::run(Seams& seams) {
+/// False when no chart was changed.
+bool Finder::improve() {
   Stopwatch watch;
-  scale_ = std::make_unique<LogScale>(mesh_, options_.pool);
-  report_.analysisSeconds = watch.lap();
-  open(seams);
-  constexpr int kMostRounds = 30;
-  while (report_.rounds < kMostRounds && goesOn()) {
-    ++report_.rounds;
-    if (!improve(seams)) break;
+  const CutSurface s = cutAlong(*mesh_, seams_);
+  const std::vector<double> u = scale_->solve(s, {});
+  report_.solveSeconds += watch.lap();
+  if (u.empty()) return false;
+  prediction_ = predictStretch(*mesh_, s, u);
+  isChanged_.assign(s.charts.size(), 0);
+  const PathForest forest = findPaths(*mesh_, s, {});
+  slit(s, forest, u);
+  split(s, forest, u);
+  return finishUnchanged(s);
+}
+
+/// Hands back what is done and keeps the rest as a part of its own where that is much smaller;
+/// false when all is done.
+bool Finder::finishUnchanged(const CutSurface& s) {
+  std::size_t changed = 0;
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    if (isChanged_[c]) changed += s.charts[c].triangles;
+  constexpr std::size_t kMuchSmaller = 2;
+  if (changed > 0 && changed * kMuchSmaller > mesh_->triangleCount()) return true;
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    if (!isChanged_[c]) report_.stretch += s.charts[c].area * (prediction_.stretch[c] - 1);
+  handBack();
+  if (changed == 0) return false;
+  SeamPart rest = extractCharts(*mesh_, s, isChanged_);
+  Seams seams;
+  for (std::uint32_t& h : rest.halfEdge) {
+    // What was cut before this round is the part's boundary.
+    seams.push_back(seams_[h] && s.twin[h] != kNone);
+    h = toWhole(h);
   }
+  part_ = std::move(rest);
+  seams_ = std::move(seams);
+  mesh_ = &part_.mesh;
+  analyse();
+  return true;
+}
+
+void Finder::handBack() {
+  for (std::uint32_t h = 0; h < seams_.size(); ++h)
+    if (seams_[h]) result_[toWhole(h)] = 1;
+}
+
+Seams Finder::run() {
+  analyse();
+  open();
+  seams_ = result_;
+  constexpr int kMostRounds = 40;
+  bool isDone = false;
+  while (!isDone && report_.rounds < kMostRounds && goesOn()) {
+    ++report_.rounds;
+    isDone = !improve();
+  }
+  if (!isDone) handBack();
   report_.cancelled = !goesOn();
+  return std::move(result_);
 }
 
 }  // namespace
 
-Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report) {
+Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options,
+                SeamReport* report) {
   Stopwatch watch;
   SeamReport own;
   Seams seams = std::move(given);
   seams.resize(mesh.twin.size(), 0);
-  if (mesh.triangleCount() > 0) Finder(mesh, options, own).run(seams);
-  const CutSurface s = cutAlong(mesh, seams);
-  own.charts = static_cast<std::uint32_t>(s.charts.size());
-  for (std::uint32_t h = 0; h < seams.size(); ++h)
+  if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
+  own.charts = static_cast<std::uint32_t>(cutAlong(mesh, seams).charts.size());
+  for (std::size_t h = 0; h < seams.size(); ++h)
     if (seams[h]) own.seamLength += mesh.length[h] / 2;
   const double size = std::sqrt(mesh.totalArea());
   if (size > 0) {
+    own.stretch = 1 + own.stretch / (size * size);
     own.seamLength /= size;
     own.handleLength /= size;
   }

@@ -9,9 +9,9 @@ namespace abflat {
 
 struct SeamOptions {
   /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
-  double maxStretch = 1.06;
+  double maxStretch = 1.04;
   /// Least share of its convex hull that a chart may fill.
-  double leastFill = 0.5;
+  double leastFill = 0.45;
   /// Share of a chart that its predicted layout may cover twice.
   double mostOverlap = 0.002;
   ThreadPool* pool = nullptr;
@@ -24,7 +24,7 @@ struct SeamReport {
   std::uint32_t slits = 0, splits = 0;
   std::uint32_t handleLoops = 0;
   double handleLength = 0;  ///< of the seams that topology needs, over sqrt(surface area)
-  double stretch = 1;       ///< predicted, mean by area
+  double stretch = 0;       ///< predicted, mean by area
   int rounds = 0;
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0;
   bool cancelled = false;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "seam/cut_surface.h"
+
+namespace abflat {
+
+/// Some charts of a cut surface as a surface of their own, open where it was cut.
+struct SeamPart {
+  SeamMesh mesh;
+  std::vector<std::uint32_t> halfEdge;  ///< of the whole, per half-edge of the part
+};
+SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& surface,
+                       const std::vector<std::uint8_t>& isWanted);
+
+}  // namespace abflat
