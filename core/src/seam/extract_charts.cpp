@@ -20,6 +20,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     if (vertex[v] == kNone) {
       vertex[v] = static_cast<std::uint32_t>(m.vertexArea.size());
       m.positions.insert(m.positions.end(), &mesh.positions[3 * i], &mesh.positions[3 * i] + 3);
+      part.vertex.push_back(i);
       m.vertexArea.push_back(0);
       m.angleSum.push_back(0);
     }

@@ -10,6 +10,7 @@ namespace abflat {
 struct SeamPart {
   SeamMesh mesh;
   std::vector<std::uint32_t> halfEdge;  ///< of the whole, per half-edge of the part
+  std::vector<std::uint32_t> vertex;    ///< of the whole, per vertex of the part
 };
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& surface,
                        const std::vector<std::uint8_t>& isWanted);

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seam/chords.h"
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
 #include "seam/log_scale.h"
-#include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/slits.h"
+#include "seam/split_charts.h"
 #include "stopwatch.h"
 
 namespace abflat {
@@ -32,11 +31,7 @@ std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
 class Finder {
  public:
   Finder(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report)
-      : whole_(mesh),
-        mesh_(&mesh),
-        result_(std::move(given)),
-        options_(options),
-        report_(report) {}
+      : whole_(mesh), mesh_(&mesh), result_(std::move(given)), options_(options), report_(report) {}
 
   Seams run();
 
@@ -48,9 +43,7 @@ class Finder {
   void split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
   bool finishUnchanged(const CutSurface& s);
   void handBack();
-  std::uint32_t toWhole(std::uint32_t h) const {
-    return mesh_ == &whole_ ? h : part_.halfEdge[h];
-  }
+  std::uint32_t toWhole(std::uint32_t h) const { return mesh_ == &whole_ ? h : part_.halfEdge[h]; }
   bool goesOn() const { return !options_.keepsOn || options_.keepsOn(); }
 
   const SeamMesh& whole_;
@@ -87,8 +80,7 @@ void Finder::open() {
 }
 
 void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
-  for (const std::uint32_t v :
-       slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)) {
+  for (const std::uint32_t v : slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)) {
     markPath(*mesh_, forest, v, seams_);
     isChanged_[s.chartOfVertex(v)] = 1;
     ++report_.slits;
@@ -97,20 +89,12 @@ void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vect
 
 void Finder::split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
   constexpr double kTellsNothing = 1.5;  // stretch above which the outline is not to be trusted
-  ChordFinder chords(*mesh_, s, forest);
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
-    if (prediction_.stretch[c] > kTellsNothing || s.charts[c].triangles < 2) continue;
-    const Shape shape =
-        measureShape(predictOutline(*mesh_, s, s.charts[c].loopBegin, u), s.charts[c].area);
-    if (shape.fill >= options_.leastFill && shape.overlap <= options_.mostOverlap) continue;
-    const Chord chord = chords.best(c, shape.crossings);
-    if (chord.h == kNone) continue;
-    markEdge(*mesh_, chord.h, seams_);
-    markPath(*mesh_, forest, s.vertexOfCorner[chord.h], seams_);
-    markPath(*mesh_, forest, s.vertexOfCorner[nextCorner(chord.h)], seams_);
-    isChanged_[c] = 1;
-    ++report_.splits;
-  }
+  std::vector<std::uint8_t> isTrusted(s.charts.size());
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    isTrusted[c] = prediction_.stretch[c] <= kTellsNothing;
+  const ShapeOptions shape{options_.leastFill, options_.mostOverlap};
+  report_.splits += splitByShape(*mesh_, s, forest, u, shape, isTrusted, seams_);
+  for (std::size_t c = 0; c < s.charts.size(); ++c) isChanged_[c] |= isTrusted[c];
 }
 
 /// False when no chart was changed.
@@ -176,8 +160,7 @@ Seams Finder::run() {
 
 }  // namespace
 
-Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options,
-                SeamReport* report) {
+Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report) {
   Stopwatch watch;
   SeamReport own;
   Seams seams = std::move(given);

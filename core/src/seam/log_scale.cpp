@@ -14,7 +14,7 @@ LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool) : mesh_(mesh), pool_(
   CholeskyOptions numeric;
   numeric.pool = pool;
   numeric.allowNegative = false;
-  factor_ = std::make_unique<BasicCholesky<double>>(
+  factor_ = std::make_unique<BasicCholesky<float>>(
       std::make_shared<const CholeskySymbolic>(analyzePattern(pattern, options)), numeric);
 }
 

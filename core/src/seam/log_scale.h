@@ -28,7 +28,7 @@ class LogScale {
   std::vector<int> columnStart_, row_;
   std::vector<std::uint32_t> entryOfEdge_;  ///< per half-edge, into the values; kNone at a loop
   std::vector<double> values_;
-  std::unique_ptr<BasicCholesky<double>> factor_;
+  std::unique_ptr<BasicCholesky<float>> factor_;
 };
 
 }  // namespace abflat

@@ -10,15 +10,19 @@
 namespace abflat {
 namespace {
 
-/// Interior angle at the vertex that a boundary half-edge leaves.
+/// Interior angle at the vertex that a boundary half-edge leaves: each triangle's angle changes by
+/// half of cot(opposite angle) (u_j - u_i) for both of its edges there.
 double flatAngle(const SeamMesh& mesh, const CutSurface& s, std::uint32_t h,
                  const std::vector<double>& u) {
-  double angle = 0;
+  const double own = u[mesh.vertexOfCorner[h]];
+  // Of an edge on the boundary only one triangle counts.
+  double angle = mesh.weight[h] / 2 * (u[mesh.vertexOfCorner[nextCorner(h)]] - own);
   while (true) {
     angle += mesh.angle[h];
     const std::uint32_t p = prevCorner(h), o = s.twin[p];
-    if (o == kNone) return angle;
-    angle += mesh.weight[o] * u[mesh.vertexOfCorner[nextCorner(o)]];
+    const double step = mesh.weight[p] * (u[mesh.vertexOfCorner[p]] - own);
+    if (o == kNone) return angle + step / 2;
+    angle += step;
     h = o;
   }
 }
@@ -67,12 +71,15 @@ std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, st
                                    const std::vector<double>& u) {
   const std::vector<std::uint32_t>& boundary = s.loops[loop];
   const std::size_t n = boundary.size();
-  std::vector<double> turn(n);
+  std::vector<double> turn(n), lengths(n);
   double total = 0, length = 0;
   for (std::size_t i = 0; i < n; ++i) {
     turn[i] = kPi - flatAngle(mesh, s, boundary[i], u);
     total += turn[i];
-    length += mesh.length[boundary[i]];
+    const double a = u[mesh.vertexOfCorner[boundary[i]]];
+    const double b = u[mesh.vertexOfCorner[nextCorner(boundary[i])]];
+    lengths[i] = mesh.length[boundary[i]] * portable::exp((a + b) / 2);
+    length += lengths[i];
   }
   std::vector<Point2> out(n);
   Point2 at{0, 0};
@@ -82,13 +89,13 @@ std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, st
     out[i] = at;
     heading += turn[i] + lack;
     const portable::SinCos direction = portable::sinCos(heading);
-    at[0] += mesh.length[boundary[i]] * direction.cos;
-    at[1] += mesh.length[boundary[i]] * direction.sin;
+    at[0] += lengths[i] * direction.cos;
+    at[1] += lengths[i] * direction.sin;
   }
   double passed = 0;  // what is missing to close is shared out by length
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t d = 0; d < 2; ++d) out[i][d] -= length > 0 ? at[d] * passed / length : 0;
-    passed += mesh.length[boundary[i]];
+    passed += lengths[i];
   }
   return out;
 }
@@ -118,8 +125,9 @@ double hullArea(std::vector<Point2> p) {
   return polygonArea(hull);
 }
 
-Shape measureShape(const std::vector<Point2>& outline, double area) {
+Shape measureShape(const std::vector<Point2>& outline) {
   Shape shape;
+  const double area = polygonArea(outline);
   if (outline.size() < 3 || !(area > 0)) return shape;
   shape.fill = std::min(1.0, area / hullArea(outline));
   shape.overlap = overlapArea(outline) / area;

@@ -10,8 +10,9 @@ namespace abflat {
 using Point2 = std::array<double, 2>;
 
 /// Where the boundary of a chart will lie when it is flattened, one point per half-edge of its loop
-/// (its first vertex). Lengths stay as they are (u = 0); the angle at a vertex is that of its
-/// triangles plus sum_j w_ij u_j, the discrete normal derivative (Sawhney and Crane 2017).
+/// (its first vertex). `u` is the log-scale per vertex of the mesh: of the chart's own solution, 0
+/// on its boundary (the angles are then those of Sawhney and Crane 2017), or of a larger chart that
+/// it is cut out of.
 std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& surface,
                                    std::uint32_t loop, const std::vector<double>& u);
 
@@ -23,7 +24,7 @@ struct Shape {
   std::vector<std::array<std::uint32_t, 2>> crossings;
 };
 constexpr std::size_t kMostCrossings = 32;
-Shape measureShape(const std::vector<Point2>& outline, double area);
+Shape measureShape(const std::vector<Point2>& outline);
 
 double polygonArea(const std::vector<Point2>& points);
 double hullArea(std::vector<Point2> points);

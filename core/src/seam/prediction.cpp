@@ -1,6 +1,7 @@
 #include "seam/prediction.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "portable_math.h"
 
@@ -18,6 +19,10 @@ double areaScale(double u) {
 double Prediction::at(std::uint32_t chart, double u) const {
   const double ratio = areaScale(u) / meanScale[chart];
   return (ratio + 1 / ratio) / 2;
+}
+
+double Prediction::shift(std::uint32_t chart, double u) const {
+  return std::abs(u - portable::log(meanScale[chart]) / 2);
 }
 
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::vector<double>& u) {

@@ -15,6 +15,8 @@ struct Prediction {
   double total = 1;               ///< mean of `stretch` by area
   /// A vertex's own stretch.
   double at(std::uint32_t chart, double u) const;
+  /// How far its log-scale is from the chart's mean.
+  double shift(std::uint32_t chart, double u) const;
 };
 
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& surface,

@@ -10,6 +10,7 @@ namespace {
 struct Peak {
   std::uint32_t chart, vertex;
   double stretch;
+  double shift;  ///< |u - that of the chart's mean scale|
 };
 
 bool isPeak(const CutSurface& s, const std::vector<double>& own, std::uint32_t v) {
@@ -35,24 +36,26 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
     const std::uint32_t c = s.chartOfVertex(v);
     if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch)) continue;
-    if (isPeak(s, own, v)) peaks.push_back({c, v, own[v]});
+    if (isPeak(s, own, v)) peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
   }
   std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) {
     if (a.chart != b.chart) return a.chart < b.chart;
     return a.stretch != b.stretch ? a.stretch > b.stretch : a.vertex < b.vertex;
   });
   constexpr std::size_t kMostPeaks = 32;  // of a chart in a round
-  constexpr double kShare = 0.3;          // of the greatest peak's excess
   constexpr double kApart = 0.7;          // of the longer way to the boundary
+  // Of the greatest peak's shift. Where little is missing, a slit too many is dearer than a round.
+  constexpr double kMuch = 1.2, kShareOfMuch = 0.35, kShareOfLittle = 0.8;
   std::vector<std::uint32_t> ends;
   for (std::size_t i = 0; i < peaks.size();) {
     const std::size_t first = ends.size();
-    const double top = peaks[i].stretch;
+    const double top = peaks[i].shift;
     const std::uint32_t chart = peaks[i].chart;
+    const double share = prediction.stretch[chart] > kMuch ? kShareOfMuch : kShareOfLittle;
     for (; i < peaks.size() && peaks[i].chart == chart; ++i) {
       const std::uint32_t v = peaks[i].vertex;
-      bool isFree = ends.size() - first < kMostPeaks &&
-                    peaks[i].stretch - 1 >= kShare * (top - 1) && peaks[i].stretch > maxStretch;
+      bool isFree = ends.size() - first < kMostPeaks && peaks[i].shift >= share * top &&
+                    peaks[i].stretch > maxStretch;
       for (std::size_t k = first; isFree && k < ends.size(); ++k)
         isFree = norm(edgeVector(mesh.positions, s.meshVertex[v], s.meshVertex[ends[k]])) >
                  kApart * std::max(forest.distance[v], forest.distance[ends[k]]);
