@@ -26,9 +26,9 @@ struct CutSurface {
   std::vector<std::uint32_t> twin;            ///< kNone on seams, too
   std::vector<std::uint32_t> vertexOfCorner;  ///< vertex of the open surface
   std::vector<std::uint32_t> outgoing;        ///< per vertex: the half-edge from which a
-                                        ///< counter-clockwise turn passes all of its corners
-  std::vector<std::uint8_t> isBoundary;   ///< per vertex
-  std::vector<std::uint32_t> meshVertex;  ///< per vertex, of the closed surface
+                                              ///< counter-clockwise turn passes all of its corners
+  std::vector<std::uint8_t> isBoundary;       ///< per vertex
+  std::vector<std::uint32_t> meshVertex;      ///< per vertex, of the closed surface
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<std::uint32_t> triangleOrder;  ///< chart by chart
   std::vector<std::uint32_t> triangleBegin;  ///< size charts + 1

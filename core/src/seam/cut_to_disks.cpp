@@ -56,8 +56,13 @@ std::vector<std::uint32_t> neededEdges(const SeamMesh& mesh, const CutSurface& s
   return needed;
 }
 
-/// A sphere is opened along a path of two edges or more from its anchor: one edge would leave a
-/// boundary of two vertices, which cannot be drawn.
+/// A boundary of fewer edges cannot be drawn.
+bool isAlmostClosed(const CutSurface& s, const CutSurface::Chart& chart) {
+  return chart.isDisk() && s.loops[chart.loopBegin].size() < 3;
+}
+
+/// A sphere is opened along a path from its anchor, or from what is open of it, so that three edges
+/// or more are open.
 double openSphere(const SeamMesh& mesh, const CutSurface& s, const PathForest& forest,
                   std::uint32_t chart, Seams& seams) {
   std::uint32_t first = kNone, second = kNone;  // the farthest vertices
@@ -78,7 +83,8 @@ double openSphere(const SeamMesh& mesh, const CutSurface& s, const PathForest& f
   if (first == kNone) return 0;
   double length = markPath(mesh, forest, first, seams);
   const bool isOneEdge = forest.towards[forest.next[first]] == kNone;
-  if (isOneEdge && second != kNone) length += markPath(mesh, forest, second, seams);
+  if (isOneEdge && s.charts[chart].loops == 0 && second != kNone)
+    length += markPath(mesh, forest, second, seams);
   return length;
 }
 
@@ -91,7 +97,7 @@ TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
   std::vector<std::uint32_t> roots;
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
     const CutSurface::Chart& chart = s.charts[c];
-    isAllDisks = isAllDisks && chart.isDisk();
+    isAllDisks = isAllDisks && chart.isDisk() && !isAlmostClosed(s, chart);
     if (chart.loops > 1) cut.joinedLoops += chart.loops - 1;
     if (chart.loops == 0)
       roots.push_back(anchors.empty() ? s.vertexOfCorner[3 * chart.firstTriangle] : anchors[c]);
@@ -99,9 +105,10 @@ TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
   if (isAllDisks) return cut;
   const PathForest forest = findPaths(mesh, s, roots);
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
-    if (s.charts[c].loops > 0 || s.charts[c].euler() != 2) continue;
+    const bool isSphere = s.charts[c].loops == 0 && s.charts[c].euler() == 2;
+    if (!isSphere && !isAlmostClosed(s, s.charts[c])) continue;
     cut.length += openSphere(mesh, s, forest, c, seams);
-    ++cut.openedCharts;
+    ++cut.openedSpheres;
   }
   const std::vector<std::uint32_t> needed = neededEdges(mesh, s, forest);
   for (const std::uint32_t h : needed) {

@@ -6,10 +6,10 @@ namespace abflat {
 
 /// What topology needed.
 struct TopologyCut {
-  std::uint32_t handleLoops = 0;   ///< two for each handle
-  std::uint32_t joinedLoops = 0;   ///< boundary loops joined to others
-  std::uint32_t openedCharts = 0;  ///< closed ones of genus 0
-  double length = 0;               ///< of all these seams, in the mesh's unit
+  std::uint32_t handleLoops = 0;  ///< two for each handle
+  std::uint32_t joinedLoops = 0;  ///< boundary loops joined to others
+  std::uint32_t openedSpheres = 0;
+  double length = 0;  ///< of all these seams, in the mesh's unit
 };
 
 /// Adds the seams that make every chart a topological disk. `anchors`, where not empty, has for

@@ -44,6 +44,16 @@ class Finder {
   bool finishUnchanged(const CutSurface& s);
   void handBack();
   std::uint32_t toWhole(std::uint32_t h) const { return mesh_ == &whole_ ? h : part_.halfEdge[h]; }
+  /// A disk as it was given: all of its triangles, and no edge twice.
+  bool isUntouched(const CutSurface& s, std::uint32_t chart) const {
+    const CutSurface::Chart& now = s.charts[chart];
+    const std::uint32_t triangle = toWhole(3 * now.firstTriangle) / 3;
+    const CutSurface::Chart& given = givenCharts_[givenChartOf_[triangle]];
+    return given.isDisk() && given.triangles == now.triangles && given.edges == now.edges;
+  }
+  bool isKept(const CutSurface& s, std::uint32_t chart) const {
+    return options_.keepDisks && isUntouched(s, chart);
+  }
   bool goesOn() const { return !options_.keepsOn || options_.keepsOn(); }
 
   const SeamMesh& whole_;
@@ -51,6 +61,8 @@ class Finder {
   SeamPart part_;
   Seams seams_;   ///< of *mesh_
   Seams result_;  ///< of the whole; seams_ are added when their part is done
+  std::vector<CutSurface::Chart> givenCharts_;
+  std::vector<std::uint32_t> givenChartOf_;
   const SeamOptions& options_;
   SeamReport& report_;
   std::unique_ptr<LogScale> scale_;
@@ -66,6 +78,8 @@ void Finder::analyse() {
 
 void Finder::open() {
   const CutSurface s = cutAlong(whole_, result_);
+  givenCharts_ = s.charts;
+  givenChartOf_ = s.chartOfTriangle;
   std::vector<std::uint32_t> closed;
   for (const CutSurface::Chart& c : s.charts)
     if (c.loops == 0) closed.push_back(s.vertexOfCorner[3 * c.firstTriangle]);
@@ -81,6 +95,7 @@ void Finder::open() {
 
 void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
   for (const std::uint32_t v : slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)) {
+    if (isKept(s, s.chartOfVertex(v))) continue;
     markPath(*mesh_, forest, v, seams_);
     isChanged_[s.chartOfVertex(v)] = 1;
     ++report_.slits;
@@ -89,12 +104,15 @@ void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vect
 
 void Finder::split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
   constexpr double kTellsNothing = 1.5;  // stretch above which the outline is not to be trusted
-  std::vector<std::uint8_t> isTrusted(s.charts.size());
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
-    isTrusted[c] = prediction_.stretch[c] <= kTellsNothing;
+  std::vector<SplitFor> asked(s.charts.size(), SplitFor::Nothing);
+  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+    if (prediction_.stretch[c] > kTellsNothing || isKept(s, c)) continue;
+    asked[c] = isUntouched(s, c) ? SplitFor::Overlap : SplitFor::OverlapOrFill;
+  }
   const ShapeOptions shape{options_.leastFill, options_.mostOverlap};
-  report_.splits += splitByShape(*mesh_, s, forest, u, shape, isTrusted, seams_);
-  for (std::size_t c = 0; c < s.charts.size(); ++c) isChanged_[c] |= isTrusted[c];
+  report_.splits += splitByShape(*mesh_, s, forest, u, shape, asked, seams_);
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    if (asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
 }
 
 /// False when no chart was changed.
@@ -165,6 +183,10 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
   SeamReport own;
   Seams seams = std::move(given);
   seams.resize(mesh.twin.size(), 0);
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    if (mesh.twin[h] == kNone) seams[h] = 0;
+    if (seams[h]) seams[mesh.twin[h]] = seams[h] = 1;
+  }
   if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
   own.charts = static_cast<std::uint32_t>(cutAlong(mesh, seams).charts.size());
   for (std::size_t h = 0; h < seams.size(); ++h)

@@ -10,11 +10,13 @@ namespace abflat {
 struct SeamOptions {
   /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
   double maxStretch = 1.04;
-  /// Least share of its convex hull that a chart may fill.
-  double leastFill = 0.45;
+  /// Least share of its convex hull that a chart may fill once it has been cut.
+  double leastFill = 0.55;
   /// Share of a chart that its predicted layout may cover twice.
-  double mostOverlap = 0.002;
-  ThreadPool* pool = nullptr;
+  double mostOverlap = 0.0003;
+  /// What is a disk before anything is cut stays whole, however much it is distorted.
+  bool keepDisks = false;
+  ThreadPool* pool = nullptr;     ///< results do not depend on it; null: one thread
   std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which cut to disks
 };
 

@@ -1,0 +1,169 @@
+#include "abflat/flatten.h"
+#include "catch.h"
+#include "mesh/triangle_geometry.h"
+#include "support/cut_meshes.h"
+#include "support/isosurface.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+struct Flattened {
+  double stretch = 0;  ///< symmetric Dirichlet / 4, mean by area
+  std::size_t invalid = 0;
+};
+
+double areaOf(const PolygonMesh& mesh) {
+  double area = 0;
+  for (std::size_t c = 0; c < mesh.faceVertices.size(); c += 3) {
+    const std::uint32_t* v = &mesh.faceVertices[c];
+    area += norm(cross(edgeVector(mesh.positions, v[0], v[1]),
+                       edgeVector(mesh.positions, v[0], v[2]))) /
+            2;
+  }
+  return area;
+}
+
+Flattened flattened(const Cuttable& c, const Seams& seams) {
+  Flattened out;
+  double area = 0;
+  for (const PolygonMesh& chart : chartsOf(c, seams)) {
+    FlattenOptions options;
+    options.t = kAutoT;
+    const Result<FlattenResult> flat = flatten(chart, options);
+    REQUIRE(flat.ok());
+    const double own = areaOf(chart);
+    area += own;
+    out.stretch += own * flat.value.report.charts[0].symmetricDirichlet;
+    out.invalid += !flat.value.report.valid;
+  }
+  out.stretch /= area;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("charts flatten validly, as little distorted as was predicted", "[seams]") {
+  const PolygonMesh meshes[] = {isosurface(24, rings(0)), isosurface(26, rings(1)),
+                                isosurface(30, rings(3)), isosurface(28, noise(2, 4)),
+                                torus(24, 60)};
+  for (const PolygonMesh& mesh : meshes) {
+    const Cuttable c(mesh);
+    SeamReport report;
+    const Seams seams = findSeams(c.seamMesh, {}, {}, &report);
+    const Flattened flat = flattened(c, seams);
+    CAPTURE(report.charts, report.seamLength, report.stretch);
+    CHECK(flat.invalid == 0);
+    CHECK(report.stretch <= SeamOptions().maxStretch);
+    CHECK(flat.stretch < report.stretch + 0.05);
+  }
+}
+
+TEST_CASE("a smaller bound means longer seams and less distortion", "[seams]") {
+  const Cuttable c(isosurface(28, noise(2, 7)));
+  double length = 0, stretch = 10;
+  for (const double bound : {1.08, 1.03, 1.008}) {
+    SeamOptions options;
+    options.maxStretch = bound;
+    SeamReport report;
+    findSeams(c.seamMesh, {}, options, &report);
+    CHECK(report.stretch <= bound);
+    CHECK(report.seamLength > length);
+    CHECK(report.stretch < stretch);
+    length = report.seamLength;
+    stretch = report.stretch;
+  }
+}
+
+TEST_CASE("seams do not depend on unit or place, nor on threads", "[seams]") {
+  for (const PolygonMesh& mesh : {isosurface(22, rings(2)), torus(20, 40)}) {
+    const Cuttable c(mesh);
+    const Seams seams = findSeams(c.seamMesh, {}, {}, nullptr);
+    for (const double scale : {1e-6, 1e6, 3.7}) {
+      CAPTURE(scale);
+      PolygonMesh scaled = mesh;
+      for (double& x : scaled.positions) x *= scale;
+      CHECK(findSeams(Cuttable(scaled).seamMesh, {}, {}, nullptr) == seams);
+    }
+    ThreadPool pool(3);
+    SeamOptions options;
+    options.pool = &pool;
+    CHECK(findSeams(c.seamMesh, {}, options, nullptr) == seams);
+  }
+}
+
+TEST_CASE("what is flat or a disk already is not cut", "[seams]") {
+  for (const PolygonMesh& mesh : {star(9), bumpyGrid(12, 9, 0, 2), cone(30, 0.1)}) {
+    const Cuttable c(mesh);
+    SeamReport report;
+    findSeams(c.seamMesh, {}, {}, &report);
+    CHECK(report.charts == 1);
+    CHECK(report.seamLength == 0);
+  }
+}
+
+TEST_CASE("a disk stays whole where that is asked for", "[seams]") {
+  PolygonMesh mesh = cone(40, 4);
+  const Cuttable c(mesh);
+  SeamOptions options;
+  SeamReport report;
+  findSeams(c.seamMesh, {}, options, &report);
+  CHECK(report.seamLength > 0);
+  options.keepDisks = true;
+  findSeams(c.seamMesh, {}, options, &report);
+  CHECK(report.seamLength == 0);
+}
+
+TEST_CASE("a cylinder is cut along its height, a torus along its two loops", "[seams]") {
+  SeamReport report;
+  const Cuttable tube(cylinder(40, 12));
+  findSeams(tube.seamMesh, {}, {}, &report);
+  CHECK(report.charts == 1);
+  double height = 0;
+  for (std::size_t v = 0; v + 40 < tube.mesh.vertexCount(); v += 40)
+    height += norm(edgeVector(tube.mesh.positions, static_cast<std::uint32_t>(v),
+                              static_cast<std::uint32_t>(v + 40)));
+  CHECK(report.seamLength * std::sqrt(areaOf(tube.mesh)) == Approx(height));
+  CHECK(report.handleLoops == 0);
+  const Cuttable ring(torus(24, 60));
+  findSeams(ring.seamMesh, {}, {}, &report);
+  CHECK(report.handleLoops == 2);
+}
+
+TEST_CASE("finding seams stops when it is told to, with charts that are disks", "[seams]") {
+  const Cuttable c(isosurface(24, rings(2)));
+  SeamOptions options;
+  int asked = 0;
+  options.keepsOn = [&] { return ++asked < 2; };
+  SeamReport report;
+  const Seams seams = findSeams(c.seamMesh, {}, options, &report);
+  CHECK(report.cancelled);
+  for (const PolygonMesh& chart : chartsOf(c, seams)) CHECK(inspect(chart).disk.ok());
+}
+
+TEST_CASE("seams of real meshes meet the yardsticks", "[seams]") {
+  // Charts and length by xatlas with its defaults on the same meshes.
+  struct Yardstick {
+    const char* file;
+    double charts, length, stretch;
+  };
+  const Yardstick yardsticks[] = {
+      {"bunny-closed.off", 58, 15.04, 1.0269},  {"fertility-genus4.off", 45, 18.16, 1.0267},
+      {"genus3.off", 29, 13.91, 1.0018},        {"spot-uv.obj", 39, 12.29, 1.0033},
+      {"suzanne-quads.obj", 70, 14.41, 1.0209}, {"teapot-5parts.obj", 47, 9.82, 1.0030}};
+  for (const Yardstick& y : yardsticks) {
+    PolygonMesh mesh = sharedMesh(y.file);
+    if (mesh.faceCount() == 0) continue;
+    const Cuttable c(std::move(mesh));
+    SeamReport report;
+    const Seams seams = findSeams(c.seamMesh, {}, {}, &report);
+    const Flattened flat = flattened(c, seams);
+    INFO(y.file);
+    CHECK(report.charts <= 0.3 * y.charts);
+    CHECK(report.seamLength <= 0.6 * y.length);
+    CHECK(flat.stretch <= y.stretch + 0.03);
+    CHECK(flat.invalid == 0);
+  }
+}
