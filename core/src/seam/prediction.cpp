@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "angle/constants.h"
 #include "portable_math.h"
 
 namespace abflat {
@@ -25,15 +26,26 @@ double Prediction::shift(std::uint32_t chart, double u) const {
   return std::abs(u - portable::log(meanScale[chart]) / 2);
 }
 
+double kinkStretch(const SeamMesh& mesh, const CutSurface& s, std::uint32_t v) {
+  constexpr double kLeastShare = 0.01;
+  const std::uint32_t i = s.meshVertex[v];
+  const double ring = 3 * mesh.vertexArea[i];
+  if (s.isBoundary[v] || !(ring > kLeastShare * s.charts[s.chartOfVertex(v)].area)) return 0;
+  // Angles that grow by a share of x make singular values differ by about as much.
+  const double x = 2 * kPi / mesh.angleSum[i] - 1;
+  return std::min(1.0, x * x / 2);
+}
+
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::vector<double>& u) {
   Prediction p;
   const std::size_t charts = s.charts.size();
-  std::vector<double> inside(charts, 0), grown(charts, 0), shrunk(charts, 0);
+  std::vector<double> inside(charts, 0), grown(charts, 0), shrunk(charts, 0), kinks(charts, 0);
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
     if (s.isBoundary[v]) continue;
     const std::uint32_t i = s.meshVertex[v], c = s.chartOfVertex(v);
     const double scale = areaScale(u[i]);
     inside[c] += mesh.vertexArea[i];
+    kinks[c] += 3 * mesh.vertexArea[i] * kinkStretch(mesh, s, v);
     grown[c] += mesh.vertexArea[i] * scale;
     shrunk[c] += mesh.vertexArea[i] / scale;
   }
@@ -45,7 +57,8 @@ Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::
     if (all > 0) {
       const double rest = std::max(0.0, all - inside[c]);  // along the boundary, where u = 0
       p.meanScale[c] = (rest + grown[c]) / all;
-      p.stretch[c] = std::max(1.0, (1 + p.meanScale[c] * (rest + shrunk[c]) / all) / 2);
+      p.stretch[c] =
+          std::max(1.0, (1 + p.meanScale[c] * (rest + shrunk[c]) / all) / 2) + kinks[c] / all;
     }
     area += all;
     sum += all * p.stretch[c];

@@ -19,6 +19,11 @@ struct Prediction {
   double shift(std::uint32_t chart, double u) const;
 };
 
+/// What a vertex adds to the stretch of the triangles round it because their angles there grow to 2
+/// pi. The finer the mesh the less area that is: 0 where it is a small share of the chart's, as
+/// noise would count otherwise.
+double kinkStretch(const SeamMesh& mesh, const CutSurface& surface, std::uint32_t vertex);
+
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& surface,
                           const std::vector<double>& u);
 

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
                                     const std::vector<double>& u, double maxStretch) {
   std::vector<double> own(s.vertexCount(), 1);
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
-    own[v] = prediction.at(s.chartOfVertex(v), u[s.meshVertex[v]]);
+    own[v] = prediction.at(s.chartOfVertex(v), u[s.meshVertex[v]]) + kinkStretch(mesh, s, v);
   std::vector<Peak> peaks;
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
     const std::uint32_t c = s.chartOfVertex(v);
