@@ -40,7 +40,8 @@ double ChordFinder::resolvedShare(std::uint32_t h,
   const auto placeOf = [&](std::uint32_t corner) {
     return place_[forest_.source[surface_.vertexOfCorner[corner]]];
   };
-  const auto ends = std::minmax(placeOf(h), placeOf(nextCorner(h)));
+  const std::pair<std::uint32_t, std::uint32_t> ends =
+      std::minmax(placeOf(h), placeOf(nextCorner(h)));
   const auto isBetween = [&](std::uint32_t i) { return i >= ends.first && i < ends.second; };
   std::size_t resolved = 0;
   for (const auto& pair : pairs) resolved += isBetween(pair[0]) != isBetween(pair[1]);
@@ -67,7 +68,7 @@ Chord ChordFinder::best(std::uint32_t chart,
                forest_.distance[surface_.vertexOfCorner[nextCorner(h)]];
     double score = c.length / std::sqrt(smaller);
     if (best.h != kNone && score >= bestScore) continue;
-    constexpr double kUnresolved = 4;  // so much longer may a chord be that resolves all
+    constexpr double kUnresolved = 3;  // so much longer may a chord be that resolves all
     if (!pairs.empty()) score *= 1 + (kUnresolved - 1) * (1 - resolvedShare(h, pairs));
     if (best.h == kNone || score < bestScore) {
       best = c;

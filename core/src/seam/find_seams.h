@@ -11,7 +11,7 @@ struct SeamOptions {
   /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
   double maxStretch = 1.04;
   /// Least share of its convex hull that a chart may fill once it has been cut.
-  double leastFill = 0.55;
+  double leastFill = 0.5;
   /// Share of a chart that its predicted layout may cover twice.
   double mostOverlap = 0.0003;
   /// What is a disk before anything is cut stays whole, however much it is distorted.
