@@ -70,7 +70,7 @@ PolygonMesh chartMesh(const PolygonMesh& mesh, const Surface& surface, const Cut
 /// what their bounding boxes leave, the worst a packer can do.
 struct Flattened {
   double stretch = 0, area = 0, seconds = 0;
-  std::size_t invalid = 0, failed = 0, fallbacks = 0, notDisks = 0;
+  std::size_t invalid = 0, failed = 0, fallbacks = 0, notDisks = 0, crossings = 0, untangled = 0;
 };
 
 Flattened flattenCharts(const PolygonMesh& mesh, const Surface& surface, const CutSurface& s,
@@ -89,6 +89,8 @@ Flattened flattenCharts(const PolygonMesh& mesh, const Surface& surface, const C
     }
     const ChartReport& report = flat.value.report.charts.front();
     out.invalid += !report.valid;
+    out.crossings += report.boundaryCrossings;
+    out.untangled += !report.bounds.empty() || report.t < 2;
     out.fallbacks += !report.fallbacks.empty();
     if (std::isfinite(report.symmetricDirichlet)) {
       out.stretch += s.charts[c].area * report.symmetricDirichlet;
@@ -132,12 +134,12 @@ int run(int argc, char** argv) {
           "%-24s F %7u charts %5u seam %7.2f (topology %6.2f) predicted %.4f slits %5u splits %5u "
           "rounds %2d  s %.3f cpu %.3f (mesh %.3f analysis %.3f solve %.3f)",
           a.substr(a.rfind('/') + 1).c_str(), seamMesh.triangleCount(), r.charts, r.seamLength,
-          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu,
-          prepared, r.analysisSeconds, r.solveSeconds);
+          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu, prepared,
+          r.analysisSeconds, r.solveSeconds);
       if (flattens) {
         const Flattened f = flattenCharts(mesh, surface, s, t);
-        std::printf("  SD/4 %.4f invalid %zu failed %zu hard %zu notDisks %zu flatten %.2f s",
-                    f.stretch, f.invalid, f.failed, f.fallbacks, f.notDisks, f.seconds);
+        std::printf("  SD/4 %.4f invalid %zu failed %zu hard %zu notDisks %zu crossings %zu untangled %zu flatten %.2f s",
+                    f.stretch, f.invalid, f.failed, f.fallbacks, f.notDisks, f.crossings, f.untangled, f.seconds);
       }
       std::printf("\n");
       std::fflush(stdout);

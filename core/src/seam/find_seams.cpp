@@ -54,7 +54,10 @@ class Finder {
   bool isKept(const CutSurface& s, std::uint32_t chart) const {
     return options_.keepDisks && isUntouched(s, chart);
   }
-  bool goesOn() const { return !options_.keepsOn || options_.keepsOn(); }
+  bool goesOn() {
+    report_.cancelled = report_.cancelled || (options_.keepsOn && !options_.keepsOn());
+    return !report_.cancelled;
+  }
 
   const SeamMesh& whole_;
   const SeamMesh* mesh_;  ///< what is still being cut: the whole or part_.mesh
@@ -121,7 +124,10 @@ bool Finder::improve() {
   const CutSurface s = cutAlong(*mesh_, seams_);
   const std::vector<double> u = scale_->solve(s, {});
   report_.solveSeconds += watch.lap();
-  if (u.empty()) return false;
+  if (u.empty()) {
+    handBack();
+    return false;
+  }
   prediction_ = predictStretch(*mesh_, s, u);
   isChanged_.assign(s.charts.size(), 0);
   const PathForest forest = findPaths(*mesh_, s, {});
@@ -172,7 +178,6 @@ Seams Finder::run() {
     isDone = !improve();
   }
   if (!isDone) handBack();
-  report_.cancelled = !goesOn();
   return std::move(result_);
 }
 

@@ -6,17 +6,36 @@
 
 namespace abflat {
 
-LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool) : mesh_(mesh), pool_(pool) {
-  buildPattern();
-  CholeskyAnalysisOptions options;
+namespace {
+
+CholeskyOptions positiveDefinite(ThreadPool* pool) {
+  CholeskyOptions options;
   options.pool = pool;
-  const LowerPattern pattern{mesh.vertexCount(), columnStart_.data(), row_.data()};
-  CholeskyOptions numeric;
-  numeric.pool = pool;
-  numeric.allowNegative = false;
-  factor_ = std::make_unique<BasicCholesky<float>>(
-      std::make_shared<const CholeskySymbolic>(analyzePattern(pattern, options)), numeric);
+  options.allowNegative = false;
+  return options;
 }
+
+template <typename Scalar>
+bool solveWith(BasicCholesky<Scalar>& factor, const std::vector<double>& values,
+               std::vector<double>& u) {
+  if (!factor.factorize(values.data()).isOk()) return false;
+  factor.solve(u.data());
+  return true;
+}
+
+}  // namespace
+
+LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool)
+    : mesh_(mesh),
+      pool_(pool),
+      symbolic_([&] {
+        buildPattern();
+        CholeskyAnalysisOptions options;
+        options.pool = pool;
+        return std::make_shared<const CholeskySymbolic>(
+            analyzePattern({mesh.vertexCount(), columnStart_.data(), row_.data()}, options));
+      }()),
+      factor_(symbolic_, positiveDefinite(pool)) {}
 
 /// Lower triangle by columns: the diagonal first, then the neighbours of greater number. Several
 /// edges between the same two vertices share an entry.
@@ -75,12 +94,20 @@ std::vector<double> LogScale::solve(const CutSurface& s,
   }
   for (const std::uint32_t v : anchors) isFixed[s.meshVertex[v]] = 1;
 
+  for (std::uint32_t v = 0; v < n; ++v)
+    if (isFixed[v]) u[v] = 0;
+  assemble(isFixed);
+  if (solveWith(factor_, values_, u)) return u;
+  Cholesky precise(symbolic_, positiveDefinite(pool_));
+  if (!solveWith(precise, values_, u)) u.clear();
+  return u;
+}
+
+/// Rows of fixed vertices are those of the identity: the pattern stays.
+void LogScale::assemble(const std::vector<std::uint8_t>& isFixed) {
   std::fill(values_.begin(), values_.end(), 0.0);
-  for (std::uint32_t v = 0; v < n; ++v) {
-    if (!isFixed[v]) continue;
-    u[v] = 0;
-    values_[static_cast<std::size_t>(columnStart_[v])] = 1;
-  }
+  for (std::uint32_t v = 0; v < mesh_.vertexCount(); ++v)
+    if (isFixed[v]) values_[static_cast<std::size_t>(columnStart_[v])] = 1;
   for (std::uint32_t h = 0; h < entryOfEdge_.size(); ++h) {
     if (entryOfEdge_[h] == kNone) continue;
     const std::uint32_t a = mesh_.vertexOfCorner[h], b = mesh_.vertexOfCorner[nextCorner(h)];
@@ -89,9 +116,6 @@ std::vector<double> LogScale::solve(const CutSurface& s,
     if (!isFixed[b]) values_[static_cast<std::size_t>(columnStart_[b])] += w;
     if (!isFixed[a] && !isFixed[b]) values_[entryOfEdge_[h]] -= w;
   }
-  if (!factor_->factorize(values_.data()).isOk()) return {};
-  factor_->solve(u.data());
-  return u;
 }
 
 }  // namespace abflat

@@ -22,13 +22,15 @@ class LogScale {
 
  private:
   void buildPattern();
+  void assemble(const std::vector<std::uint8_t>& isFixed);
 
   const SeamMesh& mesh_;
   ThreadPool* pool_;
   std::vector<int> columnStart_, row_;
   std::vector<std::uint32_t> entryOfEdge_;  ///< per half-edge, into the values; kNone at a loop
   std::vector<double> values_;
-  std::unique_ptr<BasicCholesky<float>> factor_;
+  std::shared_ptr<const CholeskySymbolic> symbolic_;
+  FloatCholesky factor_;  ///< two digits of u are plenty
 };
 
 }  // namespace abflat

@@ -128,7 +128,11 @@ double hullArea(std::vector<Point2> p) {
 Shape measureShape(const std::vector<Point2>& outline) {
   Shape shape;
   const double area = polygonArea(outline);
-  if (outline.size() < 3 || !(area > 0)) return shape;
+  if (outline.size() < 3) return shape;
+  if (!(area > 0)) {  // turned inside out: nothing of it will fit
+    shape.fill = 0;
+    return shape;
+  }
   shape.fill = std::min(1.0, area / hullArea(outline));
   shape.overlap = overlapArea(outline) / area;
   if (!(shape.overlap > 0)) return shape;

@@ -33,26 +33,22 @@ std::uint32_t splitOnce(const SeamMesh& mesh, const CutSurface& s, const PathFor
   return splits;
 }
 
-/// Goes on, level by level, with the pieces of what was split alone.
-std::uint32_t splitLevels(const SeamMesh& mesh, const CutSurface& s, const PathForest& forest,
-                          const std::vector<double>& u, const ShapeOptions& options,
-                          std::vector<SplitFor>& asked, Seams& seams, int levels) {
-  std::uint32_t splits = splitOnce(mesh, s, forest, u, options, asked, seams);
-  if (splits == 0 || levels == 1) return splits;
+/// The pieces of what was split, and the seams within.
+struct Pieces {
+  SeamPart part;  ///< half-edges and vertices are those of the mesh that the splitting began with
+  Seams seams;
+};
+
+Pieces takePieces(const SeamMesh& mesh, const CutSurface& s, const std::vector<SplitFor>& asked,
+                  const Seams& seams) {
   std::vector<std::uint8_t> isSplit;
   for (const SplitFor reason : asked) isSplit.push_back(reason != SplitFor::Nothing);
-  const SeamPart part = extractCharts(mesh, s, isSplit);
-  Seams own;  // what was cut before is the part's boundary
-  for (const std::uint32_t h : part.halfEdge) own.push_back(seams[h] && s.twin[h] != kNone);
-  std::vector<double> scale;
-  for (const std::uint32_t v : part.vertex) scale.push_back(u[v]);
-  const CutSurface pieces = cutAlong(part.mesh, own);
-  std::vector<SplitFor> all(pieces.charts.size(), SplitFor::OverlapOrFill);
-  splits += splitLevels(part.mesh, pieces, findPaths(part.mesh, pieces, {}), scale, options, all,
-                        own, levels - 1);
-  for (std::size_t h = 0; h < own.size(); ++h)
-    if (own[h]) seams[part.halfEdge[h]] = 1;
-  return splits;
+  Pieces out;
+  out.part = extractCharts(mesh, s, isSplit);
+  // What was cut before is the part's boundary.
+  for (const std::uint32_t h : out.part.halfEdge)
+    out.seams.push_back(seams[h] && s.twin[h] != kNone);
+  return out;
 }
 
 }  // namespace
@@ -61,8 +57,28 @@ std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
                            const PathForest& forest, const std::vector<double>& u,
                            const ShapeOptions& options, std::vector<SplitFor>& asked,
                            Seams& seams) {
+  std::uint32_t splits = splitOnce(mesh, surface, forest, u, options, asked, seams);
+  if (splits == 0) return 0;
+  Pieces now = takePieces(mesh, surface, asked, seams);
   constexpr int kMostLevels = 12;
-  return splitLevels(mesh, surface, forest, u, options, asked, seams, kMostLevels);
+  for (int level = 1; level < kMostLevels; ++level) {
+    const SeamPart& part = now.part;
+    std::vector<double> scale;
+    for (const std::uint32_t v : part.vertex) scale.push_back(u[v]);
+    const CutSurface s = cutAlong(part.mesh, now.seams);
+    std::vector<SplitFor> all(s.charts.size(), SplitFor::OverlapOrFill);
+    const std::uint32_t more =
+        splitOnce(part.mesh, s, findPaths(part.mesh, s, {}), scale, options, all, now.seams);
+    if (more == 0) break;
+    splits += more;
+    for (std::size_t h = 0; h < now.seams.size(); ++h)
+      if (now.seams[h]) seams[part.halfEdge[h]] = 1;
+    Pieces next = takePieces(part.mesh, s, all, now.seams);
+    for (std::uint32_t& h : next.part.halfEdge) h = part.halfEdge[h];
+    for (std::uint32_t& v : next.part.vertex) v = part.vertex[v];
+    now = std::move(next);
+  }
+  return splits;
 }
 
 }  // namespace abflat

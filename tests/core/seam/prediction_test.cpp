@@ -1,0 +1,116 @@
+#include "seam/prediction.h"
+
+#include <cmath>
+
+#include "abflat/samples.h"
+#include "catch.h"
+#include "seam/chords.h"
+#include "seam/log_scale.h"
+#include "seam/outline.h"
+#include "support/cut_meshes.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+PolygonMesh sample(std::string_view name) {
+  for (const Sample& s : samples())
+    if (s.name == name) return s.make(4);
+  FAIL("no such sample");
+  return {};
+}
+
+/// Unit squares of a grid of columns x rows where `isThere`, each cut in two.
+template <typename IsThere>
+PolygonMesh squares(std::uint32_t columns, std::uint32_t rows, IsThere isThere) {
+  std::vector<double> p;
+  std::vector<std::uint32_t> t;
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i) p.insert(p.end(), {double(i), double(j), 0});
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      if (!isThere(i, j)) continue;
+      const std::uint32_t a = j * (columns + 1) + i, b = a + columns + 1;
+      t.insert(t.end(), {a, a + 1, b + 1, a, b + 1, b});
+    }
+  return makeTriangleMesh(p, t);
+}
+
+CutSurface uncut(const Cuttable& c) { return cutAlong(c.seamMesh, Seams(c.seamMesh.twin.size())); }
+
+}  // namespace
+
+TEST_CASE("the log-scale of a half sphere is that of stereographic projection", "[seams]") {
+  const Cuttable c(sample("hemisphere"));
+  const CutSurface s = uncut(c);
+  REQUIRE(s.charts.size() == 1);
+  const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  double least = 0, top = -1e9;
+  for (std::size_t v = 0; v < u.size(); ++v) {
+    least = std::min(least, u[v]);
+    top = std::max(top, u[v]);
+  }
+  CHECK(top < 1e-6);
+  CHECK(least == Approx(std::log(0.5)).epsilon(0.02));
+  // e^(2u) is 1 / (1 + z)^2 and z is spread evenly over the area: mean 1/2, and 7/3 of its inverse.
+  CHECK(predictStretch(c.seamMesh, s, u).stretch[0] ==
+        Approx((1 + 0.5 * 7.0 / 3) / 2).epsilon(0.01));
+}
+
+TEST_CASE("a flat chart keeps its scale and its outline", "[seams]") {
+  const Cuttable c(squares(9, 4, [](std::uint32_t i, std::uint32_t j) { return i < 3 || j < 2; }));
+  const CutSurface s = uncut(c);
+  const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  for (const double x : u) CHECK(std::abs(x) < 1e-6);
+  const std::vector<Point2> outline = predictOutline(c.seamMesh, s, s.charts[0].loopBegin, u);
+  CHECK(polygonArea(outline) == Approx(c.seamMesh.totalArea()).epsilon(1e-5));
+  const Shape shape = measureShape(outline);
+  CHECK(shape.overlap == 0);
+  CHECK(shape.fill == Approx(24.0 / (12 + 12 + 6)).epsilon(1e-4));
+}
+
+TEST_CASE("a cut cylinder is predicted to become a rectangle", "[seams]") {
+  const Cuttable c(cylinder(48, 10));
+  Seams seams = findSeams(c.seamMesh, {}, {}, nullptr);
+  const CutSurface s = cutAlong(c.seamMesh, seams);
+  const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  const Shape shape = measureShape(predictOutline(c.seamMesh, s, s.charts[0].loopBegin, u));
+  CHECK(shape.fill == Approx(1).margin(1e-4));
+  CHECK(shape.overlap == 0);
+  CHECK(predictStretch(c.seamMesh, s, u).total == Approx(1).margin(1e-6));
+}
+
+TEST_CASE("what a ring covers twice is measured, and found to cross", "[seams]") {
+  std::vector<Point2> ring;  // 450 degrees between the radii 1 and 2
+  for (int i = 0; i <= 450; i += 2)
+    ring.push_back({2 * std::cos(i * 0.0174532925), 2 * std::sin(i * 0.0174532925)});
+  for (int i = 450; i >= 0; i -= 2)
+    ring.push_back({std::cos(i * 0.0174532925), std::sin(i * 0.0174532925)});
+  for (Point2& p : ring) p = {p[0] + 0.001 * p[1], p[1] - 0.013 * p[0]};  // no edge on another
+  const Shape shape = measureShape(ring);
+  CHECK(shape.overlap == Approx(0.2).epsilon(0.05));
+  CHECK(!shape.crossings.empty());
+}
+
+TEST_CASE("the shortest chord of a dumb-bell is across its handle", "[seams]") {
+  const Cuttable c(squares(30, 10, [](std::uint32_t i, std::uint32_t j) {
+    return i < 10 || i >= 20 || (j >= 4 && j < 6);
+  }));
+  const CutSurface s = uncut(c);
+  const PathForest forest = findPaths(c.seamMesh, s, {});
+  const Chord chord = ChordFinder(c.seamMesh, s, forest).best(0, {});
+  REQUIRE(chord.h != kNone);
+  CHECK(chord.length == Approx(2.0 / 30).epsilon(1e-6));
+  CHECK(std::min(chord.left, chord.right) >= 0.4 * c.seamMesh.totalArea());
+  Seams seams(c.seamMesh.twin.size(), 0);
+  markEdge(c.seamMesh, chord.h, seams);
+  markPath(c.seamMesh, forest, s.vertexOfCorner[chord.h], seams);
+  markPath(c.seamMesh, forest, s.vertexOfCorner[nextCorner(chord.h)], seams);
+  const CutSurface cut = cutAlong(c.seamMesh, seams);
+  REQUIRE(cut.charts.size() == 2);
+  CHECK(std::min(cut.charts[0].area, cut.charts[1].area) ==
+        Approx(std::min(chord.left, chord.right)));
+  for (const CutSurface::Chart& chart : cut.charts) CHECK(chart.isDisk());
+}
