@@ -1,7 +1,7 @@
 // PLY and STL through the program, checked by readers and writers of our own.
 
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { column, elementOf, PLY_FORMATS, parsePly, plyBytes, plyToObj } from '../support/ply.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
@@ -128,6 +128,32 @@ for (const format of PLY_FORMATS)
       assert.equal(judge(at('in.obj'), at('out.obj'), bound === '1' ? 1.00001 : 2).valid, true);
     }
   });
+
+for (const format of PLY_FORMATS)
+  test(`a PLY file can be replaced by its own result, again and again (${format})`, async (t) => {
+    const at = tempFolder(t);
+    writeFileSync(at('a.ply'), plyBytes(attributedPly(format)));
+    const results = [];
+    for (let i = 0; i < 2; i++) {
+      const run = await runAbflat(['flatten', 'a.ply', '-o', 'a.ply'], { cwd: at() });
+      assert.equal(run.code, 0, run.stderr);
+      results.push(readFileSync(at('a.ply')));
+    }
+    assert.deepEqual(results[1], results[0]);
+  });
+
+test('a file is not replaced by another format, whatever it is called', async (t) => {
+  const at = tempFolder(t);
+  const ply = plyBytes(attributedPly('ascii'));
+  writeFileSync(at('mesh'), ply);
+  symlinkSync('mesh', at('link.obj'));
+  for (const output of ['mesh', 'link.obj']) {
+    const run = await runAbflat(['flatten', 'mesh', '-o', output], { cwd: at() });
+    assert.equal(run.code, 2);
+    assert.match(run.stderr, /mesh: the result is OBJ and would replace this PLY file/);
+    assert.deepEqual(readFileSync(at('mesh')), ply);
+  }
+});
 
 test('a surface that touches itself at a vertex gets that vertex twice', async (t) => {
   const at = tempFolder(t);

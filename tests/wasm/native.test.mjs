@@ -96,6 +96,22 @@ describe('real meshes', () => {
   }
 });
 
+test('PLY files are the same, written afresh and from a PLY', async () => {
+  const source = join(folder, 'head.obj');
+  writeFileSync(source, objText(await abflat.sample('head')));
+  for (const path of [source, join(folder, 'first.ply')]) {
+    const out = join(folder, path === source ? 'first.ply' : 'second.ply');
+    const report = join(folder, 'report.json');
+    const args = ['flatten', path, '-o', out, '--report', report, '--quiet'];
+    const { status, stderr } = spawnSync(NATIVE, args, { encoding: 'utf8' });
+    assert.equal(status, 0, stderr);
+    const wasm = await abflat.flatten({ bytes: readFileSync(path), name: path }, { ply: true });
+    assert.ok(Buffer.compare(readFileSync(out), wasm.ply) === 0, path);
+    const { charts } = JSON.parse(readFileSync(report, 'utf8'));
+    assert.deepEqual(withoutSeconds(wasm.report.charts), withoutSeconds(charts));
+  }
+});
+
 test('positions of an OFF file become the same text, which reads back as the same numbers', async () => {
   const n = 30;
   const positions = [];

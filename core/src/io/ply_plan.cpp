@@ -153,7 +153,8 @@ PlyPlan makePlyPlan(const PlyHeader& header, const PolygonMesh& mesh,
   }
   if (header.face == kNoIndex) return plan;
   const double corners = mostCorners(mesh);
-  const double lastVertex = static_cast<double>(vertices.uv.size() / 2) - 1;
+  const std::size_t written = vertices.uv.size() / 2;
+  const double lastVertex = static_cast<double>(written) - 1;
   const PlyElement& face = header.elements[header.face];
   for (std::size_t p = 0; p < face.properties.size(); ++p) {
     const PlyProperty& property = face.properties[p];

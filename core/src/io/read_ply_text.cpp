@@ -99,24 +99,37 @@ class TextReader {
   }
 
   bool takePlainFace() {
-    if (element_->properties.size() > 1) return false;
     TextCursor c{rest_.data(), rest_.data() + rest_.size()};
-    const std::uint64_t vertices = header_.elements[header_.vertex].count;
     const std::size_t before = mesh_.faceVertices.size();
-    std::int64_t size = 0, vertex = 0;
-    c.skipBlanks();
-    bool isPlain = takeInteger(c, size) && c.atWordEnd() && size >= 3;
-    for (std::int64_t k = 0; k < size && isPlain; ++k) {
+    bool isPlain = true;
+    for (std::size_t p = 0; p < element_->properties.size() && isPlain; ++p) {
       c.skipBlanks();
-      isPlain = takeInteger(c, vertex) && c.atWordEnd() && vertex >= 0 &&
-                static_cast<std::uint64_t>(vertex) < vertices;
-      if (isPlain) mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
+      if (p == header_.corners) {
+        isPlain = takePlainCorners(c);
+      } else {
+        isPlain = !element_->properties[p].isList && !c.atLineEnd();
+        c.skipWord();
+      }
     }
     if (!isPlain || mesh_.faceVertices.size() > kMostCorners || !takeRowEnd(c)) {
       mesh_.faceVertices.resize(before);
       return false;
     }
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
+    return true;
+  }
+
+  bool takePlainCorners(TextCursor& c) {
+    const std::uint64_t vertices = header_.elements[header_.vertex].count;
+    std::int64_t size = 0, vertex = 0;
+    if (!takeInteger(c, size) || !c.atWordEnd() || size < 3) return false;
+    for (; size > 0; --size) {
+      c.skipBlanks();
+      if (!takeInteger(c, vertex) || !c.atWordEnd() || vertex < 0 ||
+          static_cast<std::uint64_t>(vertex) >= vertices)
+        return false;
+      mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
+    }
     return true;
   }
 

@@ -66,6 +66,13 @@ TEST_CASE("PLY: all encodings, line ends and types of numbers", "[ply]") {
       checkQuadAndTriangle(ply(plyFile(format, {vertices(), faces()}, end)));
       checkQuadAndTriangle(ply(plyFile(format, {faces(), vertices()}, end)));
       checkQuadAndTriangle(ply(plyFile(format, richElements(), end)));
+      PlyTestElement coloured = faces();
+      coloured.properties = {"int id", coloured.properties[0], "uchar red", "float area"};
+      for (std::vector<double>& row : coloured.rows) {
+        row.insert(row.begin(), -7);
+        row.insert(row.end(), {255, 0.5});
+      }
+      checkQuadAndTriangle(ply(plyFile(format, {vertices(), coloured}, end)));
     }
   for (const char* count : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double",
                             "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32"})
