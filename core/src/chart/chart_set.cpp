@@ -13,7 +13,7 @@ class VertexNumbers {
  public:
   explicit VertexNumbers(std::size_t fans) : number_(fans, kNone) {}
 
-  std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> fans) {
+  std::vector<std::uint32_t> sorted(const std::vector<std::uint32_t>& fans) {
     std::vector<std::uint32_t> out;
     for (const std::uint32_t fan : fans) {
       if (number_[fan] != kNone) continue;
