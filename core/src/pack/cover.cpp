@@ -1,0 +1,140 @@
+#include "pack/cover.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pack/bits.h"
+
+namespace abflat {
+namespace {
+
+/// floor, kept near the grid.
+int cell(double x, int size) {
+  return static_cast<int>(std::floor(std::clamp(x, -1.0, static_cast<double>(size) + 1)));
+}
+
+/// Row of the first line y + 1/2 at or above, at least 0.
+int firstLine(double y, int height) {
+  return static_cast<int>(std::ceil(std::clamp(y - 0.5, 0.0, static_cast<double>(height))));
+}
+
+}  // namespace
+
+void BitGrid::reset(int newWidth, int newHeight) {
+  width = newWidth;
+  height = newHeight;
+  stride = static_cast<std::size_t>(newWidth + 63) / 64;
+  words.assign(stride * static_cast<std::size_t>(newHeight), 0);
+}
+
+void BitGrid::set(int y, int first, int last) {
+  first = std::max(first, 0);
+  last = std::min(last, width - 1);
+  if (y < 0 || y >= height || first > last) return;
+  std::uint64_t* const r = row(y);
+  const int a = first >> 6, b = last >> 6;
+  const std::uint64_t head = ~std::uint64_t{0} << (first & 63);
+  const std::uint64_t tail = ~std::uint64_t{0} >> (63 - (last & 63));
+  if (a == b) {
+    r[a] |= head & tail;
+    return;
+  }
+  r[a] |= head;
+  for (int i = a + 1; i < b; ++i) r[i] = ~std::uint64_t{0};
+  r[b] |= tail;
+}
+
+void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
+  if (a.y > b.y) std::swap(a, b);
+  const double least = std::min(a.x, b.x), most = std::max(a.x, b.x);
+  const int firstRow = std::max(cell(a.y - slack, grid.height), 0);
+  const int lastRow = std::min(cell(b.y + slack, grid.height), grid.height - 1);
+  const double rise = b.y - a.y;
+  // Below that the slope would magnify the rounding errors of y beyond the slack.
+  const bool isFlat = !(rise > slack * 0x1p-12);
+  const double slope = isFlat ? 0 : (b.x - a.x) / rise;
+  for (int y = firstRow; y <= lastRow; ++y) {
+    double x0 = least, x1 = most;
+    if (!isFlat) {
+      const double from = a.x + slope * (std::max(a.y, y - slack) - a.y);
+      const double to = a.x + slope * (std::min(b.y, y + 1 + slack) - a.y);
+      x0 = std::clamp(std::min(from, to), least, most);
+      x1 = std::clamp(std::max(from, to), least, most);
+    }
+    grid.set(y, cell(x0 - slack, grid.width), cell(x1 + slack, grid.width));
+  }
+}
+
+/// Where an edge crosses the middles of rows. The cells of the crossings are covered, since the
+/// edge is, so that their exact places do not matter.
+void Cover::cross(PlanePoint a, PlanePoint b, int height) {
+  const std::int32_t direction = a.y < b.y ? 1 : -1;
+  if (direction < 0) std::swap(a, b);
+  const double least = std::min(a.x, b.x), most = std::max(a.x, b.x);
+  const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+  const int end = firstLine(b.y, height);
+  for (int y = firstLine(a.y, height); y < end; ++y) {
+    const double x = std::clamp(a.x + slope * (y + 0.5 - a.y), least, most);
+    constexpr double kFar = 1 << 30;
+    rowOf_.push_back(y);
+    crossings_.push_back(
+        {static_cast<std::int32_t>(std::floor(std::clamp(x, -kFar, kFar))), direction});
+  }
+}
+
+void Cover::fill(BitGrid& grid) {
+  begin_.assign(static_cast<std::size_t>(grid.height) + 2, 0);
+  for (const std::int32_t y : rowOf_) ++begin_[static_cast<std::size_t>(y) + 2];
+  for (std::size_t y = 2; y < begin_.size(); ++y) begin_[y] += begin_[y - 1];
+  sorted_.resize(crossings_.size());
+  for (std::size_t i = 0; i < crossings_.size(); ++i)
+    sorted_[begin_[static_cast<std::size_t>(rowOf_[i]) + 1]++] = crossings_[i];
+  for (int y = 0; y < grid.height; ++y) {
+    Crossing* const first = sorted_.data() + begin_[static_cast<std::size_t>(y)];
+    Crossing* const end = sorted_.data() + begin_[static_cast<std::size_t>(y) + 1];
+    std::sort(first, end, [](const Crossing& a, const Crossing& b) {
+      return a.column != b.column ? a.column < b.column : a.direction < b.direction;
+    });
+    std::int32_t winding = 0;
+    for (const Crossing* c = first; c + 1 < end; ++c) {
+      winding += c->direction;
+      if (winding != 0) grid.set(y, c->column, c[1].column);
+    }
+  }
+}
+
+void Cover::cover(const Loops& loops, double slack, BitGrid& grid) {
+  std::size_t begin = 0;
+  for (const std::size_t end : loops.ends) {
+    rowOf_.clear();
+    crossings_.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      const PlanePoint a = loops.points[i], b = loops.points[i + 1 < end ? i + 1 : begin];
+      coverEdge(a, b, slack, grid);
+      cross(a, b, grid.height);
+    }
+    if (!crossings_.empty()) fill(grid);
+    begin = end;
+  }
+}
+
+void appendRuns(const BitGrid& grid, std::vector<Run>& runs) {
+  for (int y = 0; y < grid.height; ++y) {
+    const std::uint64_t* const row = grid.row(y);
+    bool isInside = false;
+    for (int w = 0; w < static_cast<int>(grid.stride); ++w) {
+      // A set bit where a run begins or ends.
+      std::uint64_t edges = row[w] ^ (row[w] << 1 | (isInside ? 1 : 0));
+      for (; edges; edges &= edges - 1) {
+        const int x = 64 * w + lowestBit(edges);
+        if (isInside)
+          runs.back().last = x - 1;
+        else
+          runs.push_back({y, x, grid.width - 1});
+        isInside = !isInside;
+      }
+    }
+  }
+}
+
+}  // namespace abflat

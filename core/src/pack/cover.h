@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pack/outline.h"
+
+namespace abflat {
+
+/// Bits of a grid, row by row.
+struct BitGrid {
+  int width = 0, height = 0;
+  std::size_t stride = 0;  ///< words a row
+  std::vector<std::uint64_t> words;
+
+  void reset(int newWidth, int newHeight);
+  std::uint64_t* row(int y) { return words.data() + stride * static_cast<std::size_t>(y); }
+  const std::uint64_t* row(int y) const {
+    return words.data() + stride * static_cast<std::size_t>(y);
+  }
+  bool at(int x, int y) const { return row(y)[x >> 6] >> (x & 63) & 1; }
+  /// Cells first..last of a row; what is outside the grid is left out.
+  void set(int y, int first, int last);
+};
+
+/// Covered cells first..last of a row.
+struct Run {
+  std::int32_t row, first, last;
+};
+
+/// Turns polygons to cells. Keeps its work space from one call to the next.
+class Cover {
+ public:
+  /// All cells (closed unit squares) that are at most `slack` away, along either axis, from the
+  /// covered area, rounding errors included. The grid is cut off at its border. `slack` must be
+  /// well above the rounding errors of the coordinates.
+  void cover(const Loops& loops, double slack, BitGrid& grid);
+
+ private:
+  struct Crossing {
+    std::int32_t column, direction;
+  };
+
+  void coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid);
+  void cross(PlanePoint a, PlanePoint b, int height);
+  void fill(BitGrid& grid);
+
+  std::vector<std::int32_t> rowOf_;
+  std::vector<Crossing> crossings_, sorted_;
+  std::vector<std::uint32_t> begin_;
+};
+
+/// In order of rows, then of cells.
+void appendRuns(const BitGrid& grid, std::vector<Run>& runs);
+
+}  // namespace abflat

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pack/cover.h"
+
+namespace abflat {
+
+/// Cells that a shape needs, as runs in the order in which they are best tested.
+struct Footprint {
+  int width = 0, height = 0;
+  std::vector<Run> runs;
+};
+
+/// The longest run comes first, then rows far apart: what does not fit shows early.
+Footprint footprintOf(const BitGrid& grid);
+
+}  // namespace abflat

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pack/cover.h"
+#include "pack/footprint.h"
+
+namespace abflat {
+
+struct Cell {
+  int x = -1, y = -1;
+
+  bool isFound() const { return x >= 0; }
+};
+
+/// Free cells of one tile. Level k has a bit where 2^k free cells begin, so that two words tell of
+/// 64 places at once whether a run of any length is free there.
+class FreeMap {
+ public:
+  FreeMap(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// The lowest row, and in it the first cell, from row `begin` and before row `end`, where all of
+  /// the footprint is free.
+  Cell find(const Footprint& footprint, int begin, int end);
+
+  /// Takes the cells of a grid whose cell (0, 0) is put at (x, y); those outside do not matter.
+  void take(const BitGrid& grid, int x, int y);
+
+ private:
+  std::uint64_t* row(int level, int y) {
+    return words_.data() + stride_ * (static_cast<std::size_t>(level) * height_ + y);
+  }
+  bool fitsRuns(const Footprint& footprint, int y) const;
+  int findInRow(const Footprint& footprint, int y);
+  void update(int y, int first, int last);
+  void measureLongest(int y);
+
+  int width_, height_, levels_;
+  std::size_t stride_;
+  std::vector<std::uint64_t> words_;
+  std::vector<std::int32_t> longest_;  ///< free cells in a row of each row
+  std::vector<std::uint64_t> places_, scratch_;
+};
+
+}  // namespace abflat

@@ -1,0 +1,63 @@
+#include "pack/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abflat {
+namespace {
+
+PlanePoint pointOf(const PackShape& shape, std::uint32_t v) {
+  return {shape.uv[2 * v], shape.uv[2 * v + 1]};
+}
+
+double doubleArea(PlanePoint a, PlanePoint b, PlanePoint c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+double doubleArea(const PackShape& shape, std::size_t t) {
+  return doubleArea(pointOf(shape, shape.triangles[t]), pointOf(shape, shape.triangles[t + 1]),
+                    pointOf(shape, shape.triangles[t + 2]));
+}
+
+void addLoop(Loops& loops, const PackShape& shape, const std::uint32_t* vertices,
+             std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) loops.points.push_back(pointOf(shape, vertices[i]));
+  loops.ends.push_back(static_cast<std::uint32_t>(loops.points.size()));
+}
+
+bool isLess(PlanePoint a, PlanePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+}  // namespace
+
+Loops coveringLoops(const PackShape& shape) {
+  Loops out;
+  if (!shape.outline.empty()) addLoop(out, shape, shape.outline.data(), shape.outline.size());
+  for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3)
+    if (shape.outline.empty() || !(doubleArea(shape, t) > 0))
+      addLoop(out, shape, shape.triangles.data() + t, 3);
+  return out;
+}
+
+double areaOf(const PackShape& shape) {
+  double sum = 0;
+  for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3)
+    sum += std::abs(doubleArea(shape, t));
+  return sum / 2;
+}
+
+std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points) {
+  std::sort(points.begin(), points.end(), isLess);
+  std::vector<PlanePoint> hull;
+  const auto wrap = [&hull](PlanePoint p, std::size_t least) {
+    while (hull.size() >= least && !(doubleArea(hull[hull.size() - 2], hull.back(), p) > 0))
+      hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const PlanePoint& p : points) wrap(p, 2);
+  const std::size_t lower = hull.size() + 1;
+  for (std::size_t i = points.size(); i-- > 0;) wrap(points[i], lower);
+  if (hull.size() > 1) hull.pop_back();
+  return hull;
+}
+
+}  // namespace abflat

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pack/pack.h"
+
+namespace abflat {
+
+struct PlanePoint {
+  double x = 0, y = 0;
+};
+
+/// Closed polygons one after the other. What has a winding number other than 0 in one of them is
+/// covered.
+struct Loops {
+  std::vector<PlanePoint> points;
+  std::vector<std::uint32_t> ends;  ///< index behind each loop's last point
+};
+
+/// Loops that cover all of a shape, whatever its triangles are like: a triangle that is not
+/// positively oriented has a loop of its own, since it may cancel others in the outline's winding.
+Loops coveringLoops(const PackShape& shape);
+
+/// Sum of the triangles' areas.
+double areaOf(const PackShape& shape);
+
+/// Strictly convex, counter-clockwise; one or two points when all lie in a point or on a line.
+std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points);
+
+}  // namespace abflat

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "abflat/status.h"
+#include "parallel.h"
+
+namespace abflat {
+
+/// One chart, laid out by itself.
+struct PackShape {
+  std::vector<double> uv;                ///< 2 per vertex, in a unit common to all charts, any pose
+  std::vector<std::uint32_t> triangles;  ///< 3 vertices per triangle
+  /// Vertices of the boundary loop, counter-clockwise. Empty: the outlines of all triangles are
+  /// taken, which is right for any set of triangles, and slower.
+  std::vector<std::uint32_t> outline;
+  /// It stays where it is: its uv are places in the atlas already, and others go around it. With
+  /// several tiles its own is where the middle of its box lies.
+  bool isFixed = false;
+};
+
+struct PackOptions {
+  int resolution = 1024;  ///< texels along a side of the square tile
+  /// Free texels between charts, and half of that, rounded up, to the border.
+  int padding = 2;
+  bool rotate = true;
+  double texelDensity = 0;  ///< texels per unit of length; 0: the most that fits one tile
+  bool udim = false;        ///< with a density: as many tiles as it takes, not one
+  ThreadPool* pool = nullptr;
+  /// Told a rough 0..1 from the calling thread; false cancels.
+  std::function<bool(double)> progress;
+};
+
+/// Where a chart goes: (u, v) -> (a u - b v + x, b u + a v + y), inside the unit square of its
+/// tile. a and b are the scale times cosine and sine.
+struct Placement {
+  double a = 1, b = 0;
+  double x = 0, y = 0;
+  std::uint32_t tile = 0;
+
+  double u(const double* uv) const { return a * uv[0] - b * uv[1] + x; }
+  double v(const double* uv) const { return b * uv[0] + a * uv[1] + y; }
+  /// Of the tile's unit square in the plane of all tiles: rows of ten, as UDIM 1001 + tile.
+  double column() const { return tile % 10; }
+  double row() const { return tile / 10; }
+};
+
+struct Packing {
+  double scale = 1;  ///< of all charts that are not fixed: uv per unit of length
+  std::vector<Placement> placements;
+  std::uint32_t tiles = 1;
+  double utilization = 0;  ///< area of all charts by that of all tiles
+  double texelDensity = 0;
+  double seconds = 0;
+  int tries = 0;  ///< scales that were tried
+};
+
+/// Charts to atlas. No texel (closed unit square of the grid that `resolution` makes of a tile) is
+/// touched by two charts, and there are `padding` texels between any two in at least one of the
+/// two directions. That also holds for coordinates that are rounded to single precision.
+Result<Packing> pack(const std::vector<PackShape>& shapes, const PackOptions& options);
+
+}  // namespace abflat

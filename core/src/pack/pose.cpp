@@ -1,0 +1,95 @@
+#include "pack/pose.h"
+
+#include <algorithm>
+
+#include "portable_math.h"
+
+namespace abflat {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+void measure(Pose& pose, const std::vector<PlanePoint>& hull) {
+  if (hull.empty()) return;
+  PlanePoint least = pose.rotated(hull[0]), most = least;
+  for (const PlanePoint& p : hull) {
+    const PlanePoint q = pose.rotated(p);
+    least = {std::min(least.x, q.x), std::min(least.y, q.y)};
+    most = {std::max(most.x, q.x), std::max(most.y, q.y)};
+  }
+  pose.minX = least.x;
+  pose.minY = least.y;
+  pose.width = most.x - least.x;
+  pose.height = most.y - least.y;
+}
+
+double squareSide(const Pose& p) { return std::max(p.width, p.height); }
+
+}  // namespace
+
+Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull) {
+  static constexpr int kCos[] = {1, 0, -1, 0};
+  portable::SinCos by{};
+  if (4 * angle % of == 0) {
+    const int quarter = 4 * angle / of % 4;
+    by.cos = kCos[quarter];
+    by.sin = kCos[(quarter + 3) % 4];
+  } else {
+    by = portable::sinCos(2 * kPi * angle / of);
+  }
+  Pose out;
+  out.cos = base.cos * by.cos - base.sin * by.sin;
+  out.sin = base.sin * by.cos + base.cos * by.sin;
+  measure(out, hull);
+  return out;
+}
+
+Pose leastBoxPose(const std::vector<PlanePoint>& hull) {
+  Pose best;
+  measure(best, hull);
+  if (hull.size() < 2) return best;
+  // One side of the box lies along an edge of the hull. Of boxes alike the first is taken, so that
+  // rounding does not choose.
+  constexpr double kAlike = 1 - 1e-9;
+  double least = -1;
+  const std::size_t n = hull.size();
+  std::size_t right = 0, top = 0, left = 0;
+  const auto along = [&](std::size_t i, PlanePoint d) {
+    return hull[i % n].x * d.x + hull[i % n].y * d.y;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const PlanePoint from = hull[i], to = hull[(i + 1) % n];
+    const double length = portable::hypot(to.x - from.x, to.y - from.y);
+    if (!(length > 0)) continue;
+    const PlanePoint d{(to.x - from.x) / length, (to.y - from.y) / length}, normal{-d.y, d.x};
+    const PlanePoint back{-d.x, -d.y};
+    right = std::max(right, i);
+    while (right < i + n && along(right + 1, d) > along(right, d)) ++right;
+    top = std::max(top, right);
+    while (top < i + n && along(top + 1, normal) > along(top, normal)) ++top;
+    left = std::max(left, top);
+    while (left < i + n && along(left + 1, back) > along(left, back)) ++left;
+    const double width = along(right, d) - along(left, d);
+    const double height = along(top, normal) - along(i, normal);
+    const double area = width * height;
+    if (least >= 0 && !(area < least * kAlike)) continue;
+    least = area;
+    best.cos = d.x;
+    best.sin = -d.y;
+  }
+  measure(best, hull);
+  return best.width >= best.height ? best : turned(best, 1, 4, hull);
+}
+
+Pose leastSquarePose(const std::vector<PlanePoint>& hull) {
+  constexpr int kSteps = 64;  // over a quarter turn
+  Pose best = leastBoxPose(hull);
+  const Pose base = best;
+  for (int k = 1; k < kSteps; ++k) {
+    const Pose pose = turned(base, k, 4 * kSteps, hull);
+    if (squareSide(pose) < squareSide(best)) best = pose;
+  }
+  return best;
+}
+
+}  // namespace abflat

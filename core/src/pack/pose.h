@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "pack/outline.h"
+
+namespace abflat {
+
+/// A rotation, and the box of the rotated shape.
+struct Pose {
+  double cos = 1, sin = 0;
+  double minX = 0, minY = 0;
+  double width = 0, height = 0;
+
+  PlanePoint rotated(PlanePoint p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
+};
+
+/// With `angle` in `of`-ths of a full turn; exact for quarters.
+Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull);
+
+/// The least area of the box among all rotations; wider than high.
+Pose leastBoxPose(const std::vector<PlanePoint>& hull);
+
+/// The least side of a square around it among all rotations.
+Pose leastSquarePose(const std::vector<PlanePoint>& hull);
+
+}  // namespace abflat

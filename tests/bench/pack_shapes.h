@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pack/pack.h"
+
+namespace abflat {
+
+/// Charts to try packing on: "discs", "blobs", "stars", "spirals", "letters" (L, U and C),
+/// "needles", "triangles", "rectangles" or "mixed" (all of them). Sizes spread over a factor of
+/// `spread`.
+std::vector<PackShape> makePackShapes(const std::string& kind, std::size_t count, double spread,
+                                      unsigned seed);
+
+}  // namespace abflat
