@@ -9,13 +9,10 @@ namespace abflat {
 namespace {
 
 /// floor, kept near the grid.
-int cell(double x, int size) {
-  return static_cast<int>(std::floor(std::clamp(x, -1.0, static_cast<double>(size) + 1)));
-}
-
-/// Row of the first line y + 1/2 at or above, at least 0.
-int firstLine(double y, int height) {
-  return static_cast<int>(std::ceil(std::clamp(y - 0.5, 0.0, static_cast<double>(height))));
+int cell(double x, double size) {
+  const double near = std::min(std::max(x, -1.0), size);
+  const int truncated = static_cast<int>(near);
+  return truncated - (near < truncated ? 1 : 0);
 }
 
 }  // namespace
@@ -44,11 +41,15 @@ void BitGrid::set(int y, int first, int last) {
   r[b] |= tail;
 }
 
+/// Marks the cells along an edge, and notes where it crosses the middles of rows. The cells of the
+/// crossings are covered, since the edge is, so that their exact places do not matter.
 void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
-  if (a.y > b.y) std::swap(a, b);
+  const std::int32_t direction = a.y < b.y ? 1 : -1;
+  if (direction < 0) std::swap(a, b);
   const double least = std::min(a.x, b.x), most = std::max(a.x, b.x);
-  const int firstRow = std::max(cell(a.y - slack, grid.height), 0);
-  const int lastRow = std::min(cell(b.y + slack, grid.height), grid.height - 1);
+  const double gridWidth = grid.width, gridHeight = grid.height;
+  const int firstRow = std::max(cell(a.y - slack, gridHeight), 0);
+  const int lastRow = std::min(cell(b.y + slack, gridHeight), grid.height - 1);
   const double rise = b.y - a.y;
   // Below that the slope would magnify the rounding errors of y beyond the slack.
   const bool isFlat = !(rise > slack * 0x1p-12);
@@ -58,37 +59,24 @@ void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
     if (!isFlat) {
       const double from = a.x + slope * (std::max(a.y, y - slack) - a.y);
       const double to = a.x + slope * (std::min(b.y, y + 1 + slack) - a.y);
-      x0 = std::clamp(std::min(from, to), least, most);
-      x1 = std::clamp(std::max(from, to), least, most);
+      x0 = std::max(std::min(from, to), least);
+      x1 = std::min(std::max(from, to), most);
     }
-    grid.set(y, cell(x0 - slack, grid.width), cell(x1 + slack, grid.width));
-  }
-}
-
-/// Where an edge crosses the middles of rows. The cells of the crossings are covered, since the
-/// edge is, so that their exact places do not matter.
-void Cover::cross(PlanePoint a, PlanePoint b, int height) {
-  const std::int32_t direction = a.y < b.y ? 1 : -1;
-  if (direction < 0) std::swap(a, b);
-  const double least = std::min(a.x, b.x), most = std::max(a.x, b.x);
-  const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-  const int end = firstLine(b.y, height);
-  for (int y = firstLine(a.y, height); y < end; ++y) {
-    const double x = std::clamp(a.x + slope * (y + 0.5 - a.y), least, most);
-    constexpr double kFar = 1 << 30;
-    rowOf_.push_back(y);
-    crossings_.push_back(
-        {static_cast<std::int32_t>(std::floor(std::clamp(x, -kFar, kFar))), direction});
+    grid.set(y, cell(x0 - slack, gridWidth), cell(x1 + slack, gridWidth));
+    const double middle = y + 0.5;
+    if (a.y <= middle && middle < b.y) {
+      const double x = std::min(std::max(a.x + slope * (middle - a.y), least), most);
+      crossings_.push_back({y, cell(x, gridWidth), direction});
+    }
   }
 }
 
 void Cover::fill(BitGrid& grid) {
   begin_.assign(static_cast<std::size_t>(grid.height) + 2, 0);
-  for (const std::int32_t y : rowOf_) ++begin_[static_cast<std::size_t>(y) + 2];
+  for (const Crossing& c : crossings_) ++begin_[static_cast<std::size_t>(c.row) + 2];
   for (std::size_t y = 2; y < begin_.size(); ++y) begin_[y] += begin_[y - 1];
   sorted_.resize(crossings_.size());
-  for (std::size_t i = 0; i < crossings_.size(); ++i)
-    sorted_[begin_[static_cast<std::size_t>(rowOf_[i]) + 1]++] = crossings_[i];
+  for (const Crossing& c : crossings_) sorted_[begin_[static_cast<std::size_t>(c.row) + 1]++] = c;
   for (int y = 0; y < grid.height; ++y) {
     Crossing* const first = sorted_.data() + begin_[static_cast<std::size_t>(y)];
     Crossing* const end = sorted_.data() + begin_[static_cast<std::size_t>(y) + 1];
@@ -106,12 +94,10 @@ void Cover::fill(BitGrid& grid) {
 void Cover::cover(const Loops& loops, double slack, BitGrid& grid) {
   std::size_t begin = 0;
   for (const std::size_t end : loops.ends) {
-    rowOf_.clear();
     crossings_.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const PlanePoint a = loops.points[i], b = loops.points[i + 1 < end ? i + 1 : begin];
       coverEdge(a, b, slack, grid);
-      cross(a, b, grid.height);
     }
     if (!crossings_.empty()) fill(grid);
     begin = end;

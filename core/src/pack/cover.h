@@ -39,14 +39,12 @@ class Cover {
 
  private:
   struct Crossing {
-    std::int32_t column, direction;
+    std::int32_t row, column, direction;
   };
 
   void coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid);
-  void cross(PlanePoint a, PlanePoint b, int height);
   void fill(BitGrid& grid);
 
-  std::vector<std::int32_t> rowOf_;
   std::vector<Crossing> crossings_, sorted_;
   std::vector<std::uint32_t> begin_;
 };

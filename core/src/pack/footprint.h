@@ -11,9 +11,12 @@ namespace abflat {
 struct Footprint {
   int width = 0, height = 0;
   std::vector<Run> runs;
-};
 
-/// The longest run comes first, then rows far apart: what does not fit shows early.
-Footprint footprintOf(const BitGrid& grid);
+  /// The longest run comes first, then rows far apart: what does not fit shows early.
+  void set(const BitGrid& grid);
+
+ private:
+  std::vector<Run> inOrder_;
+};
 
 }  // namespace abflat

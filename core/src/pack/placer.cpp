@@ -17,7 +17,6 @@ class Placer {
   Placed run(const std::vector<std::uint32_t>& order) {
     Placed out;
     out.spots.resize(items_.size());
-    rasterise();
     std::size_t count = 0;
     for (const std::uint32_t i : order) {
       if (options_.onPlaced && !options_.onPlaced(count)) {
@@ -36,24 +35,6 @@ class Placer {
   }
 
  private:
-  void rasterise() {
-    footprints_.resize(items_.size());
-    parallelRanges(options_.pool, items_.size(), 64, [this](std::size_t begin, std::size_t end) {
-      Cover cover;
-      BitGrid bits;
-      Loops moved;
-      for (std::size_t i = begin; i < end; ++i) {
-        footprints_[i].resize(items_[i].poses.size());
-        for (std::size_t p = 0; p < items_[i].poses.size(); ++p) {
-          const Pose& pose = items_[i].poses[p];
-          if (std::max(cellsOf(pose.width), cellsOf(pose.height)) > grid_.cells()) continue;
-          rasterise(items_[i], pose, 0, cover, moved, bits);
-          footprints_[i][p] = footprintOf(bits);
-        }
-      }
-    });
-  }
-
   double cellsOf(double length) const {
     return std::floor((length * options_.texelsPerUnit + 3 * grid_.slack) / grid_.cell) + 1;
   }
@@ -91,17 +72,32 @@ class Placer {
   }
 
   bool findIn(FreeMap& tile, std::uint32_t i, Spot& spot) {
-    const std::vector<Footprint>& poses = footprints_[i];
+    const PackItem& item = items_[i];
     int top = tile.height() + 1;
-    for (std::uint32_t p = 0; p < poses.size(); ++p) {
-      if (poses[p].runs.empty()) continue;
-      const Cell cell = tile.find(poses[p], 0, top - poses[p].height);
+    for (std::uint32_t p = 0; p < item.poses.size(); ++p) {
+      const Pose& pose = item.poses[p];
+      const double width = cellsOf(pose.width), height = cellsOf(pose.height);
+      if (width > tile.width() || height > tile.height()) continue;
+      int& begin = hints_[hintKey(width, height, item.area)];
+      const int end = top - static_cast<int>(height);
+      if (begin >= end) continue;
+      rasterise(item, pose, 0, cover_, moved_, bits_);
+      footprint_.set(bits_);
+      const Cell cell = tile.find(footprint_, begin, end);
+      begin = std::max(begin, cell.isFound() ? cell.y : end);
       if (!cell.isFound()) continue;
-      top = cell.y + poses[p].height;
+      top = cell.y + footprint_.height;
       spot.pose = p;
       spot.cell = cell;
     }
     return top <= tile.height();
+  }
+
+  std::size_t hintKey(double width, double height, double area) {
+    static const double kW = getenv("HW") ? atof(getenv("HW")) : 2, kA = getenv("HA") ? atof(getenv("HA")) : 2;
+    const double s = options_.texelsPerUnit / grid_.cell;
+    auto q = [](double x, double steps) { return static_cast<std::size_t>(steps * std::log2(x + 1)); };
+    return (q(width, kW) * 100 + q(height, kW)) * 100 + q(area * s * s, kA);
   }
 
   void take(std::uint32_t i, const Spot& spot) {
@@ -113,8 +109,9 @@ class Placer {
   const std::vector<PackItem>& items_;
   const PackGrid& grid_;
   const PlaceOptions& options_;
-  std::vector<std::vector<Footprint>> footprints_;
+  Footprint footprint_;
   std::vector<FreeMap> tiles_;
+  std::vector<int> hints_ = std::vector<int>(1000000);
   Cover cover_;
   Loops moved_;
   BitGrid bits_;
