@@ -9,6 +9,8 @@ inline int lowestBit(std::uint64_t word) { return __builtin_ctzll(word); }
 
 inline int highestBit(std::uint64_t word) { return 63 - __builtin_clzll(word); }
 
+inline int countBits(std::uint64_t word) { return __builtin_popcountll(word); }
+
 /// Of a number above 0.
 inline int floorLog2(std::uint32_t x) { return 31 - __builtin_clz(x); }
 

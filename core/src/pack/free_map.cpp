@@ -26,6 +26,13 @@ FreeMap::FreeMap(int width, int height)
   }
 }
 
+double FreeMap::freeCells() const {
+  double count = 0;
+  const std::size_t end = rowBegin(1, 0);
+  for (std::size_t w = 0; w < end; ++w) count += countBits(words_[w]);
+  return count;
+}
+
 bool FreeMap::fitsRuns(const Footprint& footprint, int y) const {
   for (const Run& run : footprint.runs)
     if (run.last - run.first >= longest_[static_cast<std::size_t>(y + run.row)]) return false;

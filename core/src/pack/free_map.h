@@ -22,6 +22,7 @@ class FreeMap {
 
   int width() const { return width_; }
   int height() const { return height_; }
+  double freeCells() const;
 
   /// The lowest row, and in it the first cell, from row `begin` and before row `end`, where all of
   /// the footprint is free.
@@ -31,9 +32,11 @@ class FreeMap {
   void take(const BitGrid& grid, int x, int y);
 
  private:
-  std::uint64_t* row(int level, int y) {
-    return words_.data() + stride_ * (static_cast<std::size_t>(level) * height_ + y);
+  std::size_t rowBegin(int level, int y) const {
+    return stride_ * (static_cast<std::size_t>(level) * static_cast<std::size_t>(height_) +
+                      static_cast<std::size_t>(y));
   }
+  std::uint64_t* row(int level, int y) { return words_.data() + rowBegin(level, y); }
   bool fitsRuns(const Footprint& footprint, int y) const;
   int findInRow(const Footprint& footprint, int y);
   void update(int y, int first, int last);

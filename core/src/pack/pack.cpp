@@ -4,26 +4,41 @@
 #include <cmath>
 #include <string>
 
+#include "io/number_text.h"
 #include "pack/scale_search.h"
 #include "stopwatch.h"
 
 namespace abflat {
 namespace {
 
-/// Coordinates up to 16 (ten tiles in a row) rounded to single precision move by no more.
-constexpr double kRounding = 0x1p-20;
+constexpr int kMostResolution = 32768;
+/// Rows of ten, from 1001 to 9999.
+constexpr std::uint32_t kMostTiles = 8999;
 
-std::string number(double x) { return std::to_string(static_cast<long long>(x)); }
+Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
+
+template <typename T>
+std::string text(T integer) {
+  return std::to_string(integer);
+}
+
+/// A positive number, rounded down to three digits.
+std::string roundedDown(double x) {
+  double whole = x, up = 1, down = 1;
+  for (; whole < 100 && up < 1e300; up *= 10) whole = x * (up * 10);
+  for (; whole >= 1000; down *= 10) whole = x / (down * 10);
+  char digits[kMostDoubleChars];
+  return {digits, writeDouble(digits, std::floor(whole) / up * down)};
+}
 
 Status checkOptions(const PackOptions& o) {
-  const auto invalid = [](std::string text) {
-    return Status{StatusCode::InvalidOption, std::move(text)};
-  };
-  if (o.resolution < 1 || o.resolution > 32768)
-    return invalid("the resolution is " + number(o.resolution) + "; it must be 1 to 32768 texels");
-  if (o.padding < 0 || 2 * ((o.padding + 1) / 2) >= o.resolution)
-    return invalid("a padding of " + number(o.padding) + " texels leaves no room in a tile of " +
-                   number(o.resolution) + "; lower the padding or raise the resolution");
+  if (o.resolution < 1 || o.resolution > kMostResolution)
+    return invalid("the resolution is " + text(o.resolution) + "; it must be 1 to " +
+                   text(kMostResolution) + " texels");
+  if (o.padding < 0) return invalid("the padding is " + text(o.padding) + "; it must be 0 or more");
+  if (o.padding >= o.resolution || 2 * ((o.padding + 1) / 2) >= o.resolution)
+    return invalid("a padding of " + text(o.padding) + " texels leaves nothing of a tile of " +
+                   text(o.resolution) + "; lower the padding or raise the resolution");
   if (!(o.texelDensity >= 0) || !std::isfinite(o.texelDensity))
     return invalid("the texel density must be a finite number, 0 or above");
   return {};
@@ -33,21 +48,10 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (const double x : shapes[i].uv)
       if (!std::isfinite(x))
-        return {StatusCode::InvalidMesh,
-                "chart " + number(static_cast<double>(i)) +
-                    " has a coordinate that is not finite and cannot be packed"};
+        return {StatusCode::InvalidMesh, "chart " + text(i) +
+                                             " has a coordinate that is not finite; charts must be "
+                                             "flattened before they are packed"};
   return {};
-}
-
-PackItem makeItem(const PackShape& shape, int angles) {
-  PackItem item;
-  item.loops = coveringLoops(shape);
-  item.area = areaOf(shape);
-  const std::vector<PlanePoint> hull = convexHull(item.loops.points);
-  const Pose base = angles > 1 ? leastBoxPose(hull) : turned({}, 0, 1, hull);
-  for (int k = 0; k < angles; ++k) item.poses.push_back(turned(base, k, angles, hull));
-  item.size = base.width * base.height;
-  return item;
 }
 
 std::vector<std::uint32_t> largestFirst(const std::vector<PackItem>& items) {
@@ -59,44 +63,174 @@ std::vector<std::uint32_t> largestFirst(const std::vector<PackItem>& items) {
   return order;
 }
 
+/// Side of the least tile in which that many single texels have their padding.
+int leastResolution(std::size_t count, int padding) {
+  const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+  return side + (side - 1) * padding + 2 * ((padding + 1) / 2);
+}
+
+/// One call of pack.
+class Packer {
+ public:
+  Packer(const std::vector<PackShape>& shapes, const PackOptions& options)
+      : shapes_(shapes), options_(options) {}
+
+  Result<Packing> run() {
+    Stopwatch watch;
+    if (Status s = checkOptions(options_); !s.ok()) return s;
+    if (Status s = checkShapes(shapes_); !s.ok()) return s;
+    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
+      if (!shapes_[i].isFixed) movable_.push_back(i);
+    grid_ = makePackGrid(options_.resolution, options_.padding, movable_.size());
+    if (Status s = takeFixed(); !s.ok()) return s;
+    makeItems();
+    if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeInOneTile(); !s.ok())
+      return s;
+    Packing out = placements();
+    out.seconds = watch.lap();
+    return out;
+  }
+
+ private:
+  /// Tiles with what stays where it is.
+  Status takeFixed() {
+    tiles_.emplace_back(grid_.cells(), grid_.cells());
+    PackRaster raster(grid_);
+    fixedTile_.resize(shapes_.size());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (!shapes_[i].isFixed) continue;
+      const Loops loops = coveringLoops(shapes_[i]);
+      Pose box;
+      box = turned(box, 0, 4, loops.points);
+      const double column = std::floor(box.minX + box.width / 2);
+      const double row = std::floor(box.minY + box.height / 2);
+      const bool isInside = box.minX >= column && box.minX + box.width <= column + 1 &&
+                            box.minY >= row && box.minY + box.height <= row + 1;
+      const double lastRow = options_.udim ? kMostTiles / 10 - 1 : 0;
+      const double lastColumn = options_.udim ? 9 : 0;
+      if (!isInside || column < 0 || column > lastColumn || row < 0 || row > lastRow)
+        return invalid("chart " + text(i) +
+                       " is fixed, but does not lie inside the unit square of a tile");
+      const auto tile = static_cast<std::uint32_t>(row * 10 + column);
+      while (tiles_.size() <= tile) tiles_.emplace_back(grid_.cells(), grid_.cells());
+      tiles_[tile].take(raster.takenInTile(loops, column, row), 0, 0);
+      fixedTile_[i] = tile;
+    }
+    return {};
+  }
+
+  /// More rotations where there are few charts: there they matter more, and cost less.
+  int angles() const {
+    if (!options_.rotate) return 1;
+    const std::size_t count = movable_.size();
+    return count <= 4 ? 64 : count <= 16 ? 32 : count <= 200 ? 8 : 4;
+  }
+
+  void makeItems() {
+    items_.resize(movable_.size());
+    const int count = angles();
+    parallelFor(options_.pool, items_.size(), [this, count](std::size_t i) {
+      const PackShape& shape = shapes_[movable_[i]];
+      PackItem& item = items_[i];
+      item.loops = coveringLoops(shape);
+      item.area = areaOf(shape);
+      const std::vector<PlanePoint> hull = convexHull(item.loops.points);
+      const Pose base = count > 1 ? leastBoxPose(hull) : turned({}, 0, 4, hull);
+      for (int k = 0; k < count; ++k) item.poses.push_back(turned(base, k, count, hull));
+      item.size = base.width * base.height;
+    });
+    order_ = largestFirst(items_);
+  }
+
+  Status placeInOneTile() {
+    ScaleSearch found = searchScale(items_, order_, grid_, tiles_[0], options_.progress);
+    tries_ = found.tries;
+    density_ = found.texelsPerUnit;
+    placed_ = std::move(found.best);
+    if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
+    if (placed_.fit == Fit::All) return {};
+    const std::size_t count = movable_.size();
+    const int least = leastResolution(count, options_.padding);
+    const std::string begin = text(count) + " charts, one texel each with a padding of " +
+                              text(options_.padding) + ", do not fit a tile of " +
+                              text(options_.resolution);
+    if (options_.resolution >= least)
+      return invalid(begin + " beside the fixed ones; raise the resolution");
+    return invalid(begin + "; raise the resolution to " + text(least) +
+                   " or more, or lower the padding");
+  }
+
+  Status placeAtDensity() {
+    PlaceOptions options;
+    options.texelsPerUnit = density_ = options_.texelDensity;
+    options.mostTiles = options_.udim ? kMostTiles : 1;
+    if (options_.progress)
+      options.onPlaced = [this](std::size_t placed) {
+        return placed % 64 != 0 ||
+               options_.progress(static_cast<double>(placed) / static_cast<double>(items_.size()));
+      };
+    placed_ = place(items_, order_, grid_, tiles_, options);
+    tries_ = 1;
+    if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
+    if (placed_.fit == Fit::All) return {};
+    const std::string density = roundedDown(options_.texelDensity) + " texels per unit";
+    if (options_.udim)
+      return invalid("at " + density + " chart " + text(movable_[placed_.missing]) +
+                     " does not fit a tile of " + text(options_.resolution) +
+                     " texels; lower the density or raise the resolution");
+    if (Status s = placeInOneTile(); !s.ok()) return s;
+    return invalid("at " + density + " the charts do not fit one tile of " +
+                   text(options_.resolution) + " texels; lower the density to " +
+                   roundedDown(density_) + ", raise the resolution, or allow several tiles");
+  }
+
+  Packing placements() const {
+    Packing out;
+    const double side = options_.resolution;
+    out.tiles = std::max(placed_.tiles, static_cast<std::uint32_t>(tiles_.size()));
+    out.tries = tries_;
+    out.texelDensity = density_;
+    out.scale = density_ / side;
+    out.placements.resize(shapes_.size());
+    double area = 0;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (!shapes_[i].isFixed) continue;
+      const std::uint32_t tile = fixedTile_[i];
+      out.placements[i].tile = tile;
+      out.placements[i].x = -static_cast<double>(tile % 10);
+      out.placements[i].y = -static_cast<double>(tile / 10);
+      area += areaOf(shapes_[i]);
+    }
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+      const Spot& spot = placed_.spots[k];
+      Placement& p = out.placements[movable_[k]];
+      area += items_[k].area * out.scale * out.scale;
+      if (items_[k].loops.points.empty()) continue;
+      const Pose& pose = items_[k].poses[spot.pose];
+      const PlanePoint origin = texelOrigin(grid_, pose, density_, spot.cell.x, spot.cell.y);
+      p = {out.scale * pose.cos, out.scale * pose.sin, origin.x / side, origin.y / side, spot.tile};
+    }
+    out.utilization = area / out.tiles;
+    return out;
+  }
+
+  const std::vector<PackShape>& shapes_;
+  const PackOptions& options_;
+  PackGrid grid_;
+  std::vector<std::uint32_t> movable_;    ///< shape of each item
+  std::vector<std::uint32_t> fixedTile_;  ///< per shape
+  std::vector<FreeMap> tiles_;
+  std::vector<PackItem> items_;
+  std::vector<std::uint32_t> order_;
+  Placed placed_;
+  double density_ = 0;
+  int tries_ = 0;
+};
+
 }  // namespace
 
 Result<Packing> pack(const std::vector<PackShape>& shapes, const PackOptions& options) {
-  Stopwatch watch;
-  if (Status s = checkOptions(options); !s.ok()) return s;
-  if (Status s = checkShapes(shapes); !s.ok()) return s;
-  const int angles = options.rotate ? 8 : 1;
-  std::vector<PackItem> items(shapes.size());
-  parallelFor(options.pool, shapes.size(),
-              [&](std::size_t i) { items[i] = makeItem(shapes[i], angles); });
-  const std::vector<std::uint32_t> order = largestFirst(items);
-
-  PackGrid grid;
-  grid.resolution = options.resolution;
-  grid.padding = options.padding;
-  grid.border = (options.padding + 1) / 2;
-  grid.slack = options.resolution * kRounding;
-  ScaleSearch found = searchScale(items, order, grid, options.pool, options.progress);
-  if (found.best.fit == Fit::Cancelled) return Status{StatusCode::Aborted, "cancelled"};
-
-  Packing out;
-  out.tiles = found.best.tiles;
-  out.tries = found.tries;
-  out.texelDensity = found.texelsPerUnit;
-  out.scale = found.texelsPerUnit / options.resolution;
-  double area = 0;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const Spot& spot = found.best.spots[i];
-    const Pose& pose = items[i].poses[spot.pose];
-    const PlanePoint origin = texelOrigin(grid, pose, spot, found.texelsPerUnit);
-    out.placements.push_back({out.scale * pose.cos, out.scale * pose.sin,
-                              origin.x / options.resolution, origin.y / options.resolution,
-                              spot.tile});
-    area += items[i].area;
-  }
-  out.utilization = area * out.scale * out.scale / out.tiles;
-  out.seconds = watch.lap();
-  return out;
+  return Packer(shapes, options).run();
 }
 
 }  // namespace abflat

@@ -7,8 +7,7 @@
 #include "pack/cover.h"
 #include "pack/footprint.h"
 #include "pack/free_map.h"
-#include "pack/pose.h"
-#include "parallel.h"
+#include "pack/pack_grid.h"
 
 namespace abflat {
 
@@ -18,17 +17,6 @@ struct PackItem {
   std::vector<Pose> poses;
   double area = 0;
   double size = 0;  ///< larger ones are placed earlier
-};
-
-/// The grid that shapes are placed on. Lengths are in texels.
-struct PackGrid {
-  int resolution = 0;
-  int padding = 0;
-  int border = 0;
-  int cell = 1;      ///< side of a cell
-  double slack = 0;  ///< covers what rounding does to coordinates
-
-  int cells() const { return (resolution - 2 * border) / cell; }
 };
 
 struct Spot {
@@ -41,8 +29,7 @@ enum class Fit { All, TooMany, Cancelled };
 struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
-  ThreadPool* pool = nullptr;
-  std::function<bool(std::size_t placed)> onPlaced;
+  std::function<bool(std::size_t placed)> onPlaced;  ///< false cancels
 };
 
 struct Placed {
@@ -53,12 +40,8 @@ struct Placed {
 };
 
 /// Items in the given order, each at the place with the lowest top among all its poses, in the
-/// first tile that has one.
+/// first tile that has one. `start`: tiles that are partly taken; more are added behind them.
 Placed place(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
-             const PackGrid& grid, const PlaceOptions& options);
-
-/// Where the coordinates of a shape end up, in texels.
-PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, const Spot& spot,
-                       double texelsPerUnit);
+             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options);
 
 }  // namespace abflat

@@ -33,17 +33,18 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 class Search {
  public:
   Search(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
-         const PackGrid& grid, ThreadPool* pool, const std::function<bool(double)>& progress)
-      : items_(items), order_(order), grid_(grid), pool_(pool), progress_(progress) {}
+         const PackGrid& grid, const FreeMap& tile, const std::function<bool(double)>& progress)
+      : items_(items), order_(order), grid_(grid), start_(1, tile), progress_(progress) {}
 
   ScaleSearch run() {
-    const double most = largestScale(items_, grid_);
-    double scale = std::min(firstGuess(most), most);
-    double low = 0, high = most;
-    if (attempt(scale)) {
-      low = scale;
-      for (double step = 1.04; !cancelled_ && scale * 1.002 < most; step = 1 + 1.5 * (step - 1)) {
-        scale = std::min(scale * step, most);
+    bound();
+    double low = 0, high = 0;  // fits, does not fit
+    const double first = firstGuess();
+    if (attempt(first)) {
+      low = first;
+      high = most_;
+      for (double step = 1.04; low * kPrecision < most_ && !isCancelled(); step *= step) {
+        const double scale = std::min(low * step, most_);
         if (!attempt(scale)) {
           high = scale;
           break;
@@ -51,21 +52,22 @@ class Search {
         low = scale;
       }
     } else {
-      high = scale;
-      for (double step = 0.96; !cancelled_; step *= step) {
-        scale *= step;
+      high = first;
+      for (double step = 0.96; low == 0 && !isCancelled(); step *= step) {
+        const double scale = std::max(high * step, least_);
         if (attempt(scale)) {
           low = scale;
-          break;
+        } else {
+          if (scale == least_) return std::move(out_);
+          high = scale;
         }
-        high = scale;
       }
     }
-    while (!cancelled_ && high > low * kPrecision) {
+    while (!isCancelled() && high > low * kPrecision) {
       const double middle = std::sqrt(low * high);
       (attempt(middle) ? low : high) = middle;
     }
-    if (cancelled_) out_.best.fit = Fit::Cancelled;
+    if (isCancelled()) out_.best.fit = Fit::Cancelled;
     return std::move(out_);
   }
 
@@ -73,17 +75,44 @@ class Search {
   static constexpr double kPrecision = 1.004;
   static constexpr double kUsualTries = 9;
 
-  double firstGuess(double most) const {
+  bool isCancelled() const { return isCancelled_; }
+
+  /// No scale above `most_` is possible, because of the boxes of the items and their area; at
+  /// `least_` each item takes one texel.
+  void bound() {
+    const double side = grid_.resolution - 2 * grid_.border;
+    double widest = 0, narrowest = 0;
+    for (const PackItem& item : items_) {
+      double narrow = kInfinity;
+      for (const Pose& pose : item.poses) {
+        widest = std::max({widest, pose.width, pose.height});
+        narrow = std::min(narrow, std::max(pose.width, pose.height));
+      }
+      if (!item.poses.empty()) narrowest = std::max(narrowest, narrow);
+    }
+    if (widest == 0) {
+      most_ = least_ = 1;
+      return;
+    }
+    const double room = (side + grid_.padding) * (side + grid_.padding);
+    most_ = scaleOfArea(items_, grid_.padding, room, (side - 4 * grid_.slack) / narrowest);
+    least_ = std::min(most_, grid_.slack / widest);
+  }
+
+  double firstGuess() const {
     const double side = grid_.resolution - 2 * grid_.border + grid_.padding;
-    // Charts fill about that much of the tile; the outer half of a texel is lost on each side.
+    const double cells = static_cast<double>(grid_.cells());
+    const double freeShare = start_[0].freeCells() / (cells * cells);
+    // Charts fill about that much of what is free; half a cell is lost on each side.
     constexpr double kFill = 0.78;
-    return scaleOfArea(items_, grid_.padding + grid_.cell, kFill * side * side, most);
+    const double scale =
+        scaleOfArea(items_, grid_.padding + grid_.cell, kFill * freeShare * side * side, most_);
+    return std::max({scale, 1e-3 * most_, least_});
   }
 
   bool attempt(double scale) {
     PlaceOptions options;
     options.texelsPerUnit = scale;
-    options.pool = pool_;
     if (progress_)
       options.onPlaced = [this](std::size_t placed) {
         if (placed % 64) return true;
@@ -91,42 +120,30 @@ class Search {
         return progress_(1 - std::exp(-2 * (out_.tries - 1 + share) / kUsualTries));
       };
     ++out_.tries;
-    Placed placed = place(items_, order_, grid_, options);
-    if (placed.fit == Fit::Cancelled) cancelled_ = true;
-    if (placed.fit != Fit::All) return false;
-    if (!(scale >= out_.texelsPerUnit)) return true;
-    out_.texelsPerUnit = scale;
-    out_.best = std::move(placed);
-    return true;
+    Placed placed = place(items_, order_, grid_, start_, options);
+    if (placed.fit == Fit::Cancelled) isCancelled_ = true;
+    const bool fits = placed.fit == Fit::All;
+    if (fits || out_.texelsPerUnit == 0) out_.best = std::move(placed);
+    if (fits) out_.texelsPerUnit = scale;
+    return fits;
   }
 
   const std::vector<PackItem>& items_;
   const std::vector<std::uint32_t>& order_;
   const PackGrid& grid_;
-  ThreadPool* pool_;
+  const std::vector<FreeMap> start_;
   const std::function<bool(double)>& progress_;
   ScaleSearch out_;
-  bool cancelled_ = false;
+  double most_ = 0, least_ = 0;
+  bool isCancelled_ = false;
 };
 
 }  // namespace
 
-double largestScale(const std::vector<PackItem>& items, const PackGrid& grid) {
-  const double inside = grid.resolution - 2 * grid.border;
-  double most = kInfinity;
-  for (const PackItem& item : items) {
-    double side = kInfinity;
-    for (const Pose& pose : item.poses) side = std::min(side, std::max(pose.width, pose.height));
-    if (side > 0) most = std::min(most, (inside - 4 * grid.slack) / side);
-  }
-  if (most == kInfinity) return 1;
-  return std::min(most, scaleOfArea(items, grid.padding, std::pow(inside + grid.padding, 2), most));
-}
-
 ScaleSearch searchScale(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
-                        const PackGrid& grid, ThreadPool* pool,
+                        const PackGrid& grid, const FreeMap& tile,
                         const std::function<bool(double)>& progress) {
-  return Search(items, order, grid, pool, progress).run();
+  return Search(items, order, grid, tile, progress).run();
 }
 
 }  // namespace abflat

@@ -1,0 +1,81 @@
+#include "pack/pack_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abflat {
+namespace {
+
+/// Coordinates up to 16 (ten tiles in a row) rounded to single precision move by no more than this
+/// share of a tile.
+constexpr double kRounding = 0x1p-20;
+
+/// Left and lower margin of a shape in its first cell, in slacks. There is another one above.
+constexpr double kMargin = 2;
+
+int divideUp(int a, int b) { return (a + b - 1) / b; }
+
+}  // namespace
+
+PackGrid makePackGrid(int resolution, int padding, std::size_t shapes) {
+  constexpr double kCellsOfShape = 64;
+  constexpr double kLeastCellsOfShape = 8;
+  constexpr int kMostCells = 2048, kLeastCells = 512;
+  PackGrid grid;
+  grid.resolution = resolution;
+  grid.padding = padding;
+  grid.border = divideUp(padding, 2);
+  grid.slack = resolution * kRounding;
+  const double side = resolution / std::sqrt(static_cast<double>(std::max<std::size_t>(shapes, 1)));
+  const int cell = std::clamp(static_cast<int>(side / kCellsOfShape),
+                              divideUp(resolution, kMostCells), divideUp(resolution, kLeastCells));
+  const int most =
+      std::min(static_cast<int>(side / kLeastCellsOfShape), resolution - 2 * grid.border);
+  grid.cell = std::max(std::min(cell, most), 1);
+  return grid;
+}
+
+double cellsOf(const PackGrid& grid, double texels) {
+  return std::floor((texels + (kMargin + 1) * grid.slack) / grid.cell) + 1;
+}
+
+PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, double texelsPerUnit, int cellX,
+                       int cellY) {
+  const double margin = grid.border + kMargin * grid.slack;
+  return {cellX * grid.cell + margin - pose.minX * texelsPerUnit,
+          cellY * grid.cell + margin - pose.minY * texelsPerUnit};
+}
+
+const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double texelsPerUnit,
+                                  int padding) {
+  const double cell = grid_.cell;
+  const double scale = texelsPerUnit / cell;
+  const int begin = padding > 0 ? shift() : 0;
+  const double margin = kMargin * grid_.slack / cell + begin;
+  moved_.ends = loops.ends;
+  moved_.points.resize(loops.points.size());
+  for (std::size_t k = 0; k < moved_.points.size(); ++k) {
+    const PlanePoint p = pose.rotated(loops.points[k]);
+    moved_.points[k] = {(p.x - pose.minX) * scale + margin, (p.y - pose.minY) * scale + margin};
+  }
+  bits_.reset(begin + static_cast<int>(cellsOf(grid_, pose.width * texelsPerUnit + padding)),
+              begin + static_cast<int>(cellsOf(grid_, pose.height * texelsPerUnit + padding)));
+  // Boxes of half a side `slack + padding` round the points of an edge touch just those texels that
+  // are within `padding` texels of one that is touched.
+  cover_.cover(moved_, (grid_.slack + padding) / cell, bits_);
+  return bits_;
+}
+
+const BitGrid& PackRaster::takenInTile(const Loops& loops, double originX, double originY) {
+  const double cell = grid_.cell;
+  moved_.ends = loops.ends;
+  moved_.points.clear();
+  for (const PlanePoint& p : loops.points)
+    moved_.points.push_back({((p.x - originX) * grid_.resolution - grid_.border) / cell,
+                             ((p.y - originY) * grid_.resolution - grid_.border) / cell});
+  bits_.reset(grid_.cells(), grid_.cells());
+  cover_.cover(moved_, (grid_.slack + grid_.padding) / cell, bits_);
+  return bits_;
+}
+
+}  // namespace abflat
