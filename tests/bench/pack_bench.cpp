@@ -6,7 +6,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "pack_shapes.h"
+#include "pack/shapes.h"
 
 using namespace abflat;
 
@@ -51,8 +51,8 @@ int main(int argc, char** argv) {
   options.resolution = std::atoi(word(3, "1024"));
   options.padding = std::atoi(word(4, "2"));
   const std::vector<PackShape> shapes =
-      makePackShapes(word(0, "mixed"), static_cast<std::size_t>(std::atoll(word(1, "100"))),
-                     std::atof(word(2, "8")), 1);
+      test::makePackShapes(word(0, "mixed"), static_cast<std::size_t>(std::atoll(word(1, "100"))),
+                           std::atof(word(2, "8")), 1);
   const Result<Packing> packing = pack(shapes, options);
   if (!packing.ok()) {
     std::fprintf(stderr, "%s\n", packing.status.message.c_str());

@@ -47,6 +47,9 @@ double areaOf(const PackShape& shape) {
 
 std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points) {
   std::sort(points.begin(), points.end(), isLess);
+  points.erase(std::unique(points.begin(), points.end(),
+                           [](PlanePoint a, PlanePoint b) { return a.x == b.x && a.y == b.y; }),
+               points.end());
   std::vector<PlanePoint> hull;
   const auto wrap = [&hull](PlanePoint p, std::size_t least) {
     while (hull.size() >= least && !(doubleArea(hull[hull.size() - 2], hull.back(), p) > 0))

@@ -54,11 +54,18 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
   return {};
 }
 
+/// Sizes count to nine digits of the largest: rounding errors must not decide.
 std::vector<std::uint32_t> largestFirst(const std::vector<PackItem>& items) {
+  constexpr double kDigits = 1e9;
+  double largest = 0;
+  for (const PackItem& item : items) largest = std::max(largest, item.size);
+  std::vector<double> size;
+  for (const PackItem& item : items)
+    size.push_back(largest > 0 ? std::round(item.size / largest * kDigits) : 0);
   std::vector<std::uint32_t> order(items.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&items](std::uint32_t a, std::uint32_t b) {
-    return items[a].size != items[b].size ? items[a].size > items[b].size : a < b;
+  std::sort(order.begin(), order.end(), [&size](std::uint32_t a, std::uint32_t b) {
+    return size[a] != size[b] ? size[a] > size[b] : a < b;
   });
   return order;
 }

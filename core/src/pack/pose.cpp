@@ -23,8 +23,6 @@ void measure(Pose& pose, const std::vector<PlanePoint>& hull) {
   pose.height = most.y - least.y;
 }
 
-double squareSide(const Pose& p) { return std::max(p.width, p.height); }
-
 }  // namespace
 
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull) {
@@ -78,18 +76,7 @@ Pose leastBoxPose(const std::vector<PlanePoint>& hull) {
     best.sin = -d.y;
   }
   measure(best, hull);
-  return best.width >= best.height ? best : turned(best, 1, 4, hull);
-}
-
-Pose leastSquarePose(const std::vector<PlanePoint>& hull) {
-  constexpr int kSteps = 64;  // over a quarter turn
-  Pose best = leastBoxPose(hull);
-  const Pose base = best;
-  for (int k = 1; k < kSteps; ++k) {
-    const Pose pose = turned(base, k, 4 * kSteps, hull);
-    if (squareSide(pose) < squareSide(best)) best = pose;
-  }
-  return best;
+  return best.width >= best.height * kAlike ? best : turned(best, 1, 4, hull);
 }
 
 }  // namespace abflat

@@ -21,7 +21,4 @@ Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& 
 /// The least area of the box among all rotations; wider than high.
 Pose leastBoxPose(const std::vector<PlanePoint>& hull);
 
-/// The least side of a square around it among all rotations.
-Pose leastSquarePose(const std::vector<PlanePoint>& hull);
-
 }  // namespace abflat

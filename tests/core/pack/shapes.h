@@ -5,7 +5,7 @@
 
 #include "pack/pack.h"
 
-namespace abflat {
+namespace abflat::test {
 
 /// Charts to try packing on: "discs", "blobs", "stars", "spirals", "letters" (L, U and C),
 /// "needles", "triangles", "rectangles" or "mixed" (all of them). Sizes spread over a factor of
@@ -13,4 +13,4 @@ namespace abflat {
 std::vector<PackShape> makePackShapes(const std::string& kind, std::size_t count, double spread,
                                       unsigned seed);
 
-}  // namespace abflat
+}  // namespace abflat::test

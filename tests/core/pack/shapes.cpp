@@ -1,11 +1,11 @@
-#include "pack_shapes.h"
+#include "pack/shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
 
-namespace abflat {
+namespace abflat::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -156,4 +156,4 @@ std::vector<PackShape> makePackShapes(const std::string& kind, std::size_t count
   return out;
 }
 
-}  // namespace abflat
+}  // namespace abflat::test

@@ -1,0 +1,111 @@
+#include "pack/cover.h"
+
+#include <cmath>
+
+#include "catch.h"
+#include "pack/shapes.h"
+#include "pack/texels.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+constexpr int kSide = 96;
+
+/// A shape moved to somewhere in the grid.
+PackShape inGrid(PackShape shape, unsigned seed) {
+  const double size = 10.0 + seed % 17, x = 40 + 0.37 * (seed % 11), y = 41 + 0.61 * (seed % 13);
+  for (std::size_t i = 0; i < shape.uv.size(); i += 2) {
+    shape.uv[i] = x + size * shape.uv[i];
+    shape.uv[i + 1] = y + size * shape.uv[i + 1];
+  }
+  return shape;
+}
+
+BitGrid covered(const PackShape& shape, double slack) {
+  BitGrid grid;
+  grid.reset(kSide, kSide);
+  Cover().cover(coveringLoops(shape), slack, grid);
+  return grid;
+}
+
+std::vector<PackShape> shapes() {
+  std::vector<PackShape> out = makePackShapes("mixed", 200, 30, 3);
+  for (unsigned i = 0; i < out.size(); ++i) out[i] = inGrid(out[i], i);
+  return out;
+}
+
+int differences(const BitGrid& grid, const Texels& texels, int padding) {
+  BitGrid expected;
+  expected.reset(kSide, kSide);
+  for (const auto& [x, y] : texels)
+    for (int v = y - padding; v <= y + padding; ++v) expected.set(v, x - padding, x + padding);
+  int count = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) count += grid.at(x, y) != expected.at(x, y) ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("cover marks just the cells that triangles touch", "[pack]") {
+  for (const PackShape& shape : shapes()) {
+    const Texels texels = touchedTexels(shape.uv, shape.triangles, 1);
+    CHECK(differences(covered(shape, 1e-6), texels, 0) == 0);
+    for (const int padding : {1, 2, 5})
+      CHECK(differences(covered(shape, padding + 1e-6), texels, padding) == 0);
+  }
+}
+
+TEST_CASE("cover goes without an outline", "[pack]") {
+  for (PackShape shape : shapes()) {
+    const Texels texels = touchedTexels(shape.uv, shape.triangles, 1);
+    shape.outline.clear();
+    CHECK(differences(covered(shape, 1e-6), texels, 0) == 0);
+  }
+}
+
+TEST_CASE("cover includes triangles that are turned over", "[pack]") {
+  // A fan that goes round its centre three times, and one whose centre is outside.
+  for (const double x : {0.0, 25.0}) {
+    PackShape shape;
+    shape.uv = std::vector<double>{45.3 + x, 44.7};
+    constexpr std::uint32_t kSpokes = 31;
+    for (std::uint32_t i = 0; i < kSpokes; ++i) {
+      const double angle = 6 * 3.14159265358979 * i / kSpokes;
+      shape.uv.insert(shape.uv.end(), {45.3 + 20 * std::cos(angle), 44.7 + 20 * std::sin(angle)});
+      shape.triangles.insert(shape.triangles.end(), {0, i + 1, (i + 1) % kSpokes + 1});
+      shape.outline.push_back(i + 1);
+    }
+    const Texels texels = touchedTexels(shape.uv, shape.triangles, 1);
+    CHECK(differences(covered(shape, 1e-6), texels, 0) == 0);
+  }
+}
+
+TEST_CASE("edges on grid lines and nearly horizontal ones are covered", "[pack]") {
+  for (const double tilt : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3})
+    for (const double y : {10.0, 10.5, 11.0 - 1e-9}) {
+      PackShape shape;
+      shape.uv = std::vector<double>{5, y, 80, y + tilt, 80, y + 3};
+      shape.triangles = shape.outline = {0, 1, 2};
+      const Texels texels = touchedTexels(shape.uv, shape.triangles, 1);
+      CHECK(differences(covered(shape, 1e-6), texels, 0) == 0);
+    }
+}
+
+TEST_CASE("runs are the cells of a grid", "[pack]") {
+  for (const PackShape& shape : shapes()) {
+    const BitGrid grid = covered(shape, 0.1);
+    std::vector<Run> runs;
+    appendRuns(grid, runs);
+    BitGrid again;
+    again.reset(kSide, kSide);
+    for (const Run& run : runs) {
+      CHECK((run.first == 0 || !grid.at(run.first - 1, run.row)));
+      CHECK((run.last == kSide - 1 || !grid.at(run.last + 1, run.row)));
+      again.set(run.row, run.first, run.last);
+    }
+    CHECK(again.words == grid.words);
+  }
+}

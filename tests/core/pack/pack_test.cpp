@@ -1,0 +1,236 @@
+#include "pack/pack.h"
+
+#include <cmath>
+#include <string>
+
+#include "catch.h"
+#include "pack/shapes.h"
+#include "pack/texels.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+PackOptions at(int resolution, int padding) {
+  PackOptions options;
+  options.resolution = resolution;
+  options.padding = padding;
+  return options;
+}
+
+PackShape rectangle(double width, double height) {
+  PackShape s;
+  s.uv = {0, 0, width, 0, width, height, 0, height};
+  s.triangles = {0, 1, 2, 0, 2, 3};
+  s.outline = {0, 1, 2, 3};
+  return s;
+}
+
+PackShape scaled(PackShape shape, double by) {
+  for (double& x : shape.uv) x *= by;
+  return shape;
+}
+
+Packing packed(const std::vector<PackShape>& shapes, const PackOptions& options) {
+  const Result<Packing> result = pack(shapes, options);
+  INFO(result.status.message);
+  REQUIRE(result.ok());
+  REQUIRE(result.value.placements.size() == shapes.size());
+  return result.value;
+}
+
+void checkPacked(const std::vector<PackShape>& shapes, const PackOptions& options) {
+  const Packing packing = packed(shapes, options);
+  CHECK(complaint(shapes, packing, options) == "");
+  CHECK(complaint(shapes, packing, options, true) == "");
+  for (const Placement& p : packing.placements)
+    CHECK(std::hypot(p.a, p.b) == Approx(packing.scale).epsilon(1e-13));
+  CHECK(packing.utilization > 0);
+  CHECK(packing.utilization < 1);
+}
+
+}  // namespace
+
+TEST_CASE("no texel has two charts, and padding lies between them", "[pack]") {
+  const char* const kind = GENERATE("mixed", "stars", "spirals", "letters", "needles", "triangles");
+  for (const std::size_t count : {1, 3, 30})
+    for (const int resolution : {100, 257})
+      for (const int padding : {0, 1, 2, 5}) {
+        CAPTURE(kind, count, resolution, padding);
+        checkPacked(makePackShapes(kind, count, 10, static_cast<unsigned>(count)),
+                    at(resolution, padding));
+      }
+}
+
+TEST_CASE("the same where cells are larger than texels", "[pack]") {
+  for (const std::size_t count : {3, 30})
+    for (const int padding : {0, 4, 9}) {
+      CAPTURE(count, padding);
+      checkPacked(makePackShapes("mixed", count, 5, 8), at(1030, padding));
+    }
+}
+
+TEST_CASE("thousands of small charts, and tiny ones beside large ones", "[pack]") {
+  checkPacked(makePackShapes("mixed", 3000, 4, 1), at(512, 2));
+  std::vector<PackShape> shapes = makePackShapes("mixed", 30, 2, 1);
+  for (const PackShape& tiny : makePackShapes("mixed", 100, 2, 2))
+    shapes.push_back(scaled(tiny, 1e-6));
+  checkPacked(shapes, at(128, 2));
+  shapes.push_back(scaled(rectangle(1, 1), 0));
+  shapes.emplace_back();
+  const Packing packing = packed(shapes, at(128, 2));
+  CHECK(complaint(shapes, packing, at(128, 2)) == "");
+}
+
+TEST_CASE("as many texels as charts is enough room", "[pack]") {
+  std::vector<PackShape> shapes = makePackShapes("triangles", 400, 3, 1);
+  for (const int padding : {0, 1, 2, 3}) {
+    const int least = 20 + 19 * padding + 2 * ((padding + 1) / 2);
+    checkPacked(shapes, at(least, padding));
+    const Result<Packing> none = pack(shapes, at(least - 1, padding));
+    CHECK(none.status.code == StatusCode::InvalidOption);
+    CHECK(none.status.message.find("raise the resolution to " + std::to_string(least)) !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("the unit of the charts does not matter", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 40, 5, 6);
+  const PackOptions options = at(300, 2);
+  const Packing first = packed(shapes, options);
+  for (const double unit : {1e-6, 1e-3, 7.0, 1e6}) {
+    std::vector<PackShape> others;
+    for (const PackShape& s : shapes) others.push_back(scaled(s, unit));
+    const Packing second = packed(others, options);
+    CHECK(second.scale * unit == Approx(first.scale).epsilon(1e-9));
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const std::vector<double> a = placed(shapes[i], first.placements[i], false);
+      const std::vector<double> b = placed(others[i], second.placements[i], false);
+      for (std::size_t k = 0; k < a.size(); ++k) CHECK(std::abs(a[k] - b[k]) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("threads do not change a packing", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 300, 5, 6);
+  PackOptions options = at(512, 2);
+  const Packing one = packed(shapes, options);
+  ThreadPool pool(3);
+  options.pool = &pool;
+  const Packing three = packed(shapes, options);
+  CHECK(one.scale == three.scale);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    CHECK(one.placements[i].a == three.placements[i].a);
+    CHECK(one.placements[i].b == three.placements[i].b);
+    CHECK(one.placements[i].x == three.placements[i].x);
+    CHECK(one.placements[i].y == three.placements[i].y);
+  }
+}
+
+TEST_CASE("tiles are well used", "[pack]") {
+  const auto used = [](const std::vector<PackShape>& shapes) {
+    return packed(shapes, at(1024, 2)).utilization;
+  };
+  CHECK(used({rectangle(2, 2)}) > 0.98);
+  CHECK(used(std::vector<PackShape>(4, rectangle(3, 3))) > 0.97);
+  CHECK(used(std::vector<PackShape>(64, rectangle(1, 1))) > 0.93);
+  // In the hole of a frame with a slit fits what is a little smaller.
+  PackShape frame;
+  frame.uv = {0,   0,   1,   0,   1,   1,   0,    1,   0,    0.02,  0.1, 0.02,
+              0.1, 0.9, 0.9, 0.9, 0.9, 0.1, 0.02, 0.1, 0.02, 0.015, 0,   0.01};
+  frame.triangles = {0, 1, 8, 0, 8, 9, 1, 2, 8, 2, 7, 8, 2, 3, 7, 3, 6, 7, 3, 4, 6, 4, 5, 6};
+  frame.outline = {};
+  CHECK(used({frame, rectangle(0.75, 0.75)}) > 0.85);
+  CHECK(used(makePackShapes("mixed", 100, 8, 1)) > 0.65);
+}
+
+TEST_CASE("a density is kept, and takes as many tiles as it needs", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 60, 3, 2);
+  PackOptions options = at(200, 2);
+  const double most = packed(shapes, options).texelDensity;
+  options.texelDensity = 0.7 * most;
+  Packing packing = packed(shapes, options);
+  CHECK(packing.scale == options.texelDensity / 200);
+  CHECK(packing.tiles == 1);
+  CHECK(complaint(shapes, packing, options) == "");
+
+  options.texelDensity = 2.5 * most;
+  const Result<Packing> none = pack(shapes, options);
+  CHECK(none.status.code == StatusCode::InvalidOption);
+  CHECK(none.status.message.find("do not fit one tile") != std::string::npos);
+  options.udim = true;
+  packing = packed(shapes, options);
+  CHECK(packing.scale == options.texelDensity / 200);
+  CHECK(packing.tiles >= 5);
+  CHECK(packing.tiles <= 10);
+  CHECK(complaint(shapes, packing, options) == "");
+  CHECK(complaint(shapes, packing, options, true) == "");
+
+  options.texelDensity = 50 * most;
+  CHECK(pack(shapes, options).status.message.find("does not fit a tile") != std::string::npos);
+}
+
+TEST_CASE("fixed charts stay, and others go around them", "[pack]") {
+  std::vector<PackShape> shapes = makePackShapes("mixed", 30, 3, 2);
+  PackShape fixed = rectangle(0.5, 0.25);
+  for (std::size_t i = 0; i < fixed.uv.size(); ++i) fixed.uv[i] += 0.3;
+  fixed.isFixed = true;
+  shapes.insert(shapes.begin() + 7, fixed);
+  PackOptions options = at(256, 2);
+  Packing packing = packed(shapes, options);
+  CHECK(complaint(shapes, packing, options) == "");
+  CHECK(placed(fixed, packing.placements[7], false) == fixed.uv);
+
+  // In another tile.
+  options.texelDensity = packing.texelDensity;
+  options.udim = true;
+  for (std::size_t i = 0; i < fixed.uv.size(); ++i) shapes[7].uv[i] += i % 2 ? 1 : 3;
+  packing = packed(shapes, options);
+  CHECK(packing.placements[7].tile == 13);
+  CHECK(packing.tiles == 14);
+  CHECK(complaint(shapes, packing, options) == "");
+  options.udim = false;
+  CHECK(pack(shapes, options).status.message.find("chart 7 is fixed") == 0);
+}
+
+TEST_CASE("what cannot be packed is named", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 3, 3, 2);
+  CHECK(pack(shapes, at(0, 0)).status.code == StatusCode::InvalidOption);
+  CHECK(pack(shapes, at(8, -1)).status.code == StatusCode::InvalidOption);
+  CHECK(pack(shapes, at(8, 8)).status.code == StatusCode::InvalidOption);
+  PackOptions options;
+  options.texelDensity = std::nan("");
+  CHECK(pack(shapes, options).status.code == StatusCode::InvalidOption);
+  std::vector<PackShape> broken = shapes;
+  broken[1].uv[3] = INFINITY;
+  CHECK(pack(broken, {}).status.message.find("chart 1 ") == 0);
+  options = {};
+  options.progress = [](double) { return false; };
+  CHECK(pack(shapes, options).status.code == StatusCode::Aborted);
+  CHECK(packed({}, {}).tiles == 1);
+}
+
+TEST_CASE("progress grows from 0 to at most 1", "[pack]") {
+  PackOptions options;
+  double last = 0;
+  int calls = 0;
+  options.progress = [&](double share) {
+    CHECK(share >= last);
+    CHECK(share <= 1);
+    last = share;
+    ++calls;
+    return true;
+  };
+  packed(makePackShapes("mixed", 200, 3, 2), options);
+  CHECK(calls > 3);
+}
+
+TEST_CASE("without rotation charts keep their pose", "[pack]") {
+  PackOptions options;
+  options.rotate = false;
+  for (const Placement& p : packed(makePackShapes("mixed", 50, 3, 2), options).placements) {
+    CHECK(p.b == 0);
+    CHECK(p.a > 0);
+  }
+}
