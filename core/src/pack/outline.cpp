@@ -38,11 +38,23 @@ Loops coveringLoops(const PackShape& shape) {
   return out;
 }
 
-double areaOf(const PackShape& shape) {
-  double sum = 0;
-  for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3)
-    sum += std::abs(doubleArea(shape, t));
-  return sum / 2;
+Mass massOf(const PackShape& shape) {
+  Mass out;
+  if (shape.triangles.empty()) return out;
+  const PlanePoint origin = pointOf(shape, shape.triangles[0]);
+  PlanePoint sum;
+  for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
+    const double area = std::abs(doubleArea(shape, t)) / 2;
+    out.area += area;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlanePoint p = pointOf(shape, shape.triangles[t + k]);
+      sum.x += area / 3 * (p.x - origin.x);
+      sum.y += area / 3 * (p.y - origin.y);
+    }
+  }
+  out.center = origin;
+  if (out.area > 0) out.center = {origin.x + sum.x / out.area, origin.y + sum.y / out.area};
+  return out;
 }
 
 std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points) {

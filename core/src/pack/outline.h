@@ -22,8 +22,11 @@ struct Loops {
 /// positively oriented has a loop of its own, since it may cancel others in the outline's winding.
 Loops coveringLoops(const PackShape& shape);
 
-/// Sum of the triangles' areas.
-double areaOf(const PackShape& shape);
+struct Mass {
+  double area = 0;  ///< of all triangles together, whichever way they are turned
+  PlanePoint center;
+};
+Mass massOf(const PackShape& shape);
 
 /// Strictly convex, counter-clockwise; one or two points when all lie in a point or on a line.
 std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points);

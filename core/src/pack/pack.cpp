@@ -6,6 +6,7 @@
 
 #include "io/number_text.h"
 #include "pack/scale_search.h"
+#include "pack/strategies.h"
 #include "stopwatch.h"
 
 namespace abflat {
@@ -52,22 +53,6 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
                                              " has a coordinate that is not finite; charts must be "
                                              "flattened before they are packed"};
   return {};
-}
-
-/// Sizes count to nine digits of the largest: rounding errors must not decide.
-std::vector<std::uint32_t> largestFirst(const std::vector<PackItem>& items) {
-  constexpr double kDigits = 1e9;
-  double largest = 0;
-  for (const PackItem& item : items) largest = std::max(largest, item.size);
-  std::vector<double> size;
-  for (const PackItem& item : items)
-    size.push_back(largest > 0 ? std::round(item.size / largest * kDigits) : 0);
-  std::vector<std::uint32_t> order(items.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&size](std::uint32_t a, std::uint32_t b) {
-    return size[a] != size[b] ? size[a] > size[b] : a < b;
-  });
-  return order;
 }
 
 /// Side of the least tile in which that many single texels have their padding.
@@ -126,31 +111,22 @@ class Packer {
     return {};
   }
 
-  /// More rotations where there are few charts: there they matter more, and cost less.
-  int angles() const {
-    if (!options_.rotate) return 1;
-    const std::size_t count = movable_.size();
-    return count <= 4 ? 64 : count <= 16 ? 32 : count <= 200 ? 8 : 4;
-  }
-
   void makeItems() {
     items_.resize(movable_.size());
-    const int count = angles();
-    parallelFor(options_.pool, items_.size(), [this, count](std::size_t i) {
+    const int poses = options_.rotate ? posesFor(movable_.size()) : 1;
+    parallelFor(options_.pool, items_.size(), [this, poses](std::size_t i) {
       const PackShape& shape = shapes_[movable_[i]];
       PackItem& item = items_[i];
       item.loops = coveringLoops(shape);
-      item.area = areaOf(shape);
+      item.mass = massOf(shape);
       const std::vector<PlanePoint> hull = convexHull(item.loops.points);
-      const Pose base = count > 1 ? leastBoxPose(hull) : turned({}, 0, 4, hull);
-      for (int k = 0; k < count; ++k) item.poses.push_back(turned(base, k, count, hull));
-      item.size = base.width * base.height;
+      const Pose base = options_.rotate ? leastBoxPose(hull) : Pose{};
+      for (int k = 0; k < poses; ++k) item.poses.push_back(turned(base, k, poses, hull));
     });
-    order_ = largestFirst(items_);
   }
 
   Status placeInOneTile() {
-    ScaleSearch found = searchScale(items_, order_, grid_, tiles_[0], options_.progress);
+    ScaleSearch found = searchScale(items_, grid_, tiles_[0], options_.progress);
     tries_ = found.tries;
     density_ = found.texelsPerUnit;
     placed_ = std::move(found.best);
@@ -176,7 +152,7 @@ class Packer {
         return placed % 64 != 0 ||
                options_.progress(static_cast<double>(placed) / static_cast<double>(items_.size()));
       };
-    placed_ = place(items_, order_, grid_, tiles_, options);
+    placed_ = place(items_, strategiesFor(items_)[0], grid_, tiles_, options);
     tries_ = 1;
     if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
     if (placed_.fit == Fit::All) return {};
@@ -206,12 +182,12 @@ class Packer {
       out.placements[i].tile = tile;
       out.placements[i].x = -static_cast<double>(tile % 10);
       out.placements[i].y = -static_cast<double>(tile / 10);
-      area += areaOf(shapes_[i]);
+      area += massOf(shapes_[i]).area;
     }
     for (std::size_t k = 0; k < items_.size(); ++k) {
       const Spot& spot = placed_.spots[k];
       Placement& p = out.placements[movable_[k]];
-      area += items_[k].area * out.scale * out.scale;
+      area += items_[k].mass.area * out.scale * out.scale;
       if (items_[k].loops.points.empty()) continue;
       const Pose& pose = items_[k].poses[spot.pose];
       const PlanePoint origin = texelOrigin(grid_, pose, density_, spot.cell.x, spot.cell.y);
@@ -228,7 +204,6 @@ class Packer {
   std::vector<std::uint32_t> fixedTile_;  ///< per shape
   std::vector<FreeMap> tiles_;
   std::vector<PackItem> items_;
-  std::vector<std::uint32_t> order_;
   Placed placed_;
   double density_ = 0;
   int tries_ = 0;

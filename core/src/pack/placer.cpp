@@ -14,37 +14,42 @@ std::size_t sizeClass(double x) {
   return static_cast<std::size_t>(2 * (exponent - 1) + (mantissa >= 0.70710678118654752 ? 1 : 0));
 }
 
-/// Remembers for shapes of about the same size and filling below which row none of them fits any
-/// more, so that the thousandth does not begin its search at the bottom.
+/// Rounding errors must not choose between poses that are alike.
+double rounded(double cells) { return std::round(cells * 256) / 256; }
+
+/// Remembers for shapes of about the same size and filling, and for each quarter turn, below which
+/// row none of them fits any more, so that the thousandth does not begin its search at the bottom.
 class SearchBegins {
  public:
-  int& of(double width, double height, double area) {
-    const std::size_t key = (sizeClass(width) * kClasses + sizeClass(height)) * 2 * kClasses +
-                            std::min(sizeClass(area), 2 * kClasses - 1);
-    return begins_[key];
+  int& of(double width, double height, double area, std::size_t quarter) {
+    const std::size_t filling = std::min(sizeClass(area), 2 * kClasses - 1);
+    return begins_[((sizeClass(width) * kClasses + sizeClass(height)) * 2 * kClasses + filling) *
+                       4 +
+                   quarter];
   }
 
  private:
   static constexpr std::size_t kClasses = 24;  // sides up to 2^12 cells
-  std::vector<int> begins_ = std::vector<int>(kClasses * kClasses * 2 * kClasses);
+  std::vector<int> begins_ = std::vector<int>(kClasses * kClasses * 2 * kClasses * 4);
 };
 
 class Placer {
  public:
-  Placer(const std::vector<PackItem>& items, const PackGrid& grid,
+  Placer(const std::vector<PackItem>& items, const PlaceStrategy& strategy, const PackGrid& grid,
          const std::vector<FreeMap>& start, const PlaceOptions& options)
       : items_(items),
+        strategy_(strategy),
         grid_(grid),
         options_(options),
         tiles_(start),
         begins_(start.size()),
         raster_(grid) {}
 
-  Placed run(const std::vector<std::uint32_t>& order) {
+  Placed run() {
     Placed out;
     out.spots.resize(items_.size());
     std::size_t count = 0;
-    for (const std::uint32_t i : order) {
+    for (const std::uint32_t i : strategy_.order) {
       if (options_.onPlaced && !options_.onPlaced(count)) {
         out.fit = Fit::Cancelled;
         return out;
@@ -80,25 +85,31 @@ class Placer {
   bool findIn(std::uint32_t t, std::uint32_t i, Spot& spot) {
     FreeMap& tile = tiles_[t];
     const PackItem& item = items_[i];
-    const double scale = options_.texelsPerUnit;
-    const double area = item.area * scale * scale / grid_.cell / grid_.cell;
-    int top = tile.height() + 1;
-    for (std::uint32_t p = 0; p < item.poses.size(); ++p) {
+    const double scale = options_.texelsPerUnit, cell = grid_.cell;
+    const double area = item.mass.area * (scale / cell) * (scale / cell);
+    const std::size_t poses = item.poses.size();
+    const std::size_t step =
+        std::max<std::size_t>(poses / static_cast<std::size_t>(strategy_.angles), 1);
+    double lowest = 2.0 * tile.height();
+    bool isFound = false;
+    for (std::size_t p = 0; p < poses; p += step) {
       const Pose& pose = item.poses[p];
       const double width = cellsOf(grid_, pose.width * scale);
       const double height = cellsOf(grid_, pose.height * scale);
       if (width > tile.width() || height > tile.height()) continue;
-      int& begin = begins_[t].of(width, height, area);
-      const int end = top - static_cast<int>(height);
+      const double above = rounded((pose.rotated(item.mass.center).y - pose.minY) * scale / cell);
+      const int end = std::min(static_cast<int>(std::ceil(lowest - above)), tile.height());
+      int& begin = begins_[t].of(width, height, area, 4 * p / poses);
       if (begin >= end) continue;
       footprint_.set(raster_.touched(item.loops, pose, scale));
-      const Cell cell = tile.find(footprint_, begin, end);
-      begin = std::max(begin, cell.isFound() ? cell.y : end);
-      if (!cell.isFound()) continue;
-      top = cell.y + footprint_.height;
-      spot = {t, p, cell};
+      const Cell found = tile.find(footprint_, begin, end);
+      begin = std::max(begin, found.isFound() ? found.y : end);
+      if (!found.isFound()) continue;
+      lowest = found.y + above;
+      isFound = true;
+      spot = {t, static_cast<std::uint32_t>(p), found};
     }
-    return top <= tile.height();
+    return isFound;
   }
 
   void take(std::uint32_t i, const Spot& spot) {
@@ -108,6 +119,7 @@ class Placer {
   }
 
   const std::vector<PackItem>& items_;
+  const PlaceStrategy& strategy_;
   const PackGrid& grid_;
   const PlaceOptions& options_;
   std::vector<FreeMap> tiles_;
@@ -118,9 +130,9 @@ class Placer {
 
 }  // namespace
 
-Placed place(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
+Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
              const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options) {
-  return Placer(items, grid, start, options).run(order);
+  return Placer(items, strategy, grid, start, options).run();
 }
 
 }  // namespace abflat

@@ -14,9 +14,14 @@ namespace abflat {
 /// A shape as the placing needs it.
 struct PackItem {
   Loops loops;
-  std::vector<Pose> poses;
-  double area = 0;
-  double size = 0;  ///< larger ones are placed earlier
+  std::vector<Pose> poses;  ///< a full turn in equal steps; the first is that of the least box
+  Mass mass;
+};
+
+/// How placing goes about it.
+struct PlaceStrategy {
+  std::vector<std::uint32_t> order;  ///< of the items
+  int angles = 4;                    ///< of the poses, as many are tried
 };
 
 struct Spot {
@@ -39,9 +44,9 @@ struct Placed {
   std::uint32_t missing = 0;  ///< the first item that found no place, unless all did
 };
 
-/// Items in the given order, each at the place with the lowest top among all its poses, in the
-/// first tile that has one. `start`: tiles that are partly taken; more are added behind them.
-Placed place(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
+/// Items in order, each in the pose and at the place where its mass is lowest, in the first tile
+/// that has one. `start`: tiles that are partly taken; more are added behind them.
+Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
              const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options);
 
 }  // namespace abflat

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pack/strategies.h"
+
 namespace abflat {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double grownArea(const std::vector<PackItem>& items, double scale, double gap) {
   double sum = 0;
   for (const PackItem& item : items) {
-    const double side = std::sqrt(item.area) * scale + gap;
+    const double side = std::sqrt(item.mass.area) * scale + gap;
     sum += side * side;
   }
   return sum;
@@ -32,50 +34,56 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 
 class Search {
  public:
-  Search(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
-         const PackGrid& grid, const FreeMap& tile, const std::function<bool(double)>& progress)
-      : items_(items), order_(order), grid_(grid), start_(1, tile), progress_(progress) {}
+  Search(const std::vector<PackItem>& items, const PackGrid& grid, const FreeMap& tile,
+         const std::function<bool(double)>& progress)
+      : items_(items),
+        grid_(grid),
+        start_(1, tile),
+        progress_(progress),
+        strategies_(strategiesFor(items)) {}
 
   ScaleSearch run() {
     bound();
-    double low = 0, high = 0;  // fits, does not fit
     const double first = firstGuess();
-    if (attempt(first)) {
-      low = first;
-      high = most_;
-      for (double step = 1.04; low * kPrecision < most_ && !isCancelled(); step *= step) {
-        const double scale = std::min(low * step, most_);
-        if (!attempt(scale)) {
-          high = scale;
-          break;
-        }
-        low = scale;
+    if (attempt(first, 0)) {
+      for (double step = 1.05; climb(step, 0); step *= step) {
       }
-    } else {
-      high = first;
-      for (double step = 0.96; low == 0 && !isCancelled(); step *= step) {
-        const double scale = std::max(high * step, least_);
-        if (attempt(scale)) {
-          low = scale;
-        } else {
-          if (scale == least_) return std::move(out_);
-          high = scale;
-        }
-      }
+    } else if (!descend(first)) {
+      return std::move(out_);
     }
-    while (!isCancelled() && high > low * kPrecision) {
-      const double middle = std::sqrt(low * high);
-      (attempt(middle) ? low : high) = middle;
-    }
-    if (isCancelled()) out_.best.fit = Fit::Cancelled;
+    for (const double step : {1.03, 1.01, 1.003}) climbAnyhow(step);
+    if (isCancelled_) out_.best.fit = Fit::Cancelled;
     return std::move(out_);
   }
 
  private:
-  static constexpr double kPrecision = 1.004;
-  static constexpr double kUsualTries = 9;
+  /// One step up from the best.
+  bool climb(double step, std::size_t strategy) {
+    const double scale = std::min(out_.texelsPerUnit * step, most_);
+    return scale > out_.texelsPerUnit && attempt(scale, strategy);
+  }
 
-  bool isCancelled() const { return isCancelled_; }
+  /// Steps up until no strategy has one any more, beginning with the last that had.
+  void climbAnyhow(double step) {
+    for (std::size_t failures = 0; failures < strategies_.size() && !isCancelled_;) {
+      if (climb(step, lastGood_)) {
+        failures = 0;
+      } else {
+        ++failures;
+        lastGood_ = (lastGood_ + 1) % strategies_.size();
+      }
+    }
+  }
+
+  /// False when nothing fits.
+  bool descend(double from) {
+    double scale = from;
+    for (double step = 0.95; scale > least_ && !isCancelled_; step *= step) {
+      scale = std::max(scale * step, least_);
+      if (attempt(scale, 0)) return true;
+    }
+    return false;
+  }
 
   /// No scale above `most_` is possible, because of the boxes of the items and their area; at
   /// `least_` each item takes one texel.
@@ -110,17 +118,19 @@ class Search {
     return std::max({scale, 1e-3 * most_, least_});
   }
 
-  bool attempt(double scale) {
+  bool attempt(double scale, std::size_t strategy) {
+    if (isCancelled_) return false;
     PlaceOptions options;
     options.texelsPerUnit = scale;
     if (progress_)
       options.onPlaced = [this](std::size_t placed) {
         if (placed % 64) return true;
         const double share = static_cast<double>(placed) / static_cast<double>(items_.size());
-        return progress_(1 - std::exp(-2 * (out_.tries - 1 + share) / kUsualTries));
+        const double usualTries = 6 + 3 * static_cast<double>(strategies_.size());
+        return progress_(1 - std::exp(-2 * (out_.tries - 1 + share) / usualTries));
       };
     ++out_.tries;
-    Placed placed = place(items_, order_, grid_, start_, options);
+    Placed placed = place(items_, strategies_[strategy], grid_, start_, options);
     if (placed.fit == Fit::Cancelled) isCancelled_ = true;
     const bool fits = placed.fit == Fit::All;
     if (fits || out_.texelsPerUnit == 0) out_.best = std::move(placed);
@@ -129,10 +139,11 @@ class Search {
   }
 
   const std::vector<PackItem>& items_;
-  const std::vector<std::uint32_t>& order_;
   const PackGrid& grid_;
   const std::vector<FreeMap> start_;
   const std::function<bool(double)>& progress_;
+  const std::vector<PlaceStrategy> strategies_;
+  std::size_t lastGood_ = 0;
   ScaleSearch out_;
   double most_ = 0, least_ = 0;
   bool isCancelled_ = false;
@@ -140,10 +151,9 @@ class Search {
 
 }  // namespace
 
-ScaleSearch searchScale(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
-                        const PackGrid& grid, const FreeMap& tile,
-                        const std::function<bool(double)>& progress) {
-  return Search(items, order, grid, tile, progress).run();
+ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
+                        const FreeMap& tile, const std::function<bool(double)>& progress) {
+  return Search(items, grid, tile, progress).run();
 }
 
 }  // namespace abflat

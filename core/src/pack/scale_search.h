@@ -10,10 +10,9 @@ struct ScaleSearch {
   int tries = 0;
 };
 
-/// The largest scale at which all items fit one tile, up to half a percent. `tile`: what others
-/// have taken. `progress` is told a rough 0..1; false cancels.
-ScaleSearch searchScale(const std::vector<PackItem>& items, const std::vector<std::uint32_t>& order,
-                        const PackGrid& grid, const FreeMap& tile,
-                        const std::function<bool(double)>& progress);
+/// The largest scale that is found at which all items fit one tile. `tile`: what others have taken.
+/// `progress` is told a rough 0..1; false cancels.
+ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
+                        const FreeMap& tile, const std::function<bool(double)>& progress);
 
 }  // namespace abflat

@@ -1,0 +1,63 @@
+#include "pack/strategies.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abflat {
+namespace {
+
+enum class Key { Box, Slim, Side };
+constexpr Key kKeys[] = {Key::Box, Key::Slim, Key::Side};
+
+double sizeOf(const PackItem& item, Key key) {
+  if (item.poses.empty()) return 0;
+  const double width = item.poses[0].width, height = item.poses[0].height;
+  if (key == Key::Box) return width * height;
+  if (key == Key::Slim) return width * std::sqrt(width * height);
+  return width * width;
+}
+
+/// In [0, 1), different for each item and each round.
+double disorder(std::uint64_t item, std::uint64_t round) {
+  std::uint64_t x = (item + 1) * 0x9E3779B97F4A7C15u + round * 0xBF58476D1CE4E5B9u;
+  x = (x ^ x >> 31) * 0x94D049BB133111EBu;
+  return static_cast<double>((x ^ x >> 29) >> 11) * 0x1p-53;
+}
+
+/// Largest first. Sizes count to nine digits of the largest: rounding errors must not decide.
+std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, unsigned round) {
+  constexpr double kDigits = 1e9, kDisorder = 0.4;
+  double largest = 0;
+  for (const PackItem& item : items) largest = std::max(largest, sizeOf(item, key));
+  std::vector<double> size;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    double share = largest > 0 ? sizeOf(items[i], key) / largest : 0;
+    if (round > 0) share *= 1 - kDisorder * disorder(i, round);
+    size.push_back(std::round(share * kDigits));
+    order.push_back(i);
+  }
+  std::sort(order.begin(), order.end(), [&size](std::uint32_t a, std::uint32_t b) {
+    return size[a] != size[b] ? size[a] > size[b] : a < b;
+  });
+  return order;
+}
+
+}  // namespace
+
+int posesFor(std::size_t items) { return items <= 4 ? 64 : 16; }
+
+std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
+  const std::size_t n = items.size();
+  const int many = posesFor(n);
+  const std::size_t count = n <= 4 ? 6 : n <= 40 ? 12 : n <= 150 ? 6 : n <= 1000 ? 2 : 1;
+  std::vector<PlaceStrategy> out;
+  for (std::size_t k = 0; k < count; ++k) {
+    // Every second one with more angles; after all keys have had their turn, in slight disorder.
+    const int angles = n <= 4 ? many : k % 2 == 0 ? 4 : k % 4 == 1 ? many : 8;
+    out.push_back({ordered(items, kKeys[k % 3], static_cast<unsigned>(k / 3)), angles});
+  }
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "pack/placer.h"
+
+namespace abflat {
+
+/// Poses that items need for the strategies.
+int posesFor(std::size_t items);
+
+/// Ways to place the items that are worth trying, the most promising first. Which of them packs
+/// best is a matter of luck: where there are few items, so that placing is cheap, there are more.
+std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items);
+
+}  // namespace abflat
