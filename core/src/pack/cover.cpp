@@ -41,8 +41,8 @@ void BitGrid::set(int y, int first, int last) {
   r[b] |= tail;
 }
 
-/// Marks the cells along an edge, and notes where it crosses the middles of rows. The cells of the
-/// crossings are covered, since the edge is, so that their exact places do not matter.
+/// Marks the cells along an edge, and notes where it crosses the middles of rows. For a crossing
+/// any cell of the edge's in that row will do: the winding number matters only where no edge is.
 void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
   const std::int32_t direction = a.y < b.y ? 1 : -1;
   if (direction < 0) std::swap(a, b);
@@ -52,7 +52,7 @@ void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
   const int lastRow = std::min(cell(b.y + slack, gridHeight), grid.height - 1);
   const double rise = b.y - a.y;
   // Below that the slope would magnify the rounding errors of y beyond the slack.
-  const bool isFlat = !(rise > slack * 0x1p-12);
+  const bool isFlat = firstRow == lastRow || !(rise > slack * 0x1p-12);
   const double slope = isFlat ? 0 : (b.x - a.x) / rise;
   for (int y = firstRow; y <= lastRow; ++y) {
     double x0 = least, x1 = most;
@@ -62,12 +62,10 @@ void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
       x0 = std::max(std::min(from, to), least);
       x1 = std::min(std::max(from, to), most);
     }
-    grid.set(y, cell(x0 - slack, gridWidth), cell(x1 + slack, gridWidth));
+    const int first = cell(x0 - slack, gridWidth);
+    grid.set(y, first, cell(x1 + slack, gridWidth));
     const double middle = y + 0.5;
-    if (a.y <= middle && middle < b.y) {
-      const double x = std::min(std::max(a.x + slope * (middle - a.y), least), most);
-      crossings_.push_back({y, cell(x, gridWidth), direction});
-    }
+    if (a.y <= middle && middle < b.y) crossings_.push_back({y, first, direction});
   }
 }
 

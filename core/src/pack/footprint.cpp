@@ -20,6 +20,11 @@ void Footprint::set(const BitGrid& grid) {
   if (inOrder_.empty()) return;
   const auto isShorter = [](const Run& a, const Run& b) { return lengthOf(a) < lengthOf(b); };
   std::swap(*std::max_element(inOrder_.begin(), inOrder_.end(), isShorter), inOrder_.front());
+  longest.assign(static_cast<std::size_t>(height), 0);
+  for (const Run& run : inOrder_) {
+    std::int32_t& most = longest[static_cast<std::size_t>(run.row)];
+    most = std::max(most, run.last + 1 - run.first);
+  }
   const auto count = static_cast<std::uint32_t>(inOrder_.size());
   for (std::uint32_t step = 1 << floorLog2(count), first = 0; step > 0; step /= 2) {
     for (std::uint32_t i = first; i < count; i += first == 0 ? step : 2 * step)

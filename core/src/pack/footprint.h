@@ -11,6 +11,7 @@ namespace abflat {
 struct Footprint {
   int width = 0, height = 0;
   std::vector<Run> runs;
+  std::vector<std::int32_t> longest;  ///< cells of the longest run of each row
 
   /// The longest run comes first, then rows far apart: what does not fit shows early.
   void set(const BitGrid& grid);

@@ -13,7 +13,7 @@ FreeMap::FreeMap(int width, int height)
       // Reading 64 bits from any cell stays inside.
       stride_(static_cast<std::size_t>(width) / 64 + 2),
       words_(stride_ * static_cast<std::size_t>(levels_) * static_cast<std::size_t>(height)),
-      longest_(static_cast<std::size_t>(height), width),
+      longest_(static_cast<std::size_t>(height), {0, width}),
       places_(stride_),
       scratch_(stride_) {
   for (int k = 0; k < levels_; ++k) {
@@ -33,10 +33,26 @@ double FreeMap::freeCells() const {
   return count;
 }
 
-bool FreeMap::fitsRuns(const Footprint& footprint, int y) const {
-  for (const Run& run : footprint.runs)
-    if (run.last - run.first >= longest_[static_cast<std::size_t>(y + run.row)]) return false;
-  return true;
+/// The first row from y on, or `end`, where the first runs of the footprint are no longer than what
+/// is free in their rows.
+int FreeMap::firstHopeful(const Footprint& footprint, int y, int end) const {
+  constexpr std::size_t kLooks = 24;
+  const std::size_t count = std::min(footprint.runs.size(), kLooks);
+  for (std::size_t k = 0, good = 0; good < count && y < end;) {
+    const Run& run = footprint.runs[k];
+    const int row = y + run.row;
+    const int length = longest_[static_cast<std::size_t>(row)].length;
+    if (run.last - run.first < length) {
+      ++good;
+      k = k + 1 < count ? k + 1 : 0;
+      continue;
+    }
+    // Up to where all of that row that is too long has moved past it.
+    good = 0;
+    while (y < end && y <= row && footprint.longest[static_cast<std::size_t>(row - y)] > length)
+      ++y;
+  }
+  return y;
 }
 
 int FreeMap::findInRow(const Footprint& footprint, int y) {
@@ -66,10 +82,9 @@ int FreeMap::findInRow(const Footprint& footprint, int y) {
 Cell FreeMap::find(const Footprint& footprint, int begin, int end) {
   if (footprint.width > width_ || footprint.runs.empty()) return {};
   end = std::min(end, height_ - footprint.height + 1);
-  for (int y = begin; y < end; ++y) {
-    if (!fitsRuns(footprint, y)) continue;
+  for (int y = firstHopeful(footprint, begin, end); y < end;
+       y = firstHopeful(footprint, y + 1, end))
     if (const int x = findInRow(footprint, y); x >= 0) return {x, y};
-  }
   return {};
 }
 
@@ -103,37 +118,34 @@ void FreeMap::update(int y, int first, int last) {
     for (int w = begin; w <= last >> 6; ++w)
       to[w] = from[w] & bitsFrom(from, std::min(64 * w + (1 << (k - 1)), width_));
   }
-  measureLongest(y);
+  const FreeRun& longest = longest_[static_cast<std::size_t>(y)];
+  if (last >= longest.begin && first < longest.begin + longest.length) boundLongest(y);
 }
 
-void FreeMap::measureLongest(int y) {
-  int level = levels_ - 1;
-  const auto isEmpty = [this](const std::uint64_t* r) {
-    std::uint64_t any = 0;
-    for (std::size_t w = 0; w < stride_; ++w) any |= r[w];
-    return !any;
-  };
-  while (level >= 0 && isEmpty(row(level, y))) --level;
-  std::int32_t& longest = longest_[static_cast<std::size_t>(y)];
-  if (level < 0) {
-    longest = 0;
-    return;
-  }
-  longest = 1 << level;
-  std::copy_n(row(level, y), stride_, scratch_.data());
-  while (level-- > 0) {
-    std::uint64_t any = 0;
+void FreeMap::boundLongest(int y) {
+  FreeRun& longest = longest_[static_cast<std::size_t>(y)];
+  // It was no shorter before.
+  int level = floorLog2(static_cast<std::uint32_t>(longest.length));
+  // scratch_: where `length` free cells begin; it grows by ever smaller powers of two.
+  int length = 0;
+  for (; level >= 0 && length < 8 << level; --level) {
     const std::uint64_t* const r = row(level, y);
+    std::uint64_t any = 0;
     for (std::size_t w = 0; w + 1 < stride_; ++w) {
-      const int at = std::min(64 * static_cast<int>(w) + longest, width_);
-      places_[w] = scratch_[w] & bitsFrom(r, at);
+      const int at = std::min(64 * static_cast<int>(w) + length, width_);
+      places_[w] = length ? scratch_[w] & bitsFrom(r, at) : r[w];
       any |= places_[w];
     }
     if (!any) continue;
-    places_[stride_ - 1] = 0;
     std::swap(places_, scratch_);
-    longest += 1 << level;
+    length += 1 << level;
   }
+  longest = {};
+  if (length == 0) return;
+  std::size_t w = 0;
+  while (!scratch_[w]) ++w;
+  longest.begin = 64 * static_cast<std::int32_t>(w) + lowestBit(scratch_[w]);
+  longest.length = length + (1 << (level + 1)) - 1;
 }
 
 }  // namespace abflat

@@ -37,15 +37,20 @@ class FreeMap {
                       static_cast<std::size_t>(y));
   }
   std::uint64_t* row(int level, int y) { return words_.data() + rowBegin(level, y); }
-  bool fitsRuns(const Footprint& footprint, int y) const;
+  int firstHopeful(const Footprint& footprint, int y, int end) const;
   int findInRow(const Footprint& footprint, int y);
   void update(int y, int first, int last);
-  void measureLongest(int y);
+  void boundLongest(int y);
+
+  /// The most free cells side by side in a row, up to an eighth too many, and where they begin.
+  struct FreeRun {
+    std::int32_t begin = 0, length = 0;
+  };
 
   int width_, height_, levels_;
   std::size_t stride_;
   std::vector<std::uint64_t> words_;
-  std::vector<std::int32_t> longest_;  ///< free cells in a row of each row
+  std::vector<FreeRun> longest_;  ///< of each row
   std::vector<std::uint64_t> places_, scratch_;
 };
 

@@ -46,12 +46,12 @@ class Search {
     bound();
     const double first = firstGuess();
     if (attempt(first, 0)) {
-      for (double step = 1.05; climb(step, 0); step *= step) {
+      for (double step = 1.02; climb(step, 0); step = std::min(step * step, 1.1)) {
       }
     } else if (!descend(first)) {
       return std::move(out_);
     }
-    for (const double step : {1.03, 1.01, 1.003}) climbAnyhow(step);
+    for (const double step : {1.01, 1.003}) climbAnyhow(step);
     if (isCancelled_) out_.best.fit = Fit::Cancelled;
     return std::move(out_);
   }
@@ -78,7 +78,7 @@ class Search {
   /// False when nothing fits.
   bool descend(double from) {
     double scale = from;
-    for (double step = 0.95; scale > least_ && !isCancelled_; step *= step) {
+    for (double step = 0.96; scale > least_ && !isCancelled_; step *= step) {
       scale = std::max(scale * step, least_);
       if (attempt(scale, 0)) return true;
     }
