@@ -15,6 +15,7 @@ namespace {
 constexpr int kMostResolution = 32768;
 /// Rows of ten, from 1001 to 9999.
 constexpr std::uint32_t kMostTiles = 8999;
+constexpr double kLastRow = 898;  // that has all ten
 
 Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
@@ -73,9 +74,9 @@ class Packer {
     if (Status s = checkShapes(shapes_); !s.ok()) return s;
     for (std::uint32_t i = 0; i < shapes_.size(); ++i)
       if (!shapes_[i].isFixed) movable_.push_back(i);
-    grid_ = makePackGrid(options_.resolution, options_.padding, movable_.size());
-    if (Status s = takeFixed(); !s.ok()) return s;
     makeItems();
+    grid_ = makePackGrid(options_.resolution, options_.padding, itemsOfTile());
+    if (Status s = takeFixed(); !s.ok()) return s;
     if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeInOneTile(); !s.ok())
       return s;
     Packing out = placements();
@@ -98,7 +99,7 @@ class Packer {
       const double row = std::floor(box.minY + box.height / 2);
       const bool isInside = box.minX >= column && box.minX + box.width <= column + 1 &&
                             box.minY >= row && box.minY + box.height <= row + 1;
-      const double lastRow = options_.udim ? kMostTiles / 10 - 1 : 0;
+      const double lastRow = options_.udim ? kLastRow : 0;
       const double lastColumn = options_.udim ? 9 : 0;
       if (!isInside || column < 0 || column > lastColumn || row < 0 || row > lastRow)
         return invalid("chart " + text(i) +
@@ -123,6 +124,16 @@ class Packer {
       const Pose base = options_.rotate ? leastBoxPose(hull) : Pose{};
       for (int k = 0; k < poses; ++k) item.poses.push_back(turned(base, k, poses, hull));
     });
+  }
+
+  /// About as many as will share one.
+  std::size_t itemsOfTile() const {
+    double texels = 0;
+    for (const PackItem& item : items_)
+      texels += item.mass.area * options_.texelDensity * options_.texelDensity;
+    const double tiles = texels / options_.resolution / options_.resolution;
+    const auto count = static_cast<double>(items_.size());
+    return static_cast<std::size_t>(std::ceil(count / std::max(tiles, 1.0)));
   }
 
   Status placeInOneTile() {
@@ -180,8 +191,8 @@ class Packer {
       if (!shapes_[i].isFixed) continue;
       const std::uint32_t tile = fixedTile_[i];
       out.placements[i].tile = tile;
-      out.placements[i].x = -static_cast<double>(tile % 10);
-      out.placements[i].y = -static_cast<double>(tile / 10);
+      out.placements[i].x = -out.placements[i].column();
+      out.placements[i].y = -out.placements[i].row();
       area += massOf(shapes_[i]).area;
     }
     for (std::size_t k = 0; k < items_.size(); ++k) {

@@ -44,7 +44,7 @@ struct Placement {
   double v(const double* uv) const { return b * uv[0] + a * uv[1] + y; }
   /// Of the tile's unit square in the plane of all tiles: rows of ten, as UDIM 1001 + tile.
   double column() const { return tile % 10; }
-  double row() const { return tile / 10; }
+  double row() const { return (tile - tile % 10) / 10.0; }
 };
 
 struct Packing {

@@ -9,9 +9,9 @@ namespace {
 
 /// Twice the logarithm to base 2, rounded down: sizes within a factor of 1.4 are alike.
 std::size_t sizeClass(double x) {
-  int exponent;
-  const double mantissa = std::frexp(x + 1, &exponent);
-  return static_cast<std::size_t>(2 * (exponent - 1) + (mantissa >= 0.70710678118654752 ? 1 : 0));
+  int exponent = 0;
+  const bool isUpper = std::frexp(x + 1, &exponent) >= 0.70710678118654752;
+  return 2 * static_cast<std::size_t>(exponent - 1) + (isUpper ? 1 : 0);
 }
 
 /// Rounding errors must not choose between poses that are alike.
