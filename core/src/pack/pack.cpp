@@ -137,7 +137,7 @@ class Packer {
   }
 
   Status placeInOneTile() {
-    ScaleSearch found = searchScale(items_, grid_, tiles_[0], options_.progress);
+    ScaleSearch found = searchScale(items_, grid_, tiles_[0], options_.pool, options_.progress);
     tries_ = found.tries;
     density_ = found.texelsPerUnit;
     placed_ = std::move(found.best);

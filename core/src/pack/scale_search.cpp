@@ -35,42 +35,46 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 class Search {
  public:
   Search(const std::vector<PackItem>& items, const PackGrid& grid, const FreeMap& tile,
-         const std::function<bool(double)>& progress)
+         ThreadPool* pool, const std::function<bool(double)>& progress)
       : items_(items),
         grid_(grid),
         start_(1, tile),
+        pool_(pool),
         progress_(progress),
         strategies_(strategiesFor(items)) {}
 
   ScaleSearch run() {
     bound();
-    const double first = firstGuess();
-    if (attempt(first, 0)) {
-      for (double step = 1.02; climb(step, 0); step = std::min(step * step, 1.1)) {
-      }
-    } else if (!descend(first)) {
-      return std::move(out_);
-    }
-    for (const double step : {1.01, 1.003}) climbAnyhow(step);
+    if (begin(firstGuess()))
+      for (const double step : {1.01, 1.003}) climbAnyhow(step);
     if (isCancelled_) out_.best.fit = Fit::Cancelled;
     return std::move(out_);
   }
 
  private:
+  /// Finds a scale that fits, with the first strategy. False when there is none.
+  bool begin(double guess) {
+    if (!attempt(guess, 0)) return descend(guess);
+    for (double step = 1.02; climb(step, 0, 1);) step = std::min(step * step, 1.1);
+    return true;
+  }
+
   /// One step up from the best.
-  bool climb(double step, std::size_t strategy) {
+  bool climb(double step, std::size_t strategy, std::size_t count) {
     const double scale = std::min(out_.texelsPerUnit * step, most_);
-    return scale > out_.texelsPerUnit && attempt(scale, strategy);
+    return scale > out_.texelsPerUnit && attempt(scale, strategy, count);
   }
 
   /// Steps up until no strategy has one any more, beginning with the last that had.
   void climbAnyhow(double step) {
+    const std::size_t atOnce = isParallel(pool_) ? pool_->threads() : 1;
     for (std::size_t failures = 0; failures < strategies_.size() && !isCancelled_;) {
-      if (climb(step, lastGood_)) {
+      const std::size_t count = std::min(atOnce, strategies_.size() - failures);
+      if (climb(step, lastGood_, count)) {
         failures = 0;
       } else {
-        ++failures;
-        lastGood_ = (lastGood_ + 1) % strategies_.size();
+        failures += count;
+        lastGood_ = (lastGood_ + count) % strategies_.size();
       }
     }
   }
@@ -118,29 +122,42 @@ class Search {
     return std::max({scale, 1e-3 * most_, least_});
   }
 
-  bool attempt(double scale, std::size_t strategy) {
-    if (isCancelled_) return false;
+  /// As if `count` strategies from `strategy` on were tried until one fits; several at a time.
+  bool attempt(double scale, std::size_t strategy, std::size_t count = 1) {
+    if (isCancelled_ || !tell(0)) return false;
     PlaceOptions options;
     options.texelsPerUnit = scale;
-    if (progress_)
-      options.onPlaced = [this](std::size_t placed) {
-        if (placed % 64) return true;
-        const double share = static_cast<double>(placed) / static_cast<double>(items_.size());
-        const double usualTries = 6 + 3 * static_cast<double>(strategies_.size());
-        return progress_(1 - std::exp(-2 * (out_.tries - 1 + share) / usualTries));
-      };
-    ++out_.tries;
-    Placed placed = place(items_, strategies_[strategy], grid_, start_, options);
-    if (placed.fit == Fit::Cancelled) isCancelled_ = true;
-    const bool fits = placed.fit == Fit::All;
-    if (fits || out_.texelsPerUnit == 0) out_.best = std::move(placed);
-    if (fits) out_.texelsPerUnit = scale;
-    return fits;
+    if (count == 1) options.onPlaced = [this](std::size_t placed) { return tell(placed); };
+    std::vector<Placed> placed(count);
+    parallelFor(pool_, count, [&](std::size_t k) {
+      const std::size_t s = (strategy + k) % strategies_.size();
+      placed[k] = place(items_, strategies_[s], grid_, start_, options);
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+      ++out_.tries;
+      const bool fits = placed[k].fit == Fit::All;
+      if (fits || out_.texelsPerUnit == 0) out_.best = std::move(placed[k]);
+      if (!fits) continue;
+      out_.texelsPerUnit = scale;
+      lastGood_ = (strategy + k) % strategies_.size();
+      return true;
+    }
+    return false;
+  }
+
+  /// Of the current try that many items are placed.
+  bool tell(std::size_t placed) {
+    if (!progress_ || placed % 64 != 0) return true;
+    const double share = static_cast<double>(placed) / static_cast<double>(items_.size() + 1);
+    const double usualTries = 6 + 3 * static_cast<double>(strategies_.size());
+    isCancelled_ = !progress_(1 - std::exp(-2 * (out_.tries + share) / usualTries));
+    return !isCancelled_;
   }
 
   const std::vector<PackItem>& items_;
   const PackGrid& grid_;
   const std::vector<FreeMap> start_;
+  ThreadPool* pool_;
   const std::function<bool(double)>& progress_;
   const std::vector<PlaceStrategy> strategies_;
   std::size_t lastGood_ = 0;
@@ -152,8 +169,9 @@ class Search {
 }  // namespace
 
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile, const std::function<bool(double)>& progress) {
-  return Search(items, grid, tile, progress).run();
+                        const FreeMap& tile, ThreadPool* pool,
+                        const std::function<bool(double)>& progress) {
+  return Search(items, grid, tile, pool, progress).run();
 }
 
 }  // namespace abflat

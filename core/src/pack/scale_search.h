@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pack/placer.h"
+#include "parallel.h"
 
 namespace abflat {
 
@@ -11,8 +12,10 @@ struct ScaleSearch {
 };
 
 /// The largest scale that is found at which all items fit one tile. `tile`: what others have taken.
-/// `progress` is told a rough 0..1; false cancels.
+/// `progress` is told a rough 0..1 from the calling thread; false cancels. Threads do not change
+/// the result.
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile, const std::function<bool(double)>& progress);
+                        const FreeMap& tile, ThreadPool* pool,
+                        const std::function<bool(double)>& progress);
 
 }  // namespace abflat

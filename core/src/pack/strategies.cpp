@@ -49,7 +49,7 @@ int posesFor(std::size_t items) { return items <= 4 ? 64 : 16; }
 
 std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
   const std::size_t n = items.size();
-  const int many = posesFor(n);
+  const int many = n <= 40 ? posesFor(n) : 8;
   const std::size_t count = n <= 4 ? 6 : n <= 40 ? 12 : n <= 150 ? 5 : n <= 1000 ? 2 : 1;
   std::vector<PlaceStrategy> out;
   for (std::size_t k = 0; k < count; ++k) {

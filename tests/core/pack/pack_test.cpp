@@ -113,18 +113,21 @@ TEST_CASE("the unit of the charts does not matter", "[pack]") {
 }
 
 TEST_CASE("threads do not change a packing", "[pack]") {
-  const std::vector<PackShape> shapes = makePackShapes("mixed", 300, 5, 6);
-  PackOptions options = at(512, 2);
-  const Packing one = packed(shapes, options);
-  ThreadPool pool(3);
-  options.pool = &pool;
-  const Packing three = packed(shapes, options);
-  CHECK(one.scale == three.scale);
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    CHECK(one.placements[i].a == three.placements[i].a);
-    CHECK(one.placements[i].b == three.placements[i].b);
-    CHECK(one.placements[i].x == three.placements[i].x);
-    CHECK(one.placements[i].y == three.placements[i].y);
+  for (const std::size_t count : {3, 25, 100, 300}) {
+    const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 6);
+    PackOptions options = at(512, 2);
+    const Packing one = packed(shapes, options);
+    for (const unsigned threads : {2, 3, 8}) {
+      ThreadPool pool(threads);
+      options.pool = &pool;
+      const Packing more = packed(shapes, options);
+      CHECK(one.scale == more.scale);
+      CHECK(one.tries == more.tries);
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Placement a = one.placements[i], b = more.placements[i];
+        CHECK((a.a == b.a && a.b == b.b && a.x == b.x && a.y == b.y && a.tile == b.tile));
+      }
+    }
   }
 }
 
