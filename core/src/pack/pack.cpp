@@ -87,7 +87,7 @@ class Packer {
  private:
   /// Tiles with what stays where it is.
   Status takeFixed() {
-    tiles_.emplace_back(grid_.cells(), grid_.cells());
+    tiles_.assign(1, FreeMap(grid_.cells(), grid_.cells()));
     PackRaster raster(grid_);
     fixedTile_.resize(shapes_.size());
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -143,6 +143,11 @@ class Packer {
     placed_ = std::move(found.best);
     if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
     if (placed_.fit == Fit::All) return {};
+    if (grid_.cell > 1) {
+      grid_.cell = 1;
+      if (Status s = takeFixed(); !s.ok()) return s;
+      return placeInOneTile();
+    }
     const std::size_t count = movable_.size();
     const int least = leastResolution(count, options_.padding);
     const std::string begin = text(count) + " charts, one texel each with a padding of " +

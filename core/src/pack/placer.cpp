@@ -1,7 +1,6 @@
 #include "pack/placer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace abflat {

@@ -78,6 +78,8 @@ TEST_CASE("thousands of small charts, and tiny ones beside large ones", "[pack]"
     shapes.push_back(scaled(tiny, 1e-6));
   checkPacked(shapes, at(128, 2));
   shapes.push_back(scaled(rectangle(1, 1), 0));
+  shapes.push_back(rectangle(0.5, 0));
+  shapes.push_back(rectangle(0, 0.7));
   shapes.emplace_back();
   const Packing packing = packed(shapes, at(128, 2));
   CHECK(complaint(shapes, packing, at(128, 2)) == "");
@@ -93,6 +95,12 @@ TEST_CASE("as many texels as charts is enough room", "[pack]") {
     CHECK(none.status.message.find("raise the resolution to " + std::to_string(least)) !=
           std::string::npos);
   }
+}
+
+TEST_CASE("room for single texels is found where cells are larger", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("triangles", 4, 3, 1);
+  checkPacked(shapes, at(582, 290));
+  CHECK(pack(shapes, at(581, 290)).status.message.find("resolution to 582") != std::string::npos);
 }
 
 TEST_CASE("the unit of the charts does not matter", "[pack]") {
