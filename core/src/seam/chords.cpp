@@ -48,34 +48,49 @@ double ChordFinder::resolvedShare(std::uint32_t h,
   return static_cast<double>(resolved) / static_cast<double>(pairs.size());
 }
 
+/// h is kNone where it would cut off next to nothing.
+Chord ChordFinder::chordAt(std::uint32_t h, std::uint32_t chart) const {
+  constexpr double kLeastShare = 0.02;
+  const double all = surface_.charts[chart].area;
+  Chord c;
+  c.left = area_[h / 3];
+  c.right = all - c.left;
+  if (!(std::min(c.left, c.right) > kLeastShare * all) || std::isinf(mesh_.cost[h])) return {};
+  c.h = h;
+  c.length = forest_.distance[surface_.vertexOfCorner[h]] + mesh_.cost[h] +
+             forest_.distance[surface_.vertexOfCorner[nextCorner(h)]];
+  return c;
+}
+
 Chord ChordFinder::best(std::uint32_t chart,
                         const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   walk(chart);
   numberLoop(chart);
-  constexpr double kLeastShare = 0.02;
-  const double all = surface_.charts[chart].area;
   Chord best;
   double bestScore = 0;
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const std::uint32_t h = parent_[order_[i]];
-    Chord c;
-    c.h = h;
-    c.left = area_[order_[i]];
-    c.right = all - c.left;
+    Chord c = chordAt(h, chart);
+    if (c.h == kNone) continue;
     const double smaller = std::min(c.left, c.right);
-    if (!(smaller > kLeastShare * all) || std::isinf(mesh_.cost[h])) continue;
-    c.length = forest_.distance[surface_.vertexOfCorner[h]] + mesh_.cost[h] +
-               forest_.distance[surface_.vertexOfCorner[nextCorner(h)]];
     double score = c.length / std::sqrt(smaller);
     if (best.h != kNone && score >= bestScore) continue;
     constexpr double kUnresolved = 3;  // so much longer may a chord be that resolves all
-    if (!pairs.empty()) score *= 1 + (kUnresolved - 1) * (1 - resolvedShare(h, pairs));
+    c.resolved = pairs.empty() ? 1 : resolvedShare(h, pairs);
+    score *= 1 + (kUnresolved - 1) * (1 - c.resolved);
     if (best.h == kNone || score < bestScore) {
       best = c;
       bestScore = score;
     }
   }
   return best;
+}
+
+void markChord(const SeamMesh& mesh, const CutSurface& s, const PathForest& forest,
+               const Chord& chord, Seams& seams) {
+  markEdge(mesh, chord.h, seams);
+  markPath(mesh, forest, s.vertexOfCorner[chord.h], seams);
+  markPath(mesh, forest, s.vertexOfCorner[nextCorner(chord.h)], seams);
 }
 
 }  // namespace abflat

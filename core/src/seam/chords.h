@@ -12,6 +12,7 @@ struct Chord {
   std::uint32_t h = kNone;
   double length = 0;
   double left = 0, right = 0;  ///< area on the side of h, and on the other
+  double resolved = 0;         ///< share of the pairs asked for that it separates
 };
 
 /// All edges off the forest of paths. Those of a disk are a spanning tree of its triangles, so each
@@ -26,6 +27,7 @@ class ChordFinder {
   Chord best(std::uint32_t chart, const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
  private:
+  Chord chordAt(std::uint32_t h, std::uint32_t chart) const;
   void walk(std::uint32_t chart);
   void numberLoop(std::uint32_t chart);
   double resolvedShare(std::uint32_t h,
@@ -34,9 +36,13 @@ class ChordFinder {
   const SeamMesh& mesh_;
   const CutSurface& surface_;
   const PathForest& forest_;
+  std::uint32_t walked_ = kNone;               ///< chart that order_ is of
   std::vector<std::uint32_t> order_, parent_;  ///< half-edge of the triangle towards the root
   std::vector<double> area_;                   ///< of the subtree
   std::vector<std::uint32_t> place_;  ///< along its loop, per boundary vertex that was numbered
 };
+
+void markChord(const SeamMesh& mesh, const CutSurface& surface, const PathForest& forest,
+               const Chord& chord, Seams& seams);
 
 }  // namespace abflat

@@ -135,7 +135,6 @@ Shape measureShape(const std::vector<Point2>& outline) {
   }
   shape.fill = std::min(1.0, area / hullArea(outline));
   shape.overlap = overlapArea(outline) / area;
-  if (!(shape.overlap > 0)) return shape;
   std::vector<double> points;
   for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
   shape.crossings = findCrossings(points, kMostCrossings).first;

@@ -21,12 +21,13 @@ std::uint32_t splitOnce(const SeamMesh& mesh, const CutSurface& s, const PathFor
     const Shape shape = measureShape(predictOutline(mesh, s, s.charts[c].loopBegin, u));
     const bool isBad = shape.overlap > options.mostOverlap ||
                        (reason == SplitFor::OverlapOrFill && shape.fill < options.leastFill);
-    if (!isBad) continue;
+    if (!isBad && shape.crossings.empty()) continue;
     const Chord chord = chords.best(c, shape.crossings);
-    if (chord.h == kNone) continue;
-    markEdge(mesh, chord.h, seams);
-    markPath(mesh, forest, s.vertexOfCorner[chord.h], seams);
-    markPath(mesh, forest, s.vertexOfCorner[nextCorner(chord.h)], seams);
+    // Sides of a slit that just touch are left to the flattening unless one seam parts most of
+    // them.
+    constexpr double kHalf = 0.5;
+    if (chord.h == kNone || (!isBad && chord.resolved < kHalf)) continue;
+    markChord(mesh, s, forest, chord, seams);
     asked[c] = reason;
     ++splits;
   }
@@ -42,6 +43,7 @@ struct Pieces {
 Pieces takePieces(const SeamMesh& mesh, const CutSurface& s, const std::vector<SplitFor>& asked,
                   const Seams& seams) {
   std::vector<std::uint8_t> isSplit;
+  isSplit.reserve(asked.size());
   for (const SplitFor reason : asked) isSplit.push_back(reason != SplitFor::Nothing);
   Pieces out;
   out.part = extractCharts(mesh, s, isSplit);
@@ -64,6 +66,7 @@ std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
   for (int level = 1; level < kMostLevels; ++level) {
     const SeamPart& part = now.part;
     std::vector<double> scale;
+    scale.reserve(part.vertex.size());
     for (const std::uint32_t v : part.vertex) scale.push_back(u[v]);
     const CutSurface s = cutAlong(part.mesh, now.seams);
     std::vector<SplitFor> all(s.charts.size(), SplitFor::OverlapOrFill);
