@@ -55,6 +55,59 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
   }
 }
 
+/// Chart of each input face: of its first triangle, otherwise that of its first texcoord.
+void listCharts(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                const ChartSet& set, const std::vector<std::uint32_t>& firstOf, UnwrapResult& out) {
+  out.chartOfFace.assign(input.faceCount(), kNoChart);
+  for (std::uint32_t t = static_cast<std::uint32_t>(set.ofTriangle.size()); t-- > 0;)
+    out.chartOfFace[welded.inputFace[surface.triangulation.face[t]]] = set.ofTriangle[t];
+  for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
+    const std::uint32_t corner = input.faceOffsets[f];
+    if (out.chartOfFace[f] != kNoChart || welded.cornerFor[corner] == kNone) continue;
+    const auto next = std::upper_bound(firstOf.begin(), firstOf.end(), out.cornerUv[corner]);
+    out.chartOfFace[f] = static_cast<std::uint32_t>(next - firstOf.begin() - 1);
+  }
+}
+
+/// Triangles of the surface, by input face: `of[first[f]]` to `of[first[f + 1]]`.
+struct TrianglesByFace {
+  std::vector<std::uint32_t> first, of;
+};
+
+TrianglesByFace trianglesByFace(std::size_t faces, const WeldedMesh& welded,
+                                const Triangulation& triangulation) {
+  TrianglesByFace out;
+  out.first.assign(faces + 1, 0);
+  for (const std::uint32_t w : triangulation.face) ++out.first[welded.inputFace[w] + 1];
+  for (std::size_t f = 0; f < faces; ++f) out.first[f + 1] += out.first[f];
+  std::vector<std::uint32_t> fill(out.first.begin(), out.first.end() - 1);
+  out.of.resize(triangulation.face.size());
+  for (std::uint32_t t = 0; t < out.of.size(); ++t)
+    out.of[fill[welded.inputFace[triangulation.face[t]]]++] = t;
+  return out;
+}
+
+void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                   const ChartSet& set, UnwrapResult& out) {
+  const TrianglesByFace sorted = trianglesByFace(input.faceCount(), welded, surface.triangulation);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t chart) {
+    for (const std::uint32_t corner : {a, b, c}) out.triangles.push_back(out.cornerVertex[corner]);
+    out.chartOfTriangle.push_back(chart);
+  };
+  const auto cornerOf = [&](std::uint32_t h) {
+    return welded.inputCorner[surface.triangulation.corner[h]];
+  };
+  for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
+    for (std::uint32_t i = sorted.first[f]; i < sorted.first[f + 1]; ++i) {
+      const std::uint32_t t = sorted.of[i];
+      add(cornerOf(3 * t), cornerOf(3 * t + 1), cornerOf(3 * t + 2), set.ofTriangle[t]);
+    }
+    if (sorted.first[f] != sorted.first[f + 1]) continue;
+    const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
+    for (std::uint32_t c = begin + 1; c + 1 < end; ++c) add(begin, c, c + 1, out.chartOfFace[f]);
+  }
+}
+
 UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_t firstFace) {
   UnwrapChart row;
   const Attempt& a = flat.attempt;
@@ -110,10 +163,9 @@ void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surfac
     }
     out.cornerUv[c] = corner;
   }
-  out.chartOfFace.assign(input.faceCount(), kNone);
-  for (std::uint32_t f = static_cast<std::uint32_t>(set.ofTriangle.size()); f-- > 0;)
-    out.chartOfFace[welded.inputFace[surface.triangulation.face[f]]] = set.ofTriangle[f];
+  listCharts(input, welded, surface, set, firstOf, out);
   splitVertices(input, out);
+  listTriangles(input, welded, surface, set, out);
 }
 
 void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const Surface& surface,

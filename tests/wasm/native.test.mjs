@@ -10,6 +10,7 @@ import { createAbflat, SAMPLE_NAMES } from 'abflat';
 import { MILD_DISKS } from '../support/shared.mjs';
 import { objNumbers, objText } from './support/meshes.mjs';
 import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
+import { assertSameShape, assertSameText, withoutSeconds } from './support/same.mjs';
 
 const T = [2, 1];
 
@@ -40,36 +41,13 @@ async function assertSame(path, t) {
   const wasm = await abflat.flatten({ bytes: readFileSync(path), name: path }, { t, obj: true });
   const text = new TextDecoder().decode(wasm.obj);
   assert.match(text, /^vt /m);
-  assert.ok(text === native.obj, difference(text, native.obj));
+  assertSameText(text, native.obj);
   assertSameShape(wasm.report, native.report, 'report');
   assert.deepEqual(wasm.report.input, native.report.input);
   assert.deepEqual(wasm.report.options, native.report.options);
   assert.deepEqual(withoutSeconds(wasm.report.charts), withoutSeconds(native.report.charts));
   assert.equal(wasm.report.valid, native.report.valid);
   return wasm;
-}
-
-/** The first line that differs. */
-function difference(text, expected) {
-  const [found, wanted] = [text.split('\n'), expected.split('\n')];
-  const i = wanted.findIndex((line, n) => line !== found[n]);
-  return `line ${i + 1} is "${found[i]}", natively "${wanted[i]}"`;
-}
-
-/** Times differ between runs. */
-const withoutSeconds = (value) =>
-  JSON.parse(JSON.stringify(value, (key, each) => (/seconds$/i.test(key) ? undefined : each)));
-
-/** The same keys in the same order, all the way down; of lists the first entry. */
-function assertSameShape(a, b, path) {
-  assert.equal(typeof a, typeof b, path);
-  if (typeof a !== 'object' || a === null) return;
-  if (Array.isArray(a)) {
-    assertSameShape(a[0], b[0], `${path}[0]`);
-    return;
-  }
-  assert.deepEqual(Object.keys(a), Object.keys(b), path);
-  for (const key of Object.keys(a)) assertSameShape(a[key], b[key], `${path}.${key}`);
 }
 
 describe('generated samples', () => {
@@ -138,7 +116,7 @@ test('positions of an OFF file become the same text, which reads back as the sam
   const native = flattenNatively(path, 2).obj;
   const wasm = await abflat.flatten({ bytes: readFileSync(path), name: path }, { t: 2, obj: true });
   const text = new TextDecoder().decode(wasm.obj);
-  assert.ok(text === native, difference(text, native));
+  assertSameText(text, native);
   assert.deepEqual(objNumbers(text, 'v'), positions);
   // Texcoords of a layout are no round numbers, and come back as what the package returns.
   const uv = objNumbers(text, 'vt');

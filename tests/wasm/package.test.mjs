@@ -118,6 +118,14 @@ test('the example for Node in the README runs', () => {
   });
 });
 
+test('the examples of atlases in the README run', () => {
+  runExample('node-unwrap', (stdout, folder) => {
+    assert.match(stdout, /^true 1 0\.\d+$/m);
+    assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
+  });
+  runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
+});
+
 test('the example of a comparison in the README runs', () => {
   runExample('compare', (stdout) => {
     assert.match(stdout, /^abflat, t = auto true 0\.\d+$/m);
@@ -136,9 +144,12 @@ test('the README names every status, option and setting', () => {
     ].map(([, field]) => field);
   const names = [
     'CallOptions',
+    'LayoutOptions',
     'FlattenOptions',
+    'UnwrapOptions',
     'CreateOptions',
-    'FlattenResult',
+    'Layout<R>',
+    'UnwrapResult',
     'Comparison',
     'MethodResult',
     'Abflat',

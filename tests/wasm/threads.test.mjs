@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { sphere } from '../support/surfaces.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
 const ARGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking'];
@@ -119,6 +120,55 @@ test(
     }
   },
 );
+
+test('atlases do not depend on threads or build', NEEDS_CHROME, async () => {
+  const ball = sphere(28);
+  const argument = {
+    positions: ball.positions.flat(),
+    indices: ball.faces.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]),
+  };
+  const found = await inPage(
+    ISOLATED,
+    async ({ positions, indices }) => {
+      const { createAbflat } = await import('/dist/index.js');
+      const mesh = {
+        positions: Float64Array.from(positions),
+        indices: Uint32Array.from(indices),
+      };
+      const builds = await Promise.all(
+        ['plain', 'simd', 'threads'].map((build) => createAbflat({ build })),
+      );
+      const same = (a, b) => {
+        const [x, y] = [a, b].map(({ buffer }) => new Uint8Array(buffer));
+        return x.length > 0 && x.length === y.length && x.every((byte, i) => byte === y[i]);
+      };
+      const wanted = await builds[0].unwrap(mesh, { obj: true });
+      const runs = [];
+      for (const abflat of builds)
+        for (const threads of [0, 1, 2]) {
+          const result = await abflat.unwrap(mesh, { threads, obj: true });
+          const different = [
+            'uv',
+            'indices',
+            'vertexMap',
+            'chartOfTriangle',
+            'seams',
+            'obj',
+          ].filter((key) => !same(result[key], wanted[key]));
+          const { valid, threads: used } = result.report;
+          runs.push({ build: abflat.build, threads, used, different, valid });
+        }
+      return runs;
+    },
+    argument,
+  );
+  assert.equal(found.length, 9);
+  for (const { build, threads, used, different, valid } of found) {
+    assert.deepEqual(different, [], `${build}, ${threads} threads`);
+    assert.ok(valid);
+    if (build !== 'threads') assert.equal(used, 1);
+  }
+});
 
 test('a page that is not isolated takes simd, and refuses threads', NEEDS_CHROME, async () => {
   const found = await inPage({}, async () => {

@@ -1,9 +1,10 @@
-// The helper for three.js.
+// The helpers for three.js.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createAbflat } from 'abflat';
-import { toBufferGeometry } from 'abflat/three';
+import { toBufferGeometry, unwrapGeometry } from 'abflat/three';
+import * as THREE from 'three';
 import { bytesOf, grid, objText } from './support/meshes.mjs';
 
 let abflat;
@@ -89,4 +90,111 @@ test('normalize fits the layout into the unit square without distorting it', asy
 test('without a mesh, arrays are refused', async () => {
   const result = await abflat.flatten(grid(2));
   assert.throws(() => toBufferGeometry(result), /mesh/);
+});
+
+/** Rows of an attribute, in whatever way it is stored. */
+const rows = (attribute) =>
+  Array.from({ length: attribute.count }, (_, i) =>
+    Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k)),
+  );
+
+/** Every corner of every triangle has the attributes that it had. */
+function assertSameCorners(after, before, names) {
+  const corners = (geometry, attribute) => {
+    const values = rows(attribute);
+    const { index } = geometry;
+    return index ? Array.from(index.array, (v) => values[v]) : values;
+  };
+  for (const name of names) {
+    const [to, from] = [after.getAttribute(name), before.getAttribute(name)];
+    assert.equal(to.array.constructor, (from.data ?? from).array.constructor, name);
+    assert.equal(to.normalized, from.normalized, name);
+    assert.deepEqual(corners(after, to), corners(before, from), name);
+  }
+  for (const [name, targets] of Object.entries(before.morphAttributes))
+    targets.forEach((from, i) => {
+      const to = after.morphAttributes[name][i];
+      assert.equal(to.name, from.name);
+      assert.deepEqual(corners(after, to), corners(before, from), `morph target ${i} of ${name}`);
+    });
+}
+
+test('unwrapGeometry keeps attributes, morph targets and groups of every corner', async () => {
+  const box = new THREE.BoxGeometry(1, 2, 3, 4, 4, 4);
+  const { count } = box.attributes.position;
+  const skin = Uint16Array.from({ length: 4 * count }, (_, i) => i % 7);
+  box.setAttribute('skinIndex', new THREE.BufferAttribute(skin, 4));
+  const colors = Uint8Array.from({ length: 4 * count }, (_, i) => (31 * i) % 256);
+  box.setAttribute('color', new THREE.BufferAttribute(colors, 4, true));
+  const target = box.attributes.position.clone();
+  target.array.forEach((x, i) => {
+    target.array[i] = 2 * x;
+  });
+  target.name = 'larger';
+  box.morphAttributes.position = [target];
+  box.morphTargetsRelative = true;
+  box.name = 'a box';
+  const before = box.toJSON();
+  const { geometry, result } = await unwrapGeometry(abflat, box);
+  assert.deepEqual(box.toJSON(), before, 'what goes in stays as it is');
+  assert.ok(result.report.valid);
+  assertSameCorners(geometry, box, ['position', 'normal', 'skinIndex', 'color']);
+  assert.deepEqual(geometry.groups, box.groups);
+  assert.equal(geometry.morphTargetsRelative, true);
+  assert.equal(geometry.name, 'a box');
+  assert.deepEqual(geometry.attributes.uv.array, Float32Array.from(result.uv));
+  assert.deepEqual(Float64Array.from(geometry.attributes.uv.array), result.uv, 'as checked');
+});
+
+test('unwrapGeometry puts a second set of coordinates beside the first', async () => {
+  const torus = new THREE.TorusGeometry(1, 0.4, 8, 16);
+  const { geometry } = await unwrapGeometry(abflat, torus, { attribute: 'uv1', maxStretch: 1.2 });
+  assertSameCorners(geometry, torus, ['position', 'normal', 'uv']);
+  const { uv1 } = geometry.attributes;
+  assert.equal(uv1.itemSize, 2);
+  assert.ok(uv1.array.every((x) => x >= 0 && x <= 1));
+});
+
+test('unwrapGeometry takes geometry without an index, and interleaved attributes', async () => {
+  const soup = new THREE.IcosahedronGeometry(1, 2);
+  assert.equal(soup.index, null);
+  const whole = await unwrapGeometry(abflat, soup, { seams: 'none' });
+  assertSameCorners(whole.geometry, soup, ['position', 'normal']);
+  assert.equal(whole.result.report.charts.length, 1, 'joined by position');
+
+  const data = new Float32Array(8 * soup.attributes.position.count);
+  rows(soup.attributes.position).forEach((p, i) => {
+    data.set([...p, 0.5 * i, ...p.map((x) => -x)], 8 * i);
+  });
+  const buffer = new THREE.InterleavedBuffer(data, 8);
+  const mixed = new THREE.BufferGeometry();
+  mixed.setAttribute('position', new THREE.InterleavedBufferAttribute(buffer, 3, 0));
+  mixed.setAttribute('weight', new THREE.InterleavedBufferAttribute(buffer, 1, 3));
+  mixed.setAttribute('normal', new THREE.InterleavedBufferAttribute(buffer, 3, 4));
+  const { geometry } = await unwrapGeometry(abflat, mixed, { seams: 'none' });
+  assertSameCorners(geometry, mixed, ['position', 'weight', 'normal']);
+  assert.deepEqual(geometry.attributes.uv.array, whole.geometry.attributes.uv.array);
+});
+
+test('unwrapGeometry refuses geometry without positions, and says what is wrong with others', async () => {
+  await assert.rejects(unwrapGeometry(abflat, new THREE.BufferGeometry()), /position/);
+  const box = new THREE.BoxGeometry();
+  await assert.rejects(unwrapGeometry(abflat, box, { maxStretch: 0 }), { code: 'InvalidOption' });
+  box.attributes.position.array[4] = Number.NaN;
+  await assert.rejects(unwrapGeometry(abflat, box), { code: 'InvalidMesh' });
+});
+
+test('toBufferGeometry shades seams as the surface that they are', async () => {
+  const mesh = new THREE.IcosahedronGeometry(1, 3);
+  const positions = mesh.attributes.position.array;
+  const indices = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  const keys = Array.from(indices, (v) => positions.subarray(3 * v, 3 * v + 3).join());
+  const input = { positions, indices: indices.map((v) => keys.indexOf(keys[v])) };
+  const result = await abflat.unwrap(input);
+  const { normal, position } = toBufferGeometry(result, input).attributes;
+  const points = rows(position);
+  rows(normal).forEach((n, i) => {
+    const p = points[i];
+    assert.ok(n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0.98, `vertex ${i}`);
+  });
 });

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
+import { grid } from '../support/small-meshes.mjs';
 import { drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
 const SENTENCE = /^[A-Za-z].*\.$/s;
@@ -25,15 +25,16 @@ test('a broken file is refused with a sentence, the open mesh stays', async (t) 
   assert.equal(await textOf(page, '#alert'), '');
 });
 
-test('a closed mesh is shown, the layout is marked as the previous one', async (t) => {
+test('a mesh that cannot be laid out is shown, the layout is marked as the previous one', async (t) => {
   const page = await openPage(t);
   await dropAndWait(page, 'waves.obj', grid(4));
-  await dropAndWait(page, 'tetrahedron.off', TETRAHEDRON);
+  // No face has three different corners.
+  await dropAndWait(page, 'needle.obj', 'v 0 0 0\nv 1 0 0\nf 1 2 2\nf 2 1 1\n');
   const alert = await page.locator('#alert p').first().innerText();
   assert.match(alert, SENTENCE);
-  assert.match(alert, /tetrahedron\.off/);
-  assert.match(alert, /closed/);
-  assert.equal(await textOf(page, '#mesh-info'), '4 triangles');
+  assert.match(alert, /needle\.obj/);
+  assert.match(alert, /corners/);
+  assert.equal(await textOf(page, '#mesh-info'), '2 triangles');
   await page.locator('#layout-note').waitFor();
   assert.match(await textOf(page, '#layout-note'), /waves\.obj/);
   assert.match(await textOf(page, '#reason'), /waves\.obj/);

@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include "abflat/samples.h"
 #include "job.h"
@@ -40,6 +41,13 @@ bool reportProgress(const abflat::Progress& p) {
 int finish(Job& job, const abflat::Status& status) {
   if (!status.ok()) job.text = status.message;
   return static_cast<int>(status.code);
+}
+
+template <class Options>
+int setNumber(Job& job, Options& options, int index, double value) {
+  if (setOption(options, index, value)) return 0;
+  return finish(
+      job, {StatusCode::InvalidOption, "option " + std::to_string(index) + " is out of its range"});
 }
 
 }  // namespace
@@ -80,11 +88,27 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
   return job->mesh.faceVertices.data();
 }
 
-/// Option number `index` of kFlattenOptions, as a number.
+/// Option number `index` of flattening, in the order of FLATTEN_OPTIONS, as a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
-  if (setOption(job->options, index, value)) return 0;
-  return finish(*job, {StatusCode::InvalidOption,
-                       "option " + std::to_string(index) + " is out of its range"});
+  return setNumber(*job, job->options, index, value);
+}
+
+/// The same of unwrapping, in the order of UNWRAP_OPTIONS.
+EMSCRIPTEN_KEEPALIVE int abflatSetUnwrapOption(Job* job, int index, double value) {
+  return setNumber(*job, job->unwrapOptions, index, value);
+}
+
+/// Room for where to cut, as text for parseSeams, `size` bytes.
+EMSCRIPTEN_KEEPALIVE char* abflatSeams(Job* job, std::size_t size) {
+  job->seams.resize(size);
+  return job->seams.data();
+}
+
+/// Room for edges to cut, two vertex numbers each.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatSeamEdges(Job* job, std::size_t count) {
+  std::vector<abflat::EdgeVertices>& edges = job->unwrapOptions.seams.edges;
+  edges.resize(count);
+  return edges.empty() ? nullptr : edges.front().data();
 }
 
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
@@ -93,6 +117,10 @@ EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double 
 
 EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj, int wantsPly) {
   return finish(*job, flattenJob(*job, {wantsObj != 0, wantsPly != 0}, reportProgress));
+}
+
+EMSCRIPTEN_KEEPALIVE int abflatUnwrap(Job* job, int wantsObj, int wantsPly) {
+  return finish(*job, unwrapJob(*job, {wantsObj != 0, wantsPly != 0}, reportProgress));
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {

@@ -22,12 +22,13 @@ Bytes bytesOf(const T& container) {
   return {container.data(), container.size() * sizeof(*container.data())};
 }
 
-std::vector<double> gatherPositions(const PolygonMesh& mesh,
-                                    const std::vector<std::uint32_t>& vertexMap) {
+/// Rows of `size` numbers that `rows` names.
+std::vector<double> gather(const std::vector<double>& values, std::size_t size,
+                           const std::vector<std::uint32_t>& rows) {
   std::vector<double> out;
-  out.reserve(3 * vertexMap.size());
-  for (const std::uint32_t v : vertexMap)
-    for (std::size_t k = 0; k < 3; ++k) out.push_back(mesh.positions[3 * v + k]);
+  out.reserve(size * rows.size());
+  for (const std::uint32_t row : rows)
+    for (std::size_t k = 0; k < size; ++k) out.push_back(values[size * row + k]);
   return out;
 }
 
@@ -36,19 +37,23 @@ std::vector<double> gatherPositions(const PolygonMesh& mesh,
 Bytes resultOf(const Job& job, Field field) {
   switch (field) {
     case Field::Uv:
-      return bytesOf(job.result.uv);
+      return bytesOf(job.layout.uv);
     case Field::Indices:
-      return bytesOf(job.result.triangles);
+      return bytesOf(job.layout.triangles);
     case Field::VertexMap:
-      return bytesOf(job.result.vertexMap);
+      return bytesOf(job.layout.vertexMap);
     case Field::Positions:
-      return bytesOf(job.positions);
+      return bytesOf(job.layout.positions);
     case Field::Obj:
       return bytesOf(job.obj);
     case Field::Ply:
       return bytesOf(job.ply);
     case Field::Text:
       return bytesOf(job.text);
+    case Field::ChartOfTriangle:
+      return bytesOf(job.layout.chartOfTriangle);
+    case Field::Seams:
+      return bytesOf(job.layout.seams);
   }
   return {};
 }
@@ -65,7 +70,14 @@ Status readInput(Job& job) {
   return mesh.status;
 }
 
-Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
+namespace {
+
+/// One run from the input to the arrays, files and report of a layout. `compute()` gives a result
+/// whose texcoords are as they are to be written; `arrays(result)` takes what is no longer needed
+/// then.
+template <class Compute, class Arrays, class Json>
+Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
+                 const Compute& compute, const Arrays& arrays, const Json& json) {
   const Clock::time_point started = Clock::now();
   progress({"read", 0, 0, 0});
   if (Status s = readInput(job); !s.ok()) return s;
@@ -75,25 +87,59 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
   const bool isObj = job.format == MeshFormat::Obj && wanted.obj;
   const bool isPly = job.format == MeshFormat::Ply && wanted.ply;
   if (!isObj && !isPly) std::string().swap(job.source);
-  job.options.progress = progress;
-  Result<FlattenResult> flat = flatten(job.mesh, job.options);
-  if (!flat.ok()) return flat.status;
-  job.result = std::move(flat.value);
+  auto computed = compute();
+  if (!computed.ok()) return computed.status;
+  auto& result = computed.value;
 
   progress({"write", 0, 0, 0.98});
-  if (wanted.ply) roundToSinglePrecision(job.mesh, job.result);
   const Clock::time_point writing = Clock::now();
-  if (job.isFile) job.positions = gatherPositions(job.mesh, job.result.vertexMap);
   const auto source = [&](bool isKept) { return isKept ? job.source : std::string_view(); };
-  if (wanted.obj) job.obj = writeObj(job.mesh, job.result.uv, job.result.cornerUv, source(isObj));
-  if (wanted.ply) job.ply = writePly(job.mesh, job.result.uv, job.result.cornerUv, source(isPly));
-  job.result.report.path = job.name;
-  job.result.report.timings.read = read;
-  job.result.report.timings.write = secondsSince(writing);
-  job.result.report.timings.total = secondsSince(started);
-  job.text = reportJson(job.result.report);
+  if (wanted.obj) job.obj = writeObj(job.mesh, result.uv, result.cornerUv, source(isObj));
+  if (wanted.ply) job.ply = writePly(job.mesh, result.uv, result.cornerUv, source(isPly));
+  result.report.path = job.name;
+  result.report.timings.read = read;
+  arrays(result);
+  if (job.isFile) job.layout.positions = gather(job.mesh.positions, 3, job.layout.vertexMap);
+  result.report.timings.write = secondsSince(writing);
+  result.report.timings.total = secondsSince(started);
+  job.text = json(result.report);
   progress({"write", 0, 0, 1});
   return {};
+}
+
+}  // namespace
+
+Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
+  job.options.progress = progress;
+  const auto compute = [&] {
+    Result<FlattenResult> flat = flatten(job.mesh, job.options);
+    if (flat.ok() && wanted.ply) roundToSinglePrecision(job.mesh, flat.value);
+    return flat;
+  };
+  const auto arrays = [&](FlattenResult& flat) {
+    job.layout.uv = std::move(flat.uv);
+    job.layout.triangles = std::move(flat.triangles);
+    job.layout.vertexMap = std::move(flat.vertexMap);
+  };
+  return layoutJob(job, wanted, progress, compute, arrays, reportJson);
+}
+
+Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
+  Result<SeamSources> seams = parseSeams(job.seams);
+  if (!seams.ok()) return {seams.status.code, "seams: " + seams.status.message};
+  seams.value.edges = std::move(job.unwrapOptions.seams.edges);
+  job.unwrapOptions.seams = std::move(seams.value);
+  job.unwrapOptions.progress = progress;
+  job.unwrapOptions.roundsToSingle = wanted.ply || !wanted.obj;
+  const auto compute = [&] { return unwrap(job.mesh, job.unwrapOptions); };
+  const auto arrays = [&](UnwrapResult& atlas) {
+    job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);
+    job.layout.triangles = std::move(atlas.triangles);
+    job.layout.vertexMap = std::move(atlas.vertexMap);
+    job.layout.chartOfTriangle = std::move(atlas.chartOfTriangle);
+    job.layout.seams = std::move(atlas.seams);
+  };
+  return layoutJob(job, wanted, progress, compute, arrays, unwrapReportJson);
 }
 
 Status compareJob(Job& job, const ProgressCallback& progress) {
@@ -103,11 +149,11 @@ Status compareJob(Job& job, const ProgressCallback& progress) {
   Result<Comparison> compared = compare(job.mesh, {progress});
   if (!compared.ok()) return compared.status;
   Comparison& comparison = compared.value;
-  if (job.isFile) job.positions = gatherPositions(job.mesh, comparison.vertexMap);
+  if (job.isFile) job.layout.positions = gather(job.mesh.positions, 3, comparison.vertexMap);
   job.text = compareJson(comparison, job.name);
   job.methods = std::move(comparison.methods);
-  job.result.triangles = std::move(comparison.triangles);
-  job.result.vertexMap = std::move(comparison.vertexMap);
+  job.layout.triangles = std::move(comparison.triangles);
+  job.layout.vertexMap = std::move(comparison.vertexMap);
   progress({job.methods.back().method.c_str(), 0, 0, 1});
   return {};
 }
@@ -120,8 +166,8 @@ Status inspectJob(Job& job) {
 
 Status loadJob(Job& job) {
   if (Status s = readInput(job); !s.ok()) return s;
-  job.result.triangles = triangulate(job.mesh).vertex;
-  job.positions = std::move(job.mesh.positions);
+  job.layout.triangles = triangulate(job.mesh).vertex;
+  job.layout.positions = std::move(job.mesh.positions);
   return {};
 }
 
@@ -130,8 +176,8 @@ Status sampleJob(Job& job, double detail) {
   for (const Sample& sample : samples()) {
     if (sample.name == job.name) {
       PolygonMesh mesh = sample.make(detail);
-      job.positions = std::move(mesh.positions);
-      job.result.triangles = std::move(mesh.faceVertices);
+      job.layout.positions = std::move(mesh.positions);
+      job.layout.triangles = std::move(mesh.faceVertices);
       return {};
     }
     names.append(names.empty() ? "" : ", ").append(sample.name);

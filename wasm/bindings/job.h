@@ -10,8 +10,19 @@
 #include "abflat/io.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
+#include "abflat/unwrap.h"
 
 namespace abflat::bindings {
+
+/// What a layout is for JavaScript, of either kind; what a kind does not have is empty.
+struct LayoutArrays {
+  std::vector<double> uv;                ///< 2 per output vertex
+  std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle
+  std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
+  std::vector<double> positions;         ///< 3 per output vertex, files only
+  std::vector<std::uint32_t> chartOfTriangle;
+  std::vector<EdgeVertices> seams;
+};
 
 /// One call from JavaScript: the input it wrote, then the results it reads.
 struct Job {
@@ -21,15 +32,26 @@ struct Job {
   MeshFormat format = MeshFormat::Obj;  ///< of the file
   PolygonMesh mesh;
   FlattenOptions options;
-  FlattenResult result;
+  UnwrapOptions unwrapOptions;
+  std::string seams = "auto";  ///< as parseSeams takes them; unwrapOptions has the edges
+  LayoutArrays layout;
   std::vector<MethodResult> methods;  ///< of a comparison
-  std::vector<double> positions;      ///< 3 per output vertex, files only
   std::string obj, ply;               ///< files, when asked for
   std::string text;                   ///< JSON on success, otherwise the message of the error
 };
 
 /// What JavaScript can read from a finished job; the numbers are those of `Field` in engine.ts.
-enum class Field : int { Uv, Indices, VertexMap, Positions, Obj, Ply, Text };
+enum class Field : int {
+  Uv,
+  Indices,
+  VertexMap,
+  Positions,
+  Obj,
+  Ply,
+  Text,
+  ChartOfTriangle,
+  Seams
+};
 
 struct Bytes {
   const void* data = nullptr;
@@ -49,9 +71,14 @@ struct WantedFiles {
   bool obj = false, ply = false;
 };
 
-/// Fills everything that resultOf() returns. `progress` as in FlattenOptions, with the stages
-/// "read" and "write" added.
+/// Fills everything that resultOf() returns of a layout. `progress` as in FlattenOptions, with the
+/// stages "read" and "write" added.
 Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
+
+/// The same, `progress` as in UnwrapOptions. Texcoords are rounded to single precision, which is
+/// what graphics cards and PLY hold, unless OBJ alone is wanted, which is written as it is by the
+/// program.
+Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// Fills what resultOf() returns but uv, and job.methods. `progress` as in CompareOptions, with the
 /// stage "read" added.

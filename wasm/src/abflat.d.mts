@@ -9,8 +9,12 @@ export interface NativeModule {
   _abflatPositions(job: number, count: number): number;
   _abflatIndices(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
+  _abflatSetUnwrapOption(job: number, index: number, value: number): number;
+  _abflatSeams(job: number, bytes: number): number;
+  _abflatSeamEdges(job: number, count: number): number;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
+  _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;
   _abflatCompare(job: number): number;
   _abflatInspect(job: number): number;
   _abflatLoad(job: number): number;

@@ -5,7 +5,7 @@ import { STATUS_NAMES } from './generated.js';
 import { takeFile, takeMesh } from './input.js';
 import { MAX_MEMORY } from './memory.js';
 import type { Platform } from './platform.js';
-import type { Description } from './protocol.js';
+import type { Description, LayoutRequest, Request } from './protocol.js';
 import type {
   Abflat,
   CallOptions,
@@ -19,6 +19,8 @@ import type {
   MeshSummary,
   SampleOptions,
   TriangleMesh,
+  UnwrapOptions,
+  UnwrapResult,
 } from './types.js';
 import {
   boundNumbers,
@@ -30,8 +32,10 @@ import {
   checkNumber,
   checkSignal,
   checkString,
+  flattenNumbers,
   KEYS,
-  optionNumbers,
+  seamVertices,
+  unwrapNumbers,
 } from './validate.js';
 import { wasmFile } from './wasm-file.js';
 
@@ -48,6 +52,7 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
   return {
     build,
     flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
+    unwrap: async (mesh, settings = {}) => unwrap(client, mesh, settings),
     compare: async (mesh, settings = {}) => compare(client, mesh, settings),
     inspect: async (mesh, settings = {}) => inspect(client, mesh, settings),
     load: async (file, settings = {}) => load(client, file, settings),
@@ -100,28 +105,47 @@ function checkThreads(): void {
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
   checkKeys(options, KEYS.flatten);
-  const { obj, ply, transfer, signal, onProgress } = options;
-  const values = optionNumbers(options);
-  const bounds = boundNumbers(options.bounds);
+  const settings = {
+    kind: 'flatten',
+    values: flattenNumbers(options),
+    bounds: boundNumbers(options.bounds),
+  } as const;
+  return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
+}
+
+function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promise<UnwrapResult> {
+  checkKeys(options, KEYS.unwrap);
+  const { seams } = options;
+  if (seams !== undefined) checkString('seams', seams);
+  const settings = {
+    kind: 'unwrap',
+    values: unwrapNumbers(options),
+    seams,
+    seamEdges: seamVertices(options.seamEdges),
+  } as const;
+  return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
+}
+
+/** What the calls that give a layout share. `request` adds what is their own. */
+function layout<T extends FlattenResult | UnwrapResult>(
+  client: Client,
+  mesh: MeshInput,
+  { obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
+  request: (common: LayoutRequest) => Request,
+): Promise<T> {
   checkBoolean('obj', obj);
   checkBoolean('ply', ply);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
   client.checkUsable(signal);
   const owned = takeMesh(mesh, transfer);
-  const wantsProgress = onProgress !== undefined;
-  return client.call<FlattenResult>(
-    {
-      kind: 'flatten',
-      mesh: owned.mesh,
-      values,
-      bounds,
-      wantsObj: obj === true,
-      wantsPly: ply === true,
-      wantsProgress,
-    },
-    { transfer: owned.buffers, signal, onProgress },
-  );
+  const common: LayoutRequest = {
+    mesh: owned.mesh,
+    wantsObj: obj === true,
+    wantsPly: ply === true,
+    wantsProgress: onProgress !== undefined,
+  };
+  return client.call<T>(request(common), { transfer: owned.buffers, signal, onProgress });
 }
 
 function compare(client: Client, mesh: MeshInput, options: CompareOptions): Promise<Comparison> {

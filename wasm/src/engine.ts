@@ -12,13 +12,35 @@ import type {
   AnyProgress,
   Description,
   FlattenRequest,
+  LayoutRequest,
   OwnedMesh,
   Request,
+  UnwrapRequest,
 } from './protocol.js';
-import type { Comparison, FlattenResult, MeshSummary, Report, TriangleMesh } from './types.js';
+import type {
+  Comparison,
+  FlattenResult,
+  Layout,
+  LayoutTimings,
+  MeshSummary,
+  Report,
+  TriangleMesh,
+  UnwrapReport,
+  UnwrapResult,
+} from './types.js';
 
 /** The numbers are those of `Field` in wasm/bindings/job.h. */
-const FIELD = { uv: 0, indices: 1, vertexMap: 2, positions: 3, obj: 4, ply: 5, text: 6 } as const;
+const FIELD = {
+  uv: 0,
+  indices: 1,
+  vertexMap: 2,
+  positions: 3,
+  obj: 4,
+  ply: 5,
+  text: 6,
+  chartOfTriangle: 7,
+  seams: 8,
+} as const;
 
 /** Minified names may differ between builds, so each module needs its own. */
 const CREATE = { plain: createPlain, simd: createSimd, threads: createThreads };
@@ -31,6 +53,13 @@ class OutOfMemory extends Error {}
 
 interface Hooks {
   onProgress(progress: AnyProgress): void;
+}
+
+/** What differs between the calls that give a layout. */
+interface LayoutSteps<R, T> {
+  set(job: number, native: NativeModule): void;
+  run(job: number, wantsObj: number, wantsPly: number): number;
+  complete(layout: Layout<R>, job: number): T;
 }
 
 export class Engine {
@@ -112,6 +141,8 @@ export class Engine {
         return this.#describe();
       case 'flatten':
         return this.#flatten(request);
+      case 'unwrap':
+        return this.#unwrap(request);
       case 'compare':
         return this.#withJob((job) => this.#compare(job, request.mesh));
       case 'inspect':
@@ -134,33 +165,70 @@ export class Engine {
     };
   }
 
-  #flatten({ mesh, values, bounds, wantsObj, wantsPly }: FlattenRequest): FlattenResult {
+  #flatten(request: FlattenRequest): FlattenResult {
+    const { values, bounds } = request;
+    return this.#withLayout<Report, FlattenResult>(request, {
+      set: (job, native) => {
+        this.#setOptions(job, values, native._abflatSetOption);
+        for (let i = 0; i < bounds.length; i += 2)
+          native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
+      },
+      run: this.#native._abflatFlatten,
+      complete: (layout) => layout,
+    });
+  }
+
+  #unwrap(request: UnwrapRequest): UnwrapResult {
+    const { values, seams, seamEdges } = request;
+    return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
+      set: (job, native) => {
+        this.#setOptions(job, values, native._abflatSetUnwrapOption);
+        if (seams !== undefined) this.#writeText(seams, (bytes) => native._abflatSeams(job, bytes));
+        const edges = native._abflatSeamEdges(job, seamEdges.length / 2) >>> 0;
+        new Uint32Array(this.#memory.buffer, edges, seamEdges.length).set(seamEdges);
+      },
+      run: this.#native._abflatUnwrap,
+      complete: (layout, job) => ({
+        ...layout,
+        chartOfTriangle: new Uint32Array(this.#read(job, FIELD.chartOfTriangle)),
+        seams: new Uint32Array(this.#read(job, FIELD.seams)),
+      }),
+    });
+  }
+
+  #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
+    { mesh, wantsObj, wantsPly }: LayoutRequest,
+    { set, run, complete }: LayoutSteps<R, T>,
+  ): T {
     const started = performance.now();
     return this.#withJob((job) => {
       this.#writeMesh(job, mesh);
       const written = performance.now();
-      values.forEach((value, index) => {
-        this.#check(job, this.#native._abflatSetOption(job, index, value));
-      });
-      for (let i = 0; i < bounds.length; i += 2)
-        this.#native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
-      this.#check(job, this.#native._abflatFlatten(job, Number(wantsObj), Number(wantsPly)));
+      set(job, this.#native);
+      this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
-      const result: FlattenResult = {
+      const layout: Layout<R> = {
         uv: new Float64Array(this.#read(job, FIELD.uv)),
         indices: new Uint32Array(this.#read(job, FIELD.indices)),
         vertexMap: new Uint32Array(this.#read(job, FIELD.vertexMap)),
-        report: JSON.parse(this.#readText(job)) as Report,
+        report: JSON.parse(this.#readText(job)) as R,
       };
-      if ('bytes' in mesh) result.positions = new Float64Array(this.#read(job, FIELD.positions));
-      if (wantsObj) result.obj = new Uint8Array(this.#read(job, FIELD.obj));
-      if (wantsPly) result.ply = new Uint8Array(this.#read(job, FIELD.ply));
+      if ('bytes' in mesh) layout.positions = new Float64Array(this.#read(job, FIELD.positions));
+      if (wantsObj) layout.obj = new Uint8Array(this.#read(job, FIELD.obj));
+      if (wantsPly) layout.ply = new Uint8Array(this.#read(job, FIELD.ply));
+      const result = complete(layout, job);
       const { timings } = result.report;
       const now = performance.now();
       timings.read += (written - started) / 1000;
       timings.write += (now - finished) / 1000;
       timings.total = (now - started) / 1000;
       return result;
+    });
+  }
+
+  #setOptions(job: number, values: number[], set: NativeModule['_abflatSetOption']): void {
+    values.forEach((value, index) => {
+      this.#check(job, set(job, index, value));
     });
   }
 
@@ -251,8 +319,13 @@ export class Engine {
   }
 
   #writeName(job: number, name: string): void {
-    const bytes = new TextEncoder().encode(name);
-    const start = this.#native._abflatName(job, bytes.length) >>> 0;
+    this.#writeText(name, (bytes) => this.#native._abflatName(job, bytes));
+  }
+
+  /** `room` gives the address for so many bytes. */
+  #writeText(text: string, room: (bytes: number) => number): void {
+    const bytes = new TextEncoder().encode(text);
+    const start = room(bytes.length) >>> 0;
     new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
   }
 

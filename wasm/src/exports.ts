@@ -9,6 +9,9 @@ export {
   STATUS_NAMES,
   STATUSES,
   type StatusName,
+  UNWRAP_DEFAULTS,
+  UNWRAP_OPTIONS,
+  type UnwrapOptionValues,
 } from './generated.js';
 export { SAMPLE_NAMES, type SampleName } from './samples.js';
 export type * from './types.js';

@@ -10,6 +10,8 @@ import type {
   MeshSummary,
   Progress,
   TriangleMesh,
+  UnwrapProgress,
+  UnwrapResult,
 } from './types.js';
 
 export interface OwnedFile {
@@ -20,21 +22,36 @@ export interface OwnedFile {
 /** A mesh in buffers that belong to the call. */
 export type OwnedMesh = MeshArrays | OwnedFile;
 
-export interface FlattenRequest {
-  kind: 'flatten';
+/** What the calls that give a layout share. */
+export interface LayoutRequest {
   mesh: OwnedMesh;
-  /** One number per option of FLATTEN_OPTIONS, in its order. */
-  values: number[];
-  /** Vertex and t of each bound in turn. */
-  bounds: number[];
   wantsObj: boolean;
   wantsPly: boolean;
   wantsProgress: boolean;
 }
 
+export interface FlattenRequest extends LayoutRequest {
+  kind: 'flatten';
+  /** One number per option of FLATTEN_OPTIONS, in its order. */
+  values: number[];
+  /** Vertex and t of each bound in turn. */
+  bounds: number[];
+}
+
+export interface UnwrapRequest extends LayoutRequest {
+  kind: 'unwrap';
+  /** One number per option of UNWRAP_OPTIONS, in its order. */
+  values: number[];
+  /** Where to cut, in words; without it what the module does by itself. */
+  seams?: string;
+  /** Two vertices per edge. */
+  seamEdges: Uint32Array;
+}
+
 export type Request =
   | { kind: 'describe' }
   | FlattenRequest
+  | UnwrapRequest
   | { kind: 'compare'; mesh: OwnedMesh; wantsProgress: boolean }
   | { kind: 'inspect'; mesh: OwnedMesh }
   | { kind: 'load'; mesh: OwnedFile }
@@ -47,9 +64,15 @@ export interface Description {
   samples: string[];
 }
 
-export type Answer = Description | FlattenResult | Comparison | MeshSummary | TriangleMesh;
+export type Answer =
+  | Description
+  | FlattenResult
+  | UnwrapResult
+  | Comparison
+  | MeshSummary
+  | TriangleMesh;
 
-export type AnyProgress = Progress | CompareProgress;
+export type AnyProgress = Progress | UnwrapProgress | CompareProgress;
 
 export type ToWorker =
   | { type: 'start'; module: WebAssembly.Module; maxMemory: number }

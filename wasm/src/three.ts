@@ -1,7 +1,9 @@
-// Helper for three.js.
+// Helpers for three.js.
 
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { FlattenResult, MeshArrays } from './types.js';
+import type { Layout, MeshArrays } from './types.js';
+
+export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
 
 export interface ToBufferGeometryOptions {
   /** Scale and move uv into [0, 1] x [0, 1], keeping its proportions. Default: false, uv in the unit of the mesh. */
@@ -10,31 +12,59 @@ export interface ToBufferGeometryOptions {
 
 /**
  * Geometry with position, uv, normal (smooth) and index; one vertex per output vertex of `result`.
- * `mesh`: the arrays that were flattened; not needed when a file was, whose positions are in the result.
+ * `mesh`: the arrays that went in; not needed for a file, whose positions are in the result.
  */
 export function toBufferGeometry(
-  result: Pick<FlattenResult, 'uv' | 'indices' | 'vertexMap' | 'positions'>,
+  result: Pick<Layout<unknown>, 'uv' | 'indices' | 'vertexMap' | 'positions'>,
   mesh?: Pick<MeshArrays, 'positions'>,
   options: ToBufferGeometryOptions = {},
 ): BufferGeometry {
   const geometry = new BufferGeometry();
   const uv = options.normalize ? normalized(result.uv) : new Float32Array(result.uv);
-  geometry.setAttribute('position', new BufferAttribute(positionsOf(result, mesh), 3));
+  const positions = positionsOf(result, mesh);
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('uv', new BufferAttribute(uv, 2));
+  geometry.setAttribute('normal', new BufferAttribute(smoothNormals(positions, result), 3));
   geometry.setIndex(new BufferAttribute(new Uint32Array(result.indices), 1));
-  geometry.computeVertexNormals();
   return geometry;
 }
 
+/** The same for all output vertices of an input vertex: a seam is no edge of the surface. */
+function smoothNormals(
+  positions: Float32Array,
+  { indices, vertexMap }: Pick<Layout<unknown>, 'indices' | 'vertexMap'>,
+): Float32Array {
+  const first = new Map<number, number>();
+  const shared = vertexMap.map((vertex, i) => {
+    const known = first.get(vertex);
+    if (known !== undefined) return known;
+    first.set(vertex, i);
+    return i;
+  });
+  const surface = new BufferGeometry();
+  surface.setAttribute('position', new BufferAttribute(positions, 3));
+  surface.setIndex(
+    new BufferAttribute(
+      indices.map((i) => shared[i] as number),
+      1,
+    ),
+  );
+  surface.computeVertexNormals();
+  const { array } = surface.getAttribute('normal');
+  const normals = new Float32Array(positions.length);
+  shared.forEach((from, i) => {
+    for (let k = 0; k < 3; ++k) normals[3 * i + k] = array[3 * from + k] as number;
+  });
+  return normals;
+}
+
 function positionsOf(
-  { positions, vertexMap }: Pick<FlattenResult, 'positions' | 'vertexMap'>,
+  { positions, vertexMap }: Pick<Layout<unknown>, 'positions' | 'vertexMap'>,
   mesh: Pick<MeshArrays, 'positions'> | undefined,
 ): Float32Array {
   if (positions) return new Float32Array(positions);
   if (!mesh) {
-    throw new TypeError(
-      'toBufferGeometry needs the mesh when arrays and not a file were flattened.',
-    );
+    throw new TypeError('toBufferGeometry needs the mesh when it is of arrays and not of a file.');
   }
   const out = new Float32Array(3 * vertexMap.length);
   vertexMap.forEach((vertex, i) => {

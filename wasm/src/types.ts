@@ -1,5 +1,5 @@
 import type { Build } from './builds.js';
-import type { FlattenOptionValues } from './generated.js';
+import type { FlattenOptionValues, UnwrapOptionValues } from './generated.js';
 
 /** A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise. */
 export interface MeshArrays {
@@ -37,15 +37,18 @@ export interface VertexBound {
   t: number;
 }
 
-/** The plain values are described, with their defaults, by FLATTEN_OPTIONS. */
-export interface FlattenOptions extends CallOptions, Partial<FlattenOptionValues> {
-  /** Bounds of single boundary vertices, in place of the common t. */
-  bounds?: VertexBound[];
-  onProgress?: (progress: Progress) => void;
+export interface LayoutOptions extends CallOptions {
   /** Also return the input as OBJ text with the new texcoords. */
   obj?: boolean;
   /** Also return the input as PLY with the new texcoords; the layout is rounded to single precision where it stays valid. */
   ply?: boolean;
+}
+
+/** The plain values are described, with their defaults, by FLATTEN_OPTIONS. */
+export interface FlattenOptions extends LayoutOptions, Partial<FlattenOptionValues> {
+  /** Bounds of single boundary vertices, in place of the common t. */
+  bounds?: VertexBound[];
+  onProgress?: (progress: Progress) => void;
 }
 
 export interface NewtonStep {
@@ -110,42 +113,45 @@ export interface ChartReport {
   valid: boolean;
 }
 
-/** The same report as the command line writes. Seconds in `timings`. */
+/** Seconds; the stages between depend on the call. */
+export interface LayoutTimings {
+  read: number;
+  write: number;
+  total: number;
+}
+
+/** A count is null where the input is not known. */
+export interface InputSummary {
+  path: string;
+  vertices: number;
+  faces: number;
+  triangles: number;
+  components: number;
+  boundaryLoops: number;
+  boundaryEdges: number;
+  genus: number;
+}
+
+/** The same report as the command line writes. */
 export interface Report {
   version: string;
-  input: {
-    path: string;
-    vertices: number;
-    faces: number;
-    triangles: number;
-    components: number;
-    boundaryLoops: number;
-    boundaryEdges: number;
-    genus: number;
-  };
+  input: InputSummary;
   /** As asked. */
   options: FlattenOptionValues;
   /** That the solver used. */
   threads: number;
   charts: ChartReport[];
   valid: boolean;
-  timings: {
-    read: number;
-    connectivity: number;
-    solve: number;
-    layout: number;
-    check: number;
-    write: number;
-    total: number;
-  };
+  timings: LayoutTimings & { connectivity: number; solve: number; layout: number; check: number };
 }
 
-export interface FlattenResult {
-  /** 2 per output vertex, in the unit of the input (the layout has the area of the 3D surface). */
+/** What every layout has; `R` is its report. */
+export interface Layout<R> {
+  /** 2 per output vertex. */
   uv: Float64Array;
   /** 3 output vertices per triangle; polygons of a file are triangulated. */
   indices: Uint32Array;
-  /** Input vertex of each output vertex: the identity for a plain disk without unused vertices. */
+  /** Input vertex of each output vertex. */
   vertexMap: Uint32Array;
   /** 3 per output vertex, only for file input (arrays know their own positions through vertexMap). */
   positions?: Float64Array;
@@ -153,7 +159,121 @@ export interface FlattenResult {
   obj?: Uint8Array;
   /** PLY when asked for with `ply: true`: in the encoding of the input, binary where that is no PLY. */
   ply?: Uint8Array;
-  report: Report;
+  report: R;
+}
+
+/**
+ * `uv` is in the unit of the input: the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
+ * disk without unused vertices.
+ */
+export type FlattenResult = Layout<Report>;
+
+/** `stage` and `fraction` tell where the run is; numbers of Newton's method are 0. */
+export interface UnwrapProgress extends Omit<Progress, 'stage'> {
+  stage: 'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write';
+}
+
+/** The plain values are described, with their defaults, by UNWRAP_OPTIONS. */
+export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues> {
+  /** Where to cut: `auto` (the default), `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
+  seams?: string;
+  /** Edges to cut beside those, two vertices of the input each. */
+  seamEdges?: Uint32Array;
+  onProgress?: (progress: UnwrapProgress) => void;
+}
+
+/** What was done to see the surface in the mesh, which itself keeps all of it. Faces and vertices are those of the input. */
+export interface RepairReport {
+  /** At the place of another vertex: one vertex of the surface. */
+  mergedVertices: number;
+  /** Fewer than three places. */
+  collapsedFaces: number[];
+  /** Use a place twice. */
+  splitFaces: number[];
+  /** Have the places of an earlier face, the second number: charts of their own. */
+  duplicateFaces: [number, number][];
+  /** Edges of more than two faces, which are cut. */
+  nonManifoldEdges: [number, number][];
+  /** Edges whose two faces run in the same direction, which are cut. */
+  orientationConflicts: [number, number][];
+  /** Of zero area. */
+  degenerateTriangles: number;
+}
+
+/** Measures are as in ChartReport, at the chart's own scale. */
+export interface UnwrapChart {
+  /** Triangles. */
+  faces: number;
+  /** A face of the input that is in it. */
+  firstFace: number;
+  boundaryVertices: number;
+  /** In 3D. */
+  area: number;
+  solver: string;
+  iterations: number;
+  angularDistortion: number;
+  quasiConformal: { mean: number; max: number };
+  symmetricDirichlet: number;
+  fallbacks: string[];
+  /** Why the chart is not valid, one sentence; empty when it is. */
+  problem: string;
+  valid: boolean;
+}
+
+/** The same report as the command line writes. */
+export interface UnwrapReport {
+  version: string;
+  input: InputSummary;
+  /** As asked. */
+  options: UnwrapOptionValues;
+  threads: number;
+  repair: RepairReport;
+  seams: {
+    edges: number;
+    /** Length divided by the root of the surface's area. */
+    relativeLength: number;
+    /** -1 where the surface is cut because it is no manifold. */
+    genus: number;
+    handleLoops: number;
+  };
+  charts: UnwrapChart[];
+  /** What was done otherwise than asked, one sentence each. */
+  notes: string[];
+  /** Means over all charts by 3D area. */
+  angularDistortion: number;
+  quasiConformalMean: number;
+  symmetricDirichlet: number;
+  atlas: {
+    /** Texels along a side. */
+    resolution: number;
+    /** Texels. */
+    padding: number;
+    /** Share of the square that charts cover. */
+    utilization: number;
+    /** Texels per unit of length of the mesh. */
+    texelDensity: number;
+  };
+  /** Every chart is valid and none overlap. */
+  valid: boolean;
+  timings: LayoutTimings & {
+    surface: number;
+    seams: number;
+    solve: number;
+    pack: number;
+    check: number;
+  };
+}
+
+/**
+ * `uv` is in [0, 1]. Without `obj` its numbers are single precision ones, where the charts stay valid: copied to a
+ * Float32Array they are what was checked. A vertex of the input is there once for every uv that it has. Triangles are in the
+ * order of the input's faces, and a triangle mesh keeps all of them.
+ */
+export interface UnwrapResult extends Layout<UnwrapReport> {
+  /** Index into report.charts of each triangle; 2^32 - 1 for one without area that nothing touches. */
+  chartOfTriangle: Uint32Array;
+  /** Edges that were cut, two vertices of the input each. */
+  seams: Uint32Array;
 }
 
 /** What a mesh is; `disk.ok` tells whether `flatten` accepts it, `disk.message` why not. */
@@ -252,6 +372,8 @@ export interface Abflat {
   /** Which build of the module runs. */
   readonly build: Build;
   flatten(mesh: MeshInput, options?: FlattenOptions): Promise<FlattenResult>;
+  /** Cuts any mesh into charts, flattens them and packs them into the unit square. */
+  unwrap(mesh: MeshInput, options?: UnwrapOptions): Promise<UnwrapResult>;
   /** The layouts of abflat beside those of well-known methods; fails where `flatten` would. */
   compare(mesh: MeshInput, options?: CompareOptions): Promise<Comparison>;
   inspect(mesh: MeshInput, options?: CallOptions): Promise<MeshSummary>;

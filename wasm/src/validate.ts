@@ -2,13 +2,22 @@
 
 import { BUILDS } from './builds.js';
 import { AbflatError } from './errors.js';
-import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, type FlattenOptionValues } from './generated.js';
+import {
+  FLATTEN_DEFAULTS,
+  FLATTEN_OPTIONS,
+  type FlattenOptionValues,
+  UNWRAP_DEFAULTS,
+  UNWRAP_OPTIONS,
+  type UnwrapOptionValues,
+} from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
 
 const OF_CALL = ['signal', 'transfer'];
+const OF_LAYOUT = ['onProgress', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
-  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'onProgress', 'obj', 'ply', ...OF_CALL],
+  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
+  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', ...OF_LAYOUT],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -106,12 +115,36 @@ function optionNumber(name: string, value: unknown, rule: OptionRule): number {
 }
 
 /** All options of flattening, in the order of FLATTEN_OPTIONS. */
-export function optionNumbers(options: Partial<FlattenOptionValues>): number[] {
-  return Object.entries(FLATTEN_OPTIONS).map(([name, rule]) => {
-    const key = name as keyof FlattenOptionValues;
-    const value = options[key] === undefined ? FLATTEN_DEFAULTS[key] : options[key];
+export function flattenNumbers(options: Partial<FlattenOptionValues>): number[] {
+  return optionNumbers(options, FLATTEN_OPTIONS, FLATTEN_DEFAULTS);
+}
+
+/** All options of unwrapping, in the order of UNWRAP_OPTIONS. */
+export function unwrapNumbers(options: Partial<UnwrapOptionValues>): number[] {
+  return optionNumbers(options, UNWRAP_OPTIONS, UNWRAP_DEFAULTS);
+}
+
+function optionNumbers<T extends object>(
+  options: Partial<T>,
+  rules: Readonly<Record<keyof T, OptionRule>>,
+  defaults: Readonly<T>,
+): number[] {
+  return Object.entries<OptionRule>(rules).map(([name, rule]) => {
+    const key = name as keyof T;
+    const value = options[key] === undefined ? defaults[key] : options[key];
     return optionNumber(name, value, rule);
   });
+}
+
+/** A copy: the caller's buffer stays. */
+export function seamVertices(edges: unknown): Uint32Array {
+  if (edges === undefined) return new Uint32Array();
+  if (tagOf(edges) !== 'Uint32Array')
+    throw invalid(`seamEdges must be a Uint32Array of vertex pairs, not ${tagOf(edges)}.`);
+  const pairs = edges as Uint32Array;
+  if (pairs.length % 2 !== 0)
+    throw invalid(`seamEdges has ${pairs.length} elements, not a multiple of 2.`);
+  return new Uint32Array(pairs);
 }
 
 export function boundNumbers(bounds: unknown): number[] {

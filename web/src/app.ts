@@ -1,39 +1,46 @@
-import type { Abflat, Comparison, MethodResult, Progress } from 'abflat';
+import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './alert';
+import { AtlasControl } from './atlas-control';
 import { BoundControl } from './bound-control';
+import { ChartsTab } from './charts-tab';
 import { Details } from './details';
 import { bindToggle, element } from './dom';
 import { exportFormat, exportMesh } from './export-mesh';
 import { count, counted, duration } from './format';
-import type { DisplayMesh } from './mesh';
+import type { AnyProgress, Outcome } from './lay-out';
 import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
+import { ModeSwitch } from './mode-switch';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
 import { flatPicture } from './picture';
 import { RunPanel } from './run-panel';
-import type { Outcome, SessionEvents, Settings, Source } from './session';
-import { Session, sameSettings } from './session';
+import type { Opened, SessionEvents, Source } from './session';
+import { Session } from './session';
+import { type FlattenSettings, type Settings, sameSettings } from './settings';
 import { SolverTab } from './solver-tab';
 import { flattenIfPossible } from './sweep';
 import { SweepTab } from './sweep-tab';
 import { bindTheme } from './theme';
 import type { Views } from './views';
-import { failure, layoutInfo, settingsText } from './words';
+import { failure, layoutInfo, settingsText, WORDS } from './words';
 
 /** Connects the session with what is on the page. */
 export class App implements SessionEvents {
   private readonly session: Session;
-  private readonly bound = new BoundControl(() => this.session.flatten(this.settings));
+  private readonly bound = new BoundControl(() => this.session.refresh());
+  private readonly atlas = new AtlasControl(() => this.session.refresh());
+  private readonly mode = new ModeSwitch(() => this.modeChanged());
   private readonly details = new Details((tab) => {
     if (tab === 'methods') this.methods.leave();
   });
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
+  private readonly charts = new ChartsTab();
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
         (abflat, input, signal) =>
-          flattenIfPossible(abflat, input, { ...this.settings, t }, signal),
+          flattenIfPossible(abflat, input, { ...this.diskSettings, t }, signal),
         signal,
       ),
     (t) => this.bound.choose(t),
@@ -48,7 +55,7 @@ export class App implements SessionEvents {
   );
   private readonly run = new RunPanel(
     () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
-    () => this.session.flatten(this.settings),
+    () => this.session.refresh(),
   );
   private readonly exportButton = element('export', HTMLButtonElement);
   private readonly exportText = element('export-text', HTMLSpanElement);
@@ -63,38 +70,56 @@ export class App implements SessionEvents {
     abflat: Promise<Abflat>,
     private readonly views: Views | null,
   ) {
-    this.session = new Session(abflat, this);
+    this.session = new Session(abflat, this, () => this.settings);
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    bindOpen((source) => void this.session.open(source, this.settings));
+    bindOpen((source) => void this.session.open(source));
     this.exportButton.addEventListener('click', () => this.export());
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     bindToggle('delaunay', (isOn) => {
       this.delaunay = isOn;
       this.sweep.clear();
-      this.session.flatten(this.settings);
+      this.session.refresh();
     });
-    void this.session.open({ kind: 'sample', name: FIRST_SAMPLE }, this.settings);
+    void this.session.open({ kind: 'sample', name: FIRST_SAMPLE });
   }
 
   private get settings(): Settings {
-    return { t: this.bound.t, delaunay: this.delaunay };
+    return this.mode.mode === 'unwrap' ? this.atlas.settings : this.diskSettings;
+  }
+
+  private get diskSettings(): FlattenSettings {
+    return { mode: 'flatten', t: this.bound.t, delaunay: this.delaunay };
+  }
+
+  /** The other kind of layout, with what belongs to it. */
+  private modeChanged(): void {
+    const { mode } = this.mode;
+    this.methods.leave();
+    this.methods.stop();
+    this.sweep.stop();
+    this.details.setMode(mode);
+    element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
+    this.session.refresh();
   }
 
   started(source: Source, settings: Settings | null): void {
     this.methods.leave();
+    const { doing, verb } = WORDS[this.mode.mode];
     this.run.start(
-      settings ? `Flattening with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
+      settings ? `${doing} with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
+      verb,
     );
     document.body.setAttribute('aria-busy', 'true');
     this.markStale(settings ?? this.settings);
   }
 
-  progress(progress: Progress): void {
+  progress(progress: AnyProgress): void {
     this.run.progress(progress);
   }
 
-  opened(source: Source, mesh: DisplayMesh): void {
+  opened({ source, mesh, disk }: Opened): void {
     hideAlert();
+    this.mode.setDisk(disk);
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
@@ -107,20 +132,30 @@ export class App implements SessionEvents {
     this.markStale();
   }
 
-  flattened(outcome: Outcome): void {
+  laidOut(outcome: Outcome): void {
     const { report } = outcome.result;
     hideAlert();
     this.outcome = outcome;
     this.showResult(outcome);
-    this.metrics.show(report);
-    this.solver.show(report.charts[0]);
-    this.sweep.setCurrent(report.charts[0].t);
-    this.bound.setBoundaryVertices(report.charts[0].boundaryVertices);
-    if (outcome.settings.t === 'auto') this.bound.showFound(report.charts[0]);
+    this.metrics.show(outcome);
+    this.showDetails(outcome);
     this.updateExport();
     this.markStale(outcome.settings);
     const verdict = report.valid ? '' : ', not valid';
-    this.finish(`Flattened in ${duration(report.timings.total)}${verdict}`, false);
+    const { done } = WORDS[outcome.mode];
+    this.finish(`${done} in ${duration(report.timings.total)}${verdict}`, false);
+  }
+
+  private showDetails(outcome: Outcome): void {
+    if (outcome.mode === 'unwrap') {
+      this.charts.show(outcome.result.report);
+      return;
+    }
+    const [chart] = outcome.result.report.charts;
+    this.solver.show(chart);
+    this.sweep.setCurrent(chart.t);
+    this.bound.setBoundaryVertices(chart.boundaryVertices);
+    if (outcome.settings.t === 'auto') this.bound.showFound(chart);
   }
 
   cancelled(): void {
@@ -133,7 +168,7 @@ export class App implements SessionEvents {
     showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
     const isStale = this.markStale();
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
-    else this.finish('Not flattened', false);
+    else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
   }
 
   private finish(text: string, canRepeat: boolean): void {
@@ -186,8 +221,9 @@ export class App implements SessionEvents {
   }
 
   private showNotes(): void {
-    this.details.openAt('solver');
-    element('notes', HTMLElement).scrollIntoView({ block: 'nearest' });
+    const isAtlas = this.outcome?.mode === 'unwrap';
+    this.details.openAt(isAtlas ? 'charts' : 'solver');
+    element(isAtlas ? 'atlas-notes' : 'notes', HTMLElement).scrollIntoView({ block: 'nearest' });
   }
 
   private showTitle(source: Source): void {

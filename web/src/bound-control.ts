@@ -45,7 +45,9 @@ export class BoundControl {
       this.showSlider();
       this.changed('auto');
     });
-    element('bound', HTMLFormElement).addEventListener('submit', (event) => event.preventDefault());
+    element('flatten-options', HTMLFormElement).addEventListener('submit', (event) =>
+      event.preventDefault(),
+    );
   }
 
   get t(): Bound {

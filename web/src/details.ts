@@ -1,14 +1,21 @@
 import { element } from './dom';
+import type { Mode } from './settings';
 
 /** The tabs, as their ids in the page. */
-export type Tab = 'solver' | 'sweep' | 'methods';
+export type Tab = 'solver' | 'sweep' | 'methods' | 'charts';
 
-const TABS: Tab[] = ['solver', 'sweep', 'methods'];
+const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts'];
+/** What there is to see of each kind of layout. */
+const TABS_OF: Record<Mode, Tab[]> = {
+  flatten: ['solver', 'sweep', 'methods'],
+  unwrap: ['charts'],
+};
 
 /** The pane that opens beside the layout: one of its tabs at a time. */
 export class Details {
   private readonly pane = element('details', HTMLElement);
   private readonly toggle = element('details-toggle', HTMLButtonElement);
+  private offered = TABS_OF.flatten;
   private readonly tabs = TABS.map((tab) => element(`tab-${tab}`, HTMLButtonElement));
 
   /** `left` is called when a tab is no longer seen. */
@@ -22,6 +29,15 @@ export class Details {
       button.addEventListener('click', () => this.select(TABS[i]));
       button.addEventListener('keydown', (event) => this.onKey(event, i));
     });
+  }
+
+  /** Offers the tabs of a kind of layout. */
+  setMode(mode: Mode): void {
+    this.offered = TABS_OF[mode];
+    TABS.forEach((tab, i) => {
+      this.tabs[i].hidden = !this.offered.includes(tab);
+    });
+    if (!this.offered.includes(this.selected)) this.select(this.offered[0]);
   }
 
   /** Opens the pane at a tab and takes the focus there. */
@@ -68,16 +84,17 @@ export class Details {
   }
 
   private onKey(event: KeyboardEvent, i: number): void {
-    const last = TABS.length - 1;
+    const at = this.offered.indexOf(TABS[i]);
+    const last = this.offered.length - 1;
     const to = {
-      ArrowLeft: i === 0 ? last : i - 1,
-      ArrowRight: i === last ? 0 : i + 1,
+      ArrowLeft: at === 0 ? last : at - 1,
+      ArrowRight: at === last ? 0 : at + 1,
       Home: 0,
       End: last,
     }[event.key];
     if (to === undefined) return;
     event.preventDefault();
-    this.select(TABS[to]);
-    this.tabs[to].focus();
+    this.select(this.offered[to]);
+    this.tabs[TABS.indexOf(this.offered[to])].focus();
   }
 }

@@ -27,6 +27,11 @@ export class EdgeLines {
     this.object.visible = edges.length > 0;
   }
 
+  /** In css pixels. */
+  setWidth(width: number): void {
+    this.material.linewidth = width;
+  }
+
   setColor(color: Color): void {
     this.material.color = color;
   }

@@ -1,4 +1,5 @@
-import type { Outcome, Source } from './session';
+import type { Outcome } from './lay-out';
+import type { Source } from './session';
 
 /** A file goes back in the format it came in where that holds texcoords. */
 export const exportFormat = (source: Source) => (/\.ply$/i.test(source.name) ? 'ply' : 'obj');

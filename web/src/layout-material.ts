@@ -1,16 +1,20 @@
 import { Color, DoubleSide, ShaderMaterial } from 'three';
+import { CHART_COLORS } from './chart-colors';
 import type { Palette } from './palette';
 import { RAMP_SIZE } from './palette';
-import { CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   attribute float error;
+  attribute float chart;
   varying vec3 vCorner;
   flat varying float vError;
+  flat varying float vChart;
   void main() {
     vCorner = cornerOf(gl_VertexID);
     vError = error;
+    vChart = chart;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }
 `;
@@ -19,22 +23,26 @@ const VERTEX = /* glsl */ `
 const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
   ${RAMP_GLSL}
-  uniform bool showsError;
+  ${CHART_GLSL}
+  uniform bool showsError, showsCharts;
   uniform float pixelRatio;
   uniform vec3 fill, edge, flipped;
   varying vec3 vCorner;
   flat varying float vError;
+  flat varying float vChart;
   void main() {
-    vec3 base = showsError ? rampColor(vError) : fill;
-    float alpha = showsError ? 0.9 : 0.75;
+    vec3 base = showsCharts ? chartColor(vChart) : fill;
+    vec3 lines = showsCharts ? 0.35 * base : edge;
+    if (showsError) base = rampColor(vError);
+    float alpha = showsError || showsCharts ? 0.9 : 0.75;
     if (!gl_FrontFacing) base = flipped;
-    float line = edgeCoverage(vCorner, pixelRatio) * (showsError ? 0.45 : 0.85);
-    gl_FragColor = vec4(mix(base, edge, line), mix(alpha, 1.0, line));
+    float line = edgeCoverage(vCorner, pixelRatio) * (showsError || showsCharts ? 0.45 : 0.85);
+    gl_FragColor = vec4(mix(base, lines, line), mix(alpha, 1.0, line));
     #include <colorspace_fragment>
   }
 `;
 
-/** Material of the uv layout. Its geometry has no index and the attribute error (angle error). */
+/** Material of the uv layout. Its geometry has no index and the attributes error (angle error) and chart (number of its colour). */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,
@@ -45,11 +53,13 @@ export function createLayoutMaterial(): ShaderMaterial {
     depthWrite: false,
     uniforms: {
       showsError: { value: false },
+      showsCharts: { value: false },
       pixelRatio: { value: 1 },
       fill: { value: new Color() },
       edge: { value: new Color() },
       flipped: { value: new Color() },
       ramp: { value: Array.from({ length: RAMP_SIZE }, () => new Color()) },
+      charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });
 }
@@ -60,4 +70,5 @@ export function paintLayout(material: ShaderMaterial, palette: Palette): void {
   uniforms.edge.value = palette.edge;
   uniforms.flipped.value = palette.flipped;
   uniforms.ramp.value = palette.ramp;
+  uniforms.charts.value = palette.charts;
 }

@@ -14,6 +14,14 @@ const MARGIN = 28;
 /** Crossings that are marked; more would only be a red blot. */
 const MOST_MARKS = 500;
 
+/** Css pixels: charts may be many and small. */
+const OUTLINE = 2.25;
+const THIN_OUTLINE = 1.25;
+/** What an atlas fills; it is drawn round it. */
+const UNIT_SQUARE = { min: [0, 0], max: [1, 1] };
+const CORNERS = Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1);
+const SIDES = Uint32Array.of(0, 1, 1, 2, 2, 3, 3, 0);
+
 /** The uv layout in the plane. */
 export class LayoutView {
   private readonly stage: Stage;
@@ -21,7 +29,8 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
-  private readonly boundary = new EdgeLines(2.25, false);
+  private readonly frame = new EdgeLines(1.5, false);
+  private readonly boundary = new EdgeLines(OUTLINE, false);
   private readonly resisting = new EdgeLines(2.5, false);
   private readonly dots = new PointMarks({ ...DOT, depthTest: false });
   private readonly rings = new PointMarks({ ...RING, depthTest: false });
@@ -46,6 +55,7 @@ export class LayoutView {
     );
     this.surface.frustumCulled = false;
     this.scene.add(
+      this.frame.object,
       this.surface,
       this.boundary.object,
       this.resisting.object,
@@ -56,8 +66,9 @@ export class LayoutView {
   }
 
   /** Shows a layout. Keeps the point of view unless `isNew`. */
-  show({ mesh, edges, errors, tightened, resisting }: FlatPicture, isNew: boolean): void {
-    const { min, max } = boundingBox(mesh.uv, 2, mesh.indices);
+  show(picture: FlatPicture, isNew: boolean): void {
+    const { mesh, edges, errors, tightened, resisting, chartColors } = picture;
+    const { min, max } = chartColors ? UNIT_SQUARE : boundingBox(mesh.uv, 2, mesh.indices);
     const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
     this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
     const toPlane = (points: Float64Array) => {
@@ -72,12 +83,19 @@ export class LayoutView {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(perCorner(plane, 3, mesh.indices), 3));
     geometry.setAttribute('error', new BufferAttribute(toCorners(errors), 1));
+    const charts = chartColors ?? new Float32Array(errors.length);
+    geometry.setAttribute('chart', new BufferAttribute(toCorners(charts), 1));
+    this.material.uniforms.showsCharts.value = chartColors !== undefined;
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
+    this.boundary.setWidth(chartColors ? THIN_OUTLINE : OUTLINE);
     this.boundary.show(plane, edges);
     this.resisting.show(plane, resisting);
     this.dots.show(perCorner(plane, 3, tightened));
-    this.rings.show(toPlane(crossings(mesh.uv, edges, MOST_MARKS)));
+    this.frame.show(toPlane(CORNERS), chartColors ? SIDES : new Uint32Array());
+    // Of an atlas the report says whether charts cross.
+    const points = chartColors ? new Float64Array() : crossings(mesh.uv, edges, MOST_MARKS);
+    this.rings.show(toPlane(points));
     if (isNew || this.isFitted) this.fit();
     else this.stage.invalidate();
   }
@@ -85,6 +103,7 @@ export class LayoutView {
   setPalette(palette: Palette): void {
     this.stage.renderer.setClearColor(palette.background);
     paintLayout(this.material, palette);
+    this.frame.setColor(palette.frame);
     this.boundary.setColor(palette.boundary);
     this.resisting.setColor(palette.flipped);
     this.dots.setColor(palette.tightened);
@@ -109,7 +128,7 @@ export class LayoutView {
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     for (const marks of [this.dots, this.rings]) marks.setPixelRatio(this.stage.pixelRatio);
-    for (const lines of [this.boundary, this.resisting])
+    for (const lines of [this.frame, this.boundary, this.resisting])
       lines.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.fit();
   }

@@ -11,13 +11,8 @@ export interface Marked {
 }
 
 /** Says what the marks in the views are, as far as there are any, and what the Delaunay condition costs. */
-export function showMarksLegend(marked: Marked): void {
-  const { bounds, boundaryCrossings, delaunay } = marked;
-  const lines: [string, string][] = [];
-  if (bounds.length > 0)
-    lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
-  if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);
-  if (delaunay) lines.push(delaunayLine(marked.angularDistortion ?? 0, delaunay));
+export function showMarksLegend(marked: Marked | null): void {
+  const lines = marked ? linesOf(marked) : [];
   const box = element('marks', HTMLElement);
   box.replaceChildren(
     ...lines.map(([mark, text]) => {
@@ -27,6 +22,17 @@ export function showMarksLegend(marked: Marked): void {
     }),
   );
   box.hidden = lines.length === 0;
+}
+
+/** The kind of the mark and what it is. */
+function linesOf(marked: Marked): [string, string][] {
+  const { bounds, boundaryCrossings, delaunay } = marked;
+  const lines: [string, string][] = [];
+  if (bounds.length > 0)
+    lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
+  if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);
+  if (delaunay) lines.push(delaunayLine(marked.angularDistortion ?? 0, delaunay));
+  return lines;
 }
 
 function delaunayLine(

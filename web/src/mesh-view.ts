@@ -47,6 +47,7 @@ export class MeshView {
   /** Until the user turns or zooms, the mesh stays fitted whatever happens to the pane. */
   private isFitted = true;
   private isFlat = false;
+  private flatPaint: SurfacePaint = SurfacePaint.Checker;
   private showsDistortion = false;
   private wireOpacity = 0.5;
   private showsWireframe = false;
@@ -74,24 +75,24 @@ export class MeshView {
 
   /** Shows a mesh, with a checkerboard when it is flattened. Keeps the point of view unless `isNew`. */
   show(picture: Picture | FlatPicture, isNew: boolean): void {
-    const { mesh, edges } = picture;
+    const { mesh, edges, normals = vertexNormals(mesh) } = picture;
     const flat = 'errors' in picture ? picture : null;
     const geometry = new BufferGeometry();
     const unit = toUnitSphere(mesh);
     this.corners = perCorner(unit, 3, mesh.indices);
     geometry.setAttribute('position', new BufferAttribute(this.corners, 3));
-    geometry.setAttribute(
-      'normal',
-      new BufferAttribute(perCorner(vertexNormals(mesh), 3, mesh.indices), 3),
-    );
+    geometry.setAttribute('normal', new BufferAttribute(perCorner(normals, 3, mesh.indices), 3));
     const cells = flat ? checkerCells(flat.mesh) : new Float32Array((2 * unit.length) / 3);
     geometry.setAttribute('uv', new BufferAttribute(perCorner(cells, 2, mesh.indices), 2));
     const perTriangle = flat?.errors ?? new Float32Array(mesh.indices.length / 3);
     geometry.setAttribute('error', new BufferAttribute(toCorners(perTriangle), 1));
+    const charts = flat?.chartColors ?? new Float32Array(perTriangle.length);
+    geometry.setAttribute('chart', new BufferAttribute(toCorners(charts), 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(unit, edges);
     this.dots.show(perCorner(unit, 3, flat?.tightened ?? new Uint32Array()));
+    this.flatPaint = flat?.chartColors ? SurfacePaint.Charts : SurfacePaint.Checker;
     this.isFlat = flat !== null;
     this.paint();
     if (!isNew) return;
@@ -138,7 +139,7 @@ export class MeshView {
   }
 
   private paint(): void {
-    const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : SurfacePaint.Checker;
+    const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : this.flatPaint;
     this.material.uniforms.paint.value = this.isFlat ? flatPaint : SurfacePaint.Clay;
     this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
     this.stage.invalidate();

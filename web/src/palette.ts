@@ -1,4 +1,5 @@
 import { Color } from 'three';
+import { CHART_COLORS } from './chart-colors';
 
 /** Colours of the views, as the style sheet defines them for the theme. */
 export interface Palette {
@@ -14,6 +15,9 @@ export interface Palette {
   edge: Color;
   flipped: Color;
   tightened: Color;
+  /** Round the unit square. */
+  frame: Color;
+  charts: Color[];
   /** Low to high. */
   ramp: Color[];
 }
@@ -37,6 +41,8 @@ export function readPalette(): Palette {
     edge: color('edge'),
     flipped: color('flipped'),
     tightened: color('tightened'),
+    frame: color('frame'),
+    charts: Array.from({ length: CHART_COLORS }, (_, i) => color(`chart-${i}`)),
     ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),
   };
 }

@@ -1,14 +1,18 @@
 import type { ChartReport } from 'abflat';
 import { angleErrors } from './angle-error';
+import { chartColors } from './chart-colors';
+import type { Flattened, Outcome, Unwrapped } from './lay-out';
 import type { DisplayMesh, FlatMesh } from './mesh';
-import { boundaryEdges } from './mesh';
-import type { Outcome } from './session';
+import { boundaryEdges, vertexNormals } from './mesh';
+import { weld } from './weld';
 
 /** A mesh with its boundary, as the 3D view shows it before it is flattened. */
 export interface Picture {
   mesh: DisplayMesh;
-  /** Boundary edges as pairs of vertices. */
+  /** Boundary edges, of an atlas those of its charts, as pairs of vertices. */
   edges: Uint32Array;
+  /** Per vertex, where they are not those of the triangles. */
+  normals?: Float32Array;
 }
 
 /** A layout with all that is marked in it. */
@@ -20,6 +24,8 @@ export interface FlatPicture extends Picture {
   tightened: Uint32Array;
   /** Edges that cannot be made Delaunay, as pairs of vertices. */
   resisting: Uint32Array;
+  /** The number of each triangle's colour when it is an atlas of charts in the unit square. */
+  chartColors?: Float32Array;
 }
 
 /** The arrays of a result, as abflat gives them. */
@@ -30,12 +36,44 @@ interface Layout {
   positions?: Float64Array;
 }
 
+/** Vertices at one place are one: the boundary is that of the surface. */
 export function meshPicture(mesh: DisplayMesh): Picture {
-  return { mesh, edges: boundaryEdges(mesh.indices) };
+  return { mesh, edges: edgesOfOne(mesh.indices, weld(mesh.positions, 3)) };
 }
 
-export function outcomePicture({ result, mesh }: Outcome): FlatPicture {
+export function outcomePicture(outcome: Outcome): FlatPicture {
+  return outcome.mode === 'unwrap' ? atlasPicture(outcome) : diskPicture(outcome);
+}
+
+function diskPicture({ result, mesh }: Flattened): FlatPicture {
   return flatPicture(result, mesh, result.report.charts[0]);
+}
+
+function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
+  const { uv, indices, vertexMap, chartOfTriangle } = result;
+  const positions = result.positions ?? pick(input.positions, 3, vertexMap);
+  const mesh = { positions, indices, uv };
+  const none = new Uint32Array();
+  return {
+    mesh,
+    edges: edgesOfOne(indices, weld(uv, 2)),
+    // A seam is no edge of the surface.
+    normals: pick(vertexNormals(input), 3, vertexMap),
+    errors: angleErrors(mesh),
+    tightened: none,
+    resisting: none,
+    chartColors: chartColors(indices, chartOfTriangle, weld(positions, 3)),
+  };
+}
+
+/** Boundary edges where some vertices are one: `same` names the one for each. */
+function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
+  const joined = indices.map((v) => same[v]);
+  const isTriangle = (c: number) => {
+    const [i, j, k] = joined.subarray(c - (c % 3));
+    return i !== j && j !== k && k !== i;
+  };
+  return boundaryEdges(joined.filter((_, c) => isTriangle(c)));
 }
 
 /** `input` has the positions when the layout comes without; without a `chart` nothing is marked. */
@@ -45,7 +83,7 @@ export function flatPicture(
   chart: ChartReport | null,
 ): FlatPicture {
   const { uv, indices, vertexMap } = layout;
-  const positions = layout.positions ?? pick(input.positions, vertexMap);
+  const positions = layout.positions ?? pick(input.positions, 3, vertexMap);
   const mesh = { positions, indices, uv };
   const edges = boundaryEdges(indices);
   const bounded = new Set(chart?.bounds.map(({ vertex }) => vertex));
@@ -67,10 +105,16 @@ function edgesOf({ indices, vertexMap }: Layout, asked: [number, number][]): Uin
   return Uint32Array.from(found);
 }
 
-function pick(positions: Float64Array, vertexMap: Uint32Array): Float64Array {
-  const picked = new Float64Array(3 * vertexMap.length);
-  vertexMap.forEach((v, i) => {
-    picked.set(positions.subarray(3 * v, 3 * v + 3), 3 * i);
+/** The rows of `size` numbers that `rows` names. */
+function pick<T extends Float64Array | Float32Array>(
+  values: T,
+  size: number,
+  rows: Uint32Array,
+): T {
+  const Kind = values.constructor as new (length: number) => T;
+  const picked = new Kind(size * rows.length);
+  rows.forEach((row, i) => {
+    picked.set(values.subarray(size * row, size * row + size), size * i);
   });
   return picked;
 }

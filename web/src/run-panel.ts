@@ -1,11 +1,14 @@
-import type { Progress } from 'abflat';
 import { element } from './dom';
+import type { AnyProgress } from './lay-out';
 
-const STAGES: Record<Progress['stage'], string> = {
+const STAGES: Record<AnyProgress['stage'], string> = {
   read: 'Reading',
   connectivity: 'Analysing the surface',
+  surface: 'Analysing the surface',
+  seams: 'Finding seams',
   solve: 'Solving',
   layout: 'Laying out',
+  pack: 'Packing charts',
   check: 'Checking',
   write: 'Writing',
 };
@@ -30,7 +33,9 @@ export class RunPanel {
     });
   }
 
-  start(what: string): void {
+  /** `verb` is what would do it again. */
+  start(what: string, verb: string): void {
+    this.againButton.textContent = verb;
     this.cancelButton.disabled = false;
     this.againButton.hidden = true;
     if (this.bar.classList.contains('active') || this.delay !== undefined) return;
@@ -42,7 +47,7 @@ export class RunPanel {
     }, QUIET);
   }
 
-  progress({ stage, newtonStep, constraintResidual, fraction }: Progress): void {
+  progress({ stage, newtonStep, constraintResidual, fraction }: AnyProgress): void {
     this.bar.value = fraction;
     if (!this.bar.classList.contains('active')) return;
     const step =

@@ -1,45 +1,30 @@
-import type { Abflat, FlattenResult, MeshFile, MeshInput, Progress } from 'abflat';
+import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
 import { Background } from './background';
-import { exportFormat } from './export-mesh';
-import type { Bound } from './format';
+import { type AnyProgress, layOut, type Outcome } from './lay-out';
 import type { DisplayMesh } from './mesh';
+import type { Settings } from './settings';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
 export type Source = { kind: 'sample'; name: string } | { kind: 'file'; name: string; file: File };
 
-/** What the user can ask of a layout. */
-export interface Settings {
-  t: Bound;
-  delaunay: boolean;
-}
-
-export function sameSettings(a: Settings, b: Settings): boolean {
-  return a.t === b.t && a.delaunay === b.delaunay;
-}
-
-export interface Outcome {
-  source: Source;
-  settings: Settings;
-  result: FlattenResult;
-  mesh: DisplayMesh;
-}
-
 export interface SessionEvents {
-  /** A mesh is being read, or flattened when there are `settings`. */
+  /** A mesh is being read, or laid out when there are `settings`. */
   started(source: Source, settings: Settings | null): void;
-  progress(progress: Progress): void;
-  /** A mesh was read; whether it can be flattened is not known yet. */
-  opened(source: Source, mesh: DisplayMesh): void;
-  flattened(outcome: Outcome): void;
+  progress(progress: AnyProgress): void;
+  /** A mesh was read. */
+  opened(opened: Opened): void;
+  laidOut(outcome: Outcome): void;
   cancelled(): void;
   /** `settings` is null when the mesh could not be read. */
   failed(source: Source, settings: Settings | null, error: Error): void;
 }
 
-interface Opened {
+export interface Opened {
   source: Source;
   input: MeshInput;
   mesh: DisplayMesh;
+  /** Whether it is a disk, and why not. */
+  disk: MeshSummary['disk'];
 }
 
 /** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
@@ -52,18 +37,20 @@ const SAMPLE_DETAIL = 2;
 export class Session {
   private opened: Opened | null = null;
   private running: AbortController | null = null;
-  /** What to flatten with as soon as the run in flight ends. */
-  private next: Settings | null = null;
+  /** Whether to lay out once more as soon as the run in flight ends. */
+  private isWanted = false;
   private readonly background = new Background();
   private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly abflat: Promise<Abflat>,
     private readonly events: SessionEvents,
+    /** What the user asks for now. */
+    private readonly settings: () => Settings,
   ) {}
 
-  /** Reads a mesh and flattens it. On failure the previous one stays. */
-  async open(source: Source, settings: Settings): Promise<void> {
+  /** Reads a mesh and lays it out. On failure the previous one stays. */
+  async open(source: Source): Promise<void> {
     this.stop();
     const controller = this.begin();
     this.events.started(source, null);
@@ -71,22 +58,22 @@ export class Session {
       const opened = await this.read(source, controller.signal);
       if (controller !== this.running) return;
       this.opened = opened;
-      this.events.opened(source, opened.mesh);
+      this.events.opened(opened);
     } catch (error) {
       this.end(controller, () => this.events.failed(source, null, toError(error)));
       return;
     }
     this.running = null;
-    await this.run(this.next ?? settings);
+    await this.run();
   }
 
-  /** Flattens the mesh with other settings: at once, or as soon as the run in flight ends or has used up our patience. */
-  flatten(settings: Settings): void {
+  /** Lays the mesh out with other settings: at once, or as soon as the run in flight ends or has used up our patience. */
+  refresh(): void {
     if (!this.running) {
-      if (this.opened) void this.run(settings);
+      if (this.opened) void this.run();
       return;
     }
-    this.next = settings;
+    this.isWanted = true;
     clearTimeout(this.patience);
     this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
   }
@@ -112,36 +99,32 @@ export class Session {
   }
 
   private replaceRun(): void {
-    if (!this.opened || this.next === null) return;
-    const settings = this.next;
+    if (!this.opened || !this.isWanted) return;
     this.stop();
-    void this.run(settings);
+    void this.run();
   }
 
-  private async run(settings: Settings): Promise<void> {
+  private async run(): Promise<void> {
     if (!this.opened) return;
-    const { source, input, mesh } = this.opened;
+    const { opened } = this;
+    const settings = this.settings();
     const controller = this.begin();
-    this.events.started(source, settings);
+    this.events.started(opened.source, settings);
     try {
-      const abflat = await this.abflat;
-      const result = await abflat.flatten(input, {
-        ...settings,
-        obj: exportFormat(source) === 'obj',
-        ply: exportFormat(source) === 'ply',
+      const outcome = await layOut(await this.abflat, opened, settings, {
         signal: controller.signal,
         onProgress: (progress) => {
           if (controller === this.running) this.events.progress(progress);
         },
       });
-      this.end(controller, () => this.events.flattened({ source, settings, result, mesh }));
+      this.end(controller, () => this.events.laidOut(outcome));
     } catch (error) {
-      this.end(controller, () => this.events.failed(source, settings, toError(error)));
+      this.end(controller, () => this.events.failed(opened.source, settings, toError(error)));
     }
   }
 
   private begin(): AbortController {
-    this.next = null;
+    this.isWanted = false;
     this.background.pause();
     this.running = new AbortController();
     return this.running;
@@ -153,9 +136,9 @@ export class Session {
     this.running = null;
     clearTimeout(this.patience);
     report();
-    const wish = this.next;
-    this.next = null;
-    if (wish !== null) void this.run(wish);
+    const { isWanted } = this;
+    this.isWanted = false;
+    if (isWanted) void this.run();
     else if (!this.running) this.background.resume();
   }
 
@@ -163,7 +146,7 @@ export class Session {
     clearTimeout(this.patience);
     const controller = this.running;
     this.running = null;
-    this.next = null;
+    this.isWanted = false;
     controller?.abort();
   }
 
@@ -171,13 +154,16 @@ export class Session {
     const abflat = await this.abflat;
     if (source.kind === 'sample') {
       const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
-      return { source, input: mesh, mesh };
+      const { disk } = await abflat.inspect(mesh, { signal });
+      return { source, input: mesh, mesh, disk };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
     };
-    return { source, input, mesh: await abflat.load(input, { signal }) };
+    const mesh = await abflat.load(input, { signal });
+    const { disk } = await abflat.inspect(input, { signal });
+    return { source, input, mesh, disk };
   }
 }
 

@@ -1,3 +1,4 @@
+import { CHART_COLORS } from './chart-colors';
 import { RAMP_SIZE } from './palette';
 
 /** Angle error (relative) at the upper end of the colour ramp. Fixed, so that colours compare across t and meshes. */
@@ -33,6 +34,14 @@ export const RAMP_GLSL = /* glsl */ `
     vec3 color = ramp[0];
     for (int i = 1; i < ${RAMP_SIZE}; ++i) color = mix(color, ramp[i], clamp(x - float(i - 1), 0.0, 1.0));
     return color;
+  }
+`;
+
+/** The colour of a chart by its number. */
+export const CHART_GLSL = /* glsl */ `
+  uniform vec3 charts[${CHART_COLORS}];
+  vec3 chartColor(float number) {
+    return charts[int(number + 0.5)];
   }
 `;
 

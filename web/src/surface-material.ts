@@ -1,20 +1,23 @@
 import { Color, DoubleSide, ShaderMaterial } from 'three';
+import { CHART_COLORS } from './chart-colors';
 import type { Palette } from './palette';
 import { RAMP_SIZE } from './palette';
-import { CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
 
 /** What the surface is painted with. */
-export const SurfacePaint = { Clay: 0, Checker: 1, Distortion: 2 } as const;
+export const SurfacePaint = { Clay: 0, Checker: 1, Distortion: 2, Charts: 3 } as const;
 export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   attribute float error;
+  attribute float chart;
   varying vec3 vNormal;
   varying vec3 vCorner;
   varying vec3 vView;
   varying vec2 vUv;
   flat varying float vError;
+  flat varying float vChart;
   void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
     vNormal = normalMatrix * normal;
@@ -22,6 +25,7 @@ const VERTEX = /* glsl */ `
     vView = -view.xyz;
     vUv = uv;
     vError = error;
+    vChart = chart;
     gl_Position = projectionMatrix * view;
   }
 `;
@@ -31,6 +35,7 @@ const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
   ${RAMP_GLSL}
   ${CHECKER_GLSL}
+  ${CHART_GLSL}
   uniform int paint;
   uniform float wire;
   uniform float pixelRatio;
@@ -40,6 +45,7 @@ const FRAGMENT = /* glsl */ `
   varying vec3 vView;
   varying vec2 vUv;
   flat varying float vError;
+  flat varying float vChart;
 
   vec3 shade(vec3 base, vec3 n, vec3 v) {
     vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
@@ -56,6 +62,7 @@ const FRAGMENT = /* glsl */ `
     vec3 base = clay;
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
     if (paint == 2) base = rampColor(vError);
+    if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
     vec3 n = normalize(vNormal);
     if (!gl_FrontFacing) {
       n = -n;
@@ -68,7 +75,7 @@ const FRAGMENT = /* glsl */ `
   }
 `;
 
-/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells) and error (angle error). */
+/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells), error (angle error) and chart (number of its colour). */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,
@@ -88,6 +95,7 @@ export function createSurfaceMaterial(): ShaderMaterial {
       back: { value: new Color() },
       wireColor: { value: new Color() },
       ramp: { value: Array.from({ length: RAMP_SIZE }, () => new Color()) },
+      charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });
 }
@@ -100,4 +108,5 @@ export function paintSurface(material: ShaderMaterial, palette: Palette): void {
   uniforms.back.value = palette.back;
   uniforms.wireColor.value = palette.wire;
   uniforms.ramp.value = palette.ramp;
+  uniforms.charts.value = palette.charts;
 }

@@ -1,11 +1,12 @@
 import { bindToggle, element } from './dom';
+import type { Outcome } from './lay-out';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import type { DisplayMesh } from './mesh';
 import { MeshView } from './mesh-view';
 import { readPalette } from './palette';
 import { type FlatPicture, meshPicture, outcomePicture } from './picture';
-import type { Outcome, Source } from './session';
+import type { Source } from './session';
 import { RAMP_MOST } from './shader-parts';
 
 /** Both pictures and the buttons that belong to them. */
@@ -13,6 +14,7 @@ export class Views {
   private readonly mesh: MeshView;
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
+  private isDisk = true;
 
   /** Throws NoWebGl when the browser offers no WebGL 2. */
   constructor() {
@@ -45,11 +47,14 @@ export class Views {
     const picture = outcomePicture(outcome);
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
-    this.showFlat(picture, outcome.result.report.charts[0], isNew);
+    const isDisk = outcome.mode === 'flatten';
+    if (isDisk !== this.isDisk) this.layout.fit();
+    this.isDisk = isDisk;
+    this.showFlat(picture, isDisk ? outcome.result.report.charts[0] : null, isNew);
   }
 
-  /** Another layout of the mesh that is shown. */
-  showFlat(picture: FlatPicture, marked: Marked, isNew = false): void {
+  /** Another layout of the mesh that is shown; `marked` is null when nothing is. */
+  showFlat(picture: FlatPicture, marked: Marked | null, isNew = false): void {
     // The point of view was chosen when the mesh was opened.
     this.mesh.show(picture, false);
     this.layout.show(picture, isNew);

@@ -1,22 +1,46 @@
 import { bound, counted } from './format';
+import type { Flattened, Outcome } from './lay-out';
 import { titleOf } from './open-mesh';
-import type { Outcome, Settings, Source } from './session';
+import type { Source } from './session';
+import type { Mode, Settings } from './settings';
+
+interface Words {
+  doing: string;
+  done: string;
+  /** On a button. */
+  verb: string;
+}
+
+export const WORDS: Record<Mode, Words> = {
+  flatten: { doing: 'Flattening', done: 'Flattened', verb: 'Flatten' },
+  unwrap: { doing: 'Unwrapping', done: 'Unwrapped', verb: 'Unwrap' },
+};
 
 /** "t = auto, Delaunay" */
-export function settingsText({ t, delaunay }: Settings): string {
-  return `t = ${bound(t)}${delaunay ? ', Delaunay' : ''}`;
+export function settingsText(settings: Settings): string {
+  if (settings.mode === 'unwrap') {
+    const { maxStretch, resolution, padding } = settings;
+    return `stretch up to ${maxStretch}, ${resolution}\u202fpx, padding ${padding}`;
+  }
+  return `t = ${bound(settings.t)}${settings.delaunay ? ', Delaunay' : ''}`;
 }
 
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
   const text = message.replace(/\.$/, '');
   if (text.includes(source.name)) return `${text}.`;
-  const what = settings === null ? 'was not opened' : 'was not flattened';
-  return `${titleOf(source)} ${what}: ${text}.`;
+  const what = settings === null ? 'opened' : WORDS[settings.mode].done.toLowerCase();
+  return `${titleOf(source)} was not ${what}: ${text}.`;
 }
 
-/** The t of a layout, and what the automatic choice came to. */
-export function layoutInfo({ settings, result }: Outcome): string {
+/** The charts of an atlas; the t of a layout, and what the automatic choice came to. */
+export function layoutInfo(outcome: Outcome): string {
+  return outcome.mode === 'unwrap'
+    ? counted(outcome.result.report.charts.length, 'chart')
+    : boundInfo(outcome);
+}
+
+function boundInfo({ settings, result }: Flattened): string {
   if (settings.t !== 'auto') return `t = ${bound(settings.t)}`;
   const [chart] = result.report.charts;
   const tightened = chart.bounds.length;

@@ -104,19 +104,26 @@ struct UnwrapReport {
   Status error;  ///< why there is no result; ok when there is one
 };
 
+/// Of a face without area that no other one touches.
+constexpr std::uint32_t kNoChart = 0xffffffffu;
+
 /// Two tables of vertices: texcoords are as few as possible, output vertices are input vertices,
 /// one more for each further texcoord of theirs.
 struct UnwrapResult {
   std::vector<double> uv;               ///< 2 per texcoord, in [0, 1]
   std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
-  std::vector<std::uint32_t>
-      chartOfFace;                       ///< per input face, index into report.charts; that of its
-                                         ///< first triangle, or of a neighbour where it has none
-  std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
-  std::vector<std::uint32_t> vertexUv;   ///< texcoord of each output vertex
+  /// Per input face, index into report.charts: that of its first triangle, or of a neighbour where
+  /// it has none; kNoChart where it has no neighbour either.
+  std::vector<std::uint32_t> chartOfFace;
+  std::vector<std::uint32_t> vertexMap;     ///< input vertex of each output vertex
+  std::vector<std::uint32_t> vertexUv;      ///< texcoord of each output vertex
   std::vector<std::uint32_t> cornerVertex;  ///< output vertex of each input face corner
-  std::vector<EdgeVertices> seams;          ///< edges that were cut, each once
-  UnwrapReport report;  ///< path and timings.read/write/total are the caller's to fill
+  /// 3 output vertices per triangle, by input face: as flattened, a fan where nothing of a face
+  /// was. So a triangle mesh keeps all of its triangles in their order.
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> chartOfTriangle;
+  std::vector<EdgeVertices> seams;  ///< edges that were cut, each once
+  UnwrapReport report;              ///< path and timings.read/write/total are the caller's to fill
 };
 
 /// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square. The

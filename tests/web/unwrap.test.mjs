@@ -1,0 +1,289 @@
+// Any mesh becomes an atlas: charts in both pictures, options, numbers, what was repaired, a file.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { sharedMesh, withoutShared } from '../support/shared.mjs';
+import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
+import { defects, objText, sphere, together, torus } from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+import { drop, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+
+const picture = (page, id) => page.locator(id).screenshot();
+const TORUS = objText(torus(24, 12));
+const CUBE = objText({
+  positions: [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]),
+  faces: [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+  ],
+});
+
+/** The colours of a canvas that cover more than a thousandth of it, as [hue, count]; hues in steps of 20 degrees. */
+async function hues(page, id) {
+  const bytes = (await picture(page, id)).toString('base64');
+  return page.evaluate(async (bytes) => {
+    const raw = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([raw]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    const counts = new Map();
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+      const [high, low] = [Math.max(r, g, b), Math.min(r, g, b)];
+      if (high - low < 40) continue;
+      const turn =
+        high === r
+          ? (g - b) / (high - low)
+          : high === g
+            ? 2 + (b - r) / (high - low)
+            : 4 + (r - g) / (high - low);
+      const hue = (Math.round((60 * turn + 360) / 20) * 20) % 360;
+      counts.set(hue, (counts.get(hue) ?? 0) + 1);
+    }
+    return [...counts].filter(([, n]) => n > data.length / 4 / 1000).map(([hue]) => hue);
+  }, bytes);
+}
+
+test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'torus.obj', TORUS);
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await page.getAttribute('#mode-unwrap', 'aria-pressed'), 'true');
+  assert.ok(await page.isDisabled('#mode-flatten'));
+  assert.match(await textOf(page, '#mode-hint'), /^no disk: closed$/);
+  assert.ok(await page.isHidden('#flatten-options'));
+  assert.ok(await page.isVisible('#stretch'));
+  assert.ok(await page.isHidden('#delaunay'));
+  const shown = await metrics(page);
+  assert.deepEqual(Object.keys(shown), [
+    'Charts',
+    'Seam length',
+    'Stretch',
+    'Angular distortion',
+    'Utilisation',
+    'Texel density',
+    'Faces',
+    'Time',
+  ]);
+  assert.equal(shown.Faces, '576');
+  assert.ok(Number(shown.Charts) >= 1);
+  assert.ok(Number(shown['Seam length']) > 0);
+  assert.ok(Number(shown.Stretch) >= 1 && Number(shown.Stretch) < 1.1);
+  assert.match(shown.Utilisation, /^\d+\.\d\s%$/);
+  assert.equal(
+    await textOf(page, '#layout-info'),
+    `${shown.Charts} ${shown.Charts === '1' ? 'chart' : 'charts'}`,
+  );
+  assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
+
+  // A disk after that is flattened again.
+  await dropAndWait(page, 'waves.obj', grid(4));
+  assert.equal(await page.getAttribute('#mode-flatten', 'aria-pressed'), 'true');
+  assert.ok(await page.isEnabled('#mode-flatten'));
+  assert.match(await textOf(page, '#run-text'), /^Flattened in/);
+  assert.ok(await page.isVisible('#delaunay'));
+});
+
+test('the user chooses for disks, and the choice stays', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'waves.obj', grid(6));
+  const flat = await picture(page, '#layout-canvas');
+  await page.click('#mode-unwrap');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
+  assert.equal((await metrics(page)).Charts, '1');
+  assert.notDeepEqual(await picture(page, '#layout-canvas'), flat);
+  await dropAndWait(page, 'more.obj', grid(5));
+  assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
+  await page.focus('#mode-flatten');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /^Flattened in/);
+  assert.equal((await metrics(page)).Crossings, '0');
+});
+
+test('stretch, resolution and padding change the atlas, by keyboard as well', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'ball.obj', objText(sphere(12)));
+  const usual = await metrics(page);
+  assert.equal(await textOf(page, '#stretch-value'), '1.04');
+  assert.match(await textOf(page, '#stretch-hint'), /^lengths within about 15\s%$/);
+  await page.focus('#stretch');
+  await page.keyboard.press('Home');
+  await settled(page);
+  assert.equal(await textOf(page, '#stretch-value'), '1.005');
+  assert.match(
+    await page.getAttribute('#stretch', 'aria-valuetext'),
+    /^1\.005: lengths within about 5\s%$/,
+  );
+  const strict = await metrics(page);
+  assert.ok(
+    Number(strict['Seam length']) > Number(usual['Seam length']),
+    'less stretch, more seams',
+  );
+  assert.ok(Number(strict.Stretch) < Number(usual.Stretch));
+  await page.selectOption('#resolution', '2048');
+  await settled(page);
+  const fine = await metrics(page);
+  assert.ok(Number(fine['Texel density']) > 1.5 * Number(strict['Texel density']));
+  await page.fill('#padding', '24');
+  await settled(page);
+  const apart = await metrics(page);
+  assert.ok(parseFloat(apart.Utilisation) < parseFloat(fine.Utilisation));
+  await page.fill('#padding', '9000');
+  assert.equal(await page.getAttribute('#padding', 'aria-invalid'), 'true');
+  await page.locator('#padding').blur();
+  assert.equal(await page.inputValue('#padding'), '24');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+});
+
+test('charts have the same colours in both pictures, other than their neighbours', async (t) => {
+  for (const colorScheme of ['dark', 'light']) {
+    const page = await openPage(t, { colorScheme, reducedMotion: 'reduce' });
+    const boxes = objText(
+      together([0, 1, 2, 3].map((i) => [torus(16, 8), [2.6 * (i % 2), 2.6 * (i >> 1), 0]])),
+    );
+    await dropAndWait(page, 'rings.obj', boxes);
+    const charts = Number((await metrics(page)).Charts);
+    assert.ok(charts >= 4, `${charts} charts`);
+    const inLayout = await hues(page, '#layout-canvas');
+    const inMesh = await hues(page, '#mesh-canvas');
+    assert.ok(inLayout.length >= 3, `hues of the layout: ${inLayout}`);
+    const shared = inLayout.filter((hue) => inMesh.includes(hue));
+    assert.ok(shared.length >= 3, `layout ${inLayout}, mesh ${inMesh}`);
+    const plain = await picture(page, '#mesh-canvas');
+    await page.click('#distortion');
+    assert.notDeepEqual(await picture(page, '#mesh-canvas'), plain);
+  }
+});
+
+test('what was repaired is said in one line each', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'broken.obj', objText(defects()));
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  const button = await textOf(page, '#notes-button');
+  assert.match(button, /^\d+ notes$/);
+  await page.click('#notes-button');
+  assert.ok(await page.isVisible('#panel-charts'));
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'tab-charts');
+  const lines = await page.locator('#atlas-notes li').allInnerTexts();
+  assert.equal(lines.length, Number.parseInt(button, 10));
+  for (const pattern of [
+    /^\d+ faces? repeats? another one: in charts of their own, faces? \d+/,
+    /^\d+ edges? (has|have) more than two faces: cut, edges? \d+–\d+/,
+    /^\d+ faces? (has|have) fewer than three corners: uv of the neighbours, faces? \d+/,
+    /^\d+ edges? lies? between faces that are turned over: cut/,
+  ])
+    assert.ok(
+      lines.some((line) => pattern.test(line)),
+      `${pattern} in ${JSON.stringify(lines)}`,
+    );
+  for (const line of lines) assert.match(line, /\.$/);
+  assert.match(await textOf(page, '#charts-summary'), /^\d+ charts, the largest of/);
+  // A disk has other tabs.
+  await dropAndWait(page, 'waves.obj', grid(4));
+  assert.ok(await page.isVisible('#panel-solver'));
+  assert.ok(await page.isHidden('#tab-charts'));
+});
+
+test('the exported OBJ is that of the command line program', async (t) => {
+  const page = await openPage(t);
+  const path = tempFolder(t);
+  for (const [name, text] of [
+    ['torus.obj', TORUS],
+    ['cube.obj', CUBE],
+    ['tetrahedron.off', TETRAHEDRON],
+  ]) {
+    await dropAndWait(page, name, text);
+    const exported = await exportMesh(page);
+    assert.equal(exported.name, `${name.replace(/\..*/, '')}-uv.obj`);
+    writeFileSync(path(name), text);
+    const { code, stderr } = await runAbflat(['unwrap', path(name), '-o', path('out.obj')]);
+    assert.equal(code, 0, stderr);
+    assert.equal(readFileSync(exported.path, 'utf8'), readFileSync(path('out.obj'), 'utf8'), name);
+  }
+});
+
+test('real meshes of every kind are unwrapped', { skip: withoutShared }, async (t) => {
+  const page = await openPage(t);
+  for (const file of [
+    'spot-uv.obj',
+    'suzanne-quads.obj',
+    'beetle-nonmanifold.obj',
+    'teapot-5parts.obj',
+  ]) {
+    await page.setInputFiles('#file', sharedMesh(file));
+    await page.waitForFunction(
+      (name) => document.querySelector('#source').textContent === name,
+      file,
+    );
+    await settled(page);
+    assert.equal(await textOf(page, '#alert'), '', file);
+    assert.equal(await textOf(page, '#badge'), 'Valid', file);
+    assert.equal(await page.getAttribute('#mode-unwrap', 'aria-pressed'), 'true', file);
+  }
+});
+
+test('a run shows its stages, can be cancelled and done again', async (t) => {
+  const page = await openPage(t);
+  await drop(page, 'large.obj', objText(sphere(110)));
+  await page.waitForFunction(
+    () => /Finding seams|Solving/.test(document.querySelector('#run-text').textContent),
+    null,
+    { polling: 20 },
+  );
+  assert.ok(await page.evaluate(() => document.querySelector('#progress').value > 0));
+  await page.keyboard.press('Escape');
+  await settled(page);
+  assert.equal(await textOf(page, '#run-text'), 'Cancelled');
+  assert.equal(await textOf(page, '#again'), 'Unwrap');
+  await dropAndWait(page, 'torus.obj', TORUS);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+});
+
+for (const [name, width, height] of [
+  ['a small screen', 1280, 720],
+  ['a phone', 390, 844],
+  ['a narrow phone', 360, 740],
+]) {
+  test(`${name}: the options of an atlas fit, and can be reached by Tab`, async (t) => {
+    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
+    await dropAndWait(page, 'torus.obj', TORUS);
+    const overflow = await page.evaluate(
+      () => document.documentElement.scrollWidth - window.innerWidth,
+    );
+    assert.ok(overflow <= 0, 'no horizontal scrolling');
+    for (const id of [
+      'mode-unwrap',
+      'stretch',
+      'resolution',
+      'padding',
+      'export',
+      'layout-canvas',
+    ]) {
+      await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= width, `${id} is inside`);
+    }
+    await page.focus('#mode-unwrap');
+    for (const id of ['stretch', 'resolution', 'padding']) {
+      await page.keyboard.press('Tab');
+      assert.equal(await page.evaluate(() => document.activeElement.id), id);
+    }
+    for (const role of ['button', 'slider', 'combobox', 'spinbutton', 'img', 'group']) {
+      const all = await page.getByRole(role).all();
+      const named = await page.getByRole(role, { name: /\w/ }).all();
+      assert.ok(all.length > 0, role);
+      assert.equal(named.length, all.length, `each ${role} has a name`);
+    }
+  });
+}

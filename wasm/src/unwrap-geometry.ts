@@ -1,0 +1,89 @@
+// Unwraps geometry of three.js.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type InterleavedBufferAttribute,
+  type TypedArray,
+} from 'three';
+import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
+
+type Attribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** The buffers of a geometry stay, and files are made of files. */
+export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply'> {
+  /** Name of the attribute for the new coordinates. Default: `uv`; `uv1` leaves `uv` as it is, for light maps. */
+  attribute?: string;
+}
+
+/**
+ * A new geometry with the new coordinates: all attributes, morph targets and groups of `geometry`, with or without an index, and
+ * a vertex once for every coordinate that it has. Tangents are copied like the rest and belong to the old coordinates.
+ */
+export async function unwrapGeometry(
+  abflat: Pick<Abflat, 'unwrap'>,
+  geometry: BufferGeometry,
+  { attribute = 'uv', ...options }: UnwrapGeometryOptions = {},
+): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
+  const result = await abflat.unwrap(meshOf(geometry), options);
+  return { geometry: withUv(geometry, result, attribute), result };
+}
+
+function meshOf(geometry: BufferGeometry): MeshArrays {
+  const position = geometry.getAttribute('position') as Attribute | undefined;
+  if (!position)
+    throw new TypeError('unwrapGeometry needs a geometry with the attribute position.');
+  const { count } = position;
+  const positions = new Float64Array(3 * count);
+  for (let i = 0; i < count; ++i)
+    for (let k = 0; k < 3; ++k) positions[3 * i + k] = position.getComponent(i, k);
+  const indices = geometry.index
+    ? new Uint32Array(geometry.index.array)
+    : Uint32Array.from({ length: count }, (_, i) => i);
+  return { positions, indices };
+}
+
+function withUv(from: BufferGeometry, result: UnwrapResult, name: string): BufferGeometry {
+  const { uv, indices, vertexMap } = result;
+  const to = new BufferGeometry();
+  to.name = from.name;
+  to.userData = structuredClone(from.userData);
+  for (const [key, attribute] of Object.entries(from.attributes))
+    to.setAttribute(key, pick(attribute, vertexMap));
+  to.setAttribute(name, new BufferAttribute(new Float32Array(uv), 2));
+  const morphs: Record<string, Attribute[]> = to.morphAttributes;
+  for (const [key, targets] of Object.entries<Attribute[]>(from.morphAttributes))
+    morphs[key] = targets.map((target) => pick(target, vertexMap));
+  to.morphTargetsRelative = from.morphTargetsRelative;
+  const Index = vertexMap.length > 65535 ? Uint32Array : Uint16Array;
+  to.setIndex(new BufferAttribute(new Index(indices), 1));
+  // Triangles keep their order, so ranges of them stay true.
+  to.groups = from.groups.map((group) => ({ ...group }));
+  to.drawRange = { ...from.drawRange };
+  to.boundingBox = from.boundingBox?.clone() ?? null;
+  to.boundingSphere = from.boundingSphere?.clone() ?? null;
+  return to;
+}
+
+/** The rows of an attribute that `rows` names, as they are stored. */
+function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
+  const { itemSize, normalized } = attribute;
+  const isInterleaved = 'data' in attribute;
+  const array = isInterleaved ? attribute.data.array : attribute.array;
+  const [stride, offset] = isInterleaved
+    ? [attribute.data.stride, attribute.offset]
+    : [itemSize, 0];
+  const Kind = array.constructor as new (length: number) => TypedArray;
+  const picked = new Kind(itemSize * rows.length);
+  rows.forEach((row, i) => {
+    for (let k = 0; k < itemSize; ++k)
+      picked[itemSize * i + k] = array[stride * row + offset + k] as number;
+  });
+  const made = new BufferAttribute(picked, itemSize, normalized);
+  made.name = attribute.name;
+  if (!isInterleaved) {
+    made.gpuType = attribute.gpuType;
+    made.usage = attribute.usage;
+  }
+  return made;
+}

@@ -1,0 +1,101 @@
+import { UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
+import { create, element } from './dom';
+import { count } from './format';
+import type { UnwrapSettings } from './settings';
+
+/** From nearly no stretch to hardly any seams. */
+const STRETCHES = [
+  1.005, 1.01, 1.015, 1.02, 1.03, 1.04, 1.05, 1.06, 1.08, 1.1, 1.15, 1.2, 1.3, 1.5, 2,
+];
+/** Below the slider, with what the end is good for. */
+const TICKS = [
+  { stretch: 1.005, name: 'more seams' },
+  { stretch: UNWRAP_DEFAULTS.maxStretch, name: '' },
+  { stretch: 1.1, name: '' },
+  { stretch: 2, name: 'fewer seams' },
+];
+const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
+const MOST_PADDING = 64;
+
+/** Stretch, resolution and padding of an atlas. */
+export class AtlasControl {
+  private readonly slider = element('stretch', HTMLInputElement);
+  private readonly value = element('stretch-value', HTMLOutputElement);
+  private readonly hint = element('stretch-hint', HTMLElement);
+  private readonly resolution = element('resolution', HTMLSelectElement);
+  private readonly padding = element('padding', HTMLInputElement);
+  private usedPadding = UNWRAP_DEFAULTS.padding;
+
+  constructor(private readonly changed: () => void) {
+    this.slider.max = String(STRETCHES.length - 1);
+    this.slider.valueAsNumber = STRETCHES.indexOf(UNWRAP_DEFAULTS.maxStretch);
+    this.resolution.append(
+      ...RESOLUTIONS.map((texels) => new Option(`${count(texels)}\u202fpx`, String(texels))),
+    );
+    this.resolution.value = String(UNWRAP_DEFAULTS.resolution);
+    this.padding.min = String(UNWRAP_OPTIONS.padding.atLeast);
+    this.padding.max = String(MOST_PADDING);
+    this.padding.valueAsNumber = this.usedPadding;
+    this.addTicks();
+    this.showStretch();
+    this.slider.addEventListener('input', () => {
+      this.showStretch();
+      this.changed();
+    });
+    this.resolution.addEventListener('change', () => this.changed());
+    this.padding.addEventListener('input', () => this.readPadding());
+    this.padding.addEventListener('change', () => {
+      this.padding.valueAsNumber = this.usedPadding;
+      this.padding.setAttribute('aria-invalid', 'false');
+    });
+    element('unwrap-options', HTMLFormElement).addEventListener('submit', (event) =>
+      event.preventDefault(),
+    );
+  }
+
+  get settings(): UnwrapSettings {
+    return {
+      mode: 'unwrap',
+      maxStretch: STRETCHES[this.slider.valueAsNumber],
+      resolution: Number(this.resolution.value),
+      padding: this.usedPadding,
+    };
+  }
+
+  private readPadding(): void {
+    const texels = this.padding.valueAsNumber;
+    const isUsable = Number.isInteger(texels) && texels >= 0 && texels <= MOST_PADDING;
+    this.padding.setAttribute('aria-invalid', String(!isUsable));
+    if (!isUsable || texels === this.usedPadding) return;
+    this.usedPadding = texels;
+    this.changed();
+  }
+
+  private showStretch(): void {
+    const { maxStretch } = this.settings;
+    const hint = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
+    this.value.value = String(maxStretch);
+    this.hint.textContent = hint;
+    this.hint.title =
+      'Of every chart, on average over its surface: the less, the more seams and charts';
+    this.slider.setAttribute('aria-valuetext', `${maxStretch}: ${hint}`);
+    this.slider.style.setProperty('--value', String(share(maxStretch)));
+  }
+
+  private addTicks(): void {
+    const ticks = element('stretch-ticks', HTMLElement);
+    for (const { stretch, name } of TICKS) {
+      const tick = create('span', 'tick');
+      tick.style.setProperty('--at', String(share(stretch)));
+      tick.append(create('span', 'tick-value', String(stretch)), create('span', 'tick-name', name));
+      ticks.append(tick);
+    }
+  }
+}
+
+const share = (stretch: number) => STRETCHES.indexOf(stretch) / (STRETCHES.length - 1);
+
+/** In percent: a stretch by s one way and 1/s across has the energy (s^2 + 1/s^2) / 2 = cosh(2 log s). */
+function lengthChange(energy: number): number {
+  return Math.round(100 * (Math.exp(Math.acosh(energy) / 2) - 1));
+}

@@ -1,0 +1,50 @@
+import type { Abflat, FlattenResult, Progress, UnwrapProgress, UnwrapResult } from 'abflat';
+import { exportFormat } from './export-mesh';
+import type { DisplayMesh } from './mesh';
+import type { Opened, Source } from './session';
+import type { FlattenSettings, Settings, UnwrapSettings } from './settings';
+
+export type AnyProgress = Progress | UnwrapProgress;
+
+interface Made {
+  source: Source;
+  /** What went in. */
+  mesh: DisplayMesh;
+}
+
+export interface Flattened extends Made {
+  mode: 'flatten';
+  settings: FlattenSettings;
+  result: FlattenResult;
+}
+
+export interface Unwrapped extends Made {
+  mode: 'unwrap';
+  settings: UnwrapSettings;
+  result: UnwrapResult;
+}
+
+export type Outcome = Flattened | Unwrapped;
+
+interface Watch {
+  signal: AbortSignal;
+  onProgress: (progress: AnyProgress) => void;
+}
+
+/** One run of abflat, in the way the settings ask for. */
+export async function layOut(
+  abflat: Abflat,
+  { source, input, mesh }: Opened,
+  settings: Settings,
+  watch: Watch,
+): Promise<Outcome> {
+  const file = { [exportFormat(source)]: true };
+  if (settings.mode === 'flatten') {
+    const { mode, ...options } = settings;
+    const result = await abflat.flatten(input, { ...options, ...file, ...watch });
+    return { mode, source, mesh, settings, result };
+  }
+  const { mode, ...options } = settings;
+  const result = await abflat.unwrap(input, { ...options, ...file, ...watch });
+  return { mode, source, mesh, settings, result };
+}

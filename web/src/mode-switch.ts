@@ -1,0 +1,69 @@
+import type { MeshSummary, StatusName } from 'abflat';
+import { element } from './dom';
+import { sentence } from './format';
+import type { Mode } from './settings';
+
+const MODES: Mode[] = ['flatten', 'unwrap'];
+
+const HINTS: Record<Mode, string> = {
+  flatten: 'one piece',
+  unwrap: 'charts, packed into a square',
+};
+
+/** Why a mesh is no disk, in two words. */
+const NO_DISK: Partial<Record<StatusName, string>> = {
+  DegenerateFace: 'faces without area',
+  NonManifoldEdge: 'edges of three faces',
+  InconsistentOrientation: 'faces turned over',
+  MultipleComponents: 'several pieces',
+  ClosedSurface: 'closed',
+  MultipleBoundaryLoops: 'several holes',
+  HasHandles: 'handles',
+};
+
+/** Flatten or unwrap: the user's choice for disks; other meshes can only be unwrapped. */
+export class ModeSwitch {
+  private readonly buttons = MODES.map((mode) => element(`mode-${mode}`, HTMLButtonElement));
+  private readonly hint = element('mode-hint', HTMLElement);
+  private chosen: Mode = 'flatten';
+  /** Of the open mesh. */
+  private disk: MeshSummary['disk'] = { ok: true, code: 'Ok', message: '' };
+
+  constructor(private readonly changed: () => void) {
+    this.buttons.forEach((button, i) => {
+      button.addEventListener('click', () => this.choose(MODES[i]));
+    });
+    this.show();
+  }
+
+  get mode(): Mode {
+    return this.disk.ok ? this.chosen : 'unwrap';
+  }
+
+  setDisk(disk: MeshSummary['disk']): void {
+    const before = this.mode;
+    this.disk = disk;
+    this.show();
+    if (this.mode !== before) this.changed();
+  }
+
+  private choose(mode: Mode): void {
+    if (mode === this.mode) return;
+    this.chosen = mode;
+    this.show();
+    this.changed();
+  }
+
+  private show(): void {
+    this.buttons.forEach((button, i) => {
+      button.setAttribute('aria-pressed', String(MODES[i] === this.mode));
+      element(`${MODES[i]}-options`, HTMLElement).hidden = MODES[i] !== this.mode;
+    });
+    const { ok, code, message } = this.disk;
+    this.buttons[0].disabled = !ok;
+    const reason = NO_DISK[code as StatusName];
+    this.hint.textContent = ok ? HINTS[this.mode] : `no disk${reason ? `: ${reason}` : ''}`;
+    this.hint.title = ok ? '' : `${sentence(message)}.`;
+    document.body.dataset.mode = this.mode;
+  }
+}

@@ -1,0 +1,25 @@
+/** For every point (`size` coordinates each) the first one that has the same coordinates. */
+export function weld(points: Float64Array, size: number): Uint32Array {
+  const count = points.length / size;
+  const bits = new Uint32Array(Float64Array.from(points, (x) => x + 0).buffer); // no negative zero
+  let slotCount = 16;
+  while (slotCount < 2 * count) slotCount *= 2;
+  const EMPTY = 0xffffffff;
+  const slots = new Uint32Array(slotCount).fill(EMPTY);
+  const words = 2 * size;
+  const isSame = (a: number, b: number) => {
+    for (let k = 0; k < words; ++k) if (bits[words * a + k] !== bits[words * b + k]) return false;
+    return true;
+  };
+  const first = new Uint32Array(count);
+  for (let v = 0; v < count; ++v) {
+    let hash = 0;
+    for (let k = 0; k < words; ++k)
+      hash = Math.imul(hash ^ bits[words * v + k], 0x9e3779b1) ^ (hash >>> 15);
+    let slot = (hash ^ (hash >>> 13)) & (slotCount - 1);
+    while (slots[slot] !== EMPTY && !isSame(slots[slot], v)) slot = (slot + 1) & (slotCount - 1);
+    if (slots[slot] === EMPTY) slots[slot] = v;
+    first[v] = slots[slot];
+  }
+  return first;
+}
