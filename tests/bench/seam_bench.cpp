@@ -134,12 +134,15 @@ int run(int argc, char** argv) {
           "%-24s F %7u charts %5u seam %7.2f (topology %6.2f) predicted %.4f slits %5u splits %5u "
           "rounds %2d  s %.3f cpu %.3f (mesh %.3f analysis %.3f solve %.3f)",
           a.substr(a.rfind('/') + 1).c_str(), seamMesh.triangleCount(), r.charts, r.seamLength,
-          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu, prepared,
-          r.analysisSeconds, r.solveSeconds);
+          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu,
+          prepared, r.analysisSeconds, r.solveSeconds);
       if (flattens) {
         const Flattened f = flattenCharts(mesh, surface, s, t);
-        std::printf("  SD/4 %.4f invalid %zu failed %zu hard %zu notDisks %zu crossings %zu untangled %zu flatten %.2f s",
-                    f.stretch, f.invalid, f.failed, f.fallbacks, f.notDisks, f.crossings, f.untangled, f.seconds);
+        std::printf(
+            "  SD/4 %.4f invalid %zu failed %zu hard %zu notDisks %zu crossings %zu untangled %zu "
+            "flatten %.2f s",
+            f.stretch, f.invalid, f.failed, f.fallbacks, f.notDisks, f.crossings, f.untangled,
+            f.seconds);
       }
       std::printf("\n");
       std::fflush(stdout);

@@ -21,7 +21,7 @@ struct SeamMesh {
   std::vector<double> angle;                  ///< per corner, radians; made up where degenerate
   std::vector<double> area;                   ///< per triangle
   std::vector<double> length;                 ///< per half-edge
-/// Of a seam per half-edge: its length, less where it is hidden; infinite within a polygon.
+  /// Of a seam per half-edge: its length, less where it is hidden; infinite within a polygon.
   std::vector<double> cost;
   std::vector<double> weight;      ///< cotangent weight of the edge, positive; the same for twins
   std::vector<double> vertexArea;  ///< a third of the triangles' round it
