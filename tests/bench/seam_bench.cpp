@@ -2,7 +2,7 @@
 //
 //   abflat_seam_bench make KIND N FILE.obj       rings0..rings6, noiseF (F bumps), on a grid of N^3
 //   abflat_seam_bench subdivide IN FILE.obj      one to four
-//   abflat_seam_bench run [--flatten] [--stretch S] [--fill A] FILE...
+//   abflat_seam_bench run [--flatten] [--t T] [--stretch S] [--fill A] [--overlap O] FILE...
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -66,8 +66,7 @@ PolygonMesh chartMesh(const PolygonMesh& mesh, const Surface& surface, const Cut
   return makeTriangleMesh(std::move(positions), std::move(indices));
 }
 
-/// Twice the layouts' areas over those of their hulls would be a packing's upper bound; this is
-/// what their bounding boxes leave, the worst a packer can do.
+/// Sums over all charts; the stretch is the mean by area at one scale for each chart's area.
 struct Flattened {
   double stretch = 0, area = 0, seconds = 0;
   std::size_t invalid = 0, failed = 0, fallbacks = 0, notDisks = 0, crossings = 0, untangled = 0;
@@ -134,12 +133,15 @@ int run(int argc, char** argv) {
           "%-24s F %7u charts %5u seam %7.2f (topology %6.2f) predicted %.4f slits %5u splits %5u "
           "rounds %2d  s %.3f cpu %.3f (mesh %.3f analysis %.3f solve %.3f)",
           a.substr(a.rfind('/') + 1).c_str(), seamMesh.triangleCount(), r.charts, r.seamLength,
-          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu, prepared,
-          r.analysisSeconds, r.solveSeconds);
+          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu,
+          prepared, r.analysisSeconds, r.solveSeconds);
       if (flattens) {
         const Flattened f = flattenCharts(mesh, surface, s, t);
-        std::printf("  SD/4 %.4f invalid %zu failed %zu hard %zu notDisks %zu crossings %zu untangled %zu flatten %.2f s",
-                    f.stretch, f.invalid, f.failed, f.fallbacks, f.notDisks, f.crossings, f.untangled, f.seconds);
+        std::printf(
+            "  SD/4 %.4f invalid %zu failed %zu hard %zu notDisks %zu crossings %zu untangled %zu "
+            "flatten %.2f s",
+            f.stretch, f.invalid, f.failed, f.fallbacks, f.notDisks, f.crossings, f.untangled,
+            f.seconds);
       }
       std::printf("\n");
       std::fflush(stdout);

@@ -36,7 +36,6 @@ class ChordFinder {
   const SeamMesh& mesh_;
   const CutSurface& surface_;
   const PathForest& forest_;
-  std::uint32_t walked_ = kNone;               ///< chart that order_ is of
   std::vector<std::uint32_t> order_, parent_;  ///< half-edge of the triangle towards the root
   std::vector<double> area_;                   ///< of the subtree
   std::vector<std::uint32_t> place_;  ///< along its loop, per boundary vertex that was numbered
