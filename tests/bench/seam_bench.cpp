@@ -2,7 +2,7 @@
 //
 //   abflat_seam_bench make KIND N FILE.obj       rings0..rings6, noiseF (F bumps), on a grid of N^3
 //   abflat_seam_bench subdivide IN FILE.obj      one to four
-//   abflat_seam_bench run [--flatten] [--stretch S] [--fill A] FILE...
+//   abflat_seam_bench run [--flatten] [--t T] [--stretch S] [--fill A] [--overlap O] FILE...
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -66,8 +66,7 @@ PolygonMesh chartMesh(const PolygonMesh& mesh, const Surface& surface, const Cut
   return makeTriangleMesh(std::move(positions), std::move(indices));
 }
 
-/// Twice the layouts' areas over those of their hulls would be a packing's upper bound; this is
-/// what their bounding boxes leave, the worst a packer can do.
+/// Sums over all charts; the stretch is the mean by area at one scale for each chart's area.
 struct Flattened {
   double stretch = 0, area = 0, seconds = 0;
   std::size_t invalid = 0, failed = 0, fallbacks = 0, notDisks = 0, crossings = 0, untangled = 0;

@@ -44,6 +44,7 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
   });
   constexpr std::size_t kMostPeaks = 32;  // of a chart in a round
   constexpr double kApart = 0.7;          // of the longer way to the boundary
+  constexpr double kFar = 0.3;            // of the greatest peak's way; nearer ones are noise
   // Of the greatest peak's shift. Where little is missing, a slit too many is dearer than a round.
   constexpr double kMuch = 1.2, kShareOfMuch = 0.35, kShareOfLittle = 0.8;
   std::vector<std::uint32_t> ends;
@@ -56,6 +57,8 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
       const std::uint32_t v = peaks[i].vertex;
       bool isFree = ends.size() - first < kMostPeaks && peaks[i].shift >= share * top &&
                     peaks[i].stretch > maxStretch;
+      if (ends.size() > first && peaks[i].shift < kShareOfLittle * top)
+        isFree = isFree && forest.distance[v] >= kFar * forest.distance[ends[first]];
       for (std::size_t k = first; isFree && k < ends.size(); ++k)
         isFree = norm(edgeVector(mesh.positions, s.meshVertex[v], s.meshVertex[ends[k]])) >
                  kApart * std::max(forest.distance[v], forest.distance[ends[k]]);
