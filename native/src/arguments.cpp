@@ -229,11 +229,11 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addOutput(*sub, c.output);
   sub->add_option_function<std::string>(
          "--seams", [&c](const std::string& text) { setSeams(text, c); },
-         wrapped(
-             "where to cut, separated by commas: auto = so that no chart is stretched too much "
-             "or overlaps; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
-             "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
-             "disks, which is always done"))
+         wrapped("where to cut, separated by commas: auto = so that no chart is stretched too much "
+                 "or overlaps; uv = between the islands that the mesh has; material = between "
+                 "materials; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
+                 "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
+                 "disks, which is always done"))
       ->default_str("auto")
       ->type_name("LIST");
   sub->add_option("--write-seams", c.writeSeams,
