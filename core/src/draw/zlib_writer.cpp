@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace abflat {
 namespace {
@@ -27,31 +26,61 @@ Step stepOf(std::uint32_t value, std::uint32_t least, int log2PerOctave) {
   return {perOctave * static_cast<std::uint32_t>(bits) + high, least + (high << bits), bits};
 }
 
-/// Where the same bytes stood before: the latest place for each hash of three bytes.
-class Places {
- public:
-  Places() { last_.fill(kNowhere); }
-  std::size_t swap(const std::uint8_t* bytes, std::size_t at) {
-    const std::uint32_t three = static_cast<std::uint32_t>(bytes[0]) |
-                                static_cast<std::uint32_t>(bytes[1]) << 8 |
-                                static_cast<std::uint32_t>(bytes[2]) << 16;
-    std::size_t& last = last_[three * 2654435761u >> (32 - kBits)];
-    const std::size_t before = last;
-    last = at;
-    return before;
-  }
-  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
-
- private:
-  static constexpr int kBits = 14;
-  std::array<std::size_t, 1 << kBits> last_{};
-};
-
 std::size_t commonLength(const std::uint8_t* a, const std::uint8_t* b, std::size_t most) {
   std::size_t n = 0;
   while (n < most && a[n] == b[n]) ++n;
   return n;
 }
+
+struct Match {
+  std::size_t length = 0, from = 0;
+};
+
+/// Where bytes stood before: the latest places for each hash of three of them.
+class Places {
+ public:
+  explicit Places(const std::vector<std::uint8_t>& bytes) : bytes_(bytes), before_(kWindow) {
+    last_.fill(kNowhere);
+  }
+
+  /// The longest of some matches for what begins at `at`; only of what was added.
+  Match longest(std::size_t at) const {
+    constexpr int kMostTries = 32;
+    Match best;
+    const std::size_t room = std::min(kLongest, bytes_.size() - at);
+    if (room < kShortest) return best;
+    std::size_t from = last_[hash(at)];
+    for (int i = 0; i < kMostTries && from != kNowhere && at - from < kWindow; ++i) {
+      const std::size_t length = commonLength(&bytes_[from], &bytes_[at], room);
+      if (length > best.length) best = {length, from};
+      if (best.length == room) break;
+      from = before_[from % kWindow];
+    }
+    return best;
+  }
+
+  void add(std::size_t at) {
+    if (bytes_.size() - at < kShortest) return;
+    std::size_t& last = last_[hash(at)];
+    before_[at % kWindow] = last;
+    last = at;
+  }
+
+ private:
+  static constexpr int kBits = 14;
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+
+  std::uint32_t hash(std::size_t at) const {
+    const std::uint32_t three = static_cast<std::uint32_t>(bytes_[at]) |
+                                static_cast<std::uint32_t>(bytes_[at + 1]) << 8 |
+                                static_cast<std::uint32_t>(bytes_[at + 2]) << 16;
+    return three * 2654435761u >> (32 - kBits);
+  }
+
+  const std::vector<std::uint8_t>& bytes_;
+  std::array<std::size_t, 1 << kBits> last_{};
+  std::vector<std::size_t> before_;  ///< the place before of the same hash, by place in the window
+};
 
 }  // namespace
 
@@ -103,21 +132,17 @@ void ZlibWriter::add(const std::vector<std::uint8_t>& bytes) {
     adlerB_ = (adlerB_ + adlerA_) % kAdler;
   }
   putBits(0b010, 3);  // a block that is not the last, with fixed codes
-  Places places;
+  Places places(bytes);
   for (std::size_t i = 0; i < bytes.size();) {
-    const std::size_t room = std::min(kLongest, bytes.size() - i);
-    std::size_t length = 0, from = Places::kNowhere;
-    if (room >= kShortest) {
-      from = places.swap(&bytes[i], i);
-      if (from != Places::kNowhere && i - from <= kWindow)
-        length = commonLength(&bytes[i], &bytes[from], room);
-    }
-    if (length < kShortest) {
-      putLiteral(bytes[i++]);
-      continue;
-    }
-    putMatch(static_cast<std::uint32_t>(length), static_cast<std::uint32_t>(i - from));
-    i += length;
+    const Match match = places.longest(i);
+    const bool isWorthIt = match.length >= kShortest;
+    const std::size_t next = i + (isWorthIt ? match.length : 1);
+    if (isWorthIt)
+      putMatch(static_cast<std::uint32_t>(match.length),
+               static_cast<std::uint32_t>(i - match.from));
+    else
+      putLiteral(bytes[i]);
+    for (; i < next; ++i) places.add(i);
   }
   putLiteral(kEndOfBlock);
 }
