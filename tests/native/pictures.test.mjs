@@ -216,6 +216,26 @@ test('the heat map is white where nothing is stretched, and red and blue where i
   assert.ok(seen.every(([r, g, b]) => [r, g, b].every((c) => c >= 0x18 && c <= 0xf7)));
 });
 
+test('pictures of a mesh with every defect cover what the atlas covers', async (t) => {
+  const at = tempFolder(t);
+  const { report } = await unwrapped(
+    at,
+    surfaces.objText(surfaces.defects()),
+    ...['--heat-map', 'h.png', '--layout', 'l.svg', '--resolution', '512', '--padding', '8'],
+  );
+  const png = parsePng(readFileSync(at('h.png')));
+  let cover = 0;
+  for (let y = 0; y < 512; y++) for (let x = 0; x < 512; x++) cover += png.at(x, y)[3] / 255;
+  const elements = parseXml(readFileSync(at('l.svg')));
+  assert.equal(elementsOf(elements, 'g').length, report.charts.length);
+  const outline = elements
+    .filter((element) => element.attributes.class === 'outline')
+    .reduce((sum, element) => sum + (walk(element.attributes.d).length / 100000) * 512, 0);
+  // Half of a line of two pixels lies outside; more at corners, less where two lines meet.
+  const beyond = cover - report.atlas.utilization * 512 ** 2;
+  assert.ok(beyond > 0.5 * outline && beyond < 1.3 * outline, `${beyond} along ${outline}`);
+});
+
 test('a run that goes wrong leaves no picture; wrong names and sizes are told first', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), TRIANGLE);

@@ -25,7 +25,7 @@ void paint(std::array<float, 4>& pixel, const Rgb& colour, float alpha) {
 }
 
 std::uint8_t toByte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ Rgb parseColour(std::string_view hex) {
 std::string colourText(const Rgb& colour) {
   std::string out = "#";
   for (const float value : colour) {
-    const int byte = static_cast<int>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f);
-    for (const int d : {byte / 16, byte % 16}) out += "0123456789abcdef"[d];
+    const long byte = std::lround(std::clamp(value, 0.0f, 1.0f) * 255);
+    for (const long d : {byte / 16, byte % 16}) out += "0123456789abcdef"[d];
   }
   return out;
 }

@@ -7,7 +7,7 @@ namespace abflat {
 void appendTexcoords(const std::vector<double>& uv, PolygonMesh& mesh) {
   const std::size_t before = mesh.faceTexcoords.size();
   const std::size_t corners = mesh.faceVertices.size() - before;
-  if (uv.size() != 2 * corners || uv.size() + mesh.texcoords.size() > 2ull * kNoTexcoord) {
+  if (uv.size() != 2 * corners) {
     mesh.faceTexcoords.resize(mesh.faceVertices.size(), kNoTexcoord);
     return;
   }
