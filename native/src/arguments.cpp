@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "abflat/draw.h"
 #include "abflat/generated/status_code.h"
 #include "mesh_format.h"
 #include "paths.h"
@@ -123,6 +124,18 @@ CLI::Validator resultName() {
       "");
 }
 
+/// `endings` are those that `text` may have, in words.
+CLI::Validator pictureName(std::vector<std::string> endings, const std::string& inWords) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        const std::string ending = endingOf(text);
+        for (const std::string& known : endings)
+          if (ending == known) return "";
+        return "give a name that ends in " + inWords + ", not '" + text + "'";
+      },
+      "");
+}
+
 void addInput(CLI::App& app, std::string& input) {
   app.add_option("IN", input, "mesh to read: OBJ, PLY, STL or OFF; - for standard input")
       ->required()
@@ -221,6 +234,26 @@ void setSeams(const std::string& text, UnwrapCommand& c) {
   c.seams = std::move(seams.value);
 }
 
+void addPictures(CLI::App& app, UnwrapCommand& c) {
+  app.add_option("--layout", c.layout,
+                 wrapped("picture of the atlas with charts in colours and all edges, SVG or PNG by "
+                         "its ending; PNG has a pixel per texel"))
+      ->check(notEmpty())
+      ->check(pictureName({".svg", ".png"}, ".svg or .png"))
+      ->type_name("FILE");
+  app.add_option("--scale", c.scale,
+                 wrapped("millimetres for a unit of the mesh: the SVG of --layout gets the size at "
+                         "which charts are as large as their surface"))
+      ->check(numberCheck("above 0", [](double mm) { return mm > 0 && mm < 1e9; }))
+      ->type_name("MM");
+  app.add_option("--heat-map", c.heatMap,
+                 wrapped("PNG picture of the atlas by area distortion: blue shrunk, white as the "
+                         "whole, red enlarged, to 1/2 and 2"))
+      ->check(notEmpty())
+      ->check(pictureName({".png"}, ".png"))
+      ->type_name("FILE");
+}
+
 CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   CLI::App* sub = app.add_subcommand(
       "unwrap", "Cut any mesh into charts, flatten them and write it with a packed uv atlas");
@@ -229,11 +262,11 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addOutput(*sub, c.output);
   sub->add_option_function<std::string>(
          "--seams", [&c](const std::string& text) { setSeams(text, c); },
-         wrapped(
-             "where to cut, separated by commas: auto = so that no chart is stretched too much "
-             "or overlaps; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
-             "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
-             "disks, which is always done"))
+         wrapped("where to cut, separated by commas: auto = so that no chart is stretched too much "
+                 "or overlaps; uv = between the islands that the mesh has; material = between "
+                 "materials; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
+                 "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
+                 "disks, which is always done"))
       ->default_str("auto")
       ->type_name("LIST");
   sub->add_option("--write-seams", c.writeSeams,
@@ -241,6 +274,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
                           "- for standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
+  addPictures(*sub, c);
   addOptions(*sub, c.options);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
@@ -407,17 +441,42 @@ void checkTogether(const FlattenCommand& c) {
     throw CLI::ValidationError("--bounds", "standard input is the mesh already; name a file");
 }
 
+void checkPictures(const UnwrapCommand& c) {
+  const bool isSvg = endingOf(c.layout) == ".svg";
+  if (c.scale > 0 && !isSvg)
+    throw CLI::ValidationError("--scale", "is for an SVG; add --layout FILE.svg");
+  const char* picture = !c.heatMap.empty()            ? "--heat-map"
+                        : !c.layout.empty() && !isSvg ? "--layout"
+                                                      : nullptr;
+  if (picture != nullptr && c.options.resolution > kMostPictureTexels)
+    throw CLI::ValidationError(
+        picture, "a PNG has at most " + std::to_string(kMostPictureTexels) +
+                     " pixels along a side; lower --resolution, or write the layout as .svg");
+}
+
 void checkTogether(const UnwrapCommand& c) {
-  if (!c.report.empty() && isSameTarget(c.report, c.output))
-    refuse("--report", "is the same file as --output");
-  if (!c.writeSeams.empty() && isSameTarget(c.writeSeams, c.output))
-    refuse("--write-seams", "is the same file as --output");
-  if (!c.writeSeams.empty() && !c.report.empty() && isSameTarget(c.writeSeams, c.report))
-    refuse("--write-seams", "is the same file as --report");
-  if (replaces(c.report, c.input)) refuse("--report", "would replace the input");
-  if (replaces(c.writeSeams, c.input)) refuse("--write-seams", "would replace the input");
-  if (replaces(c.report, c.seamFile)) refuse("--report", "would replace the file of --seams");
-  if (replaces(c.output, c.seamFile)) refuse("--output", "would replace the file of --seams");
+  struct Target {
+    const char* option;
+    const std::string& path;
+  };
+  const std::vector<Target> targets = {{"--output", c.output},
+                                       {"--report", c.report},
+                                       {"--write-seams", c.writeSeams},
+                                       {"--layout", c.layout},
+                                       {"--heat-map", c.heatMap}};
+  for (auto target = targets.begin(); target != targets.end(); ++target) {
+    if (target->path.empty()) continue;
+    for (auto other = targets.begin(); other != target; ++other)
+      if (!other->path.empty() && isSameTarget(target->path, other->path))
+        refuse(target->option, std::string("is the same file as ") + other->option);
+    const bool isMesh = target == targets.begin();  // which may be replaced by its own result
+    if (!isMesh && replaces(target->path, c.input))
+      refuse(target->option, "would replace the input");
+    // Edges that were read may be replaced by those that were cut.
+    if (&target->path != &c.writeSeams && replaces(target->path, c.seamFile))
+      refuse(target->option, "would replace the file of --seams");
+  }
+  checkPictures(c);
   if (c.input == kStandardStream && c.seamFile == kStandardStream)
     throw CLI::ValidationError("--seams", "standard input is the mesh already; name a file");
 }

@@ -20,6 +20,9 @@ struct UnwrapCommand {
   SeamSources seams;
   std::string seamFile;    ///< edges to cut along; empty: none
   std::string writeSeams;  ///< file for the edges that were cut; empty: none is wanted
+  std::string layout;      ///< picture of the atlas, .svg or .png; empty: none is wanted
+  double scale = 0;        ///< millimetres a unit of the mesh in an SVG; 0: pixels
+  std::string heatMap;     ///< picture of the distortion, .png; empty: none is wanted
   bool quiet = false;
 };
 

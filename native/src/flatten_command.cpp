@@ -29,8 +29,7 @@ struct FlattenJob {
     return result;
   }
 
-  static std::string extraPath(const FlattenCommand&) { return {}; }
-  static std::string extraText(const FlattenResult&) { return {}; }
+  static std::vector<ExtraFile<FlattenResult>> extraFiles(const FlattenCommand&) { return {}; }
   static std::string json(const Report& report) { return reportJson(report); }
   static std::string summary(const Report& report, const std::string& input,
                              const std::string& output) {

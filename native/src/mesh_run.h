@@ -2,8 +2,11 @@
 
 #include <chrono>
 #include <cstdio>
+#include <deque>
+#include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "abflat/inspect.h"
 #include "input_file.h"
@@ -25,13 +28,20 @@ auto placed(const std::string& name, const Work& work) -> decltype(work()) {
   return result;
 }
 
+/// A file that a command writes beside the mesh and the report.
+template <class Outcome>
+struct ExtraFile {
+  std::string path;
+  std::function<Result<std::string>(const PolygonMesh&, const Outcome&)> text;
+};
+
 /// One run from a mesh to the files that a command writes: the mesh with texcoords, and a report
 /// where it is wanted. `Job` has
 ///   Command           with input, output, report, options and quiet
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
-///   extraPath, extraText     one further file; an empty path where there is none
+///   extraFiles       further files, as a vector of ExtraFile<Outcome>
 template <class Job>
 class MeshRun {
  public:
@@ -45,7 +55,10 @@ class MeshRun {
         progress_(isTalking_),
         layout_(command.output) {
     if (!command.report.empty()) report_.emplace(command.report);
-    if (const std::string& path = Job::extraPath(command); !path.empty()) extra_.emplace(path);
+    for (const ExtraFile<Outcome>& file : Job::extraFiles(command)) {
+      extras_.emplace_back(file.path);
+      extraTexts_.push_back(file.text);
+    }
   }
 
   int run() {
@@ -75,8 +88,8 @@ class MeshRun {
   /// Before the work, so that a wrong name costs no time.
   Status checkTargets() const {
     if (Status s = layout_.check(); !s.ok()) return s;
-    if (extra_)
-      if (Status s = extra_->check(); !s.ok()) return s;
+    for (const OutputFile& file : extras_)
+      if (Status s = file.check(); !s.ok()) return s;
     return report_ ? report_->check() : Status{};
   }
 
@@ -116,15 +129,19 @@ class MeshRun {
     if (Status s = layout_.write(layoutText(input_, command_.output, result.uv, result.cornerUv));
         !s.ok())
       return s;
-    if (extra_)
-      if (Status s = extra_->write(Job::extraText(result)); !s.ok()) return s;
+    for (std::size_t i = 0; i < extras_.size(); ++i) {
+      const Result<std::string> text =
+          placed(inputName(command_.input), [&] { return extraTexts_[i](input_.mesh, result); });
+      if (!text.ok()) return text.status;
+      if (Status s = extras_[i].write(text.value); !s.ok()) return s;
+    }
     writeSeconds_ = secondsSince(begin);
     complete(result.report);
     if (report_)
       if (Status s = report_->write(Job::json(result.report)); !s.ok()) return s;
     if (Status s = layout_.commit(); !s.ok()) return s;
-    if (extra_)
-      if (Status s = extra_->commit(); !s.ok()) return s;
+    for (OutputFile& file : extras_)
+      if (Status s = file.commit(); !s.ok()) return s;
     return report_ ? report_->commit() : Status{};
   }
 
@@ -159,7 +176,9 @@ class MeshRun {
   bool isTalking_;
   ProgressLine progress_;
   OutputFile layout_;
-  std::optional<OutputFile> extra_, report_;
+  std::optional<OutputFile> report_;
+  std::deque<OutputFile> extras_;
+  std::vector<std::function<Result<std::string>(const PolygonMesh&, const Outcome&)>> extraTexts_;
   InputMesh input_;
   double readSeconds_ = 0, writeSeconds_ = 0;
 };

@@ -1,6 +1,8 @@
+#include "abflat/draw.h"
 #include "abflat/unwrap.h"
 #include "commands.h"
 #include "mesh_run.h"
+#include "paths.h"
 #include "seam_file.h"
 #include "texts.h"
 
@@ -27,8 +29,23 @@ struct UnwrapJob {
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }
 
-  static const std::string& extraPath(const UnwrapCommand& command) { return command.writeSeams; }
-  static std::string extraText(const UnwrapResult& result) { return seamsText(result.seams); }
+  static std::vector<ExtraFile<UnwrapResult>> extraFiles(const UnwrapCommand& command) {
+    std::vector<ExtraFile<UnwrapResult>> out;
+    if (!command.writeSeams.empty())
+      out.push_back({command.writeSeams,
+                     [](const PolygonMesh&, const UnwrapResult& result) -> Result<std::string> {
+                       return seamsText(result.seams);
+                     }});
+    if (endingOf(command.layout) == ".svg")
+      out.push_back({command.layout,
+                     [scale = command.scale](const PolygonMesh& mesh, const UnwrapResult& result)
+                         -> Result<std::string> { return atlasSvg(mesh, result, scale); }});
+    else if (!command.layout.empty())
+      out.push_back({command.layout, atlasPng});
+    if (!command.heatMap.empty()) out.push_back({command.heatMap, heatMapPng});
+    return out;
+  }
+
   static std::string json(const UnwrapReport& report) { return unwrapReportJson(report); }
   static std::string summary(const UnwrapReport& report, const std::string& input,
                              const std::string& output) {

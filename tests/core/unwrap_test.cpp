@@ -89,7 +89,12 @@ TEST_CASE("lists of seams") {
   CHECK(parsed("sharp=45").sharpDegrees == 45);
   CHECK(parsed("sharp=45.5,auto").isAuto);
   CHECK(parsed("sharp=45.5,auto").sharpDegrees == 45.5);
+  CHECK(parsed("uv").followsTexcoords);
+  CHECK_FALSE(parsed("uv").isAuto);
+  CHECK_FALSE(parsed("uv").followsMaterials);
+  CHECK(parsed("material,auto").followsMaterials);
+  CHECK_FALSE(parsed("material,auto").followsTexcoords);
   for (const char* text : {"", ",", "auto,", "sharp=", "sharp=0", "sharp=181", "sharp=nan",
-                           "none,auto", "Auto", "auto none", "file=x"})
+                           "none,auto", "none,uv", "Auto", "auto none", "file=x"})
     CHECK(parseSeams(text).status.code == StatusCode::InvalidOption);
 }

@@ -175,7 +175,7 @@ export interface UnwrapProgress extends Omit<Progress, 'stage'> {
 
 /** The plain values are described, with their defaults, by UNWRAP_OPTIONS. */
 export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues> {
-  /** Where to cut: `auto` (the default), `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
+  /** Where to cut: `auto` (the default), `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
   seams?: string;
   /** Edges to cut beside those, two vertices of the input each. */
   seamEdges?: Uint32Array;

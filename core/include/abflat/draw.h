@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "abflat/unwrap.h"
 
 namespace abflat {
 
@@ -53,5 +54,22 @@ Drawing drawLegend(const std::vector<std::string>& names, double width);
 /// A whole SVG file: a heading and the drawings, at most `columns` in a row.
 std::string svgFile(const std::string& heading, const std::vector<Drawing>& drawings,
                     std::size_t columns);
+
+/// The largest atlas that is drawn in pixels.
+constexpr int kMostPictureTexels = 16384;
+
+/// An atlas to paint on, as a PNG file of a pixel per texel: charts in pale colours, edges thin,
+/// outlines thick; transparent elsewhere. `mesh` is what was unwrapped. Errors: InvalidOption when
+/// the resolution is above kMostPictureTexels.
+Result<std::string> atlasPng(const PolygonMesh& mesh, const UnwrapResult& result);
+
+/// The same as an SVG file, each chart a group. With `millimetres` for a unit of the mesh the
+/// picture has the size at which charts are as large as their surface; with 0 a pixel per texel.
+std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double millimetres = 0);
+
+/// The atlas as a PNG file with each face in a colour for its area in uv, divided by its area in
+/// 3D, where 1 is the whole atlas's: 1/2 and below blue, 1 white, 2 and above red, without area
+/// grey; outlines as of atlasPng. Errors: as of atlasPng.
+Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& result);
 
 }  // namespace abflat

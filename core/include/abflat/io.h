@@ -17,11 +17,12 @@ Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view byte
 
 /// Parses a whole file. STL has no connectivity: corners at identical coordinates are one vertex.
 /// `fileName` is used in messages only. Errors: ParseError (names file and line, or byte of a
-/// binary file).
+/// binary file). Texcoords that cannot be read or do not exist are none: they are not needed for a
+/// mesh.
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName);
 
 /// Checks arrays that did not come from a file: index ranges, finite coordinates, face sizes.
-/// Errors: InvalidMesh (names vertex or face).
+/// Errors: InvalidMesh (names vertex, face or corner).
 Status validateArrays(const PolygonMesh& mesh);
 
 /// OBJ text of the mesh with texcoords: the faces in their order, corner order and degree.

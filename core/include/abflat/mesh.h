@@ -6,6 +6,9 @@
 
 namespace abflat {
 
+/// In place of a number in faceTexcoords.
+constexpr std::uint32_t kNoTexcoord = 0xffffffffu;
+
 /// Polygon mesh as the user gave it; nothing is welded, dropped or reordered.
 struct PolygonMesh {
   std::vector<double> positions;  ///< xyz per vertex, size 3V, finite
@@ -13,6 +16,11 @@ struct PolygonMesh {
       faceOffsets;  ///< size F+1; corners of face f: [faceOffsets[f], faceOffsets[f+1])
   std::vector<std::uint32_t>
       faceVertices;  ///< vertex of each face corner, counter-clockwise seen from outside
+
+  // What else a file says about the surface; each is empty where it says nothing.
+  std::vector<double> texcoords;             ///< uv per texcoord, in no certain range
+  std::vector<std::uint32_t> faceTexcoords;  ///< texcoord of each face corner, or kNoTexcoord
+  std::vector<std::uint32_t> faceMaterials;  ///< per face; numbers by first appearance
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }

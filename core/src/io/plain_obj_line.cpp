@@ -11,8 +11,9 @@ namespace {
 
 using Cursor = TextCursor;
 
-bool takeKeyword(Cursor& c, char keyword) {
-  if (!c.take(keyword) || c.done() || !Cursor::isBlank(*c.at)) return false;
+template <class... Letters>
+bool takeKeyword(Cursor& c, Letters... letters) {
+  if (!(c.take(letters) && ...) || c.done() || !Cursor::isBlank(*c.at)) return false;
   c.skipBlanks();
   return true;
 }
@@ -41,13 +42,13 @@ std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
 }
 
 /// v, v/vt, v//vn or v/vt/vn
-bool takeCorner(Cursor& c, std::int64_t& vertex) {
-  std::int64_t other = 0;
-  if (!takeInteger(c, vertex) || vertex == 0) return false;
+bool takeCorner(Cursor& c, ObjCorner& corner) {
+  std::int64_t normal = 0;
+  if (!takeInteger(c, corner.vertex) || corner.vertex == 0) return false;
   if (c.take('/')) {
     const bool hasNoTexcoord = !c.done() && *c.at == '/';
-    if (!hasNoTexcoord && !takeInteger(c, other)) return false;
-    if (c.take('/') && !takeInteger(c, other)) return false;
+    if (!hasNoTexcoord && !takeInteger(c, corner.texcoord)) return false;
+    if (c.take('/') && !takeInteger(c, normal)) return false;
   }
   return c.atWordEnd();
 }
@@ -72,14 +73,27 @@ std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point)
   return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
 }
 
-std::size_t plainFaceLine(std::string_view text, std::vector<std::int64_t>& corners) {
+std::size_t plainTexcoordLine(std::string_view text, std::array<double, 2>& texcoord) {
+  Cursor c{text.data(), text.data() + text.size()};
+  if (!takeKeyword(c, 'v', 't')) return 0;
+  for (double& coordinate : texcoord) {
+    const char* const end = scanDouble(c.at, c.end, coordinate);
+    if (end == nullptr) return 0;
+    c.at = end;
+    if (!c.atWordEnd()) return 0;
+    c.skipBlanks();
+  }
+  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
+}
+
+std::size_t plainFaceLine(std::string_view text, std::vector<ObjCorner>& corners) {
   Cursor c{text.data(), text.data() + text.size()};
   if (!takeKeyword(c, 'f')) return 0;
   const std::size_t before = corners.size();
   while (!c.atLineEnd()) {
-    std::int64_t vertex = 0;
-    if (!takeCorner(c, vertex)) return corners.resize(before), 0;
-    corners.push_back(vertex);
+    ObjCorner corner;
+    if (!takeCorner(c, corner)) return corners.resize(before), 0;
+    corners.push_back(corner);
     c.skipBlanks();
   }
   if (corners.size() < before + 3) return corners.resize(before), 0;

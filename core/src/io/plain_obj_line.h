@@ -20,8 +20,18 @@ std::size_t plainLine(std::string_view text);
 /// size of the line with its end.
 std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point);
 
-/// `text` begins with a line "f ..." of 3 or more corners: appends the vertex indices as written
-/// (counted from 1, or back from the end; never 0) and returns the size of the line with its end.
-std::size_t plainFaceLine(std::string_view text, std::vector<std::int64_t>& corners);
+/// `text` begins with a line "vt u v", maybe with a third number behind: sets the texcoord and
+/// returns the size of the line with its end.
+std::size_t plainTexcoordLine(std::string_view text, std::array<double, 2>& texcoord);
+
+/// A corner of a face by indices as written: counted from 1, or back from the end.
+struct ObjCorner {
+  std::int64_t vertex = 0;    ///< never 0
+  std::int64_t texcoord = 0;  ///< 0: none
+};
+
+/// `text` begins with a line "f ..." of 3 or more corners: appends them and returns the size of the
+/// line with its end.
+std::size_t plainFaceLine(std::string_view text, std::vector<ObjCorner>& corners);
 
 }  // namespace abflat

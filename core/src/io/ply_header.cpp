@@ -168,6 +168,13 @@ class HeaderReader {
         return here(std::string("element 'vertex' has no number '") + name + "'");
     }
     if (e.count > 0xffffffff) return here("more than 4294967295 vertices are not supported");
+    for (const auto& [u, v] : kPlyTexcoordNames) {
+      const std::size_t first = e.find(u), second = e.find(v);
+      if (header_.u != kNoIndex || first == kNoIndex || second == kNoIndex) continue;
+      if (e.properties[first].isList || e.properties[second].isList) continue;
+      header_.u = first;
+      header_.v = second;
+    }
     return {};
   }
 
@@ -183,6 +190,9 @@ class HeaderReader {
       if (header_.corners == kNoIndex) header_.corners = e.find(name);
     if (header_.corners == kNoIndex || !e.properties[header_.corners].isList)
       return here("element 'face' has no list 'vertex_indices' or 'vertex_index'");
+    for (std::size_t p = e.properties.size(); p-- > 0;)
+      if (isCornerTexcoords(e.properties[p])) header_.cornerTexcoords = p;
+    if (header_.cornerTexcoords != kNoIndex) header_.u = header_.v = kNoIndex;
     return {};
   }
 

@@ -52,7 +52,20 @@ struct PlyHeader {
   std::size_t face = kNoIndex;      ///< element; kNoIndex in a point cloud
   std::size_t x = 0, y = 0, z = 0;  ///< properties of a vertex
   std::size_t corners = kNoIndex;   ///< property of a face: the list of its vertices
+
+  // Properties with texcoords; kNoIndex where there are none.
+  std::size_t u = kNoIndex, v = kNoIndex;  ///< of a vertex; not where corners have some
+  std::size_t cornerTexcoords = kNoIndex;  ///< of a face: u and v of each corner in turn
 };
+
+/// What programs call the texcoords of a vertex.
+constexpr std::string_view kPlyTexcoordNames[][2] = {
+    {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+
+/// As MeshLab writes them.
+inline bool isCornerTexcoords(const PlyProperty& property) {
+  return property.isList && (property.name == "texcoord" || property.name == "texcoords");
+}
 
 /// Errors: ParseError (names file and line), also where there are no vertices with x, y and z, or
 /// no lists of vertices in the faces.

@@ -8,10 +8,6 @@
 namespace abflat {
 namespace {
 
-/// What programs call the texcoords of a vertex.
-constexpr std::string_view kTexcoordNames[][2] = {
-    {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
-
 /// One name of a pair alone means something else; but s and t are needed.
 bool isTexcoord(const PlyElement& vertex, std::size_t property) {
   const std::string_view ownName = vertex.properties[property].name;
@@ -20,15 +16,10 @@ bool isTexcoord(const PlyElement& vertex, std::size_t property) {
     const std::size_t p = vertex.find(name);
     return p != kNoIndex && !vertex.properties[p].isList;
   };
-  for (const auto& pair : kTexcoordNames)
+  for (const auto& pair : kPlyTexcoordNames)
     for (const std::string_view name : pair)
       if (ownName == name) return isNumber(pair[0]) && isNumber(pair[1]);
   return false;
-}
-
-/// As MeshLab writes them: u and v of each corner in turn.
-bool isCornerTexcoords(const PlyProperty& property) {
-  return property.isList && (property.name == "texcoord" || property.name == "texcoords");
 }
 
 /// `type`, or `wide` where that cannot hold a number.

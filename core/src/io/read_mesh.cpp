@@ -47,6 +47,26 @@ bool looksLikeObj(std::string_view bytes) {
   return false;
 }
 
+/// What a mesh may have beside its faces.
+Status validateExtras(const PolygonMesh& mesh) {
+  const auto invalid = [](const std::string& sentence) {
+    return Status{StatusCode::InvalidMesh, sentence};
+  };
+  if (mesh.texcoords.size() % 2 != 0)
+    return invalid("the number of texcoord coordinates is not a multiple of 2");
+  if (!mesh.faceTexcoords.empty() && mesh.faceTexcoords.size() != mesh.faceVertices.size())
+    return invalid("there is not one texcoord for each face corner");
+  if (!mesh.faceMaterials.empty() && mesh.faceMaterials.size() != mesh.faceCount())
+    return invalid("there is not one material for each face");
+  const std::size_t count = mesh.texcoords.size() / 2;
+  for (std::size_t c = 0; c < mesh.faceTexcoords.size(); ++c)
+    if (mesh.faceTexcoords[c] != kNoTexcoord && mesh.faceTexcoords[c] >= count)
+      return invalid("face corner " + std::to_string(c) + " refers to texcoord " +
+                     std::to_string(mesh.faceTexcoords[c]) + ", but there are " +
+                     std::to_string(count) + ", counted from 0");
+  return {};
+}
+
 }  // namespace
 
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
@@ -103,7 +123,7 @@ Status validateArrays(const PolygonMesh& mesh) {
                        std::to_string(mesh.faceVertices[c]) + ", but there are " +
                        std::to_string(mesh.vertexCount()) + " vertices, counted from 0");
   }
-  return {};
+  return validateExtras(mesh);
 }
 
 }  // namespace abflat

@@ -2,18 +2,23 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "io/number_text.h"
 #include "io/obj_lines.h"
 #include "io/parse_error.h"
 #include "io/plain_obj_line.h"
+#include "io/settle_texcoords.h"
 #include "io/text_lines.h"
 
 namespace abflat {
 namespace {
 
-/// Takes vertices and faces from an OBJ text and rejects what is not well formed.
+/// Takes vertices, faces, texcoords and materials from an OBJ text and rejects what is not well
+/// formed, but for texcoords: those are none then.
 class ObjReader {
  public:
   explicit ObjReader(std::string_view fileName) : fileName_(fileName) {}
@@ -32,6 +37,8 @@ class ObjReader {
       return Status{StatusCode::ParseError, std::string(fileName_) +
                                                 ": holds no vertices and no faces" +
                                                 (text.empty() ? "; the file is empty" : "")};
+    settleTexcoords(mesh_);
+    if (!materials_.empty()) mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
     return std::move(mesh_);
   }
 
@@ -54,13 +61,20 @@ class ObjReader {
     }
     corners_.clear();
     if (const std::size_t size = plainFaceLine(lines.rest(), corners_); size > 0) {
-      for (const std::int64_t vertex : corners_)
-        if (Status s = inFile(vertex, lines.number()); !s.ok()) return s;
+      for (const ObjCorner& corner : corners_)
+        if (Status s = inFile(corner.vertex, lines.number()); !s.ok()) return s;
       appendFace();
       lines.skipLine(size);
       return {};
     }
-    if (beginsWith(lines.rest(), "vn ") || beginsWith(lines.rest(), "vt "))
+    std::array<double, 2> uv;
+    if (const std::size_t size = plainTexcoordLine(lines.rest(), uv); size > 0) {
+      if (mesh_.texcoords.empty()) mesh_.texcoords.reserve(mesh_.positions.size() / 3 * 2);
+      mesh_.texcoords.insert(mesh_.texcoords.end(), uv.begin(), uv.end());
+      lines.skipLine(size);
+      return {};
+    }
+    if (beginsWith(lines.rest(), "vn "))
       if (const std::size_t size = plainLine(lines.rest()); size > 0) {
         lines.skipLine(size);
         return {};
@@ -69,7 +83,39 @@ class ObjReader {
     lines.next(line);
     if (line.kind == ObjLine::Kind::Vertex) return vertex(line);
     if (line.kind == ObjLine::Kind::Face) return face(line);
+    if (line.kind == ObjLine::Kind::Texcoord) texcoord(line);
+    if (line.kind == ObjLine::Kind::Other) material(line.text);
     return {};
+  }
+
+  /// The second coordinate may be left out.
+  void texcoord(const ObjLine& line) {
+    std::string storage;
+    std::string_view words = argumentsOf(line, storage);
+    for (int d = 0; d < 2; ++d) {
+      const std::string_view word = takeWord(words);
+      double value = 0;
+      if ((d == 0 || !word.empty()) && !parseDouble(word, value))
+        value = std::numeric_limits<double>::quiet_NaN();
+      mesh_.texcoords.push_back(value);
+    }
+  }
+
+  /// Names may hold blanks and #. Faces before the first have a material of their own.
+  void material(std::string_view line) {
+    if (takeWord(line) != "usemtl") return;
+    const std::size_t begin = line.find_first_not_of(" \t\r\n");
+    const std::string_view name =
+        begin == std::string_view::npos
+            ? std::string_view()
+            : line.substr(begin, line.find_last_not_of(" \t\r\n") + 1 - begin);
+    if (materials_.empty() && mesh_.faceCount() > 0) {
+      mesh_.faceMaterials.assign(mesh_.faceCount(), 0);
+      materials_.emplace("", 0);
+    }
+    mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
+    const auto number = static_cast<std::uint32_t>(materials_.size());
+    material_ = materials_.emplace(name, number).first->second;
   }
 
   Status vertex(const ObjLine& line) {
@@ -97,10 +143,10 @@ class ObjReader {
     std::string_view words = argumentsOf(line, storage);
     corners_.clear();
     for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words)) {
-      std::int64_t vertex = 0;
-      if (Status s = corner(line, word, vertex); !s.ok()) return s;
-      if (Status s = inFile(vertex, line.number); !s.ok()) return s;
-      corners_.push_back(vertex);
+      ObjCorner corner;
+      if (Status s = parseCorner(line, word, corner); !s.ok()) return s;
+      if (Status s = inFile(corner.vertex, line.number); !s.ok()) return s;
+      corners_.push_back(corner);
     }
     if (corners_.size() < 3)
       return parseError(
@@ -113,13 +159,29 @@ class ObjReader {
   /// Takes the corners of one face, whose vertices are known to be in the file or may yet come.
   void appendFace() {
     const std::int64_t known = knownVertices();
-    for (const std::int64_t v : corners_)
+    bool hasTexcoords = false;
+    for (const auto& [v, vt] : corners_) {
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(v > 0 ? v - 1 : known + v));
+      hasTexcoords = hasTexcoords || vt != 0;
+    }
+    if (hasTexcoords) appendTexcoords();
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
   }
 
+  void appendTexcoords() {
+    if (mesh_.faceTexcoords.empty()) mesh_.faceTexcoords.reserve(mesh_.faceVertices.capacity());
+    // Faces before may have had none.
+    mesh_.faceTexcoords.resize(mesh_.faceVertices.size() - corners_.size(), kNoTexcoord);
+    const auto known = static_cast<std::int64_t>(mesh_.texcoords.size() / 2);
+    for (const ObjCorner& corner : corners_) {
+      const std::int64_t t = corner.texcoord > 0 ? corner.texcoord - 1 : known + corner.texcoord;
+      const bool isIndex = corner.texcoord != 0 && t >= 0 && t < kNoTexcoord;
+      mesh_.faceTexcoords.push_back(isIndex ? static_cast<std::uint32_t>(t) : kNoTexcoord);
+    }
+  }
+
   /// v, v/vt, v//vn or v/vt/vn
-  Status corner(const ObjLine& line, std::string_view word, std::int64_t& vertex) const {
+  Status parseCorner(const ObjLine& line, std::string_view word, ObjCorner& corner) const {
     const auto malformed = [&] {
       return parseError(fileName_, line.number,
                         quoted(word) + " is not a face corner (v, v/vt, v//vn or v/vt/vn)");
@@ -132,11 +194,13 @@ class ObjReader {
       const bool mayBeEmpty = part == 1 && slash < rest.size();
       if (part > 2 || (!parseInteger(number, value) && !(number.empty() && mayBeEmpty)))
         return malformed();
-      if (part == 0) vertex = value;
+      if (part == 0) corner.vertex = value;
+      if (part == 1) corner.texcoord = value;
       if (slash == rest.size()) break;
       rest.remove_prefix(slash + 1);
     }
-    if (vertex == 0) return parseError(fileName_, line.number, "vertex index 0; OBJ counts from 1");
+    if (corner.vertex == 0)
+      return parseError(fileName_, line.number, "vertex index 0; OBJ counts from 1");
     return {};
   }
 
@@ -161,8 +225,10 @@ class ObjReader {
 
   std::string_view fileName_;
   PolygonMesh mesh_;
-  std::vector<std::int64_t> corners_;  ///< of one face, as written
-  std::int64_t largestIndex_ = 0;      ///< of all faces, counted from 1
+  std::vector<ObjCorner> corners_;                               ///< of one face
+  std::map<std::string, std::uint32_t, std::less<>> materials_;  ///< numbers by name
+  std::uint32_t material_ = 0;                                   ///< of the faces that come
+  std::int64_t largestIndex_ = 0;                                ///< of all faces, counted from 1
   std::size_t largestIndexLine_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "io/parse_error.h"
 #include "io/ply_messages.h"
 #include "io/ply_row.h"
+#include "io/ply_texcoords.h"
 #include "io/read_ply.h"
 
 namespace abflat {
@@ -44,6 +45,7 @@ class BinaryReader {
         return Status{StatusCode::ParseError,
                       std::string(fileName_) + ": the file goes on for " + std::to_string(room()) +
                           " bytes behind the last element that its header promises"};
+    finishTexcoords(header_, mesh_);
     return std::move(mesh_);
   }
 
@@ -97,40 +99,49 @@ class BinaryReader {
 
   Status vertices() {
     mesh_.positions.reserve(3 * rows());
-    // All rows are alike: positions are read where they are known to be.
-    std::size_t offsets[3] = {};
-    for (std::size_t d = 0; d < 3; ++d)
-      for (std::size_t p = 0; p < axis(d); ++p) offsets[d] += sizeOf(element_->properties[p].type);
+    if (hasUv()) mesh_.texcoords.reserve(2 * rows());
+    // All rows are alike: numbers are read where they are known to be.
+    std::size_t offsets[kNumbers] = {};
+    for (std::size_t d = 0; d < kNumbers; ++d)
+      for (std::size_t p = 0; p < property(d) && p < element_->properties.size(); ++p)
+        offsets[d] += sizeOf(element_->properties[p].type);
     for (; row_ < element_->count; ++row_) {
-      const char* numbers[3] = {at_ + offsets[0], at_ + offsets[1], at_ + offsets[2]};
+      const char* numbers[kNumbers];
+      for (std::size_t d = 0; d < kNumbers; ++d) numbers[d] = at_ + offsets[d];
       const char* next = at_ + element_->leastBytes;
       if (element_->hasLists)
         if (Status s = scanRow(numbers, next); !s.ok()) return s;
       for (std::size_t d = 0; d < 3; ++d) {
         const double value =
-            loadNumber(numbers[d], element_->properties[axis(d)].type, isBigEndian_);
+            loadNumber(numbers[d], element_->properties[property(d)].type, isBigEndian_);
         if (!std::isfinite(value))
           return here(std::string("coordinate ") + "xyz"[d] + " is not finite");
         mesh_.positions.push_back(value);
       }
+      for (std::size_t d = 3; hasUv() && d < kNumbers; ++d)
+        mesh_.texcoords.push_back(
+            loadNumber(numbers[d], element_->properties[property(d)].type, isBigEndian_));
       at_ = next;
     }
     return {};
   }
 
-  /// Property of the coordinate x, y or z.
-  std::size_t axis(std::size_t d) const {
-    return d == 0 ? header_.x : d == 1 ? header_.y : header_.z;
+  /// Of a vertex that are read: x, y, z, u, v.
+  static constexpr std::size_t kNumbers = 5;
+  std::size_t property(std::size_t d) const {
+    const std::size_t of[kNumbers] = {header_.x, header_.y, header_.z, header_.u, header_.v};
+    return of[d];
   }
+  bool hasUv() const { return header_.u != kNoIndex; }
 
-  /// A vertex with lists: where its coordinates and the next row are.
-  Status scanRow(const char* (&numbers)[3], const char*& next) {
+  /// A vertex with lists: where its numbers and the next row are.
+  Status scanRow(const char* (&numbers)[kNumbers], const char*& next) {
     const char* const row = at_;
     PlyField field;
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
       if (Status s = take(element_->properties[p], field); !s.ok()) return s;
-      for (std::size_t d = 0; d < 3; ++d)
-        if (p == axis(d)) numbers[d] = field.numbers;
+      for (std::size_t d = 0; d < kNumbers; ++d)
+        if (p == property(d)) numbers[d] = field.numbers;
     }
     next = std::exchange(at_, row);
     return {};
@@ -140,14 +151,24 @@ class BinaryReader {
     mesh_.faceOffsets.reserve(rows() + 1);
     const PlyType type = element_->properties[header_.corners].type;
     mesh_.faceVertices.reserve(std::min(3 * rows(), room() / sizeOf(type)));
-    for (; row_ < element_->count; ++row_)
+    for (; row_ < element_->count; ++row_) {
+      uv_.clear();
       for (std::size_t p = 0; p < element_->properties.size(); ++p) {
         PlyField field;
         if (Status s = take(element_->properties[p], field); !s.ok()) return s;
+        if (p == header_.cornerTexcoords) cornerTexcoords(field, element_->properties[p].type);
         if (p != header_.corners) continue;
         if (Status s = face(field, type); !s.ok()) return s;
       }
+      if (header_.cornerTexcoords != kNoIndex) appendTexcoords(uv_, mesh_);
+    }
     return {};
+  }
+
+  void cornerTexcoords(const PlyField& field, PlyType type) {
+    const char* number = field.numbers;
+    for (std::size_t k = 0; k < field.count; ++k, number += sizeOf(type))
+      uv_.push_back(loadNumber(number, type, isBigEndian_));
   }
 
   Status face(const PlyField& field, PlyType type) {
@@ -174,6 +195,7 @@ class BinaryReader {
   std::string_view fileName_;
   const PlyElement* element_ = nullptr;
   std::uint64_t row_ = 0;
+  std::vector<double> uv_;  ///< of the corners of one face
   PolygonMesh mesh_;
 };
 

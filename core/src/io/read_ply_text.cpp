@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "io/number_text.h"
 #include "io/parse_error.h"
 #include "io/ply_messages.h"
+#include "io/ply_texcoords.h"
 #include "io/ply_value.h"
 #include "io/read_ply.h"
 #include "io/text_cursor.h"
@@ -43,6 +45,7 @@ class TextReader {
     }
     if (nextRow(words))
       return here("the file goes on behind the last row that its header promises");
+    finishTexcoords(header_, mesh_);
     return std::move(mesh_);
   }
 
@@ -79,7 +82,7 @@ class TextReader {
   bool takePlainVertex() {
     if (element_->hasLists) return false;
     TextCursor c{rest_.data(), rest_.data() + rest_.size()};
-    double xyz[3];
+    double xyz[3], uv[2];
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
       c.skipBlanks();
       if (c.atLineEnd()) return false;
@@ -89,12 +92,18 @@ class TextReader {
         if (end == nullptr || !std::isfinite(xyz[d])) return false;
         c.at = end;
         if (!c.atWordEnd()) return false;
+      } else if (p == header_.u || p == header_.v) {
+        const char* const end = scanDouble(c.at, c.end, uv[p == header_.u ? 0 : 1]);
+        if (end == nullptr) return false;
+        c.at = end;
+        if (!c.atWordEnd()) return false;
       } else {
         c.skipWord();
       }
     }
     if (!takeRowEnd(c)) return false;
     mesh_.positions.insert(mesh_.positions.end(), xyz, xyz + 3);
+    if (readsUv()) mesh_.texcoords.insert(mesh_.texcoords.end(), uv, uv + 2);
     return true;
   }
 
@@ -154,10 +163,17 @@ class TextReader {
   }
 
   Status vertex(std::string_view words) {
-    const std::size_t at = mesh_.positions.size();
+    const std::size_t at = mesh_.positions.size(), uvAt = mesh_.texcoords.size();
     mesh_.positions.resize(at + 3);
+    if (readsUv()) mesh_.texcoords.resize(uvAt + 2);
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
       const bool isWanted = p == header_.x || p == header_.y || p == header_.z;
+      if (p == header_.u || p == header_.v) {
+        const std::string_view word = takeWord(words);
+        if (word.empty()) return missing(element_->properties[p]);
+        mesh_.texcoords[uvAt + (p == header_.u ? 0 : 1)] = numberOrNone(word);
+        continue;
+      }
       if (!isWanted) {
         if (Status s = skip(element_->properties[p], words); !s.ok()) return s;
         continue;
@@ -174,13 +190,38 @@ class TextReader {
     return ended(words);
   }
 
+  bool readsUv() const { return header_.u != kNoIndex; }
+
+  /// A texcoord, which need not be one.
+  static double numberOrNone(std::string_view word) {
+    double value = 0;
+    return parseDouble(word, value) ? value : std::numeric_limits<double>::quiet_NaN();
+  }
+
   Status skippedOrFace(std::string_view words, std::size_t element) {
+    const bool isFace = element == header_.face;
+    uv_.clear();
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
-      const bool isFace = element == header_.face && p == header_.corners;
       const PlyProperty& property = element_->properties[p];
-      if (Status s = isFace ? face(property, words) : skip(property, words); !s.ok()) return s;
+      if (Status s = isFace && p == header_.corners           ? face(property, words)
+                     : isFace && p == header_.cornerTexcoords ? cornerTexcoords(property, words)
+                                                              : skip(property, words);
+          !s.ok())
+        return s;
     }
+    if (isFace && header_.cornerTexcoords != kNoIndex) appendTexcoords(uv_, mesh_);
     return ended(words);
+  }
+
+  Status cornerTexcoords(const PlyProperty& property, std::string_view& words) {
+    std::int64_t size = 0;
+    if (Status s = listSize(property, words, size); !s.ok()) return s;
+    for (std::int64_t k = 0; k < size; ++k) {
+      const std::string_view word = takeWord(words);
+      if (word.empty()) return missing(property);
+      uv_.push_back(numberOrNone(word));
+    }
+    return {};
   }
 
   /// Whole numbers may be written as "3.0" where their type is float.
@@ -237,6 +278,7 @@ class TextReader {
   std::size_t line_;
   std::string_view fileName_;
   const PlyElement* element_ = nullptr;
+  std::vector<double> uv_;  ///< of the corners of one face
   PolygonMesh mesh_;
 };
 

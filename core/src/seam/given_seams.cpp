@@ -7,9 +7,13 @@
 namespace abflat {
 namespace {
 
+std::uint32_t inputCorner(const WeldedMesh& welded, const Surface& surface, std::uint32_t corner) {
+  return welded.inputCorner[surface.triangulation.corner[corner]];
+}
+
 std::uint32_t inputVertex(const PolygonMesh& input, const WeldedMesh& welded,
                           const Surface& surface, std::uint32_t corner) {
-  return input.faceVertices[welded.inputCorner[surface.triangulation.corner[corner]]];
+  return input.faceVertices[inputCorner(welded, surface, corner)];
 }
 
 EdgeVertices sorted(EdgeVertices e) {
@@ -43,6 +47,47 @@ void markSharp(const WeldedMesh& welded, const Surface& surface, double degrees,
     const Vec3 b = normalOf(welded.mesh, surface, twin / 3);
     if (bend(a, b) > degrees) mark(surface, h, seams);
   }
+}
+
+/// By value: files may list a texcoord several times. No texcoord is a value of its own.
+bool hasSameTexcoord(const PolygonMesh& mesh, std::uint32_t cornerA, std::uint32_t cornerB) {
+  const std::size_t a = mesh.faceTexcoords[cornerA], b = mesh.faceTexcoords[cornerB];
+  if (a == kNoTexcoord || b == kNoTexcoord || a == b) return a == b;
+  return mesh.texcoords[2 * a] == mesh.texcoords[2 * b] &&
+         mesh.texcoords[2 * a + 1] == mesh.texcoords[2 * b + 1];
+}
+
+Status markIslands(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                   Seams& seams) {
+  if (input.faceTexcoords.empty())
+    return {StatusCode::InvalidOption,
+            "the mesh has no texcoords, so there are no islands to cut round; leave uv out of the "
+            "seams"};
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    const std::uint32_t twin = surface.table.twin[h];
+    if (twin == kNone || twin < h || surface.triangulation.isDiagonal[h]) continue;
+    const auto corner = [&](std::uint32_t c) { return inputCorner(welded, surface, c); };
+    if (!hasSameTexcoord(input, corner(h), corner(nextCorner(twin))) ||
+        !hasSameTexcoord(input, corner(nextCorner(h)), corner(twin)))
+      mark(surface, h, seams);
+  }
+  return {};
+}
+
+Status markMaterials(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                     Seams& seams) {
+  if (input.faceMaterials.empty())
+    return {StatusCode::InvalidOption,
+            "the mesh has no materials to cut between; leave material out of the seams"};
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    const std::uint32_t twin = surface.table.twin[h];
+    if (twin == kNone || twin < h) continue;
+    const auto material = [&](std::uint32_t c) {
+      return input.faceMaterials[welded.inputFace[surface.triangulation.face[c / 3]]];
+    };
+    if (material(h) != material(twin)) mark(surface, h, seams);
+  }
+  return {};
 }
 
 std::string nameOf(const EdgeVertices& e) {
@@ -92,6 +137,10 @@ Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, con
                          const SeamSources& sources) {
   Seams seams(surface.table.vertex.size(), 0);
   if (sources.sharpDegrees < 180) markSharp(welded, surface, sources.sharpDegrees, seams);
+  if (sources.followsTexcoords)
+    if (Status s = markIslands(input, welded, surface, seams); !s.ok()) return s;
+  if (sources.followsMaterials)
+    if (Status s = markMaterials(input, welded, surface, seams); !s.ok()) return s;
   if (Status s = markEdges(input, welded, surface, sources.edges, seams); !s.ok()) return s;
   return seams;
 }

@@ -7,7 +7,8 @@
 
 namespace abflat {
 
-/// The seams that the user asks for. Errors: InvalidOption names an edge that does not exist.
+/// The seams that the user asks for. Errors: InvalidOption names an edge that does not
+/// exist, or what the mesh lacks.
 Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                          const SeamSources& sources);
 

@@ -5,9 +5,9 @@ namespace abflat {
 namespace {
 
 Status wrong(std::string_view word) {
-  return {StatusCode::InvalidOption,
-          "'" + std::string(word) +
-              "' is not auto, none or sharp=DEGREES with degrees above 0 and at most 180"};
+  return {StatusCode::InvalidOption, "'" + std::string(word) +
+                                         "' is not auto, uv, material, none or sharp=DEGREES with "
+                                         "degrees above 0 and at most 180"};
 }
 
 }  // namespace
@@ -25,6 +25,10 @@ Result<SeamSources> parseSeams(std::string_view text) {
     if (!isLast) text.remove_prefix(comma + 1);
     if (word == "auto")
       out.isAuto = true;
+    else if (word == "uv")
+      out.followsTexcoords = true;
+    else if (word == "material")
+      out.followsMaterials = true;
     else if (word == "none")
       isNone = true;
     else if (word.substr(0, kSharp.size()) != kSharp ||

@@ -28,8 +28,16 @@ PolygonMesh slowly(const std::string& text) {
     words >> keyword;
     for (int d = 0; keyword == "v" && d < 3 && words >> word; ++d)
       mesh.positions.push_back(std::strtod(word.c_str(), nullptr));
+    for (int d = 0; keyword == "vt" && d < 2 && words >> word; ++d)
+      mesh.texcoords.push_back(std::strtod(word.c_str(), nullptr));
     while (keyword == "f" && words >> word) {
-      const long v = std::strtol(word.c_str(), nullptr, 10);
+      char* end = nullptr;
+      const long v = std::strtol(word.c_str(), &end, 10);
+      const auto known = static_cast<long>(mesh.texcoords.size() / 2);
+      const long vt = *end == '/' && end[1] != '/' ? std::strtol(end + 1, nullptr, 10) : 0;
+      mesh.faceTexcoords.push_back(static_cast<std::uint32_t>(vt == 0  ? -1
+                                                              : vt > 0 ? vt - 1
+                                                                       : known + vt));
       mesh.faceVertices.push_back(
           static_cast<std::uint32_t>(v > 0 ? v - 1 : static_cast<long>(mesh.vertexCount()) + v));
     }
@@ -37,6 +45,12 @@ PolygonMesh slowly(const std::string& text) {
       mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
     keyword.clear();
   }
+  bool hasTexcoords = false;
+  for (std::uint32_t& t : mesh.faceTexcoords) {
+    if (t >= mesh.texcoords.size() / 2) t = kNoTexcoord;
+    hasTexcoords = hasTexcoords || t != kNoTexcoord;
+  }
+  if (!hasTexcoords) mesh.texcoords.clear(), mesh.faceTexcoords.clear();
   return mesh;
 }
 
@@ -44,7 +58,8 @@ bool isSame(const PolygonMesh& a, const PolygonMesh& b) {
   return a.positions.size() == b.positions.size() &&
          (a.positions.empty() ||
           std::memcmp(a.positions.data(), b.positions.data(), 8 * a.positions.size()) == 0) &&
-         a.faceOffsets == b.faceOffsets && a.faceVertices == b.faceVertices;
+         a.faceOffsets == b.faceOffsets && a.faceVertices == b.faceVertices &&
+         a.texcoords == b.texcoords && a.faceTexcoords == b.faceTexcoords;
 }
 
 using Random = std::mt19937_64;
@@ -85,7 +100,8 @@ std::string randomText(Random& random, std::size_t lines) {
       for (std::size_t k = 3 + random() % 3; k > 0; --k)
         text += blanks(random) + corner(random, vertices);
     } else {
-      text += pick(random, {"vt 1 2", "vn 0 0 1", "", "g a\\", "# v 1 2 3", "usemtl f", "s off"});
+      text += pick(random, {"vt 1 2", "vt 0.1 -7e3 0", "vt\t3 4", "vt 5 6", "vn 0 0 1", "", "g a\\",
+                            "# v 1 2 3", "usemtl f", "s off"});
     }
     text += pick(random, {"\n", "\n", "\n", " \n", "\r\n"});
   }
@@ -151,12 +167,23 @@ TEST_CASE("a damaged line is read or refused alike, plain or not") {
 
 TEST_CASE("the fast way takes the lines that files consist of, and leaves the others") {
   std::array<double, 3> point;
-  std::vector<std::int64_t> corners;
+  std::vector<ObjCorner> corners;
   CHECK(plainVertexLine("v 1 2.5 -3e-7\nv", point) == 14);
   CHECK(point == std::array<double, 3>{1, 2.5, -3e-7});
   CHECK(plainVertexLine("v 1 2 3 0.5 0.5 0.5\r\nv", point) == 21);
   CHECK(plainFaceLine("f 1/2/3 -2//4 5\r", corners) == 16);
-  CHECK(corners == std::vector<std::int64_t>{1, -2, 5});
+  REQUIRE(corners.size() == 3);
+  for (const auto& [k, vertex, texcoord] :
+       {std::array<std::int64_t, 3>{0, 1, 2}, {1, -2, 0}, {2, 5, 0}}) {
+    CHECK(corners[static_cast<std::size_t>(k)].vertex == vertex);
+    CHECK(corners[static_cast<std::size_t>(k)].texcoord == texcoord);
+  }
+  std::array<double, 2> uv;
+  CHECK(plainTexcoordLine("vt 0.5 -1\nf", uv) == 10);
+  CHECK(uv == std::array<double, 2>{0.5, -1});
+  CHECK(plainTexcoordLine("vt 1 2 0\r\n", uv) == 10);
+  for (const char* line : {"vt 1\n", "vt 1 2 # c\n", "vt 1 x\n", "v 1 2\n", "vt 1 2 \\\n"})
+    CHECK(plainTexcoordLine(line, uv) == 0);
   for (const char* line : {"v 1 2 3 # c\n", "v 1 2\n", "v 1 2 3 \\\n", "v 1 2 inf\n", "vt 1 2 3\n"})
     CHECK(plainVertexLine(line, point) == 0);
   for (const char* line : {"f 1 2\n", "f 1 2 0\n", "f 1 2 3 # c\n", "f 1 2 3 \\\n", "f 1 2 3x\n"})

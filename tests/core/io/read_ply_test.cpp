@@ -250,3 +250,28 @@ TEST_CASE("PLY: the format is told by the name, or else by the content", "[ply]"
   CHECK(detectFormat("-", "ply\r\nformat").value == MeshFormat::Ply);
   CHECK(detectFormat("-", "plywood\n").status.code == StatusCode::UnreadableFile);
 }
+
+TEST_CASE("PLY: texcoords of vertices and of corners are kept in every encoding") {
+  for (const std::string& format : kPlyFormats) {
+    INFO(format);
+    PlyTestElement v{
+        "vertex", {"float v", "float x", "uchar red", "float y", "float z", "double u"}, {}};
+    for (const std::vector<double>& p : kPoints)
+      v.rows.push_back({p[1], p[0], 9, p[1], p[2], p[0]});
+    const Result<PolygonMesh> ofVertices = ply(plyFile(format, {v, faces()}));
+    checkQuadAndTriangle(ofVertices);
+    CHECK(ofVertices.value.texcoords == std::vector<double>{0, 0, 2, 0, 2, 1.5, 0, 1});
+    CHECK(ofVertices.value.faceTexcoords == ofVertices.value.faceVertices);
+    // Lists of corners count more than those of vertices; one of another length is none.
+    const PlyTestElement f{"face",
+                           {"list uchar float texcoord", "list uchar int vertex_indices"},
+                           {{2, 0.5, 0.5, 4, 0, 1, 2, 3}, {6, 1, 2, 3, 4, 5, 6, 3, 2, 1, 0}}};
+    for (const std::vector<PlyTestElement>& order : {std::vector{v, f}, std::vector{f, v}}) {
+      const Result<PolygonMesh> ofCorners = ply(plyFile(format, order));
+      checkQuadAndTriangle(ofCorners);
+      const std::uint32_t no = kNoTexcoord;
+      CHECK(ofCorners.value.texcoords == std::vector<double>{1, 2, 3, 4, 5, 6});
+      CHECK(ofCorners.value.faceTexcoords == std::vector<std::uint32_t>{no, no, no, no, 0, 1, 2});
+    }
+  }
+}

@@ -233,3 +233,51 @@ TEST_CASE("arrays that contradict themselves are refused with the place") {
   bad.positions.pop_back();
   CHECK_FALSE(validateArrays(bad).ok());
 }
+
+TEST_CASE(
+    "OBJ: texcoords of corners and materials of faces are kept; unusable texcoords are none") {
+  const std::uint32_t no = kNoTexcoord;
+  const Result<PolygonMesh> r =
+      obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nvt 0.5 0.25 0\nvt 1 # c\nvt nan 0\nvt a b\n"
+          "usemtl red\nf 2/1 4/2 3/3\nf 2/4/1 4/-3 3/9\nusemtl a b#c\nf 1//1 2/5 3\nusemtl red\n"
+          "f 1 2 3\nvt 7 \\\n 8\n");
+  INFO(r.status.message);
+  REQUIRE(r.ok());
+  CHECK(r.value.faceTexcoords ==
+        std::vector<std::uint32_t>{no, no, no, 0, 1, no, no, 1, no, no, 4, no, no, no, no});
+  CHECK(r.value.texcoords[0] == 0.5);
+  CHECK(r.value.texcoords[1] == 0.25);
+  CHECK(r.value.texcoords[2] == 1);
+  CHECK(r.value.texcoords[3] == 0);
+  CHECK(r.value.texcoords[9] == 8);
+  CHECK(r.value.faceMaterials == std::vector<std::uint32_t>{0, 1, 1, 2, 1});
+  CHECK(validateArrays(r.value).ok());
+  const Result<PolygonMesh> none = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3/2\n");
+  REQUIRE(none.ok());
+  CHECK(none.value.texcoords.empty());
+  CHECK(none.value.faceTexcoords.empty());
+  CHECK(none.value.faceMaterials.empty());
+}
+
+TEST_CASE("what does not fit a mesh beside its faces is named") {
+  PolygonMesh mesh = makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
+  mesh.texcoords = {0, 0};
+  mesh.faceTexcoords = {0, kNoTexcoord, 0};
+  mesh.faceMaterials = {7};
+  CHECK(validateArrays(mesh).ok());
+  const auto message = [&](auto&& damage) {
+    PolygonMesh damaged = mesh;
+    damage(damaged);
+    const Status s = validateArrays(damaged);
+    CHECK(s.code == StatusCode::InvalidMesh);
+    return s.message;
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  says(message([](PolygonMesh& m) { m.faceTexcoords[2] = 1; }), "corner 2 refers");
+  says(message([](PolygonMesh& m) { m.faceTexcoords.pop_back(); }), "each face");
+  says(message([](PolygonMesh& m) { m.texcoords.pop_back(); }), "multiple of 2");
+  says(message([](PolygonMesh& m) { m.faceMaterials.push_back(0); }), "material");
+}

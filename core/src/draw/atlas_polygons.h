@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "abflat/unwrap.h"
+
+namespace abflat {
+
+/// The faces of a mesh as they lie in the atlas: without those that collapsed, and faces that use a
+/// place twice as the loops they were split into.
+struct AtlasPolygons {
+  std::vector<std::uint32_t> offsets = {0};  ///< corners of polygon i: [offsets[i], offsets[i+1])
+  std::vector<std::uint32_t> corners;        ///< indices into the mesh's faceVertices
+  std::vector<std::uint32_t> face;           ///< per polygon
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(face.size()); }
+};
+AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result);
+
+/// Edges of polygons by their texcoords, each once.
+struct AtlasEdges {
+  std::vector<std::array<std::uint32_t, 2>> inner;    ///< between two polygons of a chart
+  std::vector<std::array<std::uint32_t, 2>> outline;  ///< of the charts, which are on their left
+};
+AtlasEdges atlasEdges(const AtlasPolygons& polygons, const UnwrapResult& result);
+
+}  // namespace abflat

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace abflat {
+
+/// In pixels from the upper left corner of the picture.
+struct PixelPoint {
+  double x = 0, y = 0;
+};
+
+/// Red, green, blue, each from 0 to 1.
+using Rgb = std::array<float, 3>;
+
+/// Some rows of a picture: areas, and lines of two kinds above them. Nothing is drawn outside.
+class Band {
+ public:
+  Band(int width, int firstRow, int rows);
+
+  /// Adds the exact share that a simple polygon has of each pixel: neighbours that share an edge
+  /// cover it without a gap.
+  void fill(const std::vector<PixelPoint>& polygon, const Rgb& colour);
+
+  enum class Line { Thin, Thick };
+  /// With round ends. Lines of one kind are one shape: where they meet they are no darker.
+  void draw(Line kind, const PixelPoint& from, const PixelPoint& to, double width);
+
+  /// Areas below, then thin and thick lines in `ink`, each as opaque as said; transparent
+  /// elsewhere.
+  std::vector<std::uint8_t> rgba(const Rgb& ink, float thinOpacity, float thickOpacity) const;
+
+ private:
+  void addEdge(PixelPoint from, PixelPoint to);
+
+  int width_, firstRow_, rows_;
+  std::vector<std::array<float, 4>> areas_;  ///< colours times shares, and shares
+  std::array<std::vector<float>, 2> lines_;  ///< shares by kind
+  /// Of the polygon at hand: what each column adds to the cover of those on its right.
+  std::vector<double> steps_;
+  int left_ = 0, top_ = 0, bottom_ = 0;
+  std::size_t stride_ = 0;
+};
+
+}  // namespace abflat
