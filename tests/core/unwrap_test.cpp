@@ -98,3 +98,44 @@ TEST_CASE("lists of seams") {
                            "none,auto", "none,uv", "Auto", "auto none", "file=x"})
     CHECK(parseSeams(text).status.code == StatusCode::InvalidOption);
 }
+
+TEST_CASE("a triangle mesh keeps all of its triangles in their order") {
+  PolygonMesh mesh = torus(12, 8);
+  std::vector<std::uint32_t> faces(mesh.faceVertices);
+  // One without area between two others, a repeated one, and one of an unused place.
+  faces.insert(faces.begin() + 30, {faces[0], faces[1], faces[1]});
+  faces.insert(faces.end(), {faces[0], faces[1], faces[2]});
+  mesh.positions.insert(mesh.positions.end(), {9, 9, 9});
+  const auto far = static_cast<std::uint32_t>(mesh.vertexCount() - 1);
+  faces.insert(faces.end(), {far, far, far});
+  mesh = makeTriangleMesh(mesh.positions, faces);
+  const Result<UnwrapResult> result = unwrap(mesh, {});
+  REQUIRE(result.ok());
+  const UnwrapResult& r = result.value;
+  REQUIRE(r.triangles.size() == faces.size());
+  REQUIRE(r.chartOfTriangle.size() == mesh.faceCount());
+  for (std::size_t c = 0; c < faces.size(); ++c) CHECK(r.vertexMap[r.triangles[c]] == faces[c]);
+  CHECK(r.triangles == r.cornerVertex);
+  CHECK(r.chartOfTriangle == r.chartOfFace);
+  for (std::size_t f = 0; f + 1 < mesh.faceCount(); ++f)
+    CHECK(r.chartOfTriangle[f] < r.report.charts.size());
+  CHECK(r.chartOfTriangle[10] != r.chartOfTriangle[mesh.faceCount() - 2]);
+  CHECK(r.chartOfTriangle.back() == kNoChart);
+}
+
+TEST_CASE("polygons become the triangles that were flattened") {
+  const PolygonMesh mesh = star(7);
+  const Result<UnwrapResult> result = unwrap(mesh, {});
+  REQUIRE(result.ok());
+  const UnwrapResult& r = result.value;
+  CHECK(r.triangles.size() == 3 * (mesh.faceVertices.size() - 2 * mesh.faceCount()));
+  double area = 0;
+  for (std::size_t t = 0; t < r.triangles.size(); t += 3) {
+    const auto at = [&](std::size_t k) { return &r.uv[2 * r.vertexUv[r.triangles[t + k]]]; };
+    const double *a = at(0), *b = at(1), *c = at(2);
+    const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    CHECK(twice > 0);
+    area += twice / 2;
+  }
+  CHECK(area == Approx(r.report.atlas.utilization).epsilon(1e-9));
+}

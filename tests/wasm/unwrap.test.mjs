@@ -320,7 +320,7 @@ const REFUSED = [
   [{ maxStretch: 1 }, /maxStretch must be a number above 1/],
   [{ resolution: 100.5 }, /resolution.*whole/],
   [{ padding: -1 }, /padding/],
-  [{ seams: 'everywhere' }, /'everywhere' is not auto, none/],
+  [{ seams: 'everywhere' }, /'everywhere' is not auto, /],
   [{ seams: '' }, /seams/],
   [{ seams: 5 }, /seams must be a string/],
   [{ seams: 'none,auto' }, /none/],

@@ -105,11 +105,13 @@ function fakeAbflat() {
     calls,
     sample: (name, options) => call('sample', { name }, options),
     load: (file, options) => call('load', { name: file.name }, options),
+    inspect: async () => ({ disk: { ok: true, code: 'Ok', message: '' } }),
     flatten: (_, { t, delaunay, ...options }) => call('flatten', { t, delaunay }, options),
+    unwrap: (_, { maxStretch, obj, ...options }) => call('unwrap', { maxStretch, obj }, options),
   };
 }
 
-const at = (t) => ({ t, delaunay: false });
+const at = (t) => ({ mode: 'flatten', t, delaunay: false });
 const textOf = (settings) => String(settings ? settings.t : null);
 
 async function startSession(t) {
@@ -117,32 +119,46 @@ async function startSession(t) {
   const { Session } = await load('session');
   const abflat = fakeAbflat();
   const log = [];
-  const session = new Session(Promise.resolve(abflat), {
-    started: (source, settings) => log.push(`started ${source.name} ${textOf(settings)}`),
-    progress: ({ fraction }) => log.push(`progress ${fraction}`),
-    opened: (source) => log.push(`opened ${source.name}`),
-    flattened: (outcome) =>
-      log.push(`flattened ${outcome.source.name} ${textOf(outcome.settings)}`),
-    cancelled: () => log.push('cancelled'),
-    failed: (source, settings, error) =>
-      log.push(`failed ${source.name} ${textOf(settings)} ${error.message}`),
-  });
-  const rest = async () => {
-    for (let i = 0; i < 10; i++) await Promise.resolve();
+  let wish;
+  const session = new Session(
+    Promise.resolve(abflat),
+    {
+      started: (source, settings) => log.push(`started ${source.name} ${textOf(settings)}`),
+      progress: ({ fraction }) => log.push(`progress ${fraction}`),
+      opened: ({ source }) => log.push(`opened ${source.name}`),
+      laidOut: ({ mode, source, settings }) =>
+        log.push(`${mode} ${source.name} ${textOf(settings)}`),
+      cancelled: () => log.push('cancelled'),
+      failed: (source, settings, error) =>
+        log.push(`failed ${source.name} ${textOf(settings)} ${error.message}`),
+    },
+    () => wish,
+  );
+  /** Opens a mesh, or lays the open one out again, with other settings. */
+  const open = (source, settings) => {
+    wish = settings;
+    session.open(source);
   };
-  return { session, calls: abflat.calls, log, rest };
+  const ask = (settings) => {
+    wish = settings;
+    session.refresh();
+  };
+  const rest = async () => {
+    for (let i = 0; i < 30; i++) await Promise.resolve();
+  };
+  return { session, open, ask, calls: abflat.calls, log, rest };
 }
 
 const HEAD = { kind: 'sample', name: 'head' };
 const BALL = { kind: 'sample', name: 'ball' };
 
 test('session: another condition is another wish, at the same t', async (t) => {
-  const { session, calls, rest } = await startSession(t);
-  session.open(HEAD, at(1));
+  const { open, ask, calls, rest } = await startSession(t);
+  open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
-  session.flatten({ t: 1, delaunay: true });
+  ask({ mode: 'flatten', t: 1, delaunay: true });
   calls[1].resolve({});
   await rest();
   assert.deepEqual(
@@ -155,19 +171,19 @@ test('session: another condition is another wish, at the same t', async (t) => {
 });
 
 test('session: what runs aside gives way to a run', async (t) => {
-  const { session, calls, rest } = await startSession(t);
+  const { session, open, ask, calls, rest } = await startSession(t);
   const aside = session.aside(
     (abflat, input, signal) => abflat.flatten(input, { t: 9, signal }),
     new AbortController().signal,
   );
-  session.open(HEAD, at(1));
+  open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
   calls[1].resolve({});
   await rest();
   assert.equal(calls[2].t, 9);
-  session.flatten(at(1.5));
+  ask(at(1.5));
   await rest();
   assert.equal(calls[2].signal.aborted, true);
   assert.equal(calls[3].t, 1.5);
@@ -180,8 +196,8 @@ test('session: what runs aside gives way to a run', async (t) => {
 });
 
 test('session: reads, then flattens', async (t) => {
-  const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, at(1));
+  const { open, calls, log, rest } = await startSession(t);
+  open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
@@ -193,24 +209,24 @@ test('session: reads, then flattens', async (t) => {
     'opened head',
     'started head 1',
     'progress 0.5',
-    'flattened head 1',
+    'flatten head 1',
   ]);
 });
 
 test('session: a quick run is shown before the next starts; a slow one is aborted for the latest wish', async (t) => {
-  const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, at(1));
+  const { open, ask, calls, log, rest } = await startSession(t);
+  open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
-  session.flatten(at(1.1));
-  session.flatten(at(1.2));
+  ask(at(1.1));
+  ask(at(1.2));
   calls[1].resolve({});
   await rest();
   assert.equal(calls.length, 3);
   assert.equal(calls[2].t, 1.2);
-  session.flatten(at(1.3));
-  session.flatten(at(1.4));
+  ask(at(1.3));
+  ask(at(1.4));
   assert.equal(calls[2].signal.aborted, false);
   t.mock.timers.tick(10_000);
   await rest();
@@ -220,20 +236,20 @@ test('session: a quick run is shown before the next starts; a slow one is aborte
   await rest();
   assert.deepEqual(log.slice(2), [
     'started head 1',
-    'flattened head 1',
+    'flatten head 1',
     'started head 1.2',
     'started head 1.4',
-    'flattened head 1.4',
+    'flatten head 1.4',
   ]);
 });
 
 test('session: cancelling drops the run and the wish; nothing comes late', async (t) => {
-  const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, at(1));
+  const { session, open, ask, calls, log, rest } = await startSession(t);
+  open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
-  session.flatten(at(1.5));
+  ask(at(1.5));
   session.cancel();
   calls[1].onProgress({ fraction: 0.9 });
   t.mock.timers.tick(10_000);
@@ -242,17 +258,17 @@ test('session: cancelling drops the run and the wish; nothing comes late', async
   assert.equal(log.at(-1), 'cancelled');
   session.cancel();
   assert.equal(log.filter((line) => line === 'cancelled').length, 1);
-  session.flatten(at(1.5));
+  ask(at(1.5));
   await rest();
   calls[2].resolve({});
   await rest();
-  assert.equal(log.at(-1), 'flattened head 1.5');
+  assert.equal(log.at(-1), 'flatten head 1.5');
 });
 
 test('session: a mesh opened later wins over one that is still read', async (t) => {
-  const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, at(1));
-  session.open(BALL, at(1));
+  const { open, calls, log, rest } = await startSession(t);
+  open(HEAD, at(1));
+  open(BALL, at(1));
   await rest();
   assert.equal(calls[0].signal.aborted, true);
   calls[1].resolve(SQUARE);
@@ -264,28 +280,64 @@ test('session: a mesh opened later wins over one that is still read', async (t) 
     'started ball null',
     'opened ball',
     'started ball 1',
-    'flattened ball 1',
+    'flatten ball 1',
   ]);
 });
 
 test('session: what cannot be read leaves the mesh before, which can be flattened again', async (t) => {
-  const { session, calls, log, rest } = await startSession(t);
-  session.open(HEAD, at(1));
+  const { open, ask, calls, log, rest } = await startSession(t);
+  open(HEAD, at(1));
   await rest();
   calls[0].resolve(SQUARE);
   await rest();
   calls[1].resolve({});
   await rest();
-  session.open(BALL, at(1));
+  open(BALL, at(1));
   await rest();
   calls[2].reject(new Error('no ball'));
   await rest();
   assert.equal(log.at(-1), 'failed ball null no ball');
-  session.flatten(at(2));
+  ask(at(2));
   await rest();
   calls[3].resolve({});
   await rest();
-  assert.equal(log.at(-1), 'flattened head 2');
+  assert.equal(log.at(-1), 'flatten head 2');
+});
+
+test('session: an atlas is asked for with its own options, in the format of the file', async (t) => {
+  const { open, ask, calls, log, rest } = await startSession(t);
+  open(HEAD, at(1));
+  await rest();
+  calls[0].resolve(SQUARE);
+  await rest();
+  calls[1].resolve({});
+  await rest();
+  ask({ mode: 'unwrap', maxStretch: 1.1, resolution: 512, padding: 2 });
+  await rest();
+  const { kind, maxStretch, obj } = calls[2];
+  assert.deepEqual([kind, maxStretch, obj], ['unwrap', 1.1, true]);
+  calls[2].resolve({});
+  await rest();
+  assert.match(log.at(-1), /^unwrap head/);
+});
+
+test('charts that meet differ in colour, a chart is of one colour', async () => {
+  const { chartColors } = await load('chart-colors');
+  const { weld } = await load('weld');
+  // A strip of 40 triangles in pieces, each pair a chart.
+  const positions = Float64Array.from(
+    Array.from({ length: 40 }, (_, f) => [f, f + 1, f + 2].flatMap((i) => [i, i % 2, 0])).flat(),
+  );
+  const indices = Uint32Array.from({ length: 120 }, (_, c) => c);
+  const charts = Uint32Array.from({ length: 40 }, (_, f) => f >> 1);
+  const places = weld(positions, 3);
+  assert.equal(new Set(places).size, 42);
+  const colors = chartColors(indices, charts, places);
+  for (let f = 0; f < 40; f += 2) {
+    assert.equal(colors[f], colors[f + 1]);
+    if (f > 0) assert.notEqual(colors[f], colors[f - 1]);
+  }
+  assert.deepEqual(chartColors(indices, charts, places), colors);
 });
 
 test('session: when abflat cannot start, that is what a mesh fails with', async () => {
@@ -295,7 +347,7 @@ test('session: when abflat cannot start, that is what a mesh fails with', async 
     started: () => undefined,
     failed: (source, settings, error) => failures.push([source.name, settings, error.message]),
   });
-  await session.open(HEAD, at(1));
+  await session.open(HEAD);
   assert.deepEqual(failures, [['head', null, 'no module']]);
 });
 
@@ -348,7 +400,7 @@ test('background work gives way to a run, starts over, and ends for good when it
     });
   const stop = new AbortController();
   const rest = async () => {
-    for (let i = 0; i < 10; i++) await Promise.resolve();
+    for (let i = 0; i < 30; i++) await Promise.resolve();
   };
   background.pause();
   const first = background.run(work, stop.signal);

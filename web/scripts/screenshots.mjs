@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Pictures of the page in both themes, for the README: with a mesh, and a sample with its distortion plotted against t.
-// Usage: screenshots.mjs MESH FOLDER   writes FOLDER/NAME-THEME.png and FOLDER/details-THEME.png
+// Pictures of the page in both themes, for the README: with each mesh, and a sample with its distortion plotted against t.
+// Usage: screenshots.mjs FOLDER MESH...   writes FOLDER/NAME-THEME.png and FOLDER/details-THEME.png
 
 import { existsSync, mkdirSync, renameSync, statSync } from 'node:fs';
 import { join, parse } from 'node:path';
@@ -34,20 +34,22 @@ async function plotAgainstT(page) {
   await page.mouse.move(0, 0);
 }
 
-async function photograph(url, mesh, theme, output) {
+async function photograph(url, meshes, theme, output) {
   const browser = await launchBrowser({ colorScheme: theme, viewport: VIEWPORT });
   try {
     const page = browser.context.pages()[0] ?? (await browser.context.newPage());
     page.setDefaultTimeout(PATIENCE);
     await page.goto(url);
-    await page.setInputFiles('#file', mesh);
-    await page.waitForFunction(
-      (name) => document.querySelector('#source').textContent === name && !document.body.ariaBusy,
-      parse(mesh).base,
-    );
-    const refusal = await page.locator('#alert').innerText();
-    if (refusal) throw new Failure(refusal);
-    await save(page, output(parse(mesh).name));
+    for (const mesh of meshes) {
+      await page.setInputFiles('#file', mesh);
+      await page.waitForFunction(
+        (name) => document.querySelector('#source').textContent === name && !document.body.ariaBusy,
+        parse(mesh).base,
+      );
+      const refusal = await page.locator('#alert').innerText();
+      if (refusal) throw new Failure(refusal);
+      await save(page, output(parse(mesh).name));
+    }
     await plotAgainstT(page);
     await save(page, output('details'));
   } finally {
@@ -56,15 +58,16 @@ async function photograph(url, mesh, theme, output) {
 }
 
 await runMain(async () => {
-  const [mesh, folder] = process.argv.slice(2);
-  if (!mesh || !folder) throw new Failure('Usage: screenshots.mjs MESH FOLDER');
-  if (!existsSync(mesh)) throw new Failure(`There is no file ${mesh}.`);
+  const [folder, ...meshes] = process.argv.slice(2);
+  if (meshes.length === 0) throw new Failure('Usage: screenshots.mjs FOLDER MESH...');
+  const missing = meshes.find((mesh) => !existsSync(mesh));
+  if (missing) throw new Failure(`There is no file ${missing}.`);
   mkdirSync(folder, { recursive: true });
   const server = await serveFolder(WEB_DIST);
   try {
     for (const theme of ['dark', 'light']) {
       const output = (name) => join(folder, `${name}-${theme}.png`);
-      await photograph(server.url, mesh, theme, output);
+      await photograph(server.url, meshes, theme, output);
     }
   } finally {
     server.close();

@@ -68,12 +68,16 @@ function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
 
 /** Boundary edges where some vertices are one: `same` names the one for each. */
 function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
-  const joined = indices.map((v) => same[v]);
-  const isTriangle = (c: number) => {
-    const [i, j, k] = joined.subarray(c - (c % 3));
-    return i !== j && j !== k && k !== i;
-  };
-  return boundaryEdges(joined.filter((_, c) => isTriangle(c)));
+  const joined = new Uint32Array(indices.length);
+  let size = 0;
+  for (let c = 0; c < indices.length; c += 3) {
+    const [i, j, k] = [same[indices[c]], same[indices[c + 1]], same[indices[c + 2]]];
+    if (i === j || j === k || k === i) continue; // no area, no edges
+    joined[size++] = i;
+    joined[size++] = j;
+    joined[size++] = k;
+  }
+  return boundaryEdges(joined.subarray(0, size));
 }
 
 /** `input` has the positions when the layout comes without; without a `chart` nothing is marked. */

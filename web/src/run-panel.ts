@@ -73,6 +73,12 @@ export class RunPanel {
     this.cancelButton.disabled = true;
     this.againButton.hidden = !canRepeat;
     // A disabled button loses the focus, and the reader's place in the page with it.
-    if (hadFocus) (canRepeat ? this.againButton : element('t', HTMLInputElement)).focus();
+    if (hadFocus) (canRepeat ? this.againButton : shownSlider()).focus();
   }
+}
+
+/** That of the kind of layout that is asked for. */
+function shownSlider(): HTMLInputElement {
+  const sliders = [element('t', HTMLInputElement), element('stretch', HTMLInputElement)];
+  return sliders.find((slider) => slider.checkVisibility()) ?? sliders[0];
 }
