@@ -17,8 +17,8 @@ using EdgeVertices = std::array<std::uint32_t, 2>;
 
 /// Where a mesh is cut, beyond what makes every chart a topological disk.
 struct SeamSources {
-  bool isAuto = true;         ///< where charts would be stretched too much or overlap
-  double sharpDegrees = 180;  ///< along edges that bend by more
+  bool isAuto = true;             ///< where charts would be stretched too much or overlap
+  double sharpDegrees = 180;      ///< along edges that bend by more
   bool followsTexcoords = false;  ///< between the islands that the mesh has
   bool followsMaterials = false;  ///< where two materials meet
   std::vector<EdgeVertices> edges;
