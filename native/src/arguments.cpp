@@ -125,7 +125,7 @@ CLI::Validator resultName() {
 }
 
 /// `endings` are those that `text` may have, in words.
-CLI::Validator pictureName(std::vector<std::string> endings, const std::string& inWords) {
+CLI::Validator pictureName(const std::vector<std::string>& endings, const std::string& inWords) {
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
         const std::string ending = endingOf(text);
