@@ -11,7 +11,7 @@ import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
-const MAX_BYTES = 512 * 1024;
+const MAX_BYTES = 400 * 1024;
 const MODULES = ['abflat.wasm', 'abflat-simd.wasm', 'abflat-threads.wasm'];
 
 /** The files that a script loads through static imports, itself included. */
@@ -31,7 +31,7 @@ function filesFrom(entry) {
 }
 
 for (const module of MODULES) {
-  test(`everything that a browser loads with ${module} is under 512 KB compressed`, () => {
+  test(`everything that a browser loads with ${module} is under 400 KB compressed`, () => {
     const files = new Set([...filesFrom('index.js'), ...filesFrom('worker.js'), module]);
     const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
     const sum = bytes.reduce((a, b) => a + b, 0);
