@@ -72,6 +72,9 @@ test('Tab reaches every control, in the order of the page', async (t) => {
   const page = await openPage(t);
   // By script, so that Tab begins at the beginning.
   await page.evaluate(() => document.querySelector('#details-toggle').click());
+  // A chart is drawn when its size is known, in a frame after the pane has opened.
+  for (const chart of ['#residual-chart', '#active-chart'])
+    await page.locator(`${chart} rect[tabindex="0"]`).waitFor({ state: 'attached' });
   // Of tabs and of a chart's columns Tab reaches one, arrow keys the others.
   const expected = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, select, canvas[tabindex], rect[tabindex]')]
