@@ -126,9 +126,21 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
                   (lost == 1 ? " chart" : " charts") + " would not be valid");
 }
 
+/// Charts are factored in the order that was found for the whole surface. `place` is per fan.
+void orderCharts(const Surface& surface, const std::vector<std::uint32_t>& place, ChartSet& set) {
+  std::vector<std::uint32_t> ofVertex;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const std::uint32_t v = surface.fans.inputVertex[i];
+    if (v >= ofVertex.size()) ofVertex.resize(v + 1);
+    ofVertex[v] = place[i];
+  }
+  for (DiskChart& chart : set.charts)
+    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(ofVertex[v]);
+}
+
 Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
               const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
-              UnwrapReport& report) {
+              UnwrapReport& report, std::vector<std::uint32_t>& place) {
   const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
                                      surface.triangulation.isDiagonal);
   SeamOptions wanted;
@@ -143,6 +155,7 @@ Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
   report.seams.handleLoops = found.handleLoops;
   for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
   report.seams.edges /= 2;
+  place = std::move(found.place);
   return seams;
 }
 
@@ -172,10 +185,12 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.threads = pool.threads();
   Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
+  std::vector<std::uint32_t> placeOfFan;
   const Seams seams =
-      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
+      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report, placeOfFan);
   if (monitor.stopped()) return aborted;
-  const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  ChartSet set = makeCharts(welded.mesh, surface, seams);
+  orderCharts(surface, placeOfFan, set);
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
