@@ -59,6 +59,7 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
 }
 
 std::vector<FlatChart> flattenAll(const std::vector<DiskChart>& charts,
+                                  const std::vector<std::vector<ChartPin>>& pins,
                                   const UnwrapOptionValues& options, ThreadPool& pool,
                                   Monitor& monitor) {
   std::vector<FlatChart> flat(charts.size());
@@ -74,7 +75,7 @@ std::vector<FlatChart> flattenAll(const std::vector<DiskChart>& charts,
       if (!pool.isOwner()) return !monitor.stopped();
       return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
     };
-    flat[order[i]] = flattenOne(chart, options, pool, goesOn);
+    flat[order[i]] = flattenOne(chart, options, pins[order[i]], pool, goesOn);
     done += chart.triangleCount();
   });
   return flat;
@@ -85,11 +86,28 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
     shapes[i].uv = flat[i].uv;
+    shapes[i].isFixed = flat[i].isFixed;
     shapes[i].triangles = charts[i].vertexOfCorner;
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
   }
   return shapes;
+}
+
+/// Charts that stay where they are must be inside the unit square.
+Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (!flat[i].isFixed) continue;
+    for (std::size_t k = 0; k < flat[i].uv.size(); ++k) {
+      const double x = flat[i].uv[k];
+      if (x >= 0 && x <= 1) continue;
+      return {StatusCode::InvalidOption,
+              "the pins put vertex " + std::to_string(charts[i].inputVertex[k / 2]) +
+                  " outside the unit square, where " + (k % 2 == 0 ? "u" : "v") + " is " +
+                  std::to_string(x) + "; move the pins of its chart, or pin it smaller"};
+    }
+  }
+  return {};
 }
 
 /// Moves the layouts to their places.
@@ -176,14 +194,19 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
       seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
   if (monitor.stopped()) return aborted;
   const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  const Texcoords texcoords = numberTexcoords(welded, surface, set);
+  const Result<std::vector<std::vector<ChartPin>>> pins =
+      pinsOfCharts(mesh, texcoords, options.pins);
+  if (!pins.ok()) return pins.status;
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
-  std::vector<FlatChart> flat = flattenAll(set.charts, options, pool, monitor);
+  std::vector<FlatChart> flat = flattenAll(set.charts, pins.value, options, pool, monitor);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 
   if (!monitor.tell(kPack)) return aborted;
+  if (Status s = checkFixed(set.charts, flat); !s.ok()) return s;
   PackOptions packing;
   packing.resolution = options.resolution;
   packing.padding = options.padding;
@@ -198,7 +221,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
 
   if (!monitor.tell(kCheck)) return aborted;
   checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
-  fillOutput(mesh, welded, surface, set, flat, out);
+  fillOutput(mesh, welded, surface, set, texcoords, flat, out);
   out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();

@@ -6,7 +6,8 @@
 
 namespace abflat {
 
-FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, ThreadPool& pool,
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
+                     const std::vector<ChartPin>& pins, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
   SolverOptions solver;
   solver.pool = &pool;
@@ -22,6 +23,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, 
   FlatChart out;
   out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
   if (out.attempt.solution.cancelled) return out;
+  pin(flattener, pins, out.attempt);
+  out.isFixed = !pins.empty();
   out.uv = inMeshUnit(chart, out.attempt);
   out.problem = findProblem(chart, out.attempt);
   out.attempt.uv = {};

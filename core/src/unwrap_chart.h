@@ -13,11 +13,14 @@ namespace abflat {
 struct FlatChart {
   std::vector<double> uv;  ///< of the chart's 3D area, in the mesh's unit; then in the atlas
   Attempt attempt;         ///< its own uv is gone
+  bool isFixed = false;    ///< it has pins: uv are places in the atlas from the beginning
   std::string problem;     ///< why it is not valid, one sentence; empty when it is
 };
 
-/// `goesOn` is asked often, from the thread that calls; when it returns false the layout is empty.
-FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, ThreadPool& pool,
+/// `pins` are places in the atlas. `goesOn` is asked often, from the thread that calls; when it
+/// returns false the layout is empty.
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
+                     const std::vector<ChartPin>& pins, ThreadPool& pool,
                      const std::function<bool()>& goesOn);
 
 /// Decides anew whether the layout is valid, from the coordinates in the atlas.

@@ -13,6 +13,7 @@ export interface NativeModule {
   _abflatSeams(job: number, bytes: number): number;
   _abflatSeamEdges(job: number, count: number): number;
   _abflatAddBound(job: number, vertex: number, t: number): void;
+  _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;
   _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
   _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;
   _abflatCompare(job: number): number;

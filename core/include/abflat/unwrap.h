@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ Result<SeamSources> parseSeams(std::string_view text);
 
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
+  /// Places in the atlas, of a chart none or two and more, as in FlattenOptions: such a chart stays
+  /// where they put it, and the others go around it.
+  std::vector<Pin> pins;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
   /// hold them; not where that would make a chart invalid.
   bool roundsToSingle = false;
@@ -72,6 +76,7 @@ struct UnwrapChart {
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
+  std::optional<PinReport> pins;  ///< when there are any
   std::vector<std::string> fallbacks;
   std::string problem;
   bool valid = false;
