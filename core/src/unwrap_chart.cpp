@@ -23,9 +23,11 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   FlatChart out;
   out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
   if (out.attempt.solution.cancelled) return out;
-  pin(flattener, pins, out.attempt);
-  out.isFixed = !pins.empty();
-  out.uv = inMeshUnit(chart, out.attempt);
+  out.unpacked = inMeshUnit(chart, out.attempt);
+  if (!pins.empty()) {
+    pin(flattener, pins, out.attempt);
+    out.fixed = inMeshUnit(chart, out.attempt);
+  }
   out.problem = findProblem(chart, out.attempt);
   out.attempt.uv = {};
   return out;

@@ -11,10 +11,13 @@ namespace abflat {
 
 /// A chart that has been laid out.
 struct FlatChart {
-  std::vector<double> uv;  ///< of the chart's 3D area, in the mesh's unit; then in the atlas
-  Attempt attempt;         ///< its own uv is gone
-  bool isFixed = false;    ///< it has pins: uv are places in the atlas from the beginning
-  std::string problem;     ///< why it is not valid, one sentence; empty when it is
+  std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
+  std::vector<double> fixed;     ///< places in the atlas where it stays; empty: packing decides
+  std::vector<double> uv;        ///< in the atlas
+  Attempt attempt;               ///< its own uv is gone
+  std::string problem;           ///< why it is not valid, one sentence; empty when it is
+
+  bool isFixed() const { return !fixed.empty(); }
 };
 
 /// `pins` are places in the atlas. `goesOn` is asked often, from the thread that calls; when it
