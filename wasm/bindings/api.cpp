@@ -122,6 +122,14 @@ EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double 
   job->options.bounds.push_back({vertex, t});
 }
 
+/// A pin of whatever the job becomes; `face` is 2^32 - 1 where none is given.
+EMSCRIPTEN_KEEPALIVE void abflatAddPin(Job* job, std::uint32_t vertex, double u, double v,
+                                       std::uint32_t face) {
+  const abflat::Pin pin{vertex, {u, v}, face};
+  job->options.pins.push_back(pin);
+  job->unwrapOptions.pins.push_back(pin);
+}
+
 EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj, int wantsPly) {
   return finish(*job, flattenJob(*job, {wantsObj != 0, wantsPly != 0}, reportProgress));
 }

@@ -201,7 +201,7 @@ export class Engine {
   }
 
   #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
-    { mesh, wantsObj, wantsPly }: LayoutRequest,
+    { mesh, pins, wantsObj, wantsPly }: LayoutRequest,
     { set, run, complete }: LayoutSteps<R, T>,
   ): T {
     const started = performance.now();
@@ -209,6 +209,7 @@ export class Engine {
       this.#writeMesh(job, mesh);
       const written = performance.now();
       set(job, this.#native);
+      for (const [vertex, u, v, face] of pins) this.#native._abflatAddPin(job, vertex, u, v, face);
       this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
       const layout: Layout<R> = {
