@@ -24,7 +24,7 @@ struct UnwrapJob {
       if (!edges.ok()) return edges.status;
       options.seams.edges = std::move(edges.value);
     }
-    options.roundsToSingle = writtenFormat(command.output) == MeshFormat::Ply;
+    options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
     options.progress = std::move(progress);
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }
