@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -12,16 +12,17 @@ import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
 const MAX_BYTES = 400 * 1024;
-const MODULES = ['abflat.wasm', 'abflat-simd.wasm', 'abflat-threads.wasm'];
+const BUILDS = { plain: 'abflat', simd: 'abflat-simd', threads: 'abflat-threads' };
+const MODULES = Object.values(BUILDS).map((name) => `${name}.wasm`);
 
-/** The files that a script loads through static imports, itself included. */
+/** The files that a script imports, at once or later, itself included. */
 function filesFrom(entry) {
   const files = new Set();
   const visit = (name) => {
     if (files.has(name)) return;
     files.add(name);
     const text = readFileSync(join(DIST, name), 'utf8');
-    for (const [, specifier] of text.matchAll(/(?:from|import)\s*['"]([^'"]+)['"]/g)) {
+    for (const [, specifier] of text.matchAll(/(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g)) {
       if (specifier.startsWith('./')) visit(specifier.slice(2));
       else assert.fail(`${name} imports ${specifier}`);
     }
@@ -30,9 +31,18 @@ function filesFrom(entry) {
   return files;
 }
 
-for (const module of MODULES) {
-  test(`everything that a browser loads with ${module} is under 400 KB compressed`, () => {
-    const files = new Set([...filesFrom('index.js'), ...filesFrom('worker.js'), module]);
+/** All that a browser loads for a build: the package, its worker with one script of Emscripten's, the module, what threads begin with. */
+function filesOf(build, name) {
+  const files = [...filesFrom('index.js'), ...filesFrom(`worker-${build}.js`), `${name}.wasm`];
+  const starter = `${name}.worker.js`;
+  return new Set(existsSync(join(DIST, starter)) ? [...files, starter] : files);
+}
+
+for (const [build, name] of Object.entries(BUILDS)) {
+  test(`everything that a browser loads for the build ${build} is under 400 KB compressed`, () => {
+    const files = filesOf(build, name);
+    const glue = [...files].filter((file) => file.endsWith('.mjs'));
+    assert.deepEqual(glue, [`${name}.mjs`], 'nothing of the other builds');
     const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
     const sum = bytes.reduce((a, b) => a + b, 0);
     assert.ok(sum < MAX_BYTES, `${sum} bytes`);
@@ -41,7 +51,7 @@ for (const module of MODULES) {
 
 test('the entries for browsers import only files beside them', () => {
   assert.ok(filesFrom('index.js').size > 1);
-  assert.ok(filesFrom('worker.js').has('abflat.mjs'));
+  for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.mjs`));
 });
 
 // The third one runs in browsers alone: createAbflat checks there what is checked here.
@@ -49,8 +59,10 @@ for (const module of MODULES.slice(0, 2)) {
   test(`${module} knows its label, the status codes and samples of the package`, async () => {
     const { Engine } = await import(join(DIST, 'engine.js'));
     const { buildOf } = await import(join(DIST, 'builds.js'));
+    const { plain } = await import(join(DIST, 'glue-plain.js'));
+    const { simd } = await import(join(DIST, 'glue-simd.js'));
     const wasm = await WebAssembly.compile(readFileSync(join(DIST, module)));
-    const engine = await Engine.create(wasm, 2 ** 28);
+    const engine = await Engine.create(wasm, 2 ** 28, { plain, simd });
     const { build, statuses, samples } = engine.run({ kind: 'describe' });
     assert.equal(build, buildOf(wasm));
     assert.deepEqual(statuses, [...STATUS_NAMES]);

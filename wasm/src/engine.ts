@@ -1,11 +1,10 @@
 // One instance of the WebAssembly module. Runs in the worker, where it may block.
 
-import createPlain, { type NativeModule } from './abflat.mjs';
-import createSimd from './abflat-simd.mjs';
-import createThreads from './abflat-threads.mjs';
+import type { NativeModule } from './abflat.mjs';
 import { type Build, buildOf } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
+import type { Glues } from './glue.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
 import type {
   Answer,
@@ -42,12 +41,6 @@ const FIELD = {
   seams: 8,
 } as const;
 
-/** Minified names may differ between builds, so each module needs its own. */
-const CREATE = { plain: createPlain, simd: createSimd, threads: createThreads };
-
-/** What a thread loads; bundlers find the file by exactly this expression, and copy it as it is. */
-const threadScript = () => new URL('./abflat-threads.mjs', import.meta.url).href;
-
 /** Thrown through the module by its allocator. */
 class OutOfMemory extends Error {}
 
@@ -82,8 +75,15 @@ export class Engine {
     this.#hooks = hooks;
   }
 
-  static async create(module: WebAssembly.Module, maxMemory: number): Promise<Engine> {
+  static async create(
+    module: WebAssembly.Module,
+    maxMemory: number,
+    glues: Glues,
+  ): Promise<Engine> {
     const build = buildOf(module);
+    const glue = glues[build];
+    if (!glue) throw new AbflatError('Internal', `This worker does not run the build ${build}.`);
+    const { create, threadScript } = glue;
     const memory = new WebAssembly.Memory({
       initial: MIN_MEMORY / PAGE,
       maximum: Math.floor(maxMemory / PAGE),
@@ -91,9 +91,9 @@ export class Engine {
     });
     const hooks: Hooks = { onProgress: ignore };
     const native = await new Promise<NativeModule>((resolve, reject) => {
-      CREATE[build]({
+      create({
         wasmMemory: memory,
-        ...(build === 'threads' && { mainScriptUrlOrBlob: threadScript() }),
+        ...(threadScript && { mainScriptUrlOrBlob: threadScript() }),
         instantiateWasm: (imports, receive) => {
           WebAssembly.instantiate(module, imports)
             .then((instance) => receive(instance, module))

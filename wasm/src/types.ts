@@ -392,6 +392,6 @@ export interface CreateOptions {
   maxMemory?: number;
   /** Where abflat.wasm is, or that of another build, when it is not beside the module; in Node a path is fine as well. */
   wasmUrl?: string | URL;
-  /** Where the worker's script is, when it is not beside the module. */
+  /** Where `worker.js` is, when it is not beside the module. It runs every build. */
   workerUrl?: string | URL;
 }
