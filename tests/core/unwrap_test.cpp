@@ -139,3 +139,16 @@ TEST_CASE("polygons become the triangles that were flattened") {
   }
   CHECK(area == Approx(r.report.atlas.utilization).epsilon(1e-9));
 }
+
+TEST_CASE("rounded texcoords are single precision numbers, also when v points down") {
+  UnwrapOptions options;
+  options.roundsToSingle = true;
+  const Result<UnwrapResult> result = unwrap(torus(24, 12), options);
+  REQUIRE(result.ok());
+  CHECK(result.value.report.valid);
+  CHECK(result.value.report.notes.empty());
+  for (const double x : result.value.uv) {
+    CHECK(static_cast<double>(static_cast<float>(x)) == x);
+    CHECK(static_cast<double>(static_cast<float>(1 - x)) == 1 - x);
+  }
+}

@@ -8,6 +8,8 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
+import { addMesh, emptyDocument, io, primitiveOf, primitivesOf } from '../support/gltf.mjs';
+import { sphere } from '../support/surfaces.mjs';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
@@ -103,43 +105,64 @@ test('npm pack contains the licences and no sources', () => {
   );
 });
 
-/** Runs an example of the README in a folder of its own; `check` gets the output and the folder. */
-function runExample(name, check) {
+/** Runs an example of the README in a folder of its own, with more `files`; `check` gets the output and the folder. */
+async function runExample(name, check, files = {}) {
   const code = examples()[name];
   assert.ok(code, 'there is no example');
   const folder = mkdtempSync(join(tmpdir(), 'abflat-readme-'));
   try {
     symlinkSync(join(ROOT, 'node_modules'), join(folder, 'node_modules'));
     writeFileSync(join(folder, 'example.mjs'), code);
-    writeFileSync(join(folder, 'mesh.obj'), EXAMPLE_OBJ);
+    for (const [file, content] of Object.entries({ 'mesh.obj': EXAMPLE_OBJ, ...files }))
+      writeFileSync(join(folder, file), content);
     const { status, stdout, stderr } = spawnSync(process.execPath, ['example.mjs'], {
       cwd: folder,
       encoding: 'utf8',
     });
     assert.equal(status, 0, stderr);
-    check(stdout, folder);
+    await check(stdout, folder);
   } finally {
     rmSync(folder, { recursive: true });
   }
 }
 
-test('the example for Node in the README runs', () => {
-  runExample('node', (stdout, folder) => {
+test('the example for Node in the README runs', async () => {
+  await runExample('node', (stdout, folder) => {
     assert.match(stdout, /true/);
     assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
   });
 });
 
-test('the examples of atlases in the README run', () => {
-  runExample('node-unwrap', (stdout, folder) => {
+test('the examples of atlases in the README run', async () => {
+  await runExample('node-unwrap', (stdout, folder) => {
     assert.match(stdout, /^true 1 0\.\d+$/m);
     assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
   });
-  runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
+  await runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
 });
 
-test('the example of a comparison in the README runs', () => {
-  runExample('compare', (stdout) => {
+test('the example of glTF in the README runs', async () => {
+  const document = emptyDocument();
+  addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+  const check = async (stdout, folder) => {
+    assert.match(stdout, /^true \d+$/m);
+    const written = await io.read(join(folder, 'mesh-uv.glb'));
+    assert.ok(primitivesOf(written)[0].getAttribute('TEXCOORD_0'));
+  };
+  await runExample('gltf-unwrap', check, { 'mesh.glb': await io.writeBinary(document) });
+});
+
+test('the README names every option of unwrapping documents', () => {
+  const text = readFileSync(join(ROOT, 'wasm/README.md'), 'utf8');
+  const types = readFileSync(join(DIST, 'gltf.d.ts'), 'utf8');
+  const [, body] = types.match(/interface UnwrapDocumentOptions [^{]*{(.*?)^}/ms);
+  const options = [...body.matchAll(/^ {4}(\w+)\?:/gm)].map(([, name]) => name);
+  assert.equal(options.length, 4);
+  for (const name of options) assert.ok(text.includes(`| \`${name}\` |`), name);
+});
+
+test('the example of a comparison in the README runs', async () => {
+  await runExample('compare', (stdout) => {
     assert.match(stdout, /^abflat, t = auto true 0\.\d+$/m);
     assert.match(stdout, /^LSCM, free (true|false) 0\.\d+$/m);
   });

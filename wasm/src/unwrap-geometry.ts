@@ -1,11 +1,7 @@
 // Unwraps geometry of three.js.
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type InterleavedBufferAttribute,
-  type TypedArray,
-} from 'three';
+import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
+import { indexArray, pickRows } from './rows.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
@@ -55,8 +51,7 @@ function withUv(from: BufferGeometry, result: UnwrapResult, name: string): Buffe
   for (const [key, targets] of Object.entries<Attribute[]>(from.morphAttributes))
     morphs[key] = targets.map((target) => pick(target, vertexMap));
   to.morphTargetsRelative = from.morphTargetsRelative;
-  const Index = vertexMap.length > 65535 ? Uint32Array : Uint16Array;
-  to.setIndex(new BufferAttribute(new Index(indices), 1));
+  to.setIndex(new BufferAttribute(indexArray(indices, vertexMap.length), 1));
   // Triangles keep their order, so ranges of them stay true.
   to.groups = from.groups.map((group) => ({ ...group }));
   to.drawRange = { ...from.drawRange };
@@ -69,16 +64,13 @@ function withUv(from: BufferGeometry, result: UnwrapResult, name: string): Buffe
 function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
   const { itemSize, normalized } = attribute;
   const isInterleaved = 'data' in attribute;
-  const array = isInterleaved ? attribute.data.array : attribute.array;
-  const [stride, offset] = isInterleaved
-    ? [attribute.data.stride, attribute.offset]
-    : [itemSize, 0];
-  const Kind = array.constructor as new (length: number) => TypedArray;
-  const picked = new Kind(itemSize * rows.length);
-  rows.forEach((row, i) => {
-    for (let k = 0; k < itemSize; ++k)
-      picked[itemSize * i + k] = array[stride * row + offset + k] as number;
-  });
+  const picked = isInterleaved
+    ? pickRows(attribute.data.array, rows, {
+        size: itemSize,
+        stride: attribute.data.stride,
+        offset: attribute.offset,
+      })
+    : pickRows(attribute.array, rows, { size: itemSize });
   const made = new BufferAttribute(picked, itemSize, normalized);
   made.name = attribute.name;
   if (!isInterleaved) {

@@ -31,7 +31,7 @@ Result<SeamSources> parseSeams(std::string_view text);
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
-  /// hold them; not where that would make a chart invalid.
+  /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;
 
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
