@@ -1,0 +1,111 @@
+#include <sstream>
+
+#include "options.h"
+#include "subcommands.h"
+
+namespace abflat::cli {
+namespace {
+
+/// "2,1.05,auto" as values of t.
+std::vector<double> parseBounds(const std::string& text) {
+  constexpr int kIndexOfT = 0;
+  std::vector<double> out;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    FlattenOptionValues values;
+    bool isWord = false;
+    double t = wordValue(values, kIndexOfT, word, isWord);
+    if ((!isWord && !isNumber(word, t)) || !setOption(values, kIndexOfT, t, isWord))
+      throw CLI::ValidationError(
+          "--t", "'" + word + "' is not a number " + optionInfos(values)[kIndexOfT].range);
+    out.push_back(t);
+  }
+  if (out.empty()) throw CLI::ValidationError("--t", "the list is empty");
+  return out;
+}
+
+}  // namespace
+
+CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
+  CLI::App* sub = app.add_subcommand("sweep", "Compare the distortion of a mesh for several t");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  sub->add_option_function<std::string>(
+         "--t", [&c](const std::string& text) { c.t = parseBounds(text); },
+         wrapped("values of t separated by commas, each a number above 0, or auto"))
+      ->default_str("2,1.05,1,0.968")
+      ->type_name("LIST");
+  sub->add_option("--csv", c.csv,
+                  wrapped("CSV file to write instead of printing a table; - for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+  setUsage(*sub, "abflat sweep IN [--t LIST] [--csv FILE]");
+  sub->footer(
+      "A t that is not possible for the mesh, or gives no valid layout, is a row that says "
+      "so.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
+void checkTogether(const SweepCommand& c) {
+  if (replaces(c.csv, c.input)) refuse("--csv", "would replace the input");
+}
+
+CLI::App* addCompare(CLI::App& app, CompareCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "compare", "Compare the layouts of a mesh by abflat, Tutte, mean value, harmonic and LSCM");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  sub->add_option("--json", c.json,
+                  wrapped("JSON file to write instead of printing a table, with all measures; - "
+                          "for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+  setUsage(*sub, "abflat compare IN [--json FILE]");
+  sub->footer(
+      "A method that gives no valid layout is a row that says so; the exit code is 0 all the "
+      "same.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
+void checkTogether(const CompareCommand& c) {
+  if (replaces(c.json, c.input)) refuse("--json", "would replace the input");
+}
+
+CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "reproduce", "Repeat the experiments of the paper: tables, convergence, figures");
+  sub->group("Commands");
+  sub->add_option(
+         "--meshes", c.meshes,
+         wrapped("folder whose OBJ, PLY, STL and OFF files are used beside the generated models"))
+      ->check(notEmpty())
+      ->type_name("DIR");
+  sub->add_option("-o,--out", c.out, wrapped("folder to write to; made when it is missing"))
+      ->required()
+      ->check(notEmpty())
+      ->type_name("DIR");
+  sub->add_option_function<std::string>(
+         "--only",
+         [&c](const std::string& part) {
+           c.wantsTables = part == "tables";
+           c.wantsConvergence = part == "convergence";
+           c.wantsFigures = part == "figures";
+         },
+         wrapped("one part of it: tables, convergence or figures"))
+      ->check(CLI::IsMember({"tables", "convergence", "figures"}))
+      ->type_name("PART");
+  const OptionInfos infos = optionInfos(c.options);
+  for (int i = 0; i < infos.count; ++i)
+    if (infos[i].name == std::string("precondition")) addOption(*sub, c.options, i);
+  sub->add_flag("-q,--quiet", c.quiet, "no progress; errors are still printed");
+  setUsage(*sub, "abflat reproduce [--meshes DIR] --out DIR [OPTIONS]");
+  sub->footer(
+      "A mesh that cannot be read or is no disk is a row that says so. DIR/index.html shows all "
+      "results.\n\n" +
+      exitCodeHelp());
+  return sub;
+}
+
+}  // namespace abflat::cli

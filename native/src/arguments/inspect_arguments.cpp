@@ -1,0 +1,17 @@
+#include "options.h"
+#include "subcommands.h"
+
+namespace abflat::cli {
+
+CLI::App* addInspect(CLI::App& app, InspectCommand& c) {
+  CLI::App* sub =
+      app.add_subcommand("inspect", "Say what a mesh is, and what keeps it from being flattened");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  sub->add_flag("--json", c.json, "print JSON instead of a table");
+  setUsage(*sub, "abflat inspect IN [--json]");
+  sub->footer("The exit code is 0 for every mesh that can be read, disk or not.\n");
+  return sub;
+}
+
+}  // namespace abflat::cli

@@ -1,0 +1,130 @@
+#include "options.h"
+
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+
+#include "../arguments.h"
+#include "../mesh_format.h"
+#include "../paths.h"
+#include "abflat/generated/status_code.h"
+
+namespace abflat::cli {
+namespace {
+
+/// Shows required options in the usage line and footers as they are.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) {
+    label("REQUIRED", "(required)");
+    label("Positionals", "Arguments");
+    column_width(29);
+  }
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return "Usage: " + usage_ + "\n";
+  }
+  std::string make_footer(const CLI::App* app) const override { return app->get_footer(); }
+
+ private:
+  std::string usage_;
+};
+
+/// A name that promises another format would mislead who reads the file next.
+CLI::Validator resultName() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        if (isWritableName(text)) return "";
+        return "results are written as OBJ or PLY: give a name that ends in .obj or .ply, not " +
+               endingOf(text);
+      },
+      "");
+}
+
+}  // namespace
+
+std::string exitCodeHelp() {
+  std::ostringstream out;
+  out << "Exit codes:\n";
+  for (int code = 0; code < kExitCodeCount; ++code)
+    out << "  " << code << "  " << exitCodeText(static_cast<ExitCode>(code)) << "\n";
+  return out.str();
+}
+
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 50;
+  std::istringstream words(text);
+  std::string out, word;
+  for (std::size_t column = 0; words >> word; column += word.size() + 1) {
+    const bool isFull = column > 0 && column + word.size() > kWidth;
+    if (isFull) column = 0;
+    out += (out.empty() ? "" : isFull ? "\n" : " ") + word;
+  }
+  return out;
+}
+
+void setUsage(CLI::App& app, const std::string& usage) {
+  app.formatter(std::make_shared<HelpFormatter>(usage));
+  app.set_help_flag("-h,--help", "print this help");
+}
+
+bool isNumber(const std::string& text, double& value) {
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
+CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double)) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        double value = 0;
+        if (!isNumber(text, value)) return "'" + text + "' is not a number";
+        return isValid(value) ? "" : "must be a number " + range + ", not " + text;
+      },
+      "");
+}
+
+CLI::Validator notEmpty() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        return text.empty() ? "the name is empty" : "";
+      },
+      "");
+}
+
+void addInput(CLI::App& app, std::string& input) {
+  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL or OFF; - for standard input")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+}
+
+void addOutput(CLI::App& app, std::string& output) {
+  app.add_option("-o,--output", output,
+                 wrapped("file to write, OBJ or PLY by its ending; - for OBJ on standard output"))
+      ->required()
+      ->check(notEmpty())
+      ->check(resultName())
+      ->type_name("OUT");
+}
+
+void addReport(CLI::App& app, std::string& report) {
+  app.add_option("--report", report,
+                 wrapped("JSON file for what was done and how well; - for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+}
+
+void addQuiet(CLI::App& app, bool& quiet) {
+  app.add_flag("-q,--quiet", quiet, "no progress and no summary; errors are still printed");
+}
+
+void refuse(const char* option, const std::string& what) {
+  throw CLI::ValidationError(option, what + "; give it a name of its own");
+}
+
+bool replaces(const std::string& target, const std::string& source) {
+  return !target.empty() && !source.empty() && target != kStandardStream &&
+         isSameTarget(target, source);
+}
+
+}  // namespace abflat::cli

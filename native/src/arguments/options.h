@@ -1,0 +1,83 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "abflat/unwrap.h"
+
+namespace abflat::cli {
+
+/// The part of a help text that lists the exit codes.
+std::string exitCodeHelp();
+
+/// Breaks a description so that it fits beside the option names.
+std::string wrapped(const std::string& text);
+
+/// Shows required options in the usage line and footers as they are.
+void setUsage(CLI::App& app, const std::string& usage);
+
+bool isNumber(const std::string& text, double& value);
+
+CLI::Validator notEmpty();
+/// `range` in words, for the error.
+CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double));
+
+void addInput(CLI::App& app, std::string& input);
+void addOutput(CLI::App& app, std::string& output);
+void addReport(CLI::App& app, std::string& report);
+void addQuiet(CLI::App& app, bool& quiet);
+
+/// A number, with or without one of the option's units: "3G".
+template <class Values>
+bool isNumberOfOption(const Values& values, int index, const std::string& text, double& value) {
+  if (isNumber(text, value)) return true;
+  const double unit = text.empty() ? 0 : unitSize(values, index, text.back());
+  if (unit == 0 || !isNumber(text.substr(0, text.size() - 1), value)) return false;
+  value *= unit;
+  return true;
+}
+
+/// Whether a switch is off unless given; one that is on has a flag to turn it off.
+inline bool isOff(const OptionInfo& info) { return std::string_view(info.defaultText) == "false"; }
+
+/// An option of the schema: its flag, range, default and help come from there.
+template <class Values>
+void addOption(CLI::App& app, Values& values, int index) {
+  const OptionInfo& info = optionInfos(values)[index];
+  if (info.isSwitch) {
+    app.add_flag_callback(
+        info.flag, [&values, index, on = isOff(info)] { setOption(values, index, on); },
+        wrapped(info.help));
+    return;
+  }
+  const auto set = [&values, index](const std::string& text) {
+    const OptionInfo& option = optionInfos(values)[index];
+    const std::string wanted =
+        (option.isChoice ? "one of " : "a number ") + std::string(option.range);
+    bool isWord = false;
+    double value = wordValue(values, index, text, isWord);
+    if (!isWord && (option.isChoice || !isNumberOfOption(values, index, text, value)))
+      throw CLI::ValidationError(option.flag, "'" + text + "' is not " + wanted);
+    if (!setOption(values, index, value, isWord))
+      throw CLI::ValidationError(option.flag, "must be " + wanted + ", not " + text);
+  };
+  app.add_option_function<std::string>(info.flag, set, wrapped(info.help))
+      ->default_str(info.defaultText)
+      ->type_name(info.isChoice ? "WORD" : "NUMBER");
+}
+
+template <class Values>
+void addOptions(CLI::App& app, Values& values) {
+  for (int i = 0; i < optionInfos(values).count; ++i) addOption(app, values, i);
+}
+
+/// Refuses a file name that clashes with another one.
+void refuse(const char* option, const std::string& what);
+
+/// Whether writing `target` would lose what is read from `source`.
+bool replaces(const std::string& target, const std::string& source);
+
+}  // namespace abflat::cli

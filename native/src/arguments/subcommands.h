@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "../arguments.h"
+
+namespace abflat::cli {
+
+CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c);
+CLI::App* addFlatten(CLI::App& app, FlattenCommand& c);
+CLI::App* addInspect(CLI::App& app, InspectCommand& c);
+CLI::App* addSample(CLI::App& app, SampleCommand& c);
+CLI::App* addSweep(CLI::App& app, SweepCommand& c);
+CLI::App* addCompare(CLI::App& app, CompareCommand& c);
+CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c);
+
+/// What the options cannot say one by one; throws CLI::ValidationError. A mesh may be replaced by
+/// its own result.
+void checkTogether(const UnwrapCommand& c);
+void checkTogether(const FlattenCommand& c);
+void checkTogether(const SweepCommand& c);
+void checkTogether(const CompareCommand& c);
+
+}  // namespace abflat::cli

@@ -1,0 +1,131 @@
+#include <sstream>
+
+#include "../paths.h"
+#include "abflat/draw.h"
+#include "options.h"
+#include "subcommands.h"
+
+namespace abflat::cli {
+namespace {
+
+/// `endings` are those that `text` may have, in words.
+CLI::Validator pictureName(const std::vector<std::string>& endings, const std::string& inWords) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        const std::string ending = endingOf(text);
+        for (const std::string& known : endings)
+          if (ending == known) return "";
+        return "give a name that ends in " + inWords + ", not '" + text + "'";
+      },
+      "");
+}
+
+/// "auto,file=PATH": what is not the name of a file is for the core to understand.
+void setSeams(const std::string& text, UnwrapCommand& c) {
+  const std::string kFile = "file=";
+  std::string others;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (word.rfind(kFile, 0) == 0)
+      c.seamFile = word.substr(kFile.size());
+    else
+      others += (others.empty() ? "" : ",") + word;
+  }
+  const bool hasFile = !c.seamFile.empty();
+  Result<SeamSources> seams = parseSeams(others.empty() && hasFile ? "none" : others);
+  if (!seams.ok()) throw CLI::ValidationError("--seams", seams.status.message);
+  c.seams = std::move(seams.value);
+}
+
+void addPictures(CLI::App& app, UnwrapCommand& c) {
+  app.add_option("--layout", c.layout,
+                 wrapped("picture of the atlas with charts in colours and all edges, SVG or PNG by "
+                         "its ending; PNG has a pixel per texel"))
+      ->check(notEmpty())
+      ->check(pictureName({".svg", ".png"}, ".svg or .png"))
+      ->type_name("FILE");
+  app.add_option("--scale", c.scale,
+                 wrapped("millimetres for a unit of the mesh: the SVG of --layout gets the size at "
+                         "which charts are as large as their surface"))
+      ->check(numberCheck("above 0", [](double mm) { return mm > 0 && mm < 1e9; }))
+      ->type_name("MM");
+  app.add_option("--heat-map", c.heatMap,
+                 wrapped("PNG picture of the atlas by area distortion: blue shrunk, white as the "
+                         "whole, red enlarged, to 1/2 and 2"))
+      ->check(notEmpty())
+      ->check(pictureName({".png"}, ".png"))
+      ->type_name("FILE");
+}
+
+void checkPictures(const UnwrapCommand& c) {
+  const bool isSvg = endingOf(c.layout) == ".svg";
+  if (c.scale > 0 && !isSvg)
+    throw CLI::ValidationError("--scale", "is for an SVG; add --layout FILE.svg");
+  const char* picture = !c.heatMap.empty()            ? "--heat-map"
+                        : !c.layout.empty() && !isSvg ? "--layout"
+                                                      : nullptr;
+  if (picture != nullptr && c.options.resolution > kMostPictureTexels)
+    throw CLI::ValidationError(
+        picture, "a PNG has at most " + std::to_string(kMostPictureTexels) +
+                     " pixels along a side; lower --resolution, or write the layout as .svg");
+}
+
+}  // namespace
+
+CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "unwrap", "Cut any mesh into charts, flatten them and write it with a packed uv atlas");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  addOutput(*sub, c.output);
+  sub->add_option_function<std::string>(
+         "--seams", [&c](const std::string& text) { setSeams(text, c); },
+         wrapped("where to cut, separated by commas: auto = so that no chart is stretched too much "
+                 "or overlaps; uv = between the islands that the mesh has; material = between "
+                 "materials; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
+                 "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
+                 "disks, which is always done"))
+      ->default_str("auto")
+      ->type_name("LIST");
+  sub->add_option("--write-seams", c.writeSeams,
+                  wrapped("text file for the edges that were cut, as --seams file=PATH takes them; "
+                          "- for standard output"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+  addPictures(*sub, c);
+  addOptions(*sub, c.options);
+  addReport(*sub, c.report);
+  addQuiet(*sub, c.quiet);
+  sub->footer(exitCodeHelp());
+  setUsage(*sub, "abflat unwrap IN -o OUT [OPTIONS]");
+  return sub;
+}
+
+void checkTogether(const UnwrapCommand& c) {
+  struct Target {
+    const char* option;
+    const std::string& path;
+  };
+  const std::vector<Target> targets = {{"--output", c.output},
+                                       {"--report", c.report},
+                                       {"--write-seams", c.writeSeams},
+                                       {"--layout", c.layout},
+                                       {"--heat-map", c.heatMap}};
+  for (auto target = targets.begin(); target != targets.end(); ++target) {
+    if (target->path.empty()) continue;
+    for (auto other = targets.begin(); other != target; ++other)
+      if (!other->path.empty() && isSameTarget(target->path, other->path))
+        refuse(target->option, std::string("is the same file as ") + other->option);
+    const bool isMesh = target == targets.begin();  // which may be replaced by its own result
+    if (!isMesh && replaces(target->path, c.input))
+      refuse(target->option, "would replace the input");
+    // Edges that were read may be replaced by those that were cut.
+    if (&target->path != &c.writeSeams && replaces(target->path, c.seamFile))
+      refuse(target->option, "would replace the file of --seams");
+  }
+  checkPictures(c);
+  if (c.input == kStandardStream && c.seamFile == kStandardStream)
+    throw CLI::ValidationError("--seams", "standard input is the mesh already; name a file");
+}
+
+}  // namespace abflat::cli
