@@ -340,6 +340,45 @@ test('groupBy: an atlas for all, for each mesh, or for each primitive', async ()
   assert.deepEqual(counts, { scene: [3], mesh: [2, 1], primitive: [1, 1, 1] });
 });
 
+/** Whether any triangles of the two primitives share an edge of the atlas. */
+function touch(a, b) {
+  const edges = (primitive) =>
+    atlasOf([primitive]).flatMap((triangle) =>
+      triangle.map((from, k) => [from, triangle[(k + 1) % 3]].map(String).sort().join(' ')),
+    );
+  const known = new Set(edges(a));
+  return edges(b).some((edge) => known.has(edge));
+}
+
+test('seams between materials, and round the islands that a document has', async () => {
+  const joined = await unwrapped(character(), { seams: 'none' });
+  assert.ok(touch(...primitivesOf(joined.after)));
+  const cut = await unwrapped(character(), { seams: 'auto,material' });
+  assert.ok(!touch(...primitivesOf(cut.after)));
+
+  // It keeps the charts that it has by now.
+  const document = cut.after;
+  const charts = cut.atlases[0].result.report.charts.length;
+  const kept = await unwrapped(document, { seams: 'uv', texcoord: 1 });
+  assert.equal(kept.atlases[0].result.report.charts.length, charts);
+  for (const primitive of primitivesOf(document)) primitive.setAttribute('TEXCOORD_0', null);
+  await assert.rejects(document.transform(unwrap(abflat, { seams: 'uv' })), {
+    code: 'InvalidOption',
+  });
+});
+
+test('primitives without coordinates are islands of their own', async () => {
+  const document = character();
+  const [first, second] = primitivesOf(document);
+  const zeros = new Float32Array(2 * rowsOf(first));
+  first
+    .setAttribute('TEXCOORD_0', accessor(document, 'VEC2', zeros))
+    .setAttribute('TEXCOORD_1', null);
+  second.setAttribute('TEXCOORD_0', null).setAttribute('TEXCOORD_1', null);
+  const { after } = await unwrapped(document, { seams: 'uv' });
+  assert.ok(!touch(...primitivesOf(after)));
+});
+
 test('options are those of unwrap', async () => {
   const document = character();
   const { atlases } = await unwrapped(document, { maxStretch: 1.3, resolution: 256, padding: 4 });

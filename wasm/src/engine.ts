@@ -301,20 +301,32 @@ export class Engine {
       mesh.bytes = new Uint8Array();
       return;
     }
-    const { positions, indices } = mesh;
+    const { positions, indices, texcoords, materials } = mesh;
     this.#writeName(job, 'arrays');
     const xyz = this.#native._abflatPositions(job, positions.length) >>> 0;
     new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
     const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
     new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
+    if (texcoords) {
+      const uv = this.#native._abflatTexcoords(job, texcoords.length) >>> 0;
+      new Float64Array(this.#memory.buffer, uv, texcoords.length).set(texcoords);
+    }
+    if (materials) {
+      const start = this.#native._abflatMaterials(job, materials.length) >>> 0;
+      new Uint32Array(this.#memory.buffer, start, materials.length).set(materials);
+    }
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
   }
 
   /** Sizes beyond 32 bits must not reach the module. */
   #checkSize(mesh: OwnedMesh): void {
+    const numbers = (array?: { length: number }) => array?.length ?? 0;
     const bytes =
-      'bytes' in mesh ? mesh.bytes.length : 8 * mesh.positions.length + 4 * mesh.indices.length;
+      'bytes' in mesh
+        ? mesh.bytes.length
+        : 8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
+          4 * (numbers(mesh.indices) + numbers(mesh.materials));
     if (bytes >= this.#maxMemory) throw new OutOfMemory();
   }
 

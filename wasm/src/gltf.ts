@@ -4,6 +4,7 @@ import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core'
 import { AbflatError } from './errors.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
 import { setTexcoords } from './gltf/texcoords.js';
+import { neededFor } from './needed-arrays.js';
 import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types.js';
 import { checkBoolean, checkFunction, checkNumber } from './validate.js';
 
@@ -93,14 +94,15 @@ async function unwrapGroups(
 ): Promise<DocumentAtlas[]> {
   const { onProgress } = options;
   const atlases: DocumentAtlas[] = [];
-  for (const [i, { positions, indices, parts }] of meshes.entries()) {
+  for (const [i, mesh] of meshes.entries()) {
     const tell = (progress: UnwrapProgress) =>
       onProgress?.({ ...progress, fraction: (i + progress.fraction) / meshes.length });
-    const result = await abflat.unwrap(
-      { positions, indices },
-      { ...options, ...(onProgress && { onProgress: tell }), transfer: true },
-    );
-    atlases.push({ parts, result });
+    const result = await abflat.unwrap(neededFor(options.seams, mesh), {
+      ...options,
+      ...(onProgress && { onProgress: tell }),
+      transfer: true,
+    });
+    atlases.push({ parts: mesh.parts, result });
   }
   return atlases;
 }

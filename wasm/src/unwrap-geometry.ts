@@ -1,6 +1,7 @@
 // Unwraps geometry of three.js.
 
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
+import { neededFor } from './needed-arrays.js';
 import { indexArray, pickRows } from './rows.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
 
@@ -21,7 +22,7 @@ export async function unwrapGeometry(
   geometry: BufferGeometry,
   { attribute = 'uv', ...options }: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
-  const result = await abflat.unwrap(meshOf(geometry), options);
+  const result = await abflat.unwrap(neededFor(options.seams, meshOf(geometry)), options);
   return { geometry: withUv(geometry, result, attribute), result };
 }
 
@@ -36,7 +37,22 @@ function meshOf(geometry: BufferGeometry): MeshArrays {
   const indices = geometry.index
     ? new Uint32Array(geometry.index.array)
     : Uint32Array.from({ length: count }, (_, i) => i);
-  return { positions, indices };
+  const mesh: MeshArrays = { positions, indices };
+  const uv = geometry.getAttribute('uv') as Attribute | undefined;
+  if (uv)
+    mesh.texcoords = Float64Array.from({ length: 2 * count }, (_, i) =>
+      uv.getComponent(i >> 1, i % 2),
+    );
+  if (geometry.groups.length > 0) mesh.materials = materialsOf(geometry, indices.length / 3);
+  return mesh;
+}
+
+/** By triangle; 0 where no group says which. */
+function materialsOf({ groups }: BufferGeometry, triangleCount: number): Uint32Array {
+  const materials = new Uint32Array(triangleCount);
+  for (const { start, count, materialIndex = 0 } of groups)
+    materials.fill(materialIndex + 1, start / 3, (start + count) / 3);
+  return materials;
 }
 
 function withUv(from: BufferGeometry, result: UnwrapResult, name: string): BufferGeometry {

@@ -1,6 +1,6 @@
 // A document of glTF-Transform as one mesh.
 
-import type { Accessor, Document, Mesh, Primitive } from '@gltf-transform/core';
+import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../errors.js';
 import type { MeshArrays } from '../types.js';
 import { type Placement, placements, put } from './placement.js';
@@ -22,6 +22,9 @@ export interface DocumentPart {
 export interface DocumentMesh extends MeshArrays {
   positions: Float64Array;
   indices: Uint32Array;
+  /** TEXCOORD_0, where any primitive has that. */
+  texcoords?: Float64Array;
+  materials: Uint32Array;
   document: Document;
   parts: DocumentPart[];
 }
@@ -49,6 +52,11 @@ export function membersOf(document: Document): Member[] {
 export function documentMesh(document: Document, members = membersOf(document)): DocumentMesh {
   const placementOf = placements(document);
   const gathered: Gathered = { positions: [], triangles: [], parts: [] };
+  const materialOf = (part: DocumentPart) =>
+    document
+      .getRoot()
+      .listMaterials()
+      .indexOf(part.primitive.getMaterial() as Material) + 1;
   const blocks = new Map<Accessor, [Placement, DocumentPart][]>();
   for (const member of members) {
     const position = member.primitive.getAttribute('POSITION') as Accessor;
@@ -58,11 +66,19 @@ export function documentMesh(document: Document, members = membersOf(document)):
     const shared = known.find(([other]) => samePlace(other, placement))?.[1];
     known.push([placement, gather(document, member, placement, shared, gathered)]);
   }
+  const { parts } = gathered;
+  const positions = joined(Float64Array, gathered.positions);
+  const texcoords = texcoordsOf(parts, positions.length / 3);
   return {
-    positions: joined(Float64Array, gathered.positions),
+    positions,
     indices: joined(Uint32Array, gathered.triangles),
+    ...(texcoords && { texcoords }),
+    materials: joined(
+      Uint32Array,
+      parts.map((part) => new Uint32Array(part.triangleCount).fill(materialOf(part))),
+    ),
     document,
-    parts: gathered.parts,
+    parts,
   };
 }
 
@@ -100,6 +116,20 @@ function gather(
   };
   parts.push(part);
   return part;
+}
+
+/** Of the first set, NaN where there is none; nothing if nobody has any. */
+function texcoordsOf(parts: DocumentPart[], vertexCount: number): Float64Array | undefined {
+  const known = parts.filter(({ primitive }) => primitive.getAttribute('TEXCOORD_0'));
+  if (known.length === 0) return undefined;
+  const texcoords = new Float64Array(2 * vertexCount).fill(Number.NaN);
+  for (const { primitive, firstVertex } of known) {
+    const attribute = primitive.getAttribute('TEXCOORD_0') as Accessor;
+    const uv: number[] = [];
+    for (let v = 0; v < attribute.getCount(); ++v)
+      texcoords.set(attribute.getElement(v, uv), 2 * (firstVertex + v));
+  }
+  return texcoords;
 }
 
 type Fail = (what: string) => AbflatError;
