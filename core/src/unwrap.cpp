@@ -121,6 +121,12 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
   }
 }
 
+/// A multiple of 2^-24, which up to 1 is a number of single precision, and 1 - x as well: for
+/// formats whose v points down.
+double inSinglePrecision(double x) {
+  return static_cast<double>(static_cast<float>(std::floor(x * 0x1p24 + 0.5) * 0x1p-24));
+}
+
 /// All charts in the atlas, rounded or as they are.
 void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadPool& pool,
               std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
@@ -130,7 +136,7 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
   if (!roundsToSingle) return check();
   const std::vector<FlatChart> asTheyAre = flat;
   for (FlatChart& chart : flat)
-    for (double& x : chart.uv) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : chart.uv) x = inSinglePrecision(x);
   check();
   std::size_t lost = 0;
   for (std::size_t i = 0; i < flat.size(); ++i)
