@@ -12,6 +12,7 @@
 #include "mesh/welded_mesh.h"
 #include "pack/pack.h"
 #include "parallel.h"
+#include "round_texcoords.h"
 #include "seam/find_seams.h"
 #include "seam/given_seams.h"
 #include "stopwatch.h"
@@ -106,15 +107,16 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
 }
 
 /// All charts in the atlas, rounded or as they are.
-void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadPool& pool,
+void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, ThreadPool& pool,
               std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
   const auto check = [&] {
     parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(charts[i], flat[i]); });
   };
-  if (!roundsToSingle) return check();
+  if (options.roundsForGltf)
+    for (FlatChart& chart : flat) roundForGltf(chart.uv);
+  if (options.roundsForGltf || !options.roundsToSingle) return check();
   const std::vector<FlatChart> asTheyAre = flat;
-  for (FlatChart& chart : flat)
-    for (double& x : chart.uv) x = static_cast<double>(static_cast<float>(x));
+  for (FlatChart& chart : flat) roundToSingle(chart.uv);
   check();
   std::size_t lost = 0;
   for (std::size_t i = 0; i < flat.size(); ++i)
@@ -197,7 +199,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.timings.pack = watch.lap();
 
   if (!monitor.tell(kCheck)) return aborted;
-  checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
+  checkAll(set.charts, options, pool, flat, report.notes);
   fillOutput(mesh, welded, surface, set, flat, out);
   out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);

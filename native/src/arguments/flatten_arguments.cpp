@@ -17,6 +17,7 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
                  "common t: a line 'VERTEX T' each, vertices counted from 0; - for standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
+  addTexcoordSet(*sub, c.texcoord);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());

@@ -94,6 +94,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
       ->type_name("FILE");
   addPictures(*sub, c);
   addOptions(*sub, c.options);
+  addTexcoordSet(*sub, c.texcoord);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+namespace abflat {
+
+/// To single precision.
+inline double rounded(double x) { return static_cast<double>(static_cast<float>(x)); }
+
+inline void roundToSingle(std::vector<double>& uv) {
+  for (double& x : uv) x = rounded(x);
+}
+
+/// As roundToSingle, but 1 - v is in single precision, which is what a glTF has. Exact: writing
+/// 1 - v once more gives the same float.
+inline void roundForGltf(std::vector<double>& uv) {
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    uv[i] = i % 2 == 0 ? rounded(uv[i]) : 1 - rounded(1 - uv[i]);
+}
+
+}  // namespace abflat
