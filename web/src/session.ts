@@ -1,4 +1,5 @@
 import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
+import { asDisk } from './as-disk';
 import { Background } from './background';
 import type { GltfFile } from './gltf-file';
 import { type AnyProgress, layOut, type Outcome } from './lay-out';
@@ -173,8 +174,8 @@ export class Session {
     if (isGltf(source)) {
       const { readGltf } = await import('./gltf-file');
       const gltf = await readGltf(source);
-      const { disk } = await abflat.inspect(gltf.mesh, { signal });
-      return { source, input: gltf.mesh, mesh: gltf.mesh, disk, gltf };
+      const { mesh, disk } = await asDisk(abflat, gltf.mesh, signal);
+      return { source, input: mesh, mesh, disk, gltf };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
