@@ -12,11 +12,11 @@
 #include "mesh/welded_mesh.h"
 #include "pack/pack.h"
 #include "parallel.h"
-#include "seam/find_seams.h"
 #include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
 #include "unwrap_output.h"
+#include "unwrap_seams.h"
 
 namespace abflat {
 namespace {
@@ -85,7 +85,9 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
     shapes[i].uv = flat[i].uv;
-    shapes[i].triangles = charts[i].vertexOfCorner;
+    const auto corners = charts[i].vertexOfCorner.begin();
+    shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
+    if (charts[i].filledHoles > 0) continue;  // others may lie in its holes
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
   }
@@ -126,26 +128,6 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
                   (lost == 1 ? " chart" : " charts") + " would not be valid");
 }
 
-Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
-              const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
-              UnwrapReport& report) {
-  const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
-                                     surface.triangulation.isDiagonal);
-  SeamOptions wanted;
-  wanted.isAuto = options.seams.isAuto;
-  wanted.maxStretch = options.maxStretch;
-  wanted.pool = &pool;
-  wanted.keepsOn = [&] { return monitor.tell(kSeams); };
-  SeamReport found;
-  Seams seams = findSeams(mesh, std::move(given), wanted, &found);
-  report.seams.genus = surface.summary.genus;
-  report.seams.relativeLength = found.seamLength;
-  report.seams.handleLoops = found.handleLoops;
-  for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
-  report.seams.edges /= 2;
-  return seams;
-}
-
 }  // namespace
 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
@@ -172,10 +154,11 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.threads = pool.threads();
   Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
-  const Seams seams =
-      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
+  const CutMesh cut = cutMesh(
+      welded, surface, given.value, options, pool, [&] { return monitor.tell(kSeams); },
+      report.seams);
   if (monitor.stopped()) return aborted;
-  const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  const ChartSet set = makeCharts(welded.mesh, cut.disks);
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
@@ -199,7 +182,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!monitor.tell(kCheck)) return aborted;
   checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
   fillOutput(mesh, welded, surface, set, flat, out);
-  out.seams = seamEdges(mesh, welded, surface, seams);
+  out.seams = seamEdges(mesh, welded, surface, cut.seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();
   return out;

@@ -19,14 +19,20 @@ struct DiskChart {
   std::vector<double> positions;              ///< xyz per chart vertex, in `unit`
   std::vector<std::array<double, 3>> angles;  ///< per triangle in 3D, radians; see cornerAngles
   double unit = 1;                            ///< a power of two, so that scaling is exact
+  /// Of the last triangles: they fill holes, are flattened with the others, and count in no
+  /// measure.
+  std::uint32_t fillingTriangles = 0;
+  std::uint32_t filledHoles = 0;
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
   }
+  /// Without those that fill holes.
+  std::uint32_t surfaceTriangles() const { return triangleCount() - fillingTriangles; }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(inputVertex.size()); }
 };
 
-/// Area of the surface, in `unit` squared.
+/// Area of the surface without what fills holes, in `unit` squared.
 double surfaceArea(const DiskChart& chart);
 
 /// The whole surface as one chart. Precondition: surface.summary.disk is Ok.

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include "abflat/unwrap.h"
+#include "hole/filled_table.h"
+#include "mesh/surface.h"
+#include "mesh/welded_mesh.h"
+#include "parallel.h"
+
+namespace abflat {
+
+/// The surface as disks.
+struct CutMesh {
+  Seams seams;        ///< those that can be seen, the given ones among them
+  FilledTable disks;  ///< cut open, with what fills holes
+};
+
+/// Cuts the surface and fills the holes of its charts; `keepsOn` as in SeamOptions.
+CutMesh cutMesh(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+                const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                SeamSummary& summary);
+
+}  // namespace abflat
