@@ -17,7 +17,7 @@ std::string count(std::size_t n, const char* one, const char* many) {
 /// Orders of magnitude between the longest and the shortest edge of the layout.
 int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
   double longest = 0, shortest = INFINITY;
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+  for (std::uint32_t h = 0; h < 3 * chart.surfaceTriangles(); ++h) {
     const double *a = &uv[2 * chart.vertexOfCorner[h]],
                  *b = &uv[2 * chart.vertexOfCorner[nextCorner(h)]];
     const double length = portable::hypot(a[0] - b[0], a[1] - b[1]);
@@ -81,7 +81,7 @@ void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
   const AngleSolution& s = attempt.solution;
   ChartReport r;
-  r.faces = chart.triangleCount();
+  r.faces = chart.surfaceTriangles();
   r.boundaryVertices = chart.boundary.size();
   r.t = t;
   for (std::size_t i = 0; i < chart.boundary.size(); ++i)

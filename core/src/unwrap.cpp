@@ -13,12 +13,12 @@
 #include "pack/pack.h"
 #include "parallel.h"
 #include "round_texcoords.h"
-#include "seam/find_seams.h"
 #include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
 #include "unwrap_known.h"
 #include "unwrap_output.h"
+#include "unwrap_seams.h"
 
 namespace abflat {
 namespace {
@@ -90,7 +90,9 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   for (std::size_t i = 0; i < charts.size(); ++i) {
     shapes[i].isFixed = flat[i].isFixed();
     shapes[i].uv = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
-    shapes[i].triangles = charts[i].vertexOfCorner;
+    const auto corners = charts[i].vertexOfCorner.begin();
+    shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
+    if (charts[i].filledHoles > 0) continue;  // others may lie in its holes
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
   }
@@ -150,37 +152,10 @@ void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options
                   (lost == 1 ? " chart" : " charts") + " would not be valid");
 }
 
-/// Charts are factored in the order that was found for the whole surface. `place` is per fan.
-void orderCharts(const Surface& surface, const std::vector<std::uint32_t>& place, ChartSet& set) {
-  std::vector<std::uint32_t> ofVertex;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const std::uint32_t v = surface.fans.inputVertex[i];
-    if (v >= ofVertex.size()) ofVertex.resize(v + 1);
-    ofVertex[v] = place[i];
-  }
-  for (DiskChart& chart : set.charts)
-    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(ofVertex[v]);
-}
-
-Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
-              const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
-              UnwrapReport& report, std::vector<std::uint32_t>& place) {
-  const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
-                                     surface.triangulation.isDiagonal);
-  SeamOptions wanted;
-  wanted.isAuto = options.seams.isAuto;
-  wanted.maxStretch = options.maxStretch;
-  wanted.pool = &pool;
-  wanted.keepsOn = [&] { return monitor.tell(kSeams); };
-  SeamReport found;
-  Seams seams = findSeams(mesh, std::move(given), wanted, &found);
-  report.seams.genus = surface.summary.genus;
-  report.seams.relativeLength = found.seamLength;
-  report.seams.handleLoops = found.handleLoops;
-  for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
-  report.seams.edges /= 2;
-  place = std::move(found.place);
-  return seams;
+/// Charts are factored in the order that was found for the whole surface.
+void orderCharts(const std::vector<std::uint32_t>& place, std::vector<DiskChart>& charts) {
+  for (DiskChart& chart : charts)
+    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(place[v]);
 }
 
 }  // namespace
@@ -209,12 +184,12 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.threads = pool.threads();
   Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
-  std::vector<std::uint32_t> placeOfFan;
-  const Seams seams =
-      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report, placeOfFan);
+  const OpenSurface cut = openSurface(
+      welded, surface, given.value, options, pool, [&] { return monitor.tell(kSeams); },
+      report.seams);
   if (monitor.stopped()) return aborted;
-  ChartSet set = makeCharts(welded.mesh, surface, seams);
-  orderCharts(surface, placeOfFan, set);
+  ChartSet set = makeCharts(welded.mesh, cut.disks);
+  orderCharts(cut.place, set.charts);
   const Texcoords texcoords = numberTexcoords(welded, surface, set);
   const Result<std::vector<std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh, texcoords, options.pins);
@@ -246,7 +221,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!monitor.tell(kCheck)) return aborted;
   checkAll(set.charts, options, pool, flat, report.notes);
   fillOutput(mesh, welded, surface, set, texcoords, flat, out);
-  out.seams = seamEdges(mesh, welded, surface, seams);
+  out.seams = seamEdges(mesh, welded, surface, cut.seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();
   return out;

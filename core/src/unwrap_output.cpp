@@ -82,9 +82,10 @@ void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Sur
 UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_t firstFace) {
   UnwrapChart row;
   const Attempt& a = flat.attempt;
-  row.faces = chart.triangleCount();
+  row.faces = chart.surfaceTriangles();
   row.firstFace = firstFace;
   row.boundaryVertices = chart.boundary.size();
+  row.filledHoles = chart.filledHoles;
   row.area = surfaceArea(chart) * chart.unit * chart.unit;
   row.solver = a.solver;
   row.iterations = static_cast<int>(a.solution.history.size());
@@ -182,6 +183,7 @@ void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const S
     report.angularDistortion += row.area * row.angularDistortion;
     report.quasiConformalMean += row.area * row.quasiConformalMean;
     report.symmetricDirichlet += row.area * row.symmetricDirichlet;
+    report.seams.filledHoles += row.filledHoles;
     report.valid = report.valid && row.valid;
   }
   for (double* mean :

@@ -20,13 +20,15 @@ Json seamsJson(const SeamSummary& s) {
   return {{"edges", s.edges},
           {"relativeLength", s.relativeLength},
           {"genus", s.genus},
-          {"handleLoops", s.handleLoops}};
+          {"handleLoops", s.handleLoops},
+          {"filledHoles", s.filledHoles}};
 }
 
 Json chartJson(const UnwrapChart& c) {
   return {{"faces", c.faces},
           {"firstFace", c.firstFace},
           {"boundaryVertices", c.boundaryVertices},
+          {"filledHoles", c.filledHoles},
           {"area", c.area},
           {"solver", c.solver},
           {"iterations", c.iterations},

@@ -65,7 +65,11 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << counted(report.input.components, "component", "components") << "\n";
   for (const std::string& line : repairLines(report.repair)) out << "  " << line << "\n";
   out << "  " << counted(report.charts.size(), "chart", "charts") << ", seams of "
-      << report.seams.relativeLength << " times the root of the area\n"
+      << report.seams.relativeLength << " times the root of the area"
+      << (report.seams.filledHoles == 0
+              ? ""
+              : ", " + counted(report.seams.filledHoles, "hole", "holes") + " filled")
+      << "\n"
       << "  distortion: angles " << report.angularDistortion << ", conformal "
       << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
       << "  atlas: " << report.atlas.resolution << " x " << report.atlas.resolution << ", "

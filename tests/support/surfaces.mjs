@@ -133,6 +133,44 @@ export function voxels(solid, n = 2) {
   }
 }
 
+/** Squares, but for those that `isGone`, placed by their share of columns and rows; the sides joined where it is a tube. */
+export function sheet(columns, rows, place, isGone = () => false, isTube = false) {
+  const positions = [];
+  const faces = [];
+  const numbers = new Map();
+  const at = (x, y) => {
+    const column = isTube ? x % columns : x;
+    const key = `${column} ${y}`;
+    if (!numbers.has(key)) {
+      numbers.set(key, positions.length);
+      positions.push(place(column / columns, y / rows));
+    }
+    return numbers.get(key);
+  };
+  for (let y = 0; y < rows; y++)
+    for (let x = 0; x < columns; x++) {
+      if (isGone(x, y)) continue;
+      const [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
+      faces.push([a, b, c], [a, c, d]);
+    }
+  return { positions, faces };
+}
+
+/** A flat sheet with a row of so many windows. */
+export function windows(count) {
+  const isGone = (x, y) => x % 11 >= 3 && x % 11 < 8 && y >= 5 && y < 10;
+  return sheet(11 * count, 15, (u, v) => [11 * count * u, 15 * v, 0], isGone);
+}
+
+/** A tube of radius 1, or what its radius is at each height, with the squares of the middle that `isGone`. */
+export function tube(height, radius = () => 1, isGone = undefined) {
+  const place = (u, v) => {
+    const [a, r] = [2 * Math.PI * u, radius(v)];
+    return [r * Math.cos(a), r * Math.sin(a), height * v];
+  };
+  return sheet(48, 30, place, isGone, true);
+}
+
 /** A plate with a row of holes. */
 export function plate(holes, n = 2) {
   const width = 2 * holes + 1;

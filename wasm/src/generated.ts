@@ -100,9 +100,12 @@ export const FLATTEN_OPTIONS = {
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },
 } as const;
 
+export type FillHoles = 'auto' | 'never' | 'always';
+
 /** The options of unwrapping that are plain values, with their defaults. */
 export interface UnwrapOptionValues {
   maxStretch: number;
+  fillHoles: FillHoles;
   t: number | 'auto';
   resolution: number;
   padding: number;
@@ -112,6 +115,7 @@ export interface UnwrapOptionValues {
 
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.04,
+  fillHoles: 'auto',
   t: 'auto',
   resolution: 1024,
   padding: 2,
@@ -122,6 +126,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.04, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
+  fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 65536, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 65536, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },

@@ -243,7 +243,9 @@ export interface UnwrapChart {
   faces: number;
   /** A face of the input that is in it. */
   firstFace: number;
+  /** Of the outer boundary. */
   boundaryVertices: number;
+  filledHoles: number;
   /** In 3D. */
   area: number;
   /** As in ChartReport, or `known`: the layout is that of an earlier call. */
@@ -275,6 +277,8 @@ export interface UnwrapReport {
     /** -1 where the surface is cut because it is no manifold. */
     genus: number;
     handleLoops: number;
+    /** Boundary loops in charts that no seam joins to the outer one. */
+    filledHoles: number;
   };
   charts: UnwrapChart[];
   /** What was done otherwise than asked, one sentence each. */

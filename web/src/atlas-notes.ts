@@ -83,11 +83,17 @@ function places(what: string, names: string[]): string {
   return `${what}${names.length === 1 ? '' : 's'} ${shown}${more}`;
 }
 
-function topology({ seams: { genus, handleLoops } }: UnwrapReport): string[] {
-  if (handleLoops === 0) return [];
-  return [
-    `${genus > 0 ? `genus ${genus}: ` : ''}handles are cut open by ${counted(handleLoops, 'loop')}`,
-  ];
+function topology({ seams: { genus, handleLoops, filledHoles } }: UnwrapReport): string[] {
+  const notes: string[] = [];
+  if (handleLoops > 0)
+    notes.push(
+      `${genus > 0 ? `genus ${genus}: ` : ''}handles are cut open by ${counted(handleLoops, 'loop')}`,
+    );
+  if (filledHoles > 0)
+    notes.push(
+      `${counted(filledHoles, 'hole takes', 'holes take')} no seam: laid out as if filled`,
+    );
+  return notes;
 }
 
 /** Alike ones once, with their number. */

@@ -79,14 +79,16 @@ struct SeamSummary {
   std::int64_t genus = 0;       ///< of the surface, summed over components; -1 where it is cut
                                 ///< because it is no manifold
   std::size_t handleLoops = 0;  ///< two for each handle
+  std::size_t filledHoles = 0;  ///< boundary loops in charts that no seam joins to the outer one
 };
 
 /// A chart as a row of a table; measures as in ChartReport, at the chart's own scale.
 struct UnwrapChart {
-  std::size_t faces = 0;        ///< triangles
-  std::uint32_t firstFace = 0;  ///< an input face in it
-  std::size_t boundaryVertices = 0;
-  double area = 0;     ///< 3D
+  std::size_t faces = 0;             ///< triangles
+  std::uint32_t firstFace = 0;       ///< an input face in it
+  std::size_t boundaryVertices = 0;  ///< of the outer boundary
+  std::size_t filledHoles = 0;
+  double area = 0;  ///< 3D
   std::string solver;  ///< "known": its layout is that of an earlier run
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,

@@ -12,6 +12,31 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
 
+/// What the angles of the triangles that fill holes weigh, by those of the surface: little, so that
+/// a hole takes the shape it wants. Where still less would change anything Newton's method takes
+/// twice the steps or stalls.
+constexpr double kFillingWeight = 0.1;
+
+/// Targets round an interior vertex sum to 2 pi. At the rim of a hole it is what fills the hole
+/// that gives way first, down to a share of its own angles. `corners` are those of the surface.
+void scaleTargets(std::size_t corners, AngleProblem& p) {
+  constexpr double kLeast = 0.1;
+  std::vector<double> sum(p.vertexCount(), 0), filling(p.vertexCount(), 0);
+  for (std::size_t c = 0; c < p.target.size(); ++c)
+    (c < corners ? sum : filling)[p.vertexOfCorner[c]] += p.target[c];
+  p.weight.resize(p.target.size());
+  for (std::size_t c = 0; c < p.target.size(); ++c) {
+    const std::uint32_t v = p.vertexOfCorner[c];
+    const bool isFilling = c >= corners;
+    if (!p.isBoundary[v]) {
+      const double room = std::max(2 * kPi - sum[v], kLeast * filling[v]);
+      const double scale = 2 * kPi / (sum[v] + (filling[v] > 0 ? room : 0));
+      p.target[c] *= isFilling ? scale * room / filling[v] : scale;
+    }
+    p.weight[c] = (isFilling ? kFillingWeight : 1) / (p.target[c] * p.target[c]);
+  }
+}
+
 }  // namespace
 
 AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
@@ -31,14 +56,7 @@ AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
       std::copy(alpha.begin(), alpha.end(), &p.target[3 * f]);
     }
   });
-  std::vector<double> sum(chart.vertexCount(), 0);
-  for (std::size_t c = 0; c < p.target.size(); ++c) sum[p.vertexOfCorner[c]] += p.target[c];
-  p.weight.resize(p.target.size());
-  for (std::size_t c = 0; c < p.target.size(); ++c) {
-    const std::uint32_t v = p.vertexOfCorner[c];
-    if (!p.isBoundary[v]) p.target[c] *= 2 * kPi / sum[v];
-    p.weight[c] = 1 / (p.target[c] * p.target[c]);
-  }
+  scaleTargets(3 * static_cast<std::size_t>(chart.surfaceTriangles()), p);
   return p;
 }
 

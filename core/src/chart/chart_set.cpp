@@ -30,20 +30,20 @@ class VertexNumbers {
   std::vector<std::uint32_t> number_;  ///< fans belong to one chart each
 };
 
-/// The twins of a surface that has been cut.
-std::vector<std::uint32_t> cutTwins(const std::vector<std::uint32_t>& twin, const Seams& seams) {
-  std::vector<std::uint32_t> out = twin;
-  for (std::size_t h = 0; h < out.size(); ++h)
-    if (seams[h]) out[h] = kNone;
-  return out;
+void countHoles(const FilledTable& filled, const Components& parts, ChartSet& out) {
+  std::uint32_t last = kNone;  // triangles that fill a hole follow each other
+  for (std::uint32_t i = 0; i < filled.hole.size(); ++i) {
+    DiskChart& chart = out.charts[parts.ofTriangle[filled.surfaceTriangles + i]];
+    ++chart.fillingTriangles;
+    chart.filledHoles += filled.hole[i] != last;
+    last = filled.hole[i];
+  }
 }
 
 }  // namespace
 
-ChartSet makeCharts(const PolygonMesh& mesh, const Surface& surface, const Seams& seams) {
-  CornerTable cut;
-  cut.vertex = surface.table.vertex;
-  cut.twin = cutTwins(surface.table.twin, seams);
+ChartSet makeCharts(const PolygonMesh& mesh, const FilledTable& filled) {
+  const CornerTable& cut = filled.table;
   const Fans fans = findFans(cut, mesh.vertexCount());
   Components parts = findComponents(cut);
   ChartSet out;
@@ -73,8 +73,13 @@ ChartSet makeCharts(const PolygonMesh& mesh, const Surface& surface, const Seams
     std::vector<std::uint32_t>& boundary = out.charts[parts.ofTriangle[loop.front() / 3]].boundary;
     for (const std::uint32_t h : loop) boundary.push_back(3 * local[h / 3] + h % 3);
   }
-  for (DiskChart& chart : out.charts) placeChart(mesh, chart);
+  countHoles(filled, parts, out);
+  for (std::size_t i = 0; i < count; ++i) {
+    out.triangles[i].resize(out.charts[i].surfaceTriangles());
+    placeChart(mesh, out.charts[i]);
+  }
   out.ofTriangle = std::move(parts.ofTriangle);
+  out.ofTriangle.resize(filled.surfaceTriangles);
   return out;
 }
 

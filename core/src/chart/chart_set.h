@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
-#include "seam/cut_surface.h"
+#include "hole/filled_table.h"
 
 namespace abflat {
 
@@ -16,7 +16,8 @@ struct ChartSet {
   std::vector<std::uint32_t> ofTriangle;              ///< chart per surface triangle
 };
 
-/// Precondition: every part is a disk. inputVertex of the charts are vertices of `mesh`.
-ChartSet makeCharts(const PolygonMesh& mesh, const Surface& surface, const Seams& seams);
+/// Precondition: every part is a disk, what fills holes included. inputVertex of the charts are
+/// vertices of `mesh`.
+ChartSet makeCharts(const PolygonMesh& mesh, const FilledTable& cut);
 
 }  // namespace abflat

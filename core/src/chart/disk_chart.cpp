@@ -44,7 +44,7 @@ void placeChart(const PolygonMesh& mesh, DiskChart& chart) {
 
 double surfaceArea(const DiskChart& chart) {
   double area = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
     const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
     area += norm(cross(edgeVector(chart.positions, v[0], v[1]),
                        edgeVector(chart.positions, v[0], v[2]))) /

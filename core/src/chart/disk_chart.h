@@ -22,14 +22,20 @@ struct DiskChart {
   /// Per chart vertex, its place in an elimination order that is good for the chart; empty where
   /// none is known.
   std::vector<std::uint32_t> place;
+  /// Of the last triangles: they fill holes, are flattened with the others, and count in no
+  /// measure.
+  std::uint32_t fillingTriangles = 0;
+  std::uint32_t filledHoles = 0;
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
   }
+  /// Without those that fill holes.
+  std::uint32_t surfaceTriangles() const { return triangleCount() - fillingTriangles; }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(inputVertex.size()); }
 };
 
-/// Area of the surface, in `unit` squared.
+/// Area of the surface without what fills holes, in `unit` squared.
 double surfaceArea(const DiskChart& chart);
 
 /// The whole surface as one chart. Precondition: surface.summary.disk is Ok.

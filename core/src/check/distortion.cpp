@@ -59,7 +59,7 @@ std::array<double, 2> singularValues(const Triangle& t, double scale) {
 double lengthDistortion(const DiskChart& chart, const std::vector<double>& uv) {
   std::vector<std::array<double, 2>> lengths;
   double sum3d = 0, sumUv = 0;
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+  for (std::uint32_t h = 0; h < 3 * chart.surfaceTriangles(); ++h) {
     if (chart.twin[h] != kNone && chart.twin[h] < h) continue;
     const std::uint32_t a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
     const double l = norm(edgeVector(chart.positions, a, b));
@@ -79,7 +79,7 @@ double lengthDistortion(const DiskChart& chart, const std::vector<double>& uv) {
 
 Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& uv) {
   double total3d = 0, totalUv = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
     const Triangle t = makeTriangle(chart, uv, f);
     total3d += t.area3d;
     totalUv += std::abs(t.areaUv);
@@ -90,7 +90,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   std::size_t measured = 0;
   out.areaMin = std::numeric_limits<double>::infinity();
   out.areaMax = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
     if (isDegenerate(chart.angles[f])) continue;
     const Triangle t = makeTriangle(chart, uv, f);
     ++measured;

@@ -34,7 +34,7 @@ Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
     const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
     const bool degenerate = isDegenerate(chart.angles[f]);
-    out.degenerateTriangles += degenerate;
+    out.degenerateTriangles += degenerate && f < chart.surfaceTriangles();
     bool finite = true;
     for (std::size_t k = 0; k < 3; ++k)
       finite = finite && std::isfinite(uv[2 * v[k]]) && std::isfinite(uv[2 * v[k] + 1]);

@@ -12,7 +12,8 @@ namespace abflat {
 ///
 /// All triangles positively oriented and a simple boundary make the map injective: the number of
 /// triangles over a point equals the boundary's winding number there, which is 0 or 1. Triangles of
-/// zero area in 3D may have none in uv.
+/// zero area in 3D may have none in uv. With what fills holes the map is one of a larger disk, and
+/// injective on the surface as on all of it.
 struct Validity {
   std::size_t degenerateTriangles = 0;  ///< of zero area in 3D
   std::size_t flippedTriangles = 0;     ///< not positively oriented, or not finite

@@ -136,7 +136,7 @@ std::vector<double> place(const DiskChart& chart, const std::vector<Placement>& 
 
 double areaUv(const DiskChart& chart, const std::vector<double>& uv) {
   double area = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
     const double *a = &uv[2 * chart.vertexOfCorner[3 * f]],
                  *b = &uv[2 * chart.vertexOfCorner[3 * f + 1]],
                  *c = &uv[2 * chart.vertexOfCorner[3 * f + 2]];

@@ -10,6 +10,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
   for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
     if (!isWanted[s.chartOfTriangle[f]]) continue;
     m.area.push_back(mesh.area[f]);
+    if (!mesh.hole.empty()) m.hole.push_back(mesh.hole[f]);
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
       place[h] = static_cast<std::uint32_t>(part.halfEdge.size());
       part.halfEdge.push_back(h);

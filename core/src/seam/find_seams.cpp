@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hole/fill_holes.h"
+#include "hole/stretched_holes.h"
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
 #include "seam/log_scale.h"
@@ -39,6 +41,7 @@ class Finder {
   void analyse();
   void open();
   bool improve();
+  CutSurface cut();
   void slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
   void split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
   bool finishUnchanged(const CutSurface& s);
@@ -101,8 +104,17 @@ void Finder::open() {
   report_.handleLength = cut.length;
 }
 
+CutSurface Finder::cut() {
+  CutSurface s = cutAlong(*mesh_, seams_);
+  return openTouchedHoles(*mesh_, s, options_.fillHoles, seams_) ? cutAlong(*mesh_, seams_) : s;
+}
+
+/// With automatic seams towards the peaks, otherwise towards the holes that cost most.
 void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
-  for (const std::uint32_t v : slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)) {
+  const std::vector<std::uint32_t> ends =
+      options_.isAuto ? slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)
+                      : stretchedHoles(*mesh_, s, prediction_, u, options_.maxStretch);
+  for (const std::uint32_t v : ends) {
     if (isKept(s, s.chartOfVertex(v))) continue;
     markPath(*mesh_, forest, v, seams_);
     isChanged_[s.chartOfVertex(v)] = 1;
@@ -126,7 +138,7 @@ void Finder::split(const CutSurface& s, const PathForest& forest, const std::vec
 /// False when no chart was changed.
 bool Finder::improve() {
   Stopwatch watch;
-  const CutSurface s = cutAlong(*mesh_, seams_);
+  const CutSurface s = cut();
   const std::vector<double> u = scale_->solve(s, {});
   report_.solveSeconds += watch.lap();
   if (u.empty()) {
@@ -137,7 +149,7 @@ bool Finder::improve() {
   isChanged_.assign(s.charts.size(), 0);
   const PathForest forest = findPaths(*mesh_, s, {});
   slit(s, forest, u);
-  split(s, forest, u);
+  if (options_.isAuto) split(s, forest, u);
   return finishUnchanged(s);
 }
 
@@ -179,12 +191,15 @@ Seams Finder::run() {
   open();
   seams_ = result_;
   constexpr int kMostRounds = 40;
-  bool isDone = false;
-  while (options_.isAuto && !isDone && report_.rounds < kMostRounds && goesOn()) {
+  const bool opensHoles = !whole_.hole.empty() && options_.fillHoles == FillHoles::Auto;
+  bool isDone = !options_.isAuto && !opensHoles;
+  while (!isDone && report_.rounds < kMostRounds && goesOn()) {
     ++report_.rounds;
     isDone = !improve();
   }
-  if (!isDone) handBack();
+  handBack();
+  if (!whole_.hole.empty())
+    openTouchedHoles(whole_, cutAlong(whole_, result_), options_.fillHoles, result_);
   return std::move(result_);
 }
 
@@ -200,9 +215,10 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
     if (seams[h]) seams[mesh.twin[h]] = seams[h] = 1;
   }
   if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
-  own.charts = static_cast<std::uint32_t>(cutAlong(mesh, seams).charts.size());
-  for (std::size_t h = 0; h < seams.size(); ++h)
-    if (seams[h]) own.seamLength += mesh.length[h] / 2;
+  for (const CutSurface::Chart& chart : cutAlong(mesh, seams).charts)
+    own.charts += !mesh.isFilling(chart.firstTriangle);
+  for (std::uint32_t h = 0; h < seams.size(); ++h)
+    if (seams[h] && mesh.isOnSurface(h)) own.seamLength += mesh.length[h] / 2;
   const double size = std::sqrt(mesh.totalArea());
   if (size > 0) {
     own.stretch = 1 + own.stretch / (size * size);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "abflat/generated/unwrap_options.h"
 #include "parallel.h"
 #include "seam/cut_surface.h"
 
@@ -18,8 +19,9 @@ struct SeamOptions {
   double mostOverlap = 0.0003;
   /// What is a disk before anything is cut stays whole, however much it is distorted.
   bool keepDisks = false;
-  ThreadPool* pool = nullptr;     ///< results do not depend on it; null: one thread
-  std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which cut to disks
+  FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
+  ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
+  std::function<bool()> keepsOn;          ///< false: stop with the seams so far, which cut to disks
 };
 
 struct SeamReport {
@@ -37,7 +39,8 @@ struct SeamReport {
   bool cancelled = false;
 };
 
-/// `given` seams are kept. Afterwards every chart is a topological disk.
+/// `given` seams are kept. Afterwards every chart is a topological disk, what fills holes included;
+/// rims of holes that are open again are marked like seams.
 Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report);
 
 }  // namespace abflat

@@ -112,7 +112,7 @@ void LogScale::assemble(const std::vector<std::uint8_t>& isFixed) {
   for (std::uint32_t h = 0; h < entryOfEdge_.size(); ++h) {
     if (entryOfEdge_[h] == kNone) continue;
     const std::uint32_t a = mesh_.vertexOfCorner[h], b = mesh_.vertexOfCorner[nextCorner(h)];
-    const double w = mesh_.weight[h];
+    const double w = mesh_.stiffness(h);
     if (!isFixed[a]) values_[static_cast<std::size_t>(columnStart_[a])] += w;
     if (!isFixed[b]) values_[static_cast<std::size_t>(columnStart_[b])] += w;
     if (!isFixed[a] && !isFixed[b]) values_[entryOfEdge_[h]] -= w;

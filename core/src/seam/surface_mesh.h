@@ -26,10 +26,24 @@ struct SeamMesh {
   std::vector<double> weight;      ///< cotangent weight of the edge, positive; the same for twins
   std::vector<double> vertexArea;  ///< a third of the triangles' round it
   std::vector<double> angleSum;    ///< per fan
+  /// Per triangle the hole that it fills, kNone where it is of the surface; empty where no hole is
+  /// filled. What fills comes last and has no area.
+  std::vector<std::uint32_t> hole;
 
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(area.size()); }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertexArea.size()); }
   double totalArea() const;
+  bool isFilling(std::uint32_t triangle) const { return !hole.empty() && hole[triangle] != kNone; }
+  /// A cut here can be seen: there is surface on both sides.
+  bool isOnSurface(std::uint32_t h) const {
+    return !isFilling(h / 3) && twin[h] != kNone && !isFilling(twin[h] / 3);
+  }
+  /// Of the edge in the linear system of the scale: holes keep their shape.
+  double stiffness(std::uint32_t h) const {
+    const std::uint32_t o = twin[h];
+    const bool isRim = o != kNone && isFilling(o / 3) && !isFilling(h / 3);
+    return isRim ? weight[h] + weight[o] : weight[h];
+  }
 };
 
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.

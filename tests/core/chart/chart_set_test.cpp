@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "mesh/topology.h"
+#include "support/cut_meshes.h"
 #include "support/meshes.h"
 
 using namespace abflat;
@@ -18,14 +19,17 @@ Seams allSeams(const Surface& surface) {
   return seams;
 }
 
+ChartSet charts(const Cuttable& c, const Seams& seams) {
+  return makeCharts(c.mesh, filledTable(c.seamMesh, c.surface.fans.inputVertex, seams));
+}
+
 }  // namespace
 
 TEST_CASE("without seams a disk is its own chart") {
-  const PolygonMesh mesh = bumpyGrid(6, 5, 0.3, 2);
-  const Surface surface = buildSurface(mesh);
-  const ChartSet set = makeCharts(mesh, surface, Seams(surface.table.twin.size(), 0));
+  const Cuttable c(bumpyGrid(6, 5, 0.3, 2));
+  const ChartSet set = charts(c, Seams(c.surface.table.twin.size(), 0));
   REQUIRE(set.charts.size() == 1);
-  const DiskChart wanted = makeDiskChart(mesh, surface);
+  const DiskChart wanted = makeDiskChart(c.mesh, c.surface);
   CHECK(set.charts[0].vertexOfCorner == wanted.vertexOfCorner);
   CHECK(set.charts[0].twin == wanted.twin);
   CHECK(set.charts[0].boundary == wanted.boundary);
@@ -34,9 +38,9 @@ TEST_CASE("without seams a disk is its own chart") {
 }
 
 TEST_CASE("cut along all edges a surface is its triangles") {
-  const PolygonMesh mesh = torus(5, 4);
-  const Surface surface = buildSurface(mesh);
-  const ChartSet set = makeCharts(mesh, surface, allSeams(surface));
+  const Cuttable c(torus(5, 4));
+  const Surface& surface = c.surface;
+  const ChartSet set = charts(c, allSeams(surface));
   REQUIRE(set.charts.size() == surface.table.triangleCount());
   for (std::uint32_t f = 0; f < set.charts.size(); ++f) {
     CHECK(set.charts[f].vertexCount() == 3);
@@ -47,8 +51,8 @@ TEST_CASE("cut along all edges a surface is its triangles") {
 }
 
 TEST_CASE("a strip cut across falls into charts whose corners are those of the surface") {
-  const PolygonMesh mesh = bumpyGrid(8, 2, 0.2, 3);
-  const Surface surface = buildSurface(mesh);
+  const Cuttable cuttable(bumpyGrid(8, 2, 0.2, 3));
+  const Surface& surface = cuttable.surface;
   Seams seams(surface.table.twin.size(), 0);
   for (std::uint32_t h = 0; h < seams.size(); ++h) {
     // The edges of the grid's middle line.
@@ -56,7 +60,7 @@ TEST_CASE("a strip cut across falls into charts whose corners are those of the s
                         b = surface.table.vertex[nextCorner(h)] % 9;
     if (a == 4 && b == 4 && surface.table.twin[h] != kNone) seams[h] = 1;
   }
-  const ChartSet set = makeCharts(mesh, surface, seams);
+  const ChartSet set = charts(cuttable, seams);
   REQUIRE(set.charts.size() == 2);
   std::set<std::uint32_t> seen;
   for (std::size_t i = 0; i < 2; ++i) {

@@ -9,11 +9,32 @@
 
 namespace abflat {
 
+/// Whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam.
+enum class FillHoles : int {
+  Auto = 0,  ///< where that keeps the chart within maxStretch and no seam comes to the hole
+  Never = 1,  ///< a seam joins every hole to the outer boundary
+  Always = 2,  ///< whatever it stretches
+};
+
+inline const char* fillHolesName(FillHoles code) {
+  switch (code) {
+    case FillHoles::Auto:
+      return "auto";
+    case FillHoles::Never:
+      return "never";
+    case FillHoles::Always:
+      return "always";
+  }
+  return "";
+}
+
 
 /// The options of unwrapping that are plain values, with their defaults.
 struct UnwrapOptionValues {
   /// how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts
   double maxStretch = 1.04;
+  /// whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches
+  FillHoles fillHoles = FillHoles::Auto;
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
   double t = 0;
   /// texels along a side of the texture that charts are packed for
@@ -29,13 +50,14 @@ struct UnwrapOptionValues {
 inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"maxStretch", "--max-stretch", "1.04", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
+    {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"resolution", "--resolution", "1024", "at least 16 and at most 65536, whole", "texels along a side of the texture that charts are packed for", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 6};
+  return {kInfos, 7};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
@@ -47,20 +69,23 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.maxStretch = static_cast<double>(value);
       return value > 1 && value <= std::numeric_limits<double>::max();
     case 1:
+      options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
+      return value >= 0 && value < 3;
+    case 2:
       options.t = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
-    case 2:
+    case 3:
       if (!(value >= 16 && value <= 65536) || value != static_cast<int>(value)) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 3:
+    case 4:
       if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 4:
+    case 5:
       options.memory = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
-    case 5:
+    case 6:
       if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -71,15 +96,18 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const UnwrapOptionValues&, int index, std::string_view text, bool& found) {
   if (index == 1 && text == "auto") return found = true, 0;
-  if (index == 4 && text == "auto") return found = true, 0;
+  if (index == 1 && text == "never") return found = true, 1;
+  if (index == 1 && text == "always") return found = true, 2;
+  if (index == 2 && text == "auto") return found = true, 0;
+  if (index == 5 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 4 && letter == 'M') return 1;
-  if (index == 4 && letter == 'G') return 1024;
-  if (index == 4 && letter == 'T') return 1048576;
+  if (index == 5 && letter == 'M') return 1;
+  if (index == 5 && letter == 'G') return 1024;
+  if (index == 5 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -87,6 +115,7 @@ inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
 template <class Visit>
 void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("maxStretch", options.maxStretch);
+  visit("fillHoles", fillHolesName(options.fillHoles));
   if (options.t == 0)
     visit("t", "auto");
   else

@@ -1,0 +1,84 @@
+#include "hole/triangulate_rim.h"
+
+#include <algorithm>
+
+#include "check/crossings.h"
+#include "mesh/clip_ears.h"
+
+namespace abflat {
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Sum of the cross products of neighbours, seen from the first point: twice the area vector.
+Vec3 areaVector(const std::vector<Vec3>& p) {
+  Vec3 sum{};
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+    Vec3 a, b;
+    for (std::size_t d = 0; d < 3; ++d) {
+      a[d] = p[i][d] - p[0][d];
+      b[d] = p[i + 1][d] - p[0][d];
+    }
+    const Vec3 n = cross(a, b);
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += n[d];
+  }
+  return sum;
+}
+
+/// Onto the plane across `normal`; empty where there is none.
+std::vector<std::array<double, 2>> project(const std::vector<Vec3>& points, Vec3 normal) {
+  const double length = norm(normal);
+  if (!(length > 0)) return {};
+  for (double& x : normal) x /= length;
+  std::size_t least = 0;  // the axis farthest from the normal
+  for (std::size_t d = 1; d < 3; ++d)
+    if (std::abs(normal[d]) < std::abs(normal[least])) least = d;
+  Vec3 axis{};
+  axis[least] = 1;
+  Vec3 right = cross(axis, normal);
+  const double scale = norm(right);
+  for (double& x : right) x /= scale;
+  const Vec3 up = cross(normal, right);
+  std::vector<std::array<double, 2>> out;
+  out.reserve(points.size());
+  for (const Vec3& p : points) out.push_back({dot(p, right), dot(p, up)});
+  return out;
+}
+
+bool isSimple(const std::vector<std::array<double, 2>>& polygon) {
+  std::vector<double> flat;
+  flat.reserve(2 * polygon.size());
+  for (const auto& p : polygon) flat.insert(flat.end(), p.begin(), p.end());
+  return findCrossings(flat, 1).count == 0;
+}
+
+bool canBeDrawn(const Rim& rim, const std::vector<std::array<double, 2>>& polygon,
+                const Triangles& triangles) {
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  std::vector<std::uint32_t> uses(n, 0);
+  for (const auto& t : triangles) {
+    if (!(turnOf(polygon[t[0]], polygon[t[1]], polygon[t[2]]) > 0)) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      ++uses[a];
+      const bool isSide = (a + 1) % n == b;
+      if (!isSide && rim.isJoined(a, b)) return false;
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (rim.isCorner[i] && uses[i] < 2) return false;
+  return true;
+}
+
+}  // namespace
+
+Triangles triangulateRim(const Rim& rim) {
+  if (rim.points.size() < 3) return {};
+  const std::vector<std::array<double, 2>> polygon = project(rim.points, areaVector(rim.points));
+  if (polygon.empty() || !isSimple(polygon)) return {};
+  Triangles triangles = clipEars(polygon, rim.isCorner);
+  if (!canBeDrawn(rim, polygon, triangles)) return {};
+  return triangles;
+}
+
+}  // namespace abflat

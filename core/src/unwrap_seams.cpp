@@ -1,0 +1,66 @@
+#include "unwrap_seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hole/fill_holes.h"
+#include "seam/find_seams.h"
+
+namespace abflat {
+namespace {
+
+/// The surface opened along what is given, so that the holes of its charts show.
+struct Opened {
+  CornerTable table;
+  Fans fans;
+};
+
+Opened openAlong(const WeldedMesh& welded, const Surface& surface, const Seams& given) {
+  Opened out{surface.table, {}};
+  for (std::size_t h = 0; h < given.size(); ++h)
+    if (given[h]) out.table.twin[h] = kNone;
+  const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
+  out.fans = isAny ? findFans(out.table, welded.mesh.vertexCount()) : surface.fans;
+  return out;
+}
+
+}  // namespace
+
+OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+                        const UnwrapOptions& options, ThreadPool& pool,
+                        std::function<bool()> keepsOn, SeamSummary& summary) {
+  const Opened opened = openAlong(welded, surface, given);
+  SeamMesh mesh = makeSeamMesh(welded.mesh.positions, opened.table, opened.fans,
+                               surface.triangulation.isDiagonal);
+  fillHoles(options.fillHoles, mesh);
+  SeamOptions wanted;
+  wanted.isAuto = options.seams.isAuto;
+  wanted.maxStretch = options.maxStretch;
+  wanted.fillHoles = options.fillHoles;
+  wanted.pool = &pool;
+  wanted.keepsOn = std::move(keepsOn);
+  SeamReport found;
+  OpenSurface out;
+  out.seams = findSeams(mesh, {}, wanted, &found);
+  out.disks = filledTable(mesh, opened.fans.inputVertex, out.seams);
+  out.place.resize(welded.mesh.vertexCount());
+  for (std::size_t i = 0; i < found.place.size(); ++i)
+    out.place[opened.fans.inputVertex[i]] = found.place[i];
+  out.seams.resize(given.size());
+  double length = 0;
+  for (std::uint32_t h = 0; h < out.seams.size(); ++h) {
+    out.seams[h] = given[h] || (out.seams[h] && mesh.isOnSurface(h));
+    if (!out.seams[h]) continue;
+    length += mesh.length[h] / 2;
+    ++summary.edges;
+  }
+  summary.edges /= 2;
+  const double size = std::sqrt(mesh.totalArea());
+  summary.relativeLength = size > 0 ? length / size : 0;
+  summary.genus = surface.summary.genus;
+  summary.handleLoops = found.handleLoops;
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "hole/filled_table.h"
+#include "mesh/surface.h"
+#include "mesh/welded_mesh.h"
+#include "parallel.h"
+
+namespace abflat {
+
+/// The surface as disks.
+struct OpenSurface {
+  Seams seams;                       ///< those that can be seen, the given ones among them
+  FilledTable disks;                 ///< cut open, with what fills holes
+  std::vector<std::uint32_t> place;  ///< per vertex, see SeamReport
+};
+
+/// Cuts the surface and fills the holes of its charts; `keepsOn` as in SeamOptions.
+OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+                        const UnwrapOptions& options, ThreadPool& pool,
+                        std::function<bool()> keepsOn, SeamSummary& summary);
+
+}  // namespace abflat

@@ -1,0 +1,158 @@
+#include "hole/fill_holes.h"
+
+#include "angle/constants.h"
+#include "catch.h"
+#include "chart/chart_set.h"
+#include "support/cut_meshes.h"
+#include "support/holes.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+struct Filled {
+  explicit Filled(PolygonMesh polygons, FillHoles mode = FillHoles::Auto)
+      : cuttable(std::move(polygons)), mesh(cuttable.seamMesh) {
+    fillHoles(mode, mesh);
+  }
+
+  Seams find(bool isAuto, FillHoles mode, SeamReport* report = nullptr) const {
+    SeamOptions options;
+    options.isAuto = isAuto;
+    options.fillHoles = mode;
+    return findSeams(mesh, {}, options, report);
+  }
+  ChartSet charts(const Seams& seams) const {
+    return makeCharts(cuttable.mesh, filledTable(mesh, cuttable.surface.fans.inputVertex, seams));
+  }
+
+  Cuttable cuttable;
+  SeamMesh mesh;
+};
+
+std::uint32_t holesIn(const SeamMesh& mesh) {
+  return mesh.hole.empty() || mesh.hole.back() == kNone ? 0 : mesh.hole.back() + 1;
+}
+
+std::uint32_t holesIn(const ChartSet& set) {
+  std::uint32_t sum = 0;
+  for (const DiskChart& chart : set.charts) sum += chart.filledHoles;
+  return sum;
+}
+
+/// Euler characteristic 1 and one loop, by connectivity alone.
+bool isDisk(const DiskChart& chart) {
+  std::size_t edges = 0, open = 0;
+  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+    open += chart.twin[h] == kNone;
+    edges += chart.twin[h] == kNone || chart.twin[h] > h;
+  }
+  return open == chart.boundary.size() && chart.vertexCount() + chart.triangleCount() == edges + 1;
+}
+
+}  // namespace
+
+TEST_CASE("filling leaves the surface as it is and one loop to each chart", "[holes]") {
+  const Filled filled(windowed(bumpyGrid(27, 18, 0.3, 4), 27, 9, 3));
+  const SeamMesh &mesh = filled.mesh, &surface = filled.cuttable.seamMesh;
+  CHECK(holesIn(mesh) == 6);
+  CHECK(mesh.totalArea() == surface.totalArea());
+  for (std::uint32_t h = 0; h < surface.twin.size(); ++h) {
+    CHECK(mesh.vertexOfCorner[h] == surface.vertexOfCorner[h]);
+    if (surface.twin[h] != kNone) CHECK(mesh.twin[h] == surface.twin[h]);
+  }
+  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
+    const std::uint32_t o = mesh.twin[h];
+    if (o == kNone) continue;
+    CHECK(mesh.twin[o] == h);
+    CHECK(mesh.vertexOfCorner[o] == mesh.vertexOfCorner[nextCorner(h)]);
+    CHECK(mesh.vertexOfCorner[nextCorner(o)] == mesh.vertexOfCorner[h]);
+  }
+  const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
+  REQUIRE(s.charts.size() == 1);
+  CHECK(s.charts[0].isDisk());
+  // Gauss and Bonnet: what filling bends is all of the turning that was missing.
+  double curvature = 0;
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+    curvature += (s.isBoundary[v] ? kPi : 2 * kPi) - mesh.angleSum[s.meshVertex[v]];
+  CHECK(curvature == Approx(2 * kPi));
+}
+
+TEST_CASE("a sheet with windows takes no seam, a tube none for a small hole", "[holes]") {
+  SeamReport report;
+  const Filled sheet(windowed(bumpyGrid(36, 18, 0.1, 4), 36, 9, 5));
+  ChartSet set = sheet.charts(sheet.find(true, FillHoles::Auto, &report));
+  CHECK(report.seamLength == 0);
+  CHECK(report.charts == 1);
+  CHECK(holesIn(set) == 8);
+
+  const PolygonMesh tube = cylinder(60, 21);
+  const Filled pierced(punched(tube, [](std::uint32_t f) {
+    const std::uint32_t column = f / 2 % 60, row = f / 2 / 60;
+    return column >= 30 && column < 32 && row >= 10 && row < 12;
+  }));
+  SeamReport uncut;
+  findSeams(Cuttable(tube).seamMesh, {}, {}, &uncut);
+  set = pierced.charts(pierced.find(true, FillHoles::Auto, &report));
+  CHECK(report.charts == 1);
+  CHECK(report.seamLength < 1.05 * uncut.seamLength);
+  // Without automatic seams the ends are joined all the same, since the tube would be stretched.
+  set = pierced.charts(pierced.find(false, FillHoles::Auto, &report));
+  CHECK(report.charts == 1);
+  CHECK(report.seamLength < 1.05 * uncut.seamLength);
+  CHECK(report.seamLength > 0);
+}
+
+TEST_CASE("holes are never or always filled where that is asked for", "[holes]") {
+  const PolygonMesh mesh = windowed(bumpyGrid(18, 18, 0.1, 4), 18, 9, 3);
+  const Filled open(mesh, FillHoles::Never), closed(cylinder(24, 10), FillHoles::Always);
+  CHECK(open.mesh.hole.empty());
+  SeamReport report;
+  open.find(false, FillHoles::Never, &report);
+  CHECK(report.seamLength > 0);
+  for (const bool isAuto : {false, true}) {
+    const Seams seams = closed.find(isAuto, FillHoles::Always, &report);
+    CHECK(holesIn(closed.charts(seams)) == 1);
+  }
+}
+
+TEST_CASE("motheaten surfaces fall into disks, their holes filled or not", "[holes]") {
+  std::size_t all = 0, kept = 0;
+  for (unsigned seed = 0; seed < 30; ++seed)
+    for (const PolygonMesh& whole : {torus(30, 20), bumpyGrid(20, 20, 0.5, seed), cylinder(30, 15)})
+      for (const FillHoles mode : {FillHoles::Never, FillHoles::Auto, FillHoles::Always}) {
+        INFO("seed " << seed << ", mode " << fillHolesName(mode));
+        const Filled filled(motheaten(whole, seed % 2 ? 8 : 40, seed), mode);
+        const Seams seams = filled.find(seed % 3 > 0, mode);
+        const ChartSet set = filled.charts(seams);
+        std::size_t triangles = 0;
+        bool areDisks = true;
+        for (std::size_t i = 0; i < set.charts.size(); ++i) {
+          areDisks = areDisks && isDisk(set.charts[i]);
+          triangles += set.triangles[i].size();
+          CHECK(set.triangles[i].size() == set.charts[i].surfaceTriangles());
+          CHECK(!set.triangles[i].empty());
+        }
+        CHECK(areDisks);
+        CHECK(triangles == filled.cuttable.surface.table.triangleCount());
+        CHECK(set.ofTriangle.size() == triangles);
+        all += holesIn(filled.mesh);
+        kept += holesIn(set);
+        if (mode == FillHoles::Never) CHECK(holesIn(set) == 0);
+      }
+  CHECK(all > 1000);
+  CHECK(kept > all / 4);
+}
+
+TEST_CASE("where holes touch, each is filled by itself or none is", "[holes]") {
+  // Two squares that share a corner, and one at a corner of the boundary.
+  const Filled filled(punched(bumpyGrid(8, 8, 0.1, 3), [](std::uint32_t f) {
+    const std::uint32_t square = f / 2;
+    return square == 2 * 8 + 2 || square == 3 * 8 + 3 || square == 6 * 8 + 6 || square == 7 * 8 + 7;
+  }));
+  const ChartSet set = filled.charts(filled.find(true, FillHoles::Auto));
+  REQUIRE(!set.charts.empty());
+  for (const DiskChart& chart : set.charts) CHECK(isDisk(chart));
+}
