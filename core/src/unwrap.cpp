@@ -16,6 +16,7 @@
 #include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
+#include "unwrap_fixed.h"
 #include "unwrap_known.h"
 #include "unwrap_output.h"
 
@@ -29,6 +30,9 @@ struct Stage {
 };
 constexpr Stage kSurface{"surface", 0, 0.05}, kSeams{"seams", 0.05, 0.2},
     kSolve{"solve", 0.2, 0.85}, kPack{"pack", 0.85, 0.97}, kCheck{"check", 0.97, 1};
+
+/// Coordinates below 16, which is what packing allows for.
+constexpr int kMostTilesInSingle = 160;
 
 class Monitor {
  public:
@@ -59,24 +63,38 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
   return order;
 }
 
-/// Those that have no layout yet.
-void flattenAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+/// What the input gives is not to be pinned elsewhere.
+Status checkUnpinned(const std::vector<DiskChart>& charts,
+                     const std::vector<std::vector<ChartPin>>& pins,
+                     const std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (flat[i].isGiven && !pins[i].empty())
+      return {StatusCode::InvalidOption,
+              "vertex " + std::to_string(charts[i].inputVertex[pins[i].front().vertex]) +
+                  " is pinned, but its chart is to keep its texcoords; leave one of them out"};
+  return {};
+}
+
+/// Those that have no layout yet, and those with pins.
+void flattenAll(const std::vector<DiskChart>& charts,
+                const std::vector<std::vector<ChartPin>>& pins, const UnwrapOptionValues& options,
                 ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
+  const auto isKnown = [&](std::size_t i) { return !flat[i].unpacked.empty() && pins[i].empty(); };
   for (std::size_t i = 0; i < charts.size(); ++i)
-    if (flat[i].unpacked.empty()) triangles += charts[i].triangleCount();
+    if (!isKnown(i)) triangles += charts[i].triangleCount();
   std::atomic<std::size_t> done{0};
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
     if (monitor.stopped()) return;
     const DiskChart& chart = charts[order[i]];
-    if (!flat[order[i]].unpacked.empty()) return;
+    if (isKnown(order[i])) return;
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
       return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
     };
-    flat[order[i]] = flattenOne(chart, options, pool, goesOn);
+    flat[order[i]] = flattenOne(chart, options, pins[order[i]], pool, goesOn);
     done += chart.triangleCount();
   });
 }
@@ -85,35 +103,88 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
                                 const std::vector<FlatChart>& flat) {
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    shapes[i].uv = flat[i].unpacked;
+    shapes[i].isFixed = flat[i].isFixed();
+    shapes[i].uv = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
     shapes[i].triangles = charts[i].vertexOfCorner;
+    if (flat[i].isGiven) continue;  // may have several loops
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
   }
   return shapes;
 }
 
+/// Charts that stay where they are must be inside the unit square.
+Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    for (std::size_t k = 0; k < flat[i].fixed.size() && !flat[i].isGiven; ++k) {
+      const double x = flat[i].fixed[k];
+      if (x >= 0 && x <= 1) continue;
+      return {StatusCode::InvalidOption,
+              "the pins put vertex " + std::to_string(charts[i].inputVertex[k / 2]) +
+                  " outside the unit square, where " + (k % 2 == 0 ? "u" : "v") + " is " +
+                  std::to_string(x) + "; move the pins of its chart, or pin it smaller"};
+    }
+  return {};
+}
+
 /// Moves the layouts to their places.
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (flat[i].isGiven) {
+      flat[i].uv = flat[i].fixed;
+      continue;
+    }
     const Placement& p = packing.placements[i];
-    const std::vector<double>& from = flat[i].unpacked;
+    const std::vector<double>& from = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
     flat[i].uv.clear();
     for (std::size_t k = 0; k < from.size(); k += 2)
-      flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]), p.v(&from[k])});
+      flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]) + p.column(), p.v(&from[k]) + p.row()});
   }
+}
+
+Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+               ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat,
+               AtlasReport& atlas) {
+  if (Status s = checkFixed(charts, flat); !s.ok()) return s;
+  PackOptions packing;
+  packing.resolution = options.resolution;
+  packing.padding = options.padding;
+  packing.rotate = options.rotate;
+  packing.texelDensity = options.texelDensity;
+  packing.udim = options.udim;
+  packing.pool = &pool;
+  packing.progress = [&](double share) { return monitor.tell(kPack, share); };
+  const Result<Packing> packed = pack(shapesOf(charts, flat), packing);
+  if (!packed.ok()) return packed.status;
+  place(packed.value, flat);
+  atlas = {options.resolution, options.padding, static_cast<int>(packed.value.tiles),
+           packed.value.utilization, packed.value.texelDensity};
+  return {};
+}
+
+/// A multiple of 2^-24, which up to 1 is a number of single precision, and 1 - x as well: for
+/// formats whose v points down.
+double inSinglePrecision(double x) {
+  return static_cast<double>(static_cast<float>(std::floor(x * 0x1p24 + 0.5) * 0x1p-24));
 }
 
 /// All charts in the atlas, rounded or as they are.
 void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadPool& pool,
-              std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
+              std::vector<FlatChart>& flat, UnwrapReport& report) {
   const auto check = [&] {
-    parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(charts[i], flat[i]); });
+    parallelFor(&pool, flat.size(), [&](std::size_t i) {
+      if (!flat[i].isGiven) checkInPlace(charts[i], flat[i]);
+    });
   };
-  if (!roundsToSingle) return check();
+  const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
+  if (roundsToSingle && !isFine)
+    report.notes.push_back("texcoords are in double precision: single is too coarse for " +
+                           std::to_string(report.atlas.tiles) + " tiles");
+  if (!roundsToSingle || !isFine) return check();
   const std::vector<FlatChart> asTheyAre = flat;
   for (FlatChart& chart : flat)
-    for (double& x : chart.uv) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : chart.uv)
+      if (!chart.isGiven) x = inSinglePrecision(x);
   check();
   std::size_t lost = 0;
   for (std::size_t i = 0; i < flat.size(); ++i)
@@ -121,13 +192,27 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
   if (lost == 0) return;
   flat = asTheyAre;
   check();
-  notes.push_back("texcoords are in double precision: rounded to single, " + std::to_string(lost) +
-                  (lost == 1 ? " chart" : " charts") + " would not be valid");
+  report.notes.push_back("texcoords are in double precision: rounded to single, " +
+                         std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
+                         " would not be valid");
 }
 
-Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
-              const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
-              UnwrapReport& report) {
+/// Charts are factored in the order that was found for the whole surface. `place` is per fan.
+void orderCharts(const Surface& surface, const std::vector<std::uint32_t>& place, ChartSet& set) {
+  std::vector<std::uint32_t> ofVertex;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const std::uint32_t v = surface.fans.inputVertex[i];
+    if (v >= ofVertex.size()) ofVertex.resize(v + 1);
+    ofVertex[v] = place[i];
+  }
+  for (DiskChart& chart : set.charts)
+    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(ofVertex[v]);
+}
+
+/// `place` as orderCharts() takes it; empty where something is fixed.
+Seams allSeams(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+               const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
+               Monitor& monitor, SeamSummary& summary, std::vector<std::uint32_t>& place) {
   const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
                                      surface.triangulation.isDiagonal);
   SeamOptions wanted;
@@ -136,12 +221,19 @@ Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
   wanted.pool = &pool;
   wanted.keepsOn = [&] { return monitor.tell(kSeams); };
   SeamReport found;
-  Seams seams = findSeams(mesh, std::move(given), wanted, &found);
-  report.seams.genus = surface.summary.genus;
-  report.seams.relativeLength = found.seamLength;
-  report.seams.handleLoops = found.handleLoops;
-  for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
-  report.seams.edges /= 2;
+  Seams seams = cutAround(mesh, fixed, given, [&](const SeamMesh& rest, Seams ofRest) {
+    return findSeams(rest, std::move(ofRest), wanted, &found);
+  });
+  if (fixed.isFixed.empty()) place = std::move(found.place);
+  summary.genus = surface.summary.genus;
+  summary.handleLoops = found.handleLoops;
+  for (std::size_t h = 0; h < seams.size(); ++h) {
+    summary.edges += seams[h];
+    if (seams[h]) summary.relativeLength += mesh.length[h] / 2;
+  }
+  summary.edges /= 2;
+  const double size = std::sqrt(mesh.totalArea());
+  summary.relativeLength = size > 0 ? summary.relativeLength / size : 0;
   return seams;
 }
 
@@ -152,6 +244,9 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   Monitor monitor(options.progress);
   const Status aborted{StatusCode::Aborted, "cancelled"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
+  if (options.udim && options.texelDensity == kAutoTexelDensity)
+    return Status{StatusCode::InvalidOption,
+                  "several tiles (udim) are for a texel density, which is auto: give a number"};
   if (mesh.faceCount() == 0) return Status{StatusCode::EmptyMesh, "the mesh has no faces"};
   if (!monitor.tell(kSurface)) return aborted;
   UnwrapResult out;
@@ -169,38 +264,40 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!monitor.tell(kSeams)) return aborted;
   ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
   report.threads = pool.threads();
-  Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
+  const Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
-  const Seams seams =
-      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
+  const Result<FixedTriangles> fixed = fixedTriangles(mesh, welded, surface, options.fixedFaces);
+  if (!fixed.ok()) return fixed.status;
+  std::vector<std::uint32_t> placeOfFan;
+  const Seams seams = allSeams(welded, surface, given.value, fixed.value, options, pool, monitor,
+                               report.seams, placeOfFan);
   if (monitor.stopped()) return aborted;
-  const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  ChartSet set = makeCharts(welded.mesh, surface, seams);
+  if (!placeOfFan.empty()) orderCharts(surface, placeOfFan, set);
+  const Texcoords texcoords = numberTexcoords(welded, surface, set);
+  const Result<std::vector<std::vector<ChartPin>>> pins =
+      pinsOfCharts(mesh, texcoords, options.pins);
+  if (!pins.ok()) return pins.status;
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
-  Result<std::vector<FlatChart>> known = knownCharts({mesh, welded, surface, set}, options, pool);
+  const CutMesh cut{mesh, welded, surface, set};
+  Result<std::vector<FlatChart>> known = knownCharts(cut, options, pool);
   if (!known.ok()) return known.status;
   std::vector<FlatChart>& flat = known.value;
-  flattenAll(set.charts, options, pool, monitor, flat);
+  if (Status s = layOutFixed(cut, fixed.value, options.udim, flat); !s.ok()) return s;
+  if (Status s = checkUnpinned(set.charts, pins.value, flat); !s.ok()) return s;
+  flattenAll(set.charts, pins.value, options, pool, monitor, flat);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 
   if (!monitor.tell(kPack)) return aborted;
-  PackOptions packing;
-  packing.resolution = options.resolution;
-  packing.padding = options.padding;
-  packing.pool = &pool;
-  packing.progress = [&](double share) { return monitor.tell(kPack, share); };
-  const Result<Packing> packed = pack(shapesOf(set.charts, flat), packing);
-  if (!packed.ok()) return packed.status;
-  place(packed.value, flat);
-  report.atlas = {options.resolution, options.padding, packed.value.utilization,
-                  packed.value.texelDensity};
+  if (Status s = packAll(set.charts, options, pool, monitor, flat, report.atlas); !s.ok()) return s;
   report.timings.pack = watch.lap();
 
   if (!monitor.tell(kCheck)) return aborted;
-  checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
-  fillOutput(mesh, welded, surface, set, flat, out);
+  checkAll(set.charts, options.roundsToSingle, pool, flat, report);
+  fillOutput(mesh, welded, surface, set, texcoords, flat, out);
   out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();

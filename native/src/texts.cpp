@@ -68,7 +68,9 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << report.seams.relativeLength << " times the root of the area\n"
       << "  distortion: angles " << report.angularDistortion << ", conformal "
       << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
-      << "  atlas: " << report.atlas.resolution << " x " << report.atlas.resolution << ", "
+      << "  atlas: "
+      << (report.atlas.tiles > 1 ? std::to_string(report.atlas.tiles) + " tiles of " : "")
+      << report.atlas.resolution << " x " << report.atlas.resolution << ", "
       << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
       << " texels per unit\n"
       << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";

@@ -32,9 +32,11 @@ import {
   checkNumber,
   checkSignal,
   checkString,
+  faceNumbers,
   flattenNumbers,
   KEYS,
   knownArrays,
+  pinNumbers,
   seamVertices,
   unwrapNumbers,
 } from './validate.js';
@@ -123,6 +125,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     values: unwrapNumbers(options),
     seams,
     seamEdges: seamVertices(options.seamEdges),
+    fixedFaces: faceNumbers(options.fixedFaces),
     known: knownArrays(options.known),
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
@@ -132,9 +135,10 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,
-  { obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
+  { pins, obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
   request: (common: LayoutRequest) => Request,
 ): Promise<T> {
+  const pinned = pinNumbers(pins);
   checkBoolean('obj', obj);
   checkBoolean('ply', ply);
   checkFunction('onProgress', onProgress);
@@ -143,6 +147,7 @@ function layout<T extends FlattenResult | UnwrapResult>(
   const owned = takeMesh(mesh, transfer);
   const common: LayoutRequest = {
     mesh: owned.mesh,
+    pins: pinned,
     wantsObj: obj === true,
     wantsPly: ply === true,
     wantsProgress: onProgress !== undefined,

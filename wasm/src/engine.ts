@@ -1,11 +1,10 @@
 // One instance of the WebAssembly module. Runs in the worker, where it may block.
 
-import createPlain, { type NativeModule } from './abflat.mjs';
-import createSimd from './abflat-simd.mjs';
-import createThreads from './abflat-threads.mjs';
+import type { NativeModule } from './abflat.mjs';
 import { type Build, buildOf } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
+import type { Glues } from './glue.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
 import type {
   Answer,
@@ -44,12 +43,6 @@ const FIELD = {
   unpacked: 9,
 } as const;
 
-/** Minified names may differ between builds, so each module needs its own. */
-const CREATE = { plain: createPlain, simd: createSimd, threads: createThreads };
-
-/** What a thread loads; bundlers find the file by exactly this expression, and copy it as it is. */
-const threadScript = () => new URL('./abflat-threads.mjs', import.meta.url).href;
-
 /** Thrown through the module by its allocator. */
 class OutOfMemory extends Error {}
 
@@ -84,8 +77,15 @@ export class Engine {
     this.#hooks = hooks;
   }
 
-  static async create(module: WebAssembly.Module, maxMemory: number): Promise<Engine> {
+  static async create(
+    module: WebAssembly.Module,
+    maxMemory: number,
+    glues: Glues,
+  ): Promise<Engine> {
     const build = buildOf(module);
+    const glue = glues[build];
+    if (!glue) throw new AbflatError('Internal', `This worker does not run the build ${build}.`);
+    const { create, threadScript } = glue;
     const memory = new WebAssembly.Memory({
       initial: MIN_MEMORY / PAGE,
       maximum: Math.floor(maxMemory / PAGE),
@@ -93,9 +93,9 @@ export class Engine {
     });
     const hooks: Hooks = { onProgress: ignore };
     const native = await new Promise<NativeModule>((resolve, reject) => {
-      CREATE[build]({
+      create({
         wasmMemory: memory,
-        ...(build === 'threads' && { mainScriptUrlOrBlob: threadScript() }),
+        ...(threadScript && { mainScriptUrlOrBlob: threadScript() }),
         instantiateWasm: (imports, receive) => {
           WebAssembly.instantiate(module, imports)
             .then((instance) => receive(instance, module))
@@ -181,13 +181,13 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, known } = request;
+    const { values, seams, seamEdges, fixedFaces, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
         if (seams !== undefined) this.#writeText(seams, (bytes) => native._abflatSeams(job, bytes));
-        const edges = native._abflatSeamEdges(job, seamEdges.length / 2) >>> 0;
-        new Uint32Array(this.#memory.buffer, edges, seamEdges.length).set(seamEdges);
+        this.#writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
+        this.#writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         if (known !== undefined) this.#writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,
@@ -201,7 +201,7 @@ export class Engine {
   }
 
   #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
-    { mesh, wantsObj, wantsPly }: LayoutRequest,
+    { mesh, pins, wantsObj, wantsPly }: LayoutRequest,
     { set, run, complete }: LayoutSteps<R, T>,
   ): T {
     const started = performance.now();
@@ -209,6 +209,7 @@ export class Engine {
       this.#writeMesh(job, mesh);
       const written = performance.now();
       set(job, this.#native);
+      for (const [vertex, u, v, face] of pins) this.#native._abflatAddPin(job, vertex, u, v, face);
       this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
       const layout: Layout<R> = {
@@ -305,12 +306,13 @@ export class Engine {
       mesh.bytes = new Uint8Array();
       return;
     }
-    const { positions, indices } = mesh;
+    const native = this.#native;
+    const { positions, indices, texcoords, materials } = mesh;
     this.#writeName(job, 'arrays');
-    const xyz = this.#native._abflatPositions(job, positions.length) >>> 0;
-    new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
-    const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
-    new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
+    this.#writeReals(native._abflatPositions(job, positions.length), positions);
+    this.#writeNumbers(native._abflatIndices(job, indices.length), indices);
+    if (texcoords) this.#writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
+    if (materials) this.#writeNumbers(native._abflatMaterials(job, materials.length), materials);
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
   }
@@ -319,23 +321,39 @@ export class Engine {
     const entries = Object.entries(arrays);
     this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
     for (const [name, array] of entries) {
-      const field = FIELD[name as keyof typeof arrays];
-      const start = this.#native._abflatKnown(job, field, array.length) >>> 0;
-      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-      new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
+      const start = this.#native._abflatKnown(
+        job,
+        FIELD[name as keyof typeof arrays],
+        array.length,
+      );
+      if (array instanceof Float64Array) this.#writeReals(start, array);
+      else this.#writeNumbers(start, array);
     }
     this.#native._abflatKnownT(job, t);
   }
 
   #checkSize(mesh: OwnedMesh): void {
-    this.#checkBytes(
-      'bytes' in mesh ? mesh.bytes.length : 8 * mesh.positions.length + 4 * mesh.indices.length,
-    );
+    const numbers = (array?: { length: number }) => array?.length ?? 0;
+    const bytes =
+      'bytes' in mesh
+        ? mesh.bytes.length
+        : 8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
+          4 * (numbers(mesh.indices) + numbers(mesh.materials));
+    this.#checkBytes(bytes);
   }
 
   /** Sizes beyond 32 bits must not reach the module. */
   #checkBytes(bytes: number): void {
     if (bytes >= this.#maxMemory) throw new OutOfMemory();
+  }
+
+  /** At an address as the module returns it. */
+  #writeReals(address: number, values: Float32Array | Float64Array): void {
+    new Float64Array(this.#memory.buffer, address >>> 0, values.length).set(values);
+  }
+
+  #writeNumbers(address: number, values: Uint32Array | Uint16Array): void {
+    new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
   }
 
   #writeName(job: number, name: string): void {

@@ -11,15 +11,22 @@ import {
   type UnwrapOptionValues,
 } from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
-import type { KnownArrays } from './protocol.js';
+import type { KnownArrays, PinNumbers } from './protocol.js';
 import type { KnownLayout } from './types.js';
 
 const OF_CALL = ['signal', 'transfer'];
-const OF_LAYOUT = ['onProgress', 'obj', 'ply', ...OF_CALL];
+const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
-  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', 'known', ...OF_LAYOUT],
+  unwrap: [
+    ...Object.keys(UNWRAP_OPTIONS),
+    'seams',
+    'seamEdges',
+    'fixedFaces',
+    'known',
+    ...OF_LAYOUT,
+  ],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -162,25 +169,56 @@ export function knownArrays(known: unknown): KnownArrays | undefined {
   };
 }
 
-/** A copy: the caller's buffer stays. */
-export function seamVertices(edges: unknown): Uint32Array {
-  if (edges === undefined) return new Uint32Array();
-  if (tagOf(edges) !== 'Uint32Array')
-    throw invalid(`seamEdges must be a Uint32Array of vertex pairs, not ${tagOf(edges)}.`);
-  const pairs = edges as Uint32Array;
-  if (pairs.length % 2 !== 0)
-    throw invalid(`seamEdges has ${pairs.length} elements, not a multiple of 2.`);
-  return new Uint32Array(pairs);
+/** A copy: the caller's buffer stays. `what` its elements are, in words. */
+function numbers(name: string, what: string, values: unknown): Uint32Array {
+  if (values === undefined) return new Uint32Array();
+  if (tagOf(values) !== 'Uint32Array')
+    throw invalid(`${name} must be a Uint32Array of ${what}, not ${tagOf(values)}.`);
+  return new Uint32Array(values as Uint32Array);
 }
 
-export function boundNumbers(bounds: unknown): number[] {
-  if (bounds === undefined) return [];
-  if (!Array.isArray(bounds)) throw invalid('bounds must be an array of { vertex, t }.');
-  return bounds.flatMap((bound: { vertex?: unknown; t?: unknown } | null, i) => {
-    const vertex = bound?.vertex;
-    if (!Number.isInteger(vertex) || (vertex as number) < 0 || (vertex as number) >= 2 ** 32)
-      throw invalid(`bounds[${i}].vertex must be a vertex number.`);
+export function seamVertices(edges: unknown): Uint32Array {
+  const pairs = numbers('seamEdges', 'vertex pairs', edges);
+  if (pairs.length % 2 !== 0)
+    throw invalid(`seamEdges has ${pairs.length} elements, not a multiple of 2.`);
+  return pairs;
+}
+
+export function faceNumbers(faces: unknown): Uint32Array {
+  return numbers('fixedFaces', 'face numbers', faces);
+}
+
+function checkIndex(name: string, kind: string, value: unknown): void {
+  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= 2 ** 32)
+    throw invalid(`${name} must be a ${kind} number.`);
+}
+
+function checkArray(name: string, value: unknown, of: string): void {
+  if (!Array.isArray(value)) throw invalid(`${name} must be an array of ${of}.`);
+}
+
+export function boundNumbers(bounds: unknown = []): number[] {
+  checkArray('bounds', bounds, '{ vertex, t }');
+  return (bounds as ({ vertex?: unknown; t?: unknown } | null)[]).flatMap((bound, i) => {
+    checkIndex(`bounds[${i}].vertex`, 'vertex', bound?.vertex);
     checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
-    return [vertex as number, bound?.t as number];
+    return [bound?.vertex as number, bound?.t as number];
+  });
+}
+
+/** Of a pin without a face; that of the module's kAnyFace. */
+const ANY_FACE = 2 ** 32 - 1;
+
+export function pinNumbers(pins: unknown = []): PinNumbers[] {
+  checkArray('pins', pins, '{ vertex, uv: [u, v] }');
+  return (pins as ({ vertex?: unknown; uv?: unknown; face?: unknown } | null)[]).map((pin, i) => {
+    checkIndex(`pins[${i}].vertex`, 'vertex', pin?.vertex);
+    checkArray(`pins[${i}].uv`, pin?.uv, 'two numbers');
+    const uv = pin?.uv as unknown[];
+    if (uv.length !== 2) throw invalid(`pins[${i}].uv must be an array of two numbers.`);
+    for (const [k, x] of uv.entries())
+      checkNumber(`pins[${i}].uv[${k}]`, x, { range: 'that is finite' });
+    if (pin?.face !== undefined) checkIndex(`pins[${i}].face`, 'face', pin.face);
+    return [pin?.vertex, ...uv, pin?.face ?? ANY_FACE] as PinNumbers;
   });
 }

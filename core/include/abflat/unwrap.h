@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,11 +40,17 @@ struct KnownLayout {
 
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
+  /// Places in the atlas, of a chart none or two and more, as in FlattenOptions: such a chart stays
+  /// where they put it, and the others go around it.
+  std::vector<Pin> pins;
   /// Charts that have the triangles and the outline of one of these are not flattened again, which
   /// is for changing seams little by little. No triangles: nothing is known.
   KnownLayout known;
+  /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
+  /// them. Islands are bounded by edges with different texcoords on their two sides.
+  std::vector<std::uint32_t> fixedFaces;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
-  /// hold them; not where that would make a chart invalid.
+  /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;
 
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
@@ -79,11 +86,14 @@ struct UnwrapChart {
   std::size_t faces = 0;        ///< triangles
   std::uint32_t firstFace = 0;  ///< an input face in it
   std::size_t boundaryVertices = 0;
-  double area = 0;     ///< 3D
-  std::string solver;  ///< "known": its layout is that of an earlier run
+  double area = 0;  ///< 3D
+  std::string
+      solver;  ///< "known": its layout is that of an earlier run; "given": that of the input
+  bool fixed = false;  ///< stays where it was
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
+  std::optional<PinReport> pins;  ///< when there are any
   std::vector<std::string> fallbacks;
   std::string problem;
   bool valid = false;
@@ -92,8 +102,12 @@ struct UnwrapChart {
 struct AtlasReport {
   int resolution = 0;       ///< texels along a side
   int padding = 0;          ///< texels
-  double utilization = 0;   ///< uv area of the charts, of 1
+  int tiles = 1;            ///< unit squares, ten in a row: UDIM 1001 and on
+  double utilization = 0;   ///< uv area of the charts, of that of the tiles
   double texelDensity = 0;  ///< texels per unit of length of the mesh
+
+  int columns() const { return tiles < 10 ? tiles : 10; }
+  int rows() const { return (tiles + 9) / 10; }
 };
 
 /// Seconds.
@@ -124,8 +138,9 @@ constexpr std::uint32_t kNoChart = 0xffffffffu;
 /// Two tables of vertices: texcoords are as few as possible, output vertices are input vertices,
 /// one more for each further texcoord of theirs.
 struct UnwrapResult {
-  std::vector<double> uv;               ///< 2 per texcoord, in [0, 1]
-  std::vector<double> unpacked;         ///< the same before packing: charts of their 3D area
+  std::vector<double> uv;        ///< 2 per texcoord, in the square of a tile
+  std::vector<double> unpacked;  ///< the same before packing: charts of their 3D area, NaN where
+                                 ///< they are fixed
   std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
   /// Per input face, index into report.charts: that of its first triangle, or of a neighbour where
   /// it has none; kNoChart where it has no neighbour either.
@@ -141,9 +156,9 @@ struct UnwrapResult {
   UnwrapReport report;              ///< path and timings.read/write/total are the caller's to fill
 };
 
-/// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square. The
-/// result is valid when every chart is and none overlap.
-/// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
+/// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square, or
+/// into as many as it takes. The result is valid when every chart is and none overlap.
+/// Errors: InvalidOption, InvalidMesh, EmptyMesh, Aborted.
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
 
 /// What a later run may know of this one; rows of the table of vertices, not that of texcoords.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "unwrap_known.h"
+
+namespace abflat {
+
+/// Triangles of the surface that keep the texcoords of the input: those of whole uv islands.
+struct FixedTriangles {
+  std::vector<std::uint8_t> isFixed;  ///< per triangle of the surface; empty: none is
+  Seams borders;                      ///< of these islands
+};
+
+/// The islands of `faces`. Errors: InvalidOption names a face that does not exist or that has no
+/// texcoords.
+Result<FixedTriangles> fixedTriangles(const PolygonMesh& input, const WeldedMesh& welded,
+                                      const Surface& surface,
+                                      const std::vector<std::uint32_t>& faces);
+
+/// Seams of a surface in which fixed islands stay whole. `find` cuts the rest, which it gets as a
+/// surface of its own with the seams given for that.
+Seams cutAround(const SeamMesh& mesh, const FixedTriangles& fixed, const Seams& given,
+                const std::function<Seams(const SeamMesh&, Seams)>& find);
+
+/// Sets the layouts of fixed charts. Errors: InvalidOption names a face that is flipped, overlapped
+/// by another one, or not in a tile, of which there are several with `hasTiles`.
+Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTiles,
+                   std::vector<FlatChart>& flat);
+
+}  // namespace abflat
