@@ -98,7 +98,7 @@ Status checkTriangles(const FixedChart& c) {
 /// Within the tile that has the middle of its box.
 Status checkTile(const FixedChart& c, bool hasTiles) {
   constexpr double kLastColumn = 9, kLastRow = 898;  // of UDIM
-  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   for (std::size_t k = 0; k < c.uv.size(); ++k) {
     low[k % 2] = std::min(low[k % 2], c.uv[k]);
     high[k % 2] = std::max(high[k % 2], c.uv[k]);

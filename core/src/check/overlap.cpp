@@ -40,8 +40,8 @@ bool isSeparated(const double* a, const double* b) {
 class Rows {
  public:
   explicit Rows(const std::vector<Box>& boxes) {
-    double high = -INFINITY, sum = 0;
-    low_ = INFINITY;
+    double high = -HUGE_VAL, sum = 0;
+    low_ = HUGE_VAL;
     for (const Box& b : boxes) {
       low_ = std::min(low_, b.low[1]);
       high = std::max(high, b.high[1]);
