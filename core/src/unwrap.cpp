@@ -16,6 +16,7 @@
 #include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
+#include "unwrap_fixed.h"
 #include "unwrap_known.h"
 #include "unwrap_output.h"
 #include "unwrap_seams.h"
@@ -30,6 +31,9 @@ struct Stage {
 };
 constexpr Stage kSurface{"surface", 0, 0.05}, kSeams{"seams", 0.05, 0.2},
     kSolve{"solve", 0.2, 0.85}, kPack{"pack", 0.85, 0.97}, kCheck{"check", 0.97, 1};
+
+/// Coordinates below 16, which is what packing allows for.
+constexpr int kMostTilesInSingle = 160;
 
 class Monitor {
  public:
@@ -58,6 +62,18 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
     return charts[a].triangleCount() > charts[b].triangleCount();
   });
   return order;
+}
+
+/// What the input gives is not to be pinned elsewhere.
+Status checkUnpinned(const std::vector<DiskChart>& charts,
+                     const std::vector<std::vector<ChartPin>>& pins,
+                     const std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (flat[i].isGiven && !pins[i].empty())
+      return {StatusCode::InvalidOption,
+              "vertex " + std::to_string(charts[i].inputVertex[pins[i].front().vertex]) +
+                  " is pinned, but its chart is to keep its texcoords; leave one of them out"};
+  return {};
 }
 
 /// Those that have no layout yet, and those with pins.
@@ -92,7 +108,8 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
     shapes[i].uv = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
     const auto corners = charts[i].vertexOfCorner.begin();
     shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
-    if (charts[i].filledHoles > 0) continue;  // others may lie in its holes
+    // Others may lie in its holes.
+    if (charts[i].filledHoles > 0 || flat[i].isGiven) continue;
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
   }
@@ -102,7 +119,7 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
 /// Charts that stay where they are must be inside the unit square.
 Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i)
-    for (std::size_t k = 0; k < flat[i].fixed.size(); ++k) {
+    for (std::size_t k = 0; k < flat[i].fixed.size() && !flat[i].isGiven; ++k) {
       const double x = flat[i].fixed[k];
       if (x >= 0 && x <= 1) continue;
       return {StatusCode::InvalidOption,
@@ -116,23 +133,54 @@ Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatCh
 /// Moves the layouts to their places.
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (flat[i].isGiven) {
+      flat[i].uv = flat[i].fixed;
+      continue;
+    }
     const Placement& p = packing.placements[i];
     const std::vector<double>& from = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
     flat[i].uv.clear();
     for (std::size_t k = 0; k < from.size(); k += 2)
-      flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]), p.v(&from[k])});
+      flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]) + p.column(), p.v(&from[k]) + p.row()});
   }
+}
+
+Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+               ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat,
+               AtlasReport& atlas) {
+  if (Status s = checkFixed(charts, flat); !s.ok()) return s;
+  PackOptions packing;
+  packing.resolution = options.resolution;
+  packing.padding = options.padding;
+  packing.rotate = options.rotate;
+  packing.texelDensity = options.texelDensity;
+  packing.udim = options.udim;
+  packing.pool = &pool;
+  packing.progress = [&](double share) { return monitor.tell(kPack, share); };
+  const Result<Packing> packed = pack(shapesOf(charts, flat), packing);
+  if (!packed.ok()) return packed.status;
+  place(packed.value, flat);
+  atlas = {options.resolution, options.padding, static_cast<int>(packed.value.tiles),
+           packed.value.utilization, packed.value.texelDensity};
+  return {};
 }
 
 /// All charts in the atlas, rounded or as they are.
 void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, ThreadPool& pool,
-              std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
+              std::vector<FlatChart>& flat, UnwrapReport& report) {
   const auto check = [&] {
-    parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(charts[i], flat[i]); });
+    parallelFor(&pool, flat.size(), [&](std::size_t i) {
+      if (!flat[i].isGiven) checkInPlace(charts[i], flat[i]);
+    });
   };
-  if (!options.roundsToSingle && !options.roundsForGltf) return check();
+  const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
+  if (options.roundsToSingle && !isFine)
+    report.notes.push_back("texcoords are in double precision: single is too coarse for " +
+                           std::to_string(report.atlas.tiles) + " tiles");
+  if (!options.roundsForGltf && !(options.roundsToSingle && isFine)) return check();
   const std::vector<FlatChart> asTheyAre = flat;
   for (FlatChart& chart : flat) {
+    if (chart.isGiven) continue;
     if (!chart.isFixed())
       roundInAtlas(chart.uv);
     else if (options.roundsForGltf)
@@ -148,8 +196,9 @@ void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options
   if (lost == 0) return;
   flat = asTheyAre;
   check();
-  notes.push_back("texcoords are in double precision: rounded to single, " + std::to_string(lost) +
-                  (lost == 1 ? " chart" : " charts") + " would not be valid");
+  report.notes.push_back("texcoords are in double precision: rounded to single, " +
+                         std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
+                         " would not be valid");
 }
 
 /// Charts are factored in the order that was found for the whole surface.
@@ -165,6 +214,9 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   Monitor monitor(options.progress);
   const Status aborted{StatusCode::Aborted, "cancelled"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
+  if (options.udim && options.texelDensity == kAutoTexelDensity)
+    return Status{StatusCode::InvalidOption,
+                  "several tiles (udim) are for a texel density, which is auto: give a number"};
   if (mesh.faceCount() == 0) return Status{StatusCode::EmptyMesh, "the mesh has no faces"};
   if (!monitor.tell(kSurface)) return aborted;
   UnwrapResult out;
@@ -182,14 +234,16 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!monitor.tell(kSeams)) return aborted;
   ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
   report.threads = pool.threads();
-  Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
+  const Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
-  const OpenSurface cut = openSurface(
-      welded, surface, given.value, options, pool, [&] { return monitor.tell(kSeams); },
-      report.seams);
+  const Result<FixedTriangles> fixed = fixedTriangles(mesh, welded, surface, options.fixedFaces);
+  if (!fixed.ok()) return fixed.status;
+  const OpenSurface open = openSurface(
+      welded, surface, given.value, fixed.value, options, pool,
+      [&] { return monitor.tell(kSeams); }, report.seams);
   if (monitor.stopped()) return aborted;
-  ChartSet set = makeCharts(welded.mesh, cut.disks);
-  orderCharts(cut.place, set.charts);
+  ChartSet set = makeCharts(welded.mesh, open.disks);
+  orderCharts(open.place, set.charts);
   const Texcoords texcoords = numberTexcoords(welded, surface, set);
   const Result<std::vector<std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh, texcoords, options.pins);
@@ -197,31 +251,24 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
-  Result<std::vector<FlatChart>> known = knownCharts({mesh, welded, surface, set}, options, pool);
+  const CutMesh cut{mesh, welded, surface, set};
+  Result<std::vector<FlatChart>> known = knownCharts(cut, options, pool);
   if (!known.ok()) return known.status;
   std::vector<FlatChart>& flat = known.value;
+  if (Status s = layOutFixed(cut, fixed.value, options.udim, flat); !s.ok()) return s;
+  if (Status s = checkUnpinned(set.charts, pins.value, flat); !s.ok()) return s;
   flattenAll(set.charts, pins.value, options, pool, monitor, flat);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 
   if (!monitor.tell(kPack)) return aborted;
-  if (Status s = checkFixed(set.charts, flat); !s.ok()) return s;
-  PackOptions packing;
-  packing.resolution = options.resolution;
-  packing.padding = options.padding;
-  packing.pool = &pool;
-  packing.progress = [&](double share) { return monitor.tell(kPack, share); };
-  const Result<Packing> packed = pack(shapesOf(set.charts, flat), packing);
-  if (!packed.ok()) return packed.status;
-  place(packed.value, flat);
-  report.atlas = {options.resolution, options.padding, packed.value.utilization,
-                  packed.value.texelDensity};
+  if (Status s = packAll(set.charts, options, pool, monitor, flat, report.atlas); !s.ok()) return s;
   report.timings.pack = watch.lap();
 
   if (!monitor.tell(kCheck)) return aborted;
-  checkAll(set.charts, options, pool, flat, report.notes);
+  checkAll(set.charts, options, pool, flat, report);
   fillOutput(mesh, welded, surface, set, texcoords, flat, out);
-  out.seams = seamEdges(mesh, welded, surface, cut.seams);
+  out.seams = seamEdges(mesh, welded, surface, open.seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();
   return out;

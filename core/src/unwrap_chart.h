@@ -16,6 +16,7 @@ struct FlatChart {
   std::vector<double> uv;        ///< in the atlas
   Attempt attempt;               ///< its own uv is gone
   std::string problem;           ///< why it is not valid, one sentence; empty when it is
+  bool isGiven = false;          ///< `fixed` is what the input has, and has been checked
 
   bool isFixed() const { return !fixed.empty(); }
 };

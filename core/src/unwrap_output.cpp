@@ -88,6 +88,7 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
   row.filledHoles = chart.filledHoles;
   row.area = surfaceArea(chart) * chart.unit * chart.unit;
   row.solver = a.solver;
+  row.fixed = flat.isFixed();
   row.iterations = static_cast<int>(a.solution.history.size());
   row.angularDistortion = a.distortion.angular;
   row.quasiConformalMean = a.distortion.quasiConformalMean;

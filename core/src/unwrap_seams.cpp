@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hole/fill_holes.h"
+#include "seam/extract_charts.h"
 #include "seam/find_seams.h"
 
 namespace abflat {
@@ -25,15 +26,44 @@ Opened openAlong(const WeldedMesh& welded, const Surface& surface, const Seams& 
   return out;
 }
 
+/// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
+Seams findAround(const SeamMesh& mesh, const std::vector<std::uint8_t>& isFixed,
+                 const SeamOptions& wanted, SeamReport& found) {
+  if (isFixed.empty()) return findSeams(mesh, {}, wanted, &found);
+  const CutSurface islands = cutAlong(mesh, Seams(mesh.twin.size(), 0));
+  std::vector<std::uint8_t> isWanted;
+  for (const CutSurface::Chart& chart : islands.charts)
+    isWanted.push_back(!isFixed[chart.firstTriangle]);
+  const SeamPart rest = extractCharts(mesh, islands, isWanted);
+  const Seams ofRest = findSeams(rest.mesh, {}, wanted, &found);
+  Seams seams(mesh.twin.size(), 0);
+  for (std::size_t h = 0; h < ofRest.size(); ++h)
+    if (ofRest[h]) seams[rest.halfEdge[h]] = 1;
+  std::vector<std::uint32_t> place(mesh.vertexCount(), 0);
+  for (std::size_t v = 0; v < found.place.size(); ++v) place[rest.vertex[v]] = found.place[v];
+  found.place = std::move(place);
+  return seams;
+}
+
+/// What is given, without what lies within fixed islands, and the borders of these.
+Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
+  if (fixed.isFixed.empty()) return given;
+  Seams out = fixed.borders;
+  for (std::size_t h = 0; h < out.size(); ++h)
+    if (given[h] && !fixed.isFixed[h / 3]) out[h] = 1;
+  return out;
+}
+
 }  // namespace
 
-OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& given,
-                        const UnwrapOptions& options, ThreadPool& pool,
+OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
+                        const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
                         std::function<bool()> keepsOn, SeamSummary& summary) {
+  const Seams given = withBorders(asked, fixed);
   const Opened opened = openAlong(welded, surface, given);
   SeamMesh mesh = makeSeamMesh(welded.mesh.positions, opened.table, opened.fans,
                                surface.triangulation.isDiagonal);
-  fillHoles(options.fillHoles, mesh);
+  fillHoles(options.fillHoles, fixed.isFixed, mesh);
   SeamOptions wanted;
   wanted.isAuto = options.seams.isAuto;
   wanted.maxStretch = options.maxStretch;
@@ -42,7 +72,7 @@ OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const 
   wanted.keepsOn = std::move(keepsOn);
   SeamReport found;
   OpenSurface out;
-  out.seams = findSeams(mesh, {}, wanted, &found);
+  out.seams = findAround(mesh, fixed.isFixed, wanted, found);
   out.disks = filledTable(mesh, opened.fans.inputVertex, out.seams);
   out.place.resize(welded.mesh.vertexCount());
   for (std::size_t i = 0; i < found.place.size(); ++i)

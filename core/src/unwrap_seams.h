@@ -8,6 +8,7 @@
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
 #include "parallel.h"
+#include "unwrap_fixed.h"
 
 namespace abflat {
 
@@ -19,8 +20,8 @@ struct OpenSurface {
 };
 
 /// Cuts the surface and fills the holes of its charts; `keepsOn` as in SeamOptions.
-OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& given,
-                        const UnwrapOptions& options, ThreadPool& pool,
+OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
+                        const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
                         std::function<bool()> keepsOn, SeamSummary& summary);
 
 }  // namespace abflat

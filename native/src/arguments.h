@@ -7,6 +7,7 @@
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "abflat/unwrap.h"
+#include "kept_faces.h"
 
 namespace abflat::cli {
 
@@ -19,7 +20,8 @@ struct UnwrapCommand {
   std::string report;        ///< empty: none is wanted
   UnwrapOptionValues options;
   SeamSources seams;
-  std::string seamFile;    ///< edges to cut along; empty: none
+  std::string seamFile;  ///< edges to cut along; empty: none
+  KeptFaces keep;
   std::string pins;        ///< file with pinned vertices; empty: none
   std::string writeSeams;  ///< file for the edges that were cut; empty: none is wanted
   std::string layout;      ///< picture of the atlas, .svg or .png; empty: none is wanted

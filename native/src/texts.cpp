@@ -72,7 +72,9 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << "\n"
       << "  distortion: angles " << report.angularDistortion << ", conformal "
       << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
-      << "  atlas: " << report.atlas.resolution << " x " << report.atlas.resolution << ", "
+      << "  atlas: "
+      << (report.atlas.tiles > 1 ? std::to_string(report.atlas.tiles) + " tiles of " : "")
+      << report.atlas.resolution << " x " << report.atlas.resolution << ", "
       << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
       << " texels per unit\n";
   for (const std::string& note : report.notes) out << "  " << note << "\n";

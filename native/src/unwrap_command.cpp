@@ -31,6 +31,9 @@ struct UnwrapJob {
       if (!edges.ok()) return edges.status;
       options.seams.edges = std::move(edges.value);
     }
+    Result<std::vector<std::uint32_t>> kept = facesToKeep(command.keep, mesh);
+    if (!kept.ok()) return kept.status;
+    options.fixedFaces = std::move(kept.value);
     if (!command.pins.empty()) {
       Result<std::vector<Pin>> pins = readPins(command.pins);
       if (!pins.ok()) return pins.status;

@@ -13,19 +13,27 @@ export function parseObj(text) {
   return out;
 }
 
-/** Sentences about what is wrong with the texcoords of a text; empty when nothing is. */
-export function complaints(text) {
+/** Sentences about what is wrong with the texcoords of a text; empty when nothing is. Each chart is to lie in one tile. */
+export function complaints(text, tiles = 1) {
   const { positions, texcoords, faces } = parseObj(text);
   const found = [];
   for (const [i, uv] of texcoords.entries())
-    if (!uv.every((x) => x >= 0 && x <= 1)) found.push(`texcoord ${i} is ${uv}`);
+    if (!(tileOf(uv) < tiles)) found.push(`texcoord ${i} is ${uv}`);
   for (const [f, face] of faces.entries()) {
     if (face.some(([, t]) => !(t >= 0 && t < texcoords.length)))
       found.push(`face ${f} has a corner without texcoord`);
+    else if (new Set(face.map(([, t]) => tileOf(texcoords[t]))).size > 1)
+      found.push(`face ${f} lies in several tiles`);
     else if (areaOf(face.map(([v]) => positions[v])) > 0 && !isPositive(face, texcoords))
       found.push(`face ${f} is turned over or has no area`);
   }
   return found;
+}
+
+/** Number of the tile around a point, ten in a row; NaN where there is none. Points of a border belong to either. */
+function tileOf([u, v]) {
+  const [column, row] = [u, v].map((x) => Math.max(0, Math.ceil(x) - 1));
+  return u >= 0 && u <= 10 && v >= 0 ? 10 * row + column : Number.NaN;
 }
 
 /** Chart number per face, and how many there are: faces that share both texcoords of an edge. */

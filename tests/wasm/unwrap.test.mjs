@@ -308,6 +308,59 @@ test('known: what is no result, or that of another mesh, is refused', async () =
     await assertFails(abflat.unwrap(arraysOf(CUBE), { known }), 'InvalidOption', pattern);
 });
 
+test('fixedFaces: islands stay as they are, of arrays and of files', async () => {
+  const mesh = arraysOf(SURFACES['sphere-and-torus']);
+  const { uv, indices, vertexMap, chartOfTriangle, report, obj } = await abflat.unwrap(mesh, {
+    obj: true,
+  });
+  const positions = Float64Array.from(
+    [...vertexMap].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]),
+  );
+  const fixedFaces = Uint32Array.of(report.charts[0].firstFace);
+  const isKept = (f) => chartOfTriangle[f] === 0;
+  for (const input of [
+    { positions, indices, texcoords: uv },
+    { bytes: obj, name: 'before.obj' },
+  ]) {
+    const after = await abflat.unwrap(input, { fixedFaces, seams: 'auto,sharp=50' });
+    assert.equal(after.report.valid, true);
+    assert.deepEqual(
+      after.report.charts.map(({ fixed }) => fixed),
+      after.report.charts.map((_, i) => i === after.chartOfTriangle[fixedFaces[0]]),
+    );
+    for (let h = 0; h < indices.length; ++h) {
+      const f = Math.floor(h / 3);
+      assert.equal(after.report.charts[after.chartOfTriangle[f]].fixed, isKept(f));
+      if (!isKept(f)) continue;
+      const [v, w] = [after.indices[h], indices[h]];
+      assert.deepEqual([...after.uv.slice(2 * v, 2 * v + 2)], [...uv.slice(2 * w, 2 * w + 2)]);
+      assert.ok(Number.isNaN(after.unpacked[2 * v]));
+    }
+    const again = await abflat.unwrap(input, { known: after, seams: 'auto,sharp=50' });
+    assert.equal(solvers(again).includes('given'), false);
+  }
+});
+
+test('texelDensity and udim: tiles beside each other at the scale that was asked for', async () => {
+  const mesh = arraysOf(SURFACES.torus);
+  const { report, uv } = await abflat.unwrap(mesh, {
+    texelDensity: 700,
+    udim: true,
+    rotate: false,
+  });
+  assert.equal(report.valid, true);
+  assert.equal(report.atlas.texelDensity, 700);
+  assert.equal(report.options.texelDensity, 700);
+  assert.ok(report.atlas.tiles > 1 && report.atlas.tiles <= 10);
+  const us = uv.filter((_, i) => i % 2 === 0);
+  assert.equal(Math.ceil(us.reduce((a, b) => Math.max(a, b))), report.atlas.tiles);
+  await assertFails(
+    abflat.unwrap(mesh, { texelDensity: 7e4 }),
+    'InvalidOption',
+    /lower the density/,
+  );
+});
+
 test('a disk becomes one chart with the angles of flatten', async () => {
   const mesh = grid(8);
   const flat = await abflat.flatten(mesh);
@@ -384,6 +437,10 @@ const REFUSED = [
   [{ seamEdges: Uint32Array.of(0, 1, 2) }, /multiple of 2/],
   [{ seamEdges: Uint32Array.of(0, 99) }, /0-99.*99/],
   [{ seamEdges: Uint32Array.of(0, 7) }, /0-7 is no edge/],
+  [{ fixedFaces: [0] }, /fixedFaces must be a Uint32Array/],
+  [{ fixedFaces: Uint32Array.of(0) }, /the mesh has none/],
+  [{ udim: true }, /texel density/],
+  [{ texelDensity: 0 }, /texelDensity must be a number above 0/],
   [{ obj: 1 }, /obj/],
 ];
 

@@ -123,6 +123,12 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatSeamEdges(Job* job, std::size_t count)
   return edges.empty() ? nullptr : edges.front().data();
 }
 
+/// Room for faces that keep their texcoords.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count) {
+  job->unwrapOptions.fixedFaces.resize(count);
+  return job->unwrapOptions.fixedFaces.data();
+}
+
 /// Room for an array of a known layout, `size` numbers; Field says which.
 EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);

@@ -32,6 +32,7 @@ import {
   checkNumber,
   checkSignal,
   checkString,
+  faceNumbers,
   flattenNumbers,
   KEYS,
   knownArrays,
@@ -124,6 +125,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     values: unwrapNumbers(options),
     seams,
     seamEdges: seamVertices(options.seamEdges),
+    fixedFaces: faceNumbers(options.fixedFaces),
     known: knownArrays(options.known),
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));

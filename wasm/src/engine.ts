@@ -181,13 +181,13 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, known } = request;
+    const { values, seams, seamEdges, fixedFaces, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
         if (seams !== undefined) this.#writeText(seams, (bytes) => native._abflatSeams(job, bytes));
-        const edges = native._abflatSeamEdges(job, seamEdges.length / 2) >>> 0;
-        new Uint32Array(this.#memory.buffer, edges, seamEdges.length).set(seamEdges);
+        this.#writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
+        this.#writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         if (known !== undefined) this.#writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,
@@ -306,20 +306,13 @@ export class Engine {
       mesh.bytes = new Uint8Array();
       return;
     }
+    const native = this.#native;
     const { positions, indices, texcoords, materials } = mesh;
     this.#writeName(job, 'arrays');
-    const xyz = this.#native._abflatPositions(job, positions.length) >>> 0;
-    new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
-    const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
-    new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
-    if (texcoords) {
-      const uv = this.#native._abflatTexcoords(job, texcoords.length) >>> 0;
-      new Float64Array(this.#memory.buffer, uv, texcoords.length).set(texcoords);
-    }
-    if (materials) {
-      const start = this.#native._abflatMaterials(job, materials.length) >>> 0;
-      new Uint32Array(this.#memory.buffer, start, materials.length).set(materials);
-    }
+    this.#writeReals(native._abflatPositions(job, positions.length), positions);
+    this.#writeNumbers(native._abflatIndices(job, indices.length), indices);
+    if (texcoords) this.#writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
+    if (materials) this.#writeNumbers(native._abflatMaterials(job, materials.length), materials);
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
   }
@@ -328,10 +321,13 @@ export class Engine {
     const entries = Object.entries(arrays);
     this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
     for (const [name, array] of entries) {
-      const field = FIELD[name as keyof typeof arrays];
-      const start = this.#native._abflatKnown(job, field, array.length) >>> 0;
-      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-      new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
+      const start = this.#native._abflatKnown(
+        job,
+        FIELD[name as keyof typeof arrays],
+        array.length,
+      );
+      if (array instanceof Float64Array) this.#writeReals(start, array);
+      else this.#writeNumbers(start, array);
     }
     this.#native._abflatKnownT(job, t);
   }
@@ -349,6 +345,15 @@ export class Engine {
   /** Sizes beyond 32 bits must not reach the module. */
   #checkBytes(bytes: number): void {
     if (bytes >= this.#maxMemory) throw new OutOfMemory();
+  }
+
+  /** At an address as the module returns it. */
+  #writeReals(address: number, values: Float32Array | Float64Array): void {
+    new Float64Array(this.#memory.buffer, address >>> 0, values.length).set(values);
+  }
+
+  #writeNumbers(address: number, values: Uint32Array | Uint16Array): void {
+    new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
   }
 
   #writeName(job: number, name: string): void {

@@ -109,6 +109,9 @@ export interface UnwrapOptionValues {
   t: number | 'auto';
   resolution: number;
   padding: number;
+  texelDensity: number | 'auto';
+  udim: boolean;
+  rotate: boolean;
   memory: number | 'auto';
   threads: number;
 }
@@ -119,6 +122,9 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   t: 'auto',
   resolution: 1024,
   padding: 2,
+  texelDensity: 'auto',
+  udim: false,
+  rotate: true,
   memory: 'auto',
   threads: 0,
 };
@@ -128,8 +134,11 @@ export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.04, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
-  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 65536, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 65536, whole' },
+  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 32768, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
+  texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)', range: 'above 0, or auto' },
+  udim: { type: 'boolean', default: false, text: 'as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10', range: '' },
+  rotate: { type: 'boolean', default: true, text: 'turning of charts as they fit best', range: '' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },
 } as const;

@@ -57,6 +57,7 @@ export interface UnwrapRequest extends LayoutRequest {
   seams?: string;
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
+  fixedFaces: Uint32Array;
   known?: KnownArrays;
 }
 

@@ -5,7 +5,7 @@ import type { FlattenOptionValues, UnwrapOptionValues } from './generated.js';
 export interface MeshArrays {
   positions: Float32Array | Float64Array;
   indices: Uint32Array | Uint16Array;
-  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'`. */
+  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'` and `fixedFaces`. */
   texcoords?: Float32Array | Float64Array;
   /** A number per triangle: for `seams: 'material'`. */
   materials?: Uint32Array | Uint16Array;
@@ -214,6 +214,8 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   seams?: string;
   /** Edges to cut beside those, two vertices of the input each. */
   seamEdges?: Uint32Array;
+  /** Faces of the input whose uv islands stay exactly as they are; all others are packed around them. */
+  fixedFaces?: Uint32Array;
   /** Charts that have the triangles and the outline of one of these, and the same `t`, are not flattened again. */
   known?: KnownLayout;
   onProgress?: (progress: UnwrapProgress) => void;
@@ -248,8 +250,10 @@ export interface UnwrapChart {
   filledHoles: number;
   /** In 3D. */
   area: number;
-  /** As in ChartReport, or `known`: the layout is that of an earlier call. */
+  /** As in ChartReport, or `known`: the layout is that of an earlier call, or `given`: that of the input. */
   solver: string;
+  /** Stays where it was. */
+  fixed: boolean;
   iterations: number;
   angularDistortion: number;
   quasiConformal: { mean: number; max: number };
@@ -292,7 +296,9 @@ export interface UnwrapReport {
     resolution: number;
     /** Texels. */
     padding: number;
-    /** Share of the square that charts cover. */
+    /** Unit squares, ten in a row: UDIM 1001 and on. */
+    tiles: number;
+    /** Share of the tiles that charts cover. */
     utilization: number;
     /** Texels per unit of length of the mesh. */
     texelDensity: number;
@@ -309,7 +315,7 @@ export interface UnwrapReport {
 }
 
 /**
- * `uv` is in [0, 1]. Without `obj` its numbers are single precision ones, where the charts stay valid: copied to a
+ * `uv` is in [0, 1], with `udim` in the square of a tile. Without `obj` its numbers are single precision ones, where the charts stay valid: copied to a
  * Float32Array they are what was checked. A vertex of the input is there once for every uv that it has. Triangles are in the
  * order of the input's faces, and a triangle mesh keeps all of them.
  */
@@ -318,7 +324,7 @@ export interface UnwrapResult extends Layout<UnwrapReport> {
   chartOfTriangle: Uint32Array;
   /** Edges that were cut, two vertices of the input each. */
   seams: Uint32Array;
-  /** `uv` before packing, in double precision: every chart in the unit of the input, with the area that it has in 3D. */
+  /** `uv` before packing, in double precision: every chart in the unit of the input, with the area that it has in 3D; NaN where it is fixed. */
   unpacked: Float64Array;
 }
 

@@ -19,7 +19,14 @@ const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
-  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', 'known', ...OF_LAYOUT],
+  unwrap: [
+    ...Object.keys(UNWRAP_OPTIONS),
+    'seams',
+    'seamEdges',
+    'fixedFaces',
+    'known',
+    ...OF_LAYOUT,
+  ],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -162,15 +169,23 @@ export function knownArrays(known: unknown): KnownArrays | undefined {
   };
 }
 
-/** A copy: the caller's buffer stays. */
+/** A copy: the caller's buffer stays. `what` its elements are, in words. */
+function numbers(name: string, what: string, values: unknown): Uint32Array {
+  if (values === undefined) return new Uint32Array();
+  if (tagOf(values) !== 'Uint32Array')
+    throw invalid(`${name} must be a Uint32Array of ${what}, not ${tagOf(values)}.`);
+  return new Uint32Array(values as Uint32Array);
+}
+
 export function seamVertices(edges: unknown): Uint32Array {
-  if (edges === undefined) return new Uint32Array();
-  if (tagOf(edges) !== 'Uint32Array')
-    throw invalid(`seamEdges must be a Uint32Array of vertex pairs, not ${tagOf(edges)}.`);
-  const pairs = edges as Uint32Array;
+  const pairs = numbers('seamEdges', 'vertex pairs', edges);
   if (pairs.length % 2 !== 0)
     throw invalid(`seamEdges has ${pairs.length} elements, not a multiple of 2.`);
-  return new Uint32Array(pairs);
+  return pairs;
+}
+
+export function faceNumbers(faces: unknown): Uint32Array {
+  return numbers('fixedFaces', 'face numbers', faces);
 }
 
 function checkIndex(name: string, kind: string, value: unknown): void {

@@ -59,8 +59,8 @@ std::string svgFile(const std::string& heading, const std::vector<Drawing>& draw
 constexpr int kMostPictureTexels = 16384;
 
 /// An atlas to paint on, as a PNG file of a pixel per texel: charts in pale colours, edges thin,
-/// outlines thick; transparent elsewhere. `mesh` is what was unwrapped. Errors: InvalidOption when
-/// the resolution is above kMostPictureTexels.
+/// outlines thick; transparent elsewhere. Tiles lie side by side. `mesh` is what was unwrapped.
+/// Errors: InvalidOption when a side would be above kMostPictureTexels.
 Result<std::string> atlasPng(const PolygonMesh& mesh, const UnwrapResult& result);
 
 /// The same as an SVG file, each chart a group. With `millimetres` for a unit of the mesh the

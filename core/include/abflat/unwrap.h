@@ -46,6 +46,9 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// Charts that have the triangles and the outline of one of these are not flattened again, which
   /// is for changing seams little by little. No triangles: nothing is known.
   KnownLayout known;
+  /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
+  /// them. Islands are bounded by edges with different texcoords on their two sides.
+  std::vector<std::uint32_t> fixedFaces;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
   /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;
@@ -89,7 +92,9 @@ struct UnwrapChart {
   std::size_t boundaryVertices = 0;  ///< of the outer boundary
   std::size_t filledHoles = 0;
   double area = 0;  ///< 3D
-  std::string solver;  ///< "known": its layout is that of an earlier run
+  /// "known": its layout is that of an earlier run; "given": that of the input.
+  std::string solver;
+  bool fixed = false;  ///< stays where it was
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
@@ -102,8 +107,12 @@ struct UnwrapChart {
 struct AtlasReport {
   int resolution = 0;       ///< texels along a side
   int padding = 0;          ///< texels
-  double utilization = 0;   ///< uv area of the charts, of 1
+  int tiles = 1;            ///< unit squares, ten in a row: UDIM 1001 and on
+  double utilization = 0;   ///< uv area of the charts, of that of the tiles
   double texelDensity = 0;  ///< texels per unit of length of the mesh
+
+  int columns() const { return tiles < 10 ? tiles : 10; }
+  int rows() const { return (tiles + 9) / 10; }
 };
 
 /// Seconds.
@@ -134,8 +143,9 @@ constexpr std::uint32_t kNoChart = 0xffffffffu;
 /// Two tables of vertices: texcoords are as few as possible, output vertices are input vertices,
 /// one more for each further texcoord of theirs.
 struct UnwrapResult {
-  std::vector<double> uv;               ///< 2 per texcoord, in [0, 1]
-  std::vector<double> unpacked;         ///< the same before packing: charts of their 3D area
+  std::vector<double> uv;        ///< 2 per texcoord, in the square of a tile
+  std::vector<double> unpacked;  ///< the same before packing: charts of their 3D area, NaN where
+                                 ///< they are fixed
   std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
   /// Per input face, index into report.charts: that of its first triangle, or of a neighbour where
   /// it has none; kNoChart where it has no neighbour either.
@@ -151,9 +161,9 @@ struct UnwrapResult {
   UnwrapReport report;              ///< path and timings.read/write/total are the caller's to fill
 };
 
-/// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square. The
-/// result is valid when every chart is and none overlap.
-/// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
+/// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square, or
+/// into as many as it takes. The result is valid when every chart is and none overlap.
+/// Errors: InvalidOption, InvalidMesh, EmptyMesh, Aborted.
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
 
 /// What a later run may know of this one; rows of the table of vertices, not that of texcoords.

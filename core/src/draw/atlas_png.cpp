@@ -24,20 +24,21 @@ class AtlasPainter {
   AtlasPainter(const PolygonMesh& mesh, const UnwrapResult& result)
       : result_(result),
         side_(result.report.atlas.resolution),
+        width_(side_ * result.report.atlas.columns()),
+        height_(side_ * result.report.atlas.rows()),
         polygons_(atlasPolygons(mesh, result)),
         edges_(atlasEdges(polygons_, result)) {}
 
   /// `colourOf` a face. Outlines are always drawn.
   std::string png(const std::function<Rgb(std::uint32_t)>& colourOf, bool hasInnerEdges) const {
-    const auto side = static_cast<std::uint32_t>(side_);
     const auto areas = byBand(polygons_.count(), 0, [&](std::uint32_t i) { return pointsOf(i); });
     const auto inner = linesByBand(hasInnerEdges, edges_.inner);
     const auto outline = linesByBand(true, edges_.outline);
     const float thinOpacity = innerOpacity();
-    PngWriter out(side, side);
+    PngWriter out(static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_));
     for (std::size_t b = 0; b < areas.size(); ++b) {
       const int firstRow = static_cast<int>(b) * kBandRows;
-      Band band(side_, firstRow, std::min(kBandRows, side_ - firstRow));
+      Band band(width_, firstRow, std::min(kBandRows, height_ - firstRow));
       for (const std::uint32_t i : areas[b]) band.fill(pointsOf(i), colourOf(polygons_.face[i]));
       for (const std::uint32_t e : inner[b]) draw(band, Band::Line::Thin, edges_.inner[e], kThin);
       for (const std::uint32_t e : outline[b])
@@ -53,7 +54,7 @@ class AtlasPainter {
   /// v goes up, rows go down.
   Point at(std::uint32_t texcoord) const {
     const double* uv = &result_.uv[2 * static_cast<std::size_t>(texcoord)];
-    return {uv[0] * side_, (1 - uv[1]) * side_};
+    return {uv[0] * side_, height_ - uv[1] * side_};
   }
 
   std::vector<Point> pointsOf(std::uint32_t polygon) const {
@@ -67,13 +68,13 @@ class AtlasPainter {
   template <class Points>
   std::vector<std::vector<std::uint32_t>> byBand(std::size_t count, double margin,
                                                  const Points& points) const {
-    const int bands = (side_ + kBandRows - 1) / kBandRows;
+    const int bands = (height_ + kBandRows - 1) / kBandRows;
     const auto bandOf = [&](double y) {
       return static_cast<std::size_t>(std::clamp(std::floor(y / kBandRows), 0.0, bands - 1.0));
     };
     std::vector<std::vector<std::uint32_t>> out(static_cast<std::size_t>(bands));
     for (std::uint32_t i = 0; i < count; ++i) {
-      double low = side_, high = 0;
+      double low = height_, high = 0;
       for (const Point& p : points(i)) {
         low = std::min(low, p.y);
         high = std::max(high, p.y);
@@ -108,13 +109,15 @@ class AtlasPainter {
   }
 
   const UnwrapResult& result_;
-  int side_;
+  int side_, width_, height_;
   AtlasPolygons polygons_;
   AtlasEdges edges_;
 };
 
 Status checkSize(const UnwrapResult& result) {
-  if (result.report.atlas.resolution <= kMostPictureTexels) return {};
+  const AtlasReport& atlas = result.report.atlas;
+  // Both are at most 2^16 texels times 900 rows.
+  if (atlas.resolution * std::max(atlas.columns(), atlas.rows()) <= kMostPictureTexels) return {};
   return {StatusCode::InvalidOption, "pictures have at most " + std::to_string(kMostPictureTexels) +
                                          " pixels along a side; lower the resolution, or ask for "
                                          "SVG"};

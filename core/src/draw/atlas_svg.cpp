@@ -42,13 +42,14 @@ std::vector<ChartTrails> trailsByChart(const PolygonMesh& mesh, const UnwrapResu
   return out;
 }
 
-std::string pathOf(const Trails& trails, const std::vector<double>& uv) {
+/// `top`: the v of the upper border.
+std::string pathOf(const Trails& trails, const std::vector<double>& uv, int top) {
   SvgPath path;
   for (const std::vector<std::uint32_t>& trail : trails) {
     const bool isClosed = trail.size() > 2 && trail.front() == trail.back();
     for (std::size_t i = 0; i + (isClosed ? 1 : 0) < trail.size(); ++i) {
       const double* at = &uv[2 * static_cast<std::size_t>(trail[i])];
-      path.add(i == 0, at[0] * kSide, (1 - at[1]) * kSide);
+      path.add(i == 0, at[0] * kSide, (top - at[1]) * kSide);
     }
     if (isClosed) path.close();
   }
@@ -62,7 +63,8 @@ std::string lengthText(double value) {
 }
 
 struct Size {
-  std::string text;            ///< of a side of the picture
+  double side = 0;             ///< of a tile
+  const char* unit = "";       ///< of that
   double thin = 0, thick = 0;  ///< lines, in units of the drawing
 };
 
@@ -70,31 +72,32 @@ Size sizeOf(const AtlasReport& atlas, double millimetres) {
   constexpr double kThinPixels = 0.5, kThickPixels = 2, kThinMm = 0.1, kThickMm = 0.4;
   if (!(millimetres > 0 && atlas.texelDensity > 0)) {
     const double unit = kSide / atlas.resolution;
-    return {lengthText(atlas.resolution), kThinPixels * unit, kThickPixels * unit};
+    return {static_cast<double>(atlas.resolution), "", kThinPixels * unit, kThickPixels * unit};
   }
   const double side = atlas.resolution / atlas.texelDensity * millimetres, unit = kSide / side;
   // Lines must not be wider than charts are where these are tiny.
   const double most = kSide / 100;
-  return {lengthText(side) + "mm", std::min(kThinMm * unit, most / 4),
-          std::min(kThickMm * unit, most)};
+  return {side, "mm", std::min(kThinMm * unit, most / 4), std::min(kThickMm * unit, most)};
 }
 
 }  // namespace
 
 std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double millimetres) {
-  const Size size = sizeOf(result.report.atlas, millimetres);
+  const AtlasReport& atlas = result.report.atlas;
+  const Size size = sizeOf(atlas, millimetres);
   const std::vector<ChartTrails> charts = trailsByChart(mesh, result);
   SvgWriter out;
   out.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
   out.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"width", size.text},
-                   {"height", size.text},
-                   {"viewBox", "0 0 " + svgNumber(kSide) + " " + svgNumber(kSide)},
+                   {"width", lengthText(size.side * atlas.columns()) + size.unit},
+                   {"height", lengthText(size.side * atlas.rows()) + size.unit},
+                   {"viewBox", "0 0 " + svgNumber(kSide * atlas.columns()) + " " +
+                                   svgNumber(kSide * atlas.rows())},
                    {"stroke", kInk},
                    {"stroke-linejoin", "round"},
                    {"stroke-linecap", "round"}});
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const std::string outline = pathOf(charts[i].outline, result.uv);
+    const std::string outline = pathOf(charts[i].outline, result.uv, atlas.rows());
     out.open("g", {{"id", "chart-" + std::to_string(i)}});
     out.add("path", {{"class", "area"},
                      {"d", outline},
@@ -102,7 +105,7 @@ std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double
                      {"stroke", "none"}});
     if (!charts[i].inner.empty())
       out.add("path", {{"class", "edges"},
-                       {"d", pathOf(charts[i].inner, result.uv)},
+                       {"d", pathOf(charts[i].inner, result.uv, atlas.rows())},
                        {"fill", "none"},
                        {"stroke-width", size.thin}});
     out.add("path",

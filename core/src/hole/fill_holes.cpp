@@ -129,9 +129,11 @@ double lengthOf(const SeamMesh& mesh, const std::vector<std::uint32_t>& loop) {
 }
 
 /// All loops but the longest one of each chart.
-std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s) {
+std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
+                                   const std::vector<std::uint8_t>& isFixed) {
   std::vector<std::uint32_t> out;
   for (const CutSurface::Chart& chart : s.charts) {
+    if (!isFixed.empty() && isFixed[chart.firstTriangle]) continue;
     std::uint32_t longest = chart.loopBegin;
     double length = 0;
     for (std::uint32_t i = 0; chart.loops > 1 && i < chart.loops; ++i) {
@@ -149,11 +151,11 @@ std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s) {
 
 }  // namespace
 
-void fillHoles(FillHoles mode, SeamMesh& mesh) {
+void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh) {
   const bool isOpen = std::find(mesh.twin.begin(), mesh.twin.end(), kNone) != mesh.twin.end();
   if (mode == FillHoles::Never || !isOpen) return;
   const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
-  const std::vector<std::uint32_t> holes = holesOf(mesh, s);
+  const std::vector<std::uint32_t> holes = holesOf(mesh, s, isFixed);
   if (holes.empty()) return;
   const double seamCost = mode == FillHoles::Always ? std::numeric_limits<double>::infinity() : 0;
   mesh.hole.assign(mesh.triangleCount(), kNone);

@@ -7,8 +7,9 @@ namespace abflat {
 
 /// Adds triangles without area that fill holes: boundary loops of a chart other than its longest
 /// one. Those that cannot be triangulated stay open. Seams through what fills cost nothing, or are
-/// not possible with FillHoles::Always.
-void fillHoles(FillHoles mode, SeamMesh& mesh);
+/// not possible with FillHoles::Always. `isFixed`: per triangle of charts that are left as they
+/// are; may be empty.
+void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh);
 
 /// Opens the holes that seams have come to: their rims become seams, so that what filled them is
 /// apart. With FillHoles::Always only those that seams run through. Returns whether there were any.

@@ -65,11 +65,8 @@ Status markIslands(const PolygonMesh& input, const WeldedMesh& welded, const Sur
             "seams"};
   for (std::uint32_t h = 0; h < seams.size(); ++h) {
     const std::uint32_t twin = surface.table.twin[h];
-    if (twin == kNone || twin < h || surface.triangulation.isDiagonal[h]) continue;
-    const auto corner = [&](std::uint32_t c) { return inputCorner(welded, surface, c); };
-    if (!hasSameTexcoord(input, corner(h), corner(nextCorner(twin))) ||
-        !hasSameTexcoord(input, corner(nextCorner(h)), corner(twin)))
-      mark(surface, h, seams);
+    if (twin == kNone || twin < h) continue;
+    if (!hasSameTexcoords(input, welded, surface, h)) mark(surface, h, seams);
   }
   return {};
 }
@@ -132,6 +129,15 @@ Status markEdges(const PolygonMesh& input, const WeldedMesh& welded, const Surfa
 }
 
 }  // namespace
+
+bool hasSameTexcoords(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                      std::uint32_t h) {
+  if (surface.triangulation.isDiagonal[h]) return true;
+  const std::uint32_t twin = surface.table.twin[h];
+  const auto corner = [&](std::uint32_t c) { return inputCorner(welded, surface, c); };
+  return hasSameTexcoord(input, corner(h), corner(nextCorner(twin))) &&
+         hasSameTexcoord(input, corner(nextCorner(h)), corner(twin));
+}
 
 Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                          const SeamSources& sources) {

@@ -12,6 +12,10 @@ namespace abflat {
 Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                          const SeamSources& sources);
 
+/// Whether the input's texcoords are the same on both sides of an edge, which has a twin.
+bool hasSameTexcoords(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                      std::uint32_t halfEdge);
+
 /// Seams as edges of the input, each once and with its smaller vertex first.
 std::vector<EdgeVertices> seamEdges(const PolygonMesh& input, const WeldedMesh& welded,
                                     const Surface& surface, const Seams& seams);

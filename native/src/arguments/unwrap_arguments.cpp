@@ -37,6 +37,12 @@ void setSeams(const std::string& text, UnwrapCommand& c) {
   c.seams = std::move(seams.value);
 }
 
+void setKept(const std::string& text, UnwrapCommand& c) {
+  Result<KeptFaces> kept = parseKept(text);
+  if (!kept.ok()) throw CLI::ValidationError("--keep", kept.status.message);
+  c.keep = std::move(kept.value);
+}
+
 void addPictures(CLI::App& app, UnwrapCommand& c) {
   app.add_option("--layout", c.layout,
                  wrapped("picture of the atlas with charts in colours and all edges, SVG or PNG by "
@@ -70,6 +76,21 @@ void checkPictures(const UnwrapCommand& c) {
                      " pixels along a side; lower --resolution, or write the layout as .svg");
 }
 
+/// It can be read once.
+void checkStandardInput(const UnwrapCommand& c) {
+  const char* reader = c.input == kStandardStream ? "the mesh" : nullptr;
+  for (const auto& [option, path] :
+       {std::pair<const char*, const std::string&>{"--seams", c.seamFile},
+        {"--keep", c.keep.file},
+        {"--pins", c.pins}}) {
+    if (path != kStandardStream) continue;
+    if (reader != nullptr)
+      throw CLI::ValidationError(
+          option, std::string("standard input is ") + reader + " already; name a file");
+    reader = "the list of seams";
+  }
+}
+
 }  // namespace
 
 CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
@@ -86,6 +107,13 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
                  "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
                  "disks, which is always done"))
       ->default_str("auto")
+      ->type_name("LIST");
+  sub->add_option_function<std::string>(
+         "--keep", [&c](const std::string& text) { setKept(text, c); },
+         wrapped("faces whose uv islands stay exactly as they are in the input, while all others "
+                 "are unwrapped and packed around them, separated by commas: uv = all that have "
+                 "texcoords; file=PATH = face numbers in a text file, one a line, "
+                 "counted from 0"))
       ->type_name("LIST");
   sub->add_option("--write-seams", c.writeSeams,
                   wrapped("text file for the edges that were cut, as --seams file=PATH takes them; "
@@ -124,13 +152,12 @@ void checkTogether(const UnwrapCommand& c) {
     // Edges that were read may be replaced by those that were cut.
     if (&target->path != &c.writeSeams && replaces(target->path, c.seamFile))
       refuse(target->option, "would replace the file of --seams");
+    if (replaces(target->path, c.keep.file))
+      refuse(target->option, "would replace the file of --keep");
     if (replaces(target->path, c.pins)) refuse(target->option, "would replace the file of --pins");
   }
   checkPictures(c);
-  if (c.input == kStandardStream && c.seamFile == kStandardStream)
-    throw CLI::ValidationError("--seams", "standard input is the mesh already; name a file");
-  if (c.pins == kStandardStream && (c.input == kStandardStream || c.seamFile == kStandardStream))
-    throw CLI::ValidationError("--pins", "standard input is used already; name a file");
+  checkStandardInput(c);
 }
 
 }  // namespace abflat::cli

@@ -15,7 +15,7 @@ namespace {
 struct Filled {
   explicit Filled(PolygonMesh polygons, FillHoles mode = FillHoles::Auto)
       : cuttable(std::move(polygons)), mesh(cuttable.seamMesh) {
-    fillHoles(mode, mesh);
+    fillHoles(mode, {}, mesh);
   }
 
   Seams find(bool isAuto, FillHoles mode, SeamReport* report = nullptr) const {

@@ -28,6 +28,8 @@ inline const char* fillHolesName(FillHoles code) {
   return "";
 }
 
+/// "auto" as a value of the option texelDensity.
+constexpr double kAutoTexelDensity = 0;
 
 /// The options of unwrapping that are plain values, with their defaults.
 struct UnwrapOptionValues {
@@ -41,6 +43,12 @@ struct UnwrapOptionValues {
   int resolution = 1024;
   /// free texels between charts at that resolution
   int padding = 2;
+  /// texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)
+  double texelDensity = 0;
+  /// as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10
+  bool udim = false;
+  /// turning of charts as they fit best
+  bool rotate = true;
   /// what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
   double memory = 0;
   /// most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one
@@ -52,12 +60,15 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"maxStretch", "--max-stretch", "1.04", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
-    {"resolution", "--resolution", "1024", "at least 16 and at most 65536, whole", "texels along a side of the texture that charts are packed for", false, false},
+    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "texels along a side of the texture that charts are packed for", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
+    {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)", false, false},
+    {"udim", "--udim", "false", "", "as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10", true, false},
+    {"rotate", "--no-rotate", "true", "", "without turning of charts as they fit best", true, false},
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 7};
+  return {kInfos, 10};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
@@ -75,7 +86,7 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.t = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
     case 3:
-      if (!(value >= 16 && value <= 65536) || value != static_cast<int>(value)) return false;
+      if (!(value >= 16 && value <= 32768) || value != static_cast<int>(value)) return false;
       options.resolution = static_cast<int>(value);
       return true;
     case 4:
@@ -83,9 +94,18 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.padding = static_cast<int>(value);
       return true;
     case 5:
-      options.memory = static_cast<double>(value);
+      options.texelDensity = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
     case 6:
+      options.udim = value != 0;
+      return value == 0 || value == 1;
+    case 7:
+      options.rotate = value != 0;
+      return value == 0 || value == 1;
+    case 8:
+      options.memory = static_cast<double>(value);
+      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+    case 9:
       if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -100,14 +120,15 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 1 && text == "always") return found = true, 2;
   if (index == 2 && text == "auto") return found = true, 0;
   if (index == 5 && text == "auto") return found = true, 0;
+  if (index == 8 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 5 && letter == 'M') return 1;
-  if (index == 5 && letter == 'G') return 1024;
-  if (index == 5 && letter == 'T') return 1048576;
+  if (index == 8 && letter == 'M') return 1;
+  if (index == 8 && letter == 'G') return 1024;
+  if (index == 8 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -122,6 +143,12 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
     visit("t", options.t);
   visit("resolution", options.resolution);
   visit("padding", options.padding);
+  if (options.texelDensity == 0)
+    visit("texelDensity", "auto");
+  else
+    visit("texelDensity", options.texelDensity);
+  visit("udim", options.udim);
+  visit("rotate", options.rotate);
   if (options.memory == 0)
     visit("memory", "auto");
   else

@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <cmath>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "pack/texels.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+UnwrapOptions small() {
+  UnwrapOptions out;
+  out.resolution = 256;
+  out.maxStretch = 1.002;  // so that there are several charts
+  return out;
+}
+
+UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  Result<UnwrapResult> result = unwrap(mesh, options);
+  INFO(result.status.message);
+  REQUIRE(result.ok());
+  CHECK(result.value.report.valid);
+  return std::move(result.value);
+}
+
+/// The mesh with the texcoords of a result.
+PolygonMesh withUv(PolygonMesh mesh, const UnwrapResult& r) {
+  mesh.texcoords = r.uv;
+  mesh.faceTexcoords = r.cornerUv;
+  return mesh;
+}
+
+/// What the texels of the triangles that come out say against an atlas.
+std::string complaintOf(const UnwrapResult& r) {
+  PackOptions options;
+  options.resolution = r.report.atlas.resolution;
+  options.padding = r.report.atlas.padding;
+  std::vector<PackShape> shapes(r.report.charts.size());
+  Packing packing;
+  packing.tiles = static_cast<std::uint32_t>(r.report.atlas.tiles);
+  packing.placements.resize(shapes.size());
+  for (std::size_t t = 0; t < r.chartOfTriangle.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      PackShape& shape = shapes[r.chartOfTriangle[t]];
+      const double* uv = &r.uv[2 * r.vertexUv[r.triangles[3 * t + k]]];
+      shape.triangles.push_back(static_cast<std::uint32_t>(shape.uv.size() / 2));
+      shape.uv.insert(shape.uv.end(), uv, uv + 2);
+    }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Placement& p = packing.placements[i];
+    double u = 0, v = 0;  // of the middle
+    for (std::size_t k = 0; k < shapes[i].uv.size(); k += 2) {
+      u += 2 * shapes[i].uv[k] / static_cast<double>(shapes[i].uv.size());
+      v += 2 * shapes[i].uv[k + 1] / static_cast<double>(shapes[i].uv.size());
+    }
+    p.tile = static_cast<std::uint32_t>(10 * std::floor(v) + std::floor(u));
+    p.x = -p.column();
+    p.y = -p.row();
+  }
+  return complaint(shapes, packing, options);
+}
+
+void checkKept(const PolygonMesh& mesh, const UnwrapResult& r, std::size_t count) {
+  std::size_t fixed = 0;
+  for (const UnwrapChart& c : r.report.charts) {
+    fixed += c.fixed;
+    CHECK(c.fixed == (c.solver == "given"));
+  }
+  CHECK(fixed == count);
+  for (std::uint32_t c = 0; c < mesh.faceVertices.size(); ++c) {
+    if (!r.report.charts[r.chartOfFace[c / 3]].fixed) continue;
+    for (std::size_t d = 0; d < 2; ++d)
+      CHECK(r.uv[2 * r.cornerUv[c] + d] == mesh.texcoords[2 * mesh.faceTexcoords[c] + d]);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[fixed]") {
+  const PolygonMesh plain = torus(24, 16);
+  const UnwrapResult first = unwrapped(plain, small());
+  REQUIRE(first.report.charts.size() > 2);
+  const PolygonMesh mesh = withUv(plain, first);
+  UnwrapOptions options = small();
+  options.seams.isAuto = false;
+  options.seams.sharpDegrees = 10;  // would cut everything to pieces
+  options.fixedFaces = {first.report.charts[1].firstFace};
+  const UnwrapResult one = unwrapped(mesh, options);
+  checkKept(mesh, one, 1);
+  CHECK(complaintOf(one) == "");
+  const auto kept = [&](const UnwrapResult& r) {
+    return static_cast<std::size_t>(
+        std::count_if(r.chartOfFace.begin(), r.chartOfFace.end(),
+                      [&](std::uint32_t c) { return r.report.charts[c].fixed; }));
+  };
+  CHECK(kept(one) == first.report.charts[1].faces);
+  CHECK(one.report.charts.size() > first.report.charts.size());
+  for (const bool rounds : {false, true}) {
+    UnwrapOptions two = small();
+    two.fixedFaces = {first.report.charts[0].firstFace, first.report.charts[1].firstFace};
+    two.roundsToSingle = rounds;
+    const UnwrapResult r = unwrapped(mesh, two);
+    checkKept(mesh, r, 2);
+    CHECK(complaintOf(r) == "");
+    // Charts that are not disks keep their seams, too, and measures are those of solving.
+    CHECK(r.report.charts[0].angularDistortion ==
+          Approx(first.report.charts[0].angularDistortion).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("all of an atlas can be fixed", "[fixed]") {
+  for (const PolygonMesh& plain : {torus(24, 16), cylinder(12, 6), tetrahedron()}) {
+    const UnwrapResult first = unwrapped(plain, small());
+    const PolygonMesh mesh = withUv(plain, first);
+    UnwrapOptions options = small();
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) options.fixedFaces.push_back(f);
+    const UnwrapResult again = unwrapped(mesh, options);
+    checkKept(mesh, again, first.report.charts.size());
+    CHECK(again.seams == first.seams);
+    CHECK(again.report.atlas.utilization == Approx(first.report.atlas.utilization));
+  }
+}
+
+TEST_CASE("an island need not be a disk", "[fixed]") {
+  // A flat ring beside a torus.
+  PolygonMesh mesh = cylinder(12, 2);
+  const std::size_t vertices = mesh.vertexCount(), faces = mesh.faceCount();
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const double r = (4 - mesh.positions[3 * v + 2]) / 10;
+    mesh.texcoords.insert(mesh.texcoords.end(),
+                          {0.5 + r * mesh.positions[3 * v], 0.5 + r * mesh.positions[3 * v + 1]});
+  }
+  mesh.faceTexcoords = mesh.faceVertices;
+  const PolygonMesh other = torus(12, 8);
+  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+  for (const std::uint32_t v : other.faceVertices) {
+    mesh.faceVertices.push_back(v + static_cast<std::uint32_t>(vertices));
+    mesh.faceTexcoords.push_back(kNoTexcoord);
+    if (mesh.faceVertices.size() % 3 == 0)
+      mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+  }
+  UnwrapOptions options = small();
+  options.fixedFaces = {0};
+  const UnwrapResult r = unwrapped(mesh, options);
+  checkKept(mesh, r, 1);
+  CHECK(complaintOf(r) == "");
+  CHECK(r.report.charts[0].faces == faces);
+  CHECK(std::count(r.chartOfFace.begin(), r.chartOfFace.end(), 0u) ==
+        static_cast<std::ptrdiff_t>(faces));
+}
+
+TEST_CASE("fixed charts are in tiles of their own where there are several", "[fixed]") {
+  const PolygonMesh plain = torus(24, 16);
+  const UnwrapResult first = unwrapped(plain, small());
+  PolygonMesh mesh = withUv(plain, first);
+  for (std::size_t i = 0; i < mesh.texcoords.size(); i += 2) mesh.texcoords[i] += 2;
+  UnwrapOptions options = small();
+  options.fixedFaces = {0};
+  CHECK(unwrap(mesh, options).status.message.find("not within the unit square") !=
+        std::string::npos);
+  options.udim = true;
+  options.texelDensity = 2 * first.report.atlas.texelDensity;
+  const UnwrapResult r = unwrapped(mesh, options);
+  checkKept(mesh, r, 1);
+  CHECK(r.report.atlas.tiles >= 3);
+  CHECK(r.report.atlas.texelDensity == options.texelDensity);
+  CHECK(complaintOf(r) == "");
+}
+
+TEST_CASE("what cannot be fixed is named", "[fixed]") {
+  const PolygonMesh plain = torus(12, 8);
+  const UnwrapResult first = unwrapped(plain, small());
+  const PolygonMesh good = withUv(plain, first);
+  UnwrapOptions options = small();
+  options.fixedFaces = {5};
+  const auto message = [&](const PolygonMesh& mesh) {
+    const Result<UnwrapResult> result = unwrap(mesh, options);
+    CHECK(result.status.code == StatusCode::InvalidOption);
+    return result.status.message;
+  };
+  const auto says = [&](const PolygonMesh& mesh, const std::string& part) {
+    const std::string text = message(mesh);
+    INFO(text);
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(says(plain, "the mesh has none"));
+  PolygonMesh bad = good;
+  bad.faceTexcoords[15] = kNoTexcoord;
+  CHECK(says(bad, "face 5 is to keep its texcoords, but has none at a corner"));
+  bad = good;
+  for (std::size_t i = 0; i < bad.texcoords.size(); i += 2) bad.texcoords[i] = 1 - bad.texcoords[i];
+  CHECK(says(bad, "is to keep its texcoords, but is flipped there"));
+  bad = good;
+  for (double& x : bad.texcoords) x *= 3;
+  CHECK(says(bad, "not within the unit square"));
+  // All islands at one place.
+  bad = good;
+  const std::uint32_t stacked = first.report.charts[1].firstFace;
+  for (std::uint32_t c = 0; c < bad.faceTexcoords.size(); ++c)
+    if (first.chartOfFace[c / 3] == 1) {
+      bad.faceTexcoords[c] = static_cast<std::uint32_t>(bad.texcoords.size() / 2);
+      for (std::size_t d = 0; d < 2; ++d)
+        bad.texcoords.push_back(good.texcoords[2 * good.faceTexcoords[c] + d]);
+    }
+  double low[2] = {1, 1}, lowOther[2] = {1, 1};
+  for (std::uint32_t c = 0; c < bad.faceTexcoords.size(); ++c)
+    for (std::size_t d = 0; d < 2; ++d) {
+      double& least = first.chartOfFace[c / 3] == 1 ? lowOther[d] : low[d];
+      if (first.chartOfFace[c / 3] < 2)
+        least = std::min(least, good.texcoords[2 * good.faceTexcoords[c] + d]);
+    }
+  for (std::size_t i = good.texcoords.size(); i < bad.texcoords.size(); ++i)
+    bad.texcoords[i] += low[i % 2] - lowOther[i % 2];
+  options.fixedFaces = {first.report.charts[0].firstFace, stacked};
+  CHECK(says(bad, "overlap there"));
+  options.fixedFaces = {500};
+  CHECK(says(good, "face 500 is to keep its texcoords, but there are only 192 faces"));
+}
+
+TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
+  const PolygonMesh mesh = torus(24, 16);
+  const double most = unwrapped(mesh, small()).report.atlas.texelDensity;
+  UnwrapOptions options = small();
+  options.texelDensity = most / 2;
+  UnwrapResult r = unwrapped(mesh, options);
+  CHECK(r.report.atlas.tiles == 1);
+  CHECK(r.report.atlas.texelDensity == most / 2);
+  options.texelDensity = 2 * most;
+  const Status s = unwrap(mesh, options).status;
+  CHECK(s.code == StatusCode::InvalidOption);
+  CHECK(s.message.find("lower the density") != std::string::npos);
+  options.udim = true;
+  for (const bool rounds : {false, true}) {
+    options.roundsToSingle = rounds;
+    r = unwrapped(mesh, options);
+    CHECK(r.report.atlas.tiles >= 4);
+    CHECK(complaintOf(r) == "");
+  }
+  options.texelDensity = kAutoTexelDensity;
+  CHECK(unwrap(mesh, options).status.code == StatusCode::InvalidOption);
+}

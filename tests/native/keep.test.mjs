@@ -1,0 +1,203 @@
+// An atlas that is there already: --keep, and how large it is: --texel-density, --udim.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { complaints, parseObj } from '../support/atlas.mjs';
+import { parsePly, plyToObj } from '../support/ply.mjs';
+import { parsePng } from '../support/png.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { sharedMesh, withoutShared } from '../support/shared.mjs';
+import * as surfaces from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+
+async function unwrapped(at, input, ...options) {
+  const args = ['unwrap', input, '-o', 'out.obj', '--report', 'r.json', ...options];
+  const run = await runAbflat(args, { cwd: at() });
+  if (run.code !== 0) return run;
+  const text = readFileSync(at('out.obj'), 'utf8');
+  return { ...run, text, report: JSON.parse(readFileSync(at('r.json'), 'utf8')) };
+}
+
+/** Texcoords of each corner of each face, as they are. */
+const cornersOf = (text) => {
+  const { texcoords, faces } = parseObj(text);
+  return faces.map((face) => face.map(([, t]) => texcoords[t]));
+};
+
+/** Writes before.obj: two objects as one file that has been unwrapped. */
+async function twoObjects(at) {
+  const one = surfaces.torus(20, 10);
+  const both = surfaces.together([
+    [one, [0, 0, 0]],
+    [surfaces.sphere(5), [4, 0, 0]],
+  ]);
+  writeFileSync(at('in.obj'), surfaces.objText(both));
+  const { code } = await runAbflat(['unwrap', 'in.obj', '-o', 'before.obj'], { cwd: at() });
+  assert.equal(code, 0);
+  return one.faces.length;
+}
+
+function assertKept(before, { code, stderr, text, report }, isKept) {
+  assert.deepEqual([code, stderr], [0, '']);
+  assert.deepEqual(complaints(text), []);
+  const [old, now] = [before, text].map(cornersOf);
+  assert.ok(old.some((_, f) => isKept(f)));
+  for (const [f, corners] of old.entries())
+    if (isKept(f)) assert.deepEqual(now[f], corners, `face ${f}`);
+  assert.equal(report.valid, true);
+  for (const { fixed, firstFace, solver } of report.charts) {
+    assert.equal(fixed, isKept(firstFace));
+    assert.equal(solver === 'given', fixed);
+  }
+}
+
+test('a part of an atlas is kept, and the rest is packed around it', async (t) => {
+  const at = tempFolder(t);
+  const faces = await twoObjects(at);
+  const before = readFileSync(at('before.obj'), 'utf8');
+  writeFileSync(at('keep.txt'), Array.from({ length: faces }, (_, f) => `${f}\n`).join(''));
+  const options = ['--keep', 'file=keep.txt', '--seams', 'sharp=30,auto', '--padding', '3'];
+  const run = await unwrapped(at, 'before.obj', ...options);
+  assertKept(before, run, (f) => f < faces);
+  assert.ok(run.report.charts.filter((chart) => !chart.fixed).length > 1);
+});
+
+test('faces of a file keep their islands; others of the islands need not be named', async (t) => {
+  const at = tempFolder(t);
+  await twoObjects(at);
+  const before = readFileSync(at('before.obj'), 'utf8');
+  writeFileSync(at('keep.txt'), '# one face\n0\n\n');
+  const run = await unwrapped(at, 'before.obj', '--keep', 'file=keep.txt');
+  const fixed = run.report.charts.filter((chart) => chart.fixed);
+  assert.equal(fixed.length, 1);
+  const [old, now] = [before, run.text].map(cornersOf);
+  const same = old.filter((corners, f) => `${corners}` === `${now[f]}`).length;
+  assert.ok(same * 2 >= fixed[0].faces, `${same} of ${fixed[0].faces}`);
+});
+
+test('uv: what has texcoords keeps them, what is new finds room', async (t) => {
+  const at = tempFolder(t);
+  const faces = await twoObjects(at);
+  const before = readFileSync(at('before.obj'), 'utf8');
+  let f = 0;
+  const half = before.replaceAll(/^f .*/gm, (line) =>
+    f++ < faces ? line : line.replaceAll(/\/\d+/g, ''),
+  );
+  writeFileSync(at('half.obj'), half);
+  assertKept(before, await unwrapped(at, 'half.obj', '--keep', 'uv'), (face) => face < faces);
+});
+
+test('PLY keeps the texcoords that it has, in single precision', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('in.obj'), surfaces.objText(surfaces.torus(20, 10)));
+  for (const args of [
+    ['unwrap', 'in.obj', '-o', 'a.ply'],
+    ['unwrap', 'a.ply', '-o', 'b.ply', '--keep', 'uv'],
+  ]) {
+    const { code, stderr } = await runAbflat(args, { cwd: at() });
+    assert.deepEqual([code, stderr], [0, '']);
+  }
+  const [a, b] = ['a.ply', 'b.ply'].map((name) =>
+    cornersOf(plyToObj(parsePly(readFileSync(at(name))))),
+  );
+  assert.deepEqual(b, a);
+});
+
+test('the atlas of a real mesh is kept', { skip: withoutShared }, async (t) => {
+  const at = tempFolder(t);
+  const input = sharedMesh('spot-uv.obj');
+  assertKept(readFileSync(input, 'utf8'), await unwrapped(at, input, '--keep', 'uv'), () => true);
+});
+
+test('what cannot be kept is one sentence, and nothing is written', async (t) => {
+  const at = tempFolder(t);
+  await twoObjects(at);
+  const before = readFileSync(at('before.obj'), 'utf8');
+  const changed = (change) =>
+    before.replaceAll(/^vt (\S+) (\S+)/gm, (_, u, v) => `vt ${change(Number(u), Number(v))}`);
+  writeFileSync(
+    at('mirrored.obj'),
+    changed((u, v) => `${1 - u} ${v}`),
+  );
+  writeFileSync(
+    at('outside.obj'),
+    changed((u, v) => `${u + 0.7} ${v}`),
+  );
+  writeFileSync(at('bad.txt'), '1 2\n');
+  writeFileSync(at('many.txt'), '99999\n');
+  for (const [input, keep, code, wanted] of [
+    ['in.obj', 'uv', 2, /in\.obj: the mesh has no texcoords to keep/],
+    ['before.obj', 'all', 2, /--keep: 'all' is not uv or one file=PATH/],
+    ['before.obj', 'file=none.txt', 3, /none\.txt/],
+    ['before.obj', 'file=bad.txt', 3, /bad\.txt:1: expected a face number, such as '17'/],
+    ['before.obj', 'file=many.txt', 2, /face 99999 .* there are only/],
+    ['mirrored.obj', 'uv', 2, /mirrored\.obj: face 0 is to keep its texcoords, but is flipped/],
+    ['outside.obj', 'uv', 2, /outside\.obj: face \d+ .* is not within the unit square/],
+  ]) {
+    const run = await unwrapped(at, input, '--keep', keep);
+    assert.deepEqual([run.code, wanted.test(run.stderr)], [code, true], run.stderr);
+  }
+  assert.throws(() => readFileSync(at('out.obj')), { code: 'ENOENT' });
+});
+
+test('two meshes at one texel density are at one scale, in as many tiles as it takes', async (t) => {
+  const at = tempFolder(t);
+  const lengthOf = ([a, b]) => Math.hypot(b[0] - a[0], b[1] - a[1], (b[2] ?? 0) - (a[2] ?? 0));
+  /** Of uv over the surface, by the mean of all edges. */
+  const scaleOf = (text) => {
+    const { positions, texcoords, faces } = parseObj(text);
+    let [uv, xyz] = [0, 0];
+    for (const face of faces)
+      for (const [i, [v, at]] of face.entries()) {
+        const [w, to] = face[(i + 1) % face.length];
+        uv += lengthOf([texcoords[at], texcoords[to]]);
+        xyz += lengthOf([positions[v], positions[w]]);
+      }
+    return uv / xyz;
+  };
+  const scales = [];
+  for (const [name, surface, least] of [
+    ['torus.obj', surfaces.torus(24, 12), 2],
+    ['sphere.obj', surfaces.sphere(6), 1],
+  ]) {
+    writeFileSync(at(name), surfaces.objText(surface));
+    const options = ['--texel-density', '60', '--udim', '--resolution', '128', '--no-rotate'];
+    const run = await unwrapped(at, name, ...options, '--layout', 'l.png');
+    const { tiles, texelDensity, utilization } = run.report.atlas;
+    assert.equal(texelDensity, 60);
+    assert.ok(tiles >= least && tiles <= 10 && utilization <= 1, `${tiles} tiles`);
+    assert.deepEqual(complaints(run.text, tiles), []);
+    scales.push(scaleOf(run.text));
+    const png = parsePng(readFileSync(at('l.png')));
+    assert.deepEqual([png.width, png.height], [128 * tiles, 128]);
+    const { texcoords, faces } = parseObj(run.text);
+    for (const face of faces) {
+      const uv = face.map(([, t]) => texcoords[t]);
+      const [x, y] = [0, 1].map((d) => uv.reduce((sum, p) => sum + p[d], 0) / uv.length);
+      assert.equal(png.at(Math.floor(128 * x), Math.floor(128 * (1 - y)))[3], 255);
+    }
+    const svg = await unwrapped(at, name, ...options, '--layout', 'l.svg');
+    assert.equal(svg.code, 0);
+    assert.match(
+      readFileSync(at('l.svg'), 'utf8'),
+      new RegExp(`width="${128 * tiles}" height="128" viewBox="0 0 ${100000 * tiles} 100000"`),
+    );
+  }
+  assert.ok(Math.abs(scales[0] / scales[1] - 1) < 0.05, `${scales}`);
+});
+
+test('a texel density that does not fit says which would', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('in.obj'), surfaces.objText(surfaces.torus(24, 12)));
+  const run = await unwrapped(at, 'in.obj', '--texel-density', '1000', '--resolution', '256');
+  assert.equal(run.code, 2);
+  const [, density] = run.stderr.match(/do not fit one tile .* lower the density to (\S+), /);
+  const again = await unwrapped(at, 'in.obj', '--texel-density', density, '--resolution', '256');
+  assert.equal(again.code, 0);
+  assert.deepEqual(complaints(again.text), []);
+  const huge = await unwrapped(at, 'in.obj', '--texel-density', '9999', '--udim');
+  assert.deepEqual([huge.code, /does not fit a tile/.test(huge.stderr)], [2, true], huge.stderr);
+  const none = await unwrapped(at, 'in.obj', '--udim');
+  assert.deepEqual([none.code, /texel density/.test(none.stderr)], [2, true], none.stderr);
+});
