@@ -18,6 +18,7 @@
 #include "unwrap_chart.h"
 #include "unwrap_known.h"
 #include "unwrap_output.h"
+#include "unwrap_pinned.h"
 
 namespace abflat {
 namespace {
@@ -60,12 +61,14 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
 }
 
 /// Those that have no layout yet, and those with pins.
-void flattenAll(const std::vector<DiskChart>& charts,
-                const std::vector<std::vector<ChartPin>>& pins, const UnwrapOptionValues& options,
-                ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat) {
+void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
+                const UnwrapOptionValues& options, ThreadPool& pool, Monitor& monitor,
+                std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
-  const auto isKnown = [&](std::size_t i) { return !flat[i].unpacked.empty() && pins[i].empty(); };
+  const auto isKnown = [&](std::size_t i) {
+    return !flat[i].unpacked.empty() && wishes[i].pins.empty();
+  };
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (!isKnown(i)) triangles += charts[i].triangleCount();
   std::atomic<std::size_t> done{0};
@@ -78,7 +81,7 @@ void flattenAll(const std::vector<DiskChart>& charts,
       if (!pool.isOwner()) return !monitor.stopped();
       return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
     };
-    flat[order[i]] = flattenOne(chart, options, pins[order[i]], pool, goesOn);
+    flat[order[i]] = flattenOne(chart, options, wishes[order[i]], pool, goesOn);
     done += chart.triangleCount();
   });
 }
@@ -87,8 +90,8 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
                                 const std::vector<FlatChart>& flat) {
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    shapes[i].isFixed = flat[i].isFixed();
-    shapes[i].uv = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
+    shapes[i].isFixed = flat[i].isFixed;
+    shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
     shapes[i].triangles = charts[i].vertexOfCorner;
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
@@ -96,25 +99,12 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   return shapes;
 }
 
-/// Charts that stay where they are must be inside the unit square.
-Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < flat.size(); ++i)
-    for (std::size_t k = 0; k < flat[i].fixed.size(); ++k) {
-      const double x = flat[i].fixed[k];
-      if (x >= 0 && x <= 1) continue;
-      return {StatusCode::InvalidOption,
-              "the pins put vertex " + std::to_string(charts[i].inputVertex[k / 2]) +
-                  " outside the unit square, where " + (k % 2 == 0 ? "u" : "v") + " is " +
-                  std::to_string(x) + "; move the pins of its chart, or pin it smaller"};
-    }
-  return {};
-}
-
 /// Moves the layouts to their places.
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (flat[i].isFixed) continue;
     const Placement& p = packing.placements[i];
-    const std::vector<double>& from = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
+    const std::vector<double>& from = flat[i].unpacked;
     flat[i].uv.clear();
     for (std::size_t k = 0; k < from.size(); k += 2)
       flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]), p.v(&from[k])});
@@ -193,21 +183,21 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (monitor.stopped()) return aborted;
   const ChartSet set = makeCharts(welded.mesh, surface, seams);
   const Texcoords texcoords = numberTexcoords(welded, surface, set);
-  const Result<std::vector<std::vector<ChartPin>>> pins =
-      pinsOfCharts(mesh, texcoords, options.pins);
-  if (!pins.ok()) return pins.status;
+  Result<std::vector<ChartWishes>> wishes =
+      chartWishes({mesh, welded, surface, set}, texcoords, options);
+  if (!wishes.ok()) return wishes.status;
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
   Result<std::vector<FlatChart>> known = knownCharts({mesh, welded, surface, set}, options, pool);
   if (!known.ok()) return known.status;
   std::vector<FlatChart>& flat = known.value;
-  flattenAll(set.charts, pins.value, options, pool, monitor, flat);
+  flattenAll(set.charts, wishes.value, options, pool, monitor, flat);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 
   if (!monitor.tell(kPack)) return aborted;
-  if (Status s = checkFixed(set.charts, flat); !s.ok()) return s;
+  if (Status s = checkPinned({mesh, welded, surface, set}, flat); !s.ok()) return s;
   PackOptions packing;
   packing.resolution = options.resolution;
   packing.padding = options.padding;

@@ -93,6 +93,7 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
   row.quasiConformalMax = a.distortion.quasiConformalMax;
   row.symmetricDirichlet = a.distortion.symmetricDirichlet;
   row.pins = a.pins;
+  row.straight = a.straight;
   row.fallbacks = a.fallbacks;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();

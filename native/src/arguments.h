@@ -31,8 +31,9 @@ struct FlattenCommand {
   std::string input, output;
   std::string report;  ///< empty: none is wanted
   FlattenOptionValues options;
-  std::string bounds;  ///< file with bounds of single vertices; empty: none
-  std::string pins;    ///< file with pinned vertices; empty: none
+  std::string bounds;    ///< file with bounds of single vertices; empty: none
+  std::string straight;  ///< file with straight runs; empty: none
+  std::string pins;      ///< file with pinned vertices; empty: none
   bool quiet = false;
 };
 

@@ -104,6 +104,7 @@ export const FLATTEN_OPTIONS = {
 export interface UnwrapOptionValues {
   maxStretch: number;
   t: number | 'auto';
+  straightSeams: boolean;
   resolution: number;
   padding: number;
   memory: number | 'auto';
@@ -113,6 +114,7 @@ export interface UnwrapOptionValues {
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.04,
   t: 'auto',
+  straightSeams: false,
   resolution: 1024,
   padding: 2,
   memory: 'auto',
@@ -123,6 +125,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.04, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
+  straightSeams: { type: 'boolean', default: false, text: 'seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is', range: '' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 65536, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 65536, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
