@@ -111,6 +111,12 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
   }
 }
 
+/// A multiple of 2^-24, which up to 1 is a number of single precision, and 1 - x as well: for
+/// formats whose v points down.
+double inSinglePrecision(double x) {
+  return static_cast<double>(static_cast<float>(std::floor(x * 0x1p24 + 0.5) * 0x1p-24));
+}
+
 /// All charts in the atlas, rounded or as they are.
 void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadPool& pool,
               std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
@@ -120,7 +126,7 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
   if (!roundsToSingle) return check();
   const std::vector<FlatChart> asTheyAre = flat;
   for (FlatChart& chart : flat)
-    for (double& x : chart.uv) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : chart.uv) x = inSinglePrecision(x);
   check();
   std::size_t lost = 0;
   for (std::size_t i = 0; i < flat.size(); ++i)
@@ -132,9 +138,21 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
                   (lost == 1 ? " chart" : " charts") + " would not be valid");
 }
 
+/// Charts are factored in the order that was found for the whole surface. `place` is per fan.
+void orderCharts(const Surface& surface, const std::vector<std::uint32_t>& place, ChartSet& set) {
+  std::vector<std::uint32_t> ofVertex;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const std::uint32_t v = surface.fans.inputVertex[i];
+    if (v >= ofVertex.size()) ofVertex.resize(v + 1);
+    ofVertex[v] = place[i];
+  }
+  for (DiskChart& chart : set.charts)
+    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(ofVertex[v]);
+}
+
 Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
               const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
-              UnwrapReport& report) {
+              UnwrapReport& report, std::vector<std::uint32_t>& place) {
   const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
                                      surface.triangulation.isDiagonal);
   SeamOptions wanted;
@@ -149,6 +167,7 @@ Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
   report.seams.handleLoops = found.handleLoops;
   for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
   report.seams.edges /= 2;
+  place = std::move(found.place);
   return seams;
 }
 
@@ -178,10 +197,12 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.threads = pool.threads();
   Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
+  std::vector<std::uint32_t> placeOfFan;
   const Seams seams =
-      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
+      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report, placeOfFan);
   if (monitor.stopped()) return aborted;
-  const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  ChartSet set = makeCharts(welded.mesh, surface, seams);
+  orderCharts(surface, placeOfFan, set);
   const Texcoords texcoords = numberTexcoords(welded, surface, set);
   Result<std::vector<ChartWishes>> wishes =
       chartWishes({mesh, welded, surface, set}, texcoords, options);

@@ -15,7 +15,8 @@ constexpr const char* kStandardStream = "-";
 
 struct UnwrapCommand {
   std::string input, output;
-  std::string report;  ///< empty: none is wanted
+  std::size_t texcoord = 0;  ///< set of a glTF that is written
+  std::string report;        ///< empty: none is wanted
   UnwrapOptionValues options;
   SeamSources seams;
   std::string seamFile;    ///< edges to cut along; empty: none
@@ -29,7 +30,8 @@ struct UnwrapCommand {
 
 struct FlattenCommand {
   std::string input, output;
-  std::string report;  ///< empty: none is wanted
+  std::size_t texcoord = 0;  ///< set of a glTF that is written
+  std::string report;        ///< empty: none is wanted
   FlattenOptionValues options;
   std::string bounds;    ///< file with bounds of single vertices; empty: none
   std::string straight;  ///< file with straight runs; empty: none

@@ -36,7 +36,7 @@ struct FlattenJob {
     options.progress = std::move(progress);
     Result<FlattenResult> result =
         placed(inputName(command.input), [&] { return flatten(mesh, options); });
-    if (result.ok() && writtenFormat(command.output) == MeshFormat::Ply)
+    if (result.ok() && writtenFormat(command.output) == FileFormat::Ply)
       roundToSinglePrecision(mesh, result.value);
     return result;
   }

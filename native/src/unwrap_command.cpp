@@ -30,7 +30,7 @@ struct UnwrapJob {
       if (!pins.ok()) return pins.status;
       options.pins = std::move(pins.value);
     }
-    options.roundsToSingle = writtenFormat(command.output) == MeshFormat::Ply;
+    options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
     options.progress = std::move(progress);
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }

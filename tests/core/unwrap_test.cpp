@@ -220,3 +220,16 @@ TEST_CASE("a pin on a seam says by a face which texcoord it means", "[pin]") {
   options.pins.pop_back();
   CHECK_THAT(unwrap(mesh, options).status.message, Catch::Contains("only pinned one of its chart"));
 }
+
+TEST_CASE("rounded texcoords are single precision numbers, also when v points down") {
+  UnwrapOptions options;
+  options.roundsToSingle = true;
+  const Result<UnwrapResult> result = unwrap(torus(24, 12), options);
+  REQUIRE(result.ok());
+  CHECK(result.value.report.valid);
+  CHECK(result.value.report.notes.empty());
+  for (const double x : result.value.uv) {
+    CHECK(static_cast<double>(static_cast<float>(x)) == x);
+    CHECK(static_cast<double>(static_cast<float>(1 - x)) == 1 - x);
+  }
+}

@@ -208,7 +208,7 @@ test('the format of standard input is found out', async (t) => {
   assert.equal(lines(run.stdout, 'vt').length, 4);
   for (const [input, sentence] of [
     ['', /standard input: the file is empty/],
-    ['hello', /standard input: not an OBJ, PLY, STL or OFF file/],
+    ['hello', /standard input: not an OBJ, PLY, STL, OFF or glTF file/],
     ['v 0 0\n', /standard input:1: /],
   ]) {
     const bad = await flatten(at, ['-', '-o', '-'], { input });

@@ -128,6 +128,10 @@ const NO_MESHES = [
   [{ positions: new Float64Array(9), indices: new Int32Array(3) }, /indices.*Uint32Array/],
   [{ positions: new Float64Array(10), indices: new Uint32Array(3) }, /positions.*3/],
   [{ positions: new Float64Array(9), indices: new Uint32Array(4) }, /indices.*3/],
+  [{ ...triangle, texcoords: [0, 0] }, /texcoords.*Float/],
+  [{ ...triangle, texcoords: new Float32Array(5) }, /texcoords has 5 elements, not 6/],
+  [{ ...triangle, materials: new Uint8Array(1) }, /materials.*Uint32Array/],
+  [{ ...triangle, materials: new Uint32Array(2) }, /materials has 2 elements, not 1/],
   [{ bytes: 'v 0 0 0' }, /bytes/],
   [{ bytes: new Uint8Array(1), name: 5 }, /name/],
 ];

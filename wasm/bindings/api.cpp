@@ -88,6 +88,18 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
   return job->mesh.faceVertices.data();
 }
 
+/// Room for texcoords of a mesh given as arrays, two per vertex, after its triangles.
+EMSCRIPTEN_KEEPALIVE double* abflatTexcoords(Job* job, std::size_t size) {
+  job->mesh.texcoords.resize(size);
+  return job->mesh.texcoords.data();
+}
+
+/// Room for materials of a mesh given as arrays, one per triangle, after its triangles.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatMaterials(Job* job, std::size_t size) {
+  job->mesh.faceMaterials.resize(size);
+  return job->mesh.faceMaterials.data();
+}
+
 /// Option number `index` of flattening, in the order of FLATTEN_OPTIONS, as a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
   return setNumber(*job, job->options, index, value);

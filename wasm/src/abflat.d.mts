@@ -8,6 +8,8 @@ export interface NativeModule {
   _abflatSource(job: number, bytes: number): number;
   _abflatPositions(job: number, count: number): number;
   _abflatIndices(job: number, count: number): number;
+  _abflatTexcoords(job: number, count: number): number;
+  _abflatMaterials(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;
   _abflatSeams(job: number, bytes: number): number;

@@ -5,6 +5,10 @@ import type { FlattenOptionValues, UnwrapOptionValues } from './generated.js';
 export interface MeshArrays {
   positions: Float32Array | Float64Array;
   indices: Uint32Array | Uint16Array;
+  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'`. */
+  texcoords?: Float32Array | Float64Array;
+  /** A number per triangle: for `seams: 'material'`. */
+  materials?: Uint32Array | Uint16Array;
 }
 
 /** The bytes of an OBJ, PLY, STL or OFF file. `name` is used to tell the format and in messages. */
@@ -453,6 +457,6 @@ export interface CreateOptions {
   maxMemory?: number;
   /** Where abflat.wasm is, or that of another build, when it is not beside the module; in Node a path is fine as well. */
   wasmUrl?: string | URL;
-  /** Where the worker's script is, when it is not beside the module. */
+  /** Where `worker.js` is, when it is not beside the module. It runs every build. */
   workerUrl?: string | URL;
 }

@@ -48,7 +48,7 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// is for changing seams little by little. No triangles: nothing is known.
   KnownLayout known;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
-  /// hold them; not where that would make a chart invalid.
+  /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;
 
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.

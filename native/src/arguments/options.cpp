@@ -34,7 +34,9 @@ CLI::Validator resultName() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
         if (isWritableName(text)) return "";
-        return "results are written as OBJ or PLY: give a name that ends in .obj or .ply, not " +
+        return "results are written as OBJ, PLY or glTF: give a name that ends in .obj, .ply, .glb "
+               "or "
+               ".gltf, not " +
                endingOf(text);
       },
       "");
@@ -92,7 +94,7 @@ CLI::Validator notEmpty() {
 }
 
 void addInput(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL or OFF; - for standard input")
+  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL, OFF or glTF; - for standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
@@ -100,7 +102,8 @@ void addInput(CLI::App& app, std::string& input) {
 
 void addOutput(CLI::App& app, std::string& output) {
   app.add_option("-o,--output", output,
-                 wrapped("file to write, OBJ or PLY by its ending; - for OBJ on standard output"))
+                 wrapped("file to write, OBJ, PLY or glTF (.glb, .gltf) by its ending; - for OBJ "
+                         "on standard output"))
       ->required()
       ->check(notEmpty())
       ->check(resultName())
