@@ -38,7 +38,7 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
     std::snprintf(text, sizeof text,
                   "the solver did not converge: constraint residual %.2g after %zu steps",
                   a.solution.constraintResidual, a.solution.history.size());
-    return text;
+    return text + std::string(a.straight ? "; shorten the straight runs or leave some out" : "");
   }
   if (a.pins && a.wasValidUnpinned && !v.valid())
     return "the pins fold the layout: " +
@@ -98,6 +98,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   setMeasures(r, attempt.validity, attempt.distortion);
   r.delaunay = attempt.delaunay;
   r.pins = attempt.pins;
+  r.straight = attempt.straight;
   r.fallbacks = attempt.fallbacks;
   r.problem = findProblem(chart, attempt);
   r.valid = r.problem.empty();

@@ -89,7 +89,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Result<Prepared> prepared = prepare(mesh);
   if (!prepared.ok()) return prepared.status;
   const DiskChart& chart = prepared.value.chart;
-  const Result<std::vector<double>> t = requestedBounds(chart, options);
+  Result<StraightPlaces> straight = straightPlaces(chart, options.straight);
+  if (!straight.ok()) return straight.status;
+  const Result<std::vector<double>> t = requestedBounds(chart, options, straight.value);
   if (!t.ok()) return t.status;
   const Result<std::vector<std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh, {prepared.value.cornerUv, {0, chart.vertexCount()}}, options.pins);
@@ -106,6 +108,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); },
                            {options.linearSolver, options.formulation, options.precondition});
+  flattener.requireStraight(std::move(straight.value));
   const double setUp = watch.lap();
   Attempt best = flattenChart(flattener, t.value, options);
   pin(flattener, pins.value.front(), best);

@@ -60,6 +60,7 @@ Json chartJson(const ChartReport& c) {
       {"maxBoundaryAngle", c.maxBoundaryAngle},
       {"delaunay", delaunayJson(c.delaunay)},
       {"pins", pinsJson(c.pins)},
+      {"straight", straightJson(c.straight)},
       {"fallbacks", c.fallbacks},
       {"problem", c.problem},
       {"valid", c.valid},

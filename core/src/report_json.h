@@ -48,6 +48,15 @@ inline Json pinsJson(const std::optional<PinReport>& pins) {
   return {{"count", pins->count}, {"deviation", pins->deviation}};
 }
 
+/// Null where nothing is to be straight.
+inline Json straightJson(const std::optional<StraightReport>& straight) {
+  if (!straight) return {};
+  return {{"runs", straight->runs},
+          {"vertices", straight->vertices},
+          {"released", straight->released},
+          {"deviation", straight->deviation}};
+}
+
 inline Json errorJson(const Status& error) {
   return {{"code", statusName(error.code)}, {"message", error.message}};
 }

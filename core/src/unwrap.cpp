@@ -19,6 +19,7 @@
 #include "unwrap_fixed.h"
 #include "unwrap_known.h"
 #include "unwrap_output.h"
+#include "unwrap_pinned.h"
 #include "unwrap_seams.h"
 
 namespace abflat {
@@ -65,24 +66,25 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
 }
 
 /// What the input gives is not to be pinned elsewhere.
-Status checkUnpinned(const std::vector<DiskChart>& charts,
-                     const std::vector<std::vector<ChartPin>>& pins,
+Status checkUnpinned(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
                      const std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < charts.size(); ++i)
-    if (flat[i].isGiven && !pins[i].empty())
+    if (flat[i].isGiven && !wishes[i].pins.empty())
       return {StatusCode::InvalidOption,
-              "vertex " + std::to_string(charts[i].inputVertex[pins[i].front().vertex]) +
+              "vertex " + std::to_string(charts[i].inputVertex[wishes[i].pins.front().vertex]) +
                   " is pinned, but its chart is to keep its texcoords; leave one of them out"};
   return {};
 }
 
 /// Those that have no layout yet, and those with pins.
-void flattenAll(const std::vector<DiskChart>& charts,
-                const std::vector<std::vector<ChartPin>>& pins, const UnwrapOptionValues& options,
-                ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat) {
+void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
+                const UnwrapOptionValues& options, ThreadPool& pool, Monitor& monitor,
+                std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
-  const auto isKnown = [&](std::size_t i) { return !flat[i].unpacked.empty() && pins[i].empty(); };
+  const auto isKnown = [&](std::size_t i) {
+    return !flat[i].unpacked.empty() && wishes[i].pins.empty();
+  };
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (!isKnown(i)) triangles += charts[i].triangleCount();
   std::atomic<std::size_t> done{0};
@@ -95,7 +97,7 @@ void flattenAll(const std::vector<DiskChart>& charts,
       if (!pool.isOwner()) return !monitor.stopped();
       return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
     };
-    flat[order[i]] = flattenOne(chart, options, pins[order[i]], pool, goesOn);
+    flat[order[i]] = flattenOne(chart, options, wishes[order[i]], pool, goesOn);
     done += chart.triangleCount();
   });
 }
@@ -104,8 +106,8 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
                                 const std::vector<FlatChart>& flat) {
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    shapes[i].isFixed = flat[i].isFixed();
-    shapes[i].uv = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
+    shapes[i].isFixed = flat[i].isFixed;
+    shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
     const auto corners = charts[i].vertexOfCorner.begin();
     shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
     // Others may lie in its holes.
@@ -116,29 +118,12 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   return shapes;
 }
 
-/// Charts that stay where they are must be inside the unit square.
-Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < flat.size(); ++i)
-    for (std::size_t k = 0; k < flat[i].fixed.size() && !flat[i].isGiven; ++k) {
-      const double x = flat[i].fixed[k];
-      if (x >= 0 && x <= 1) continue;
-      return {StatusCode::InvalidOption,
-              "the pins put vertex " + std::to_string(charts[i].inputVertex[k / 2]) +
-                  " outside the unit square, where " + (k % 2 == 0 ? "u" : "v") + " is " +
-                  std::to_string(x) + "; move the pins of its chart, or pin it smaller"};
-    }
-  return {};
-}
-
 /// Moves the layouts to their places.
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
-    if (flat[i].isGiven) {
-      flat[i].uv = flat[i].fixed;
-      continue;
-    }
+    if (flat[i].isFixed) continue;
     const Placement& p = packing.placements[i];
-    const std::vector<double>& from = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
+    const std::vector<double>& from = flat[i].unpacked;
     flat[i].uv.clear();
     for (std::size_t k = 0; k < from.size(); k += 2)
       flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]) + p.column(), p.v(&from[k]) + p.row()});
@@ -148,7 +133,6 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
 Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
                ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat,
                AtlasReport& atlas) {
-  if (Status s = checkFixed(charts, flat); !s.ok()) return s;
   PackOptions packing;
   packing.resolution = options.resolution;
   packing.padding = options.padding;
@@ -181,7 +165,7 @@ void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options
   const std::vector<FlatChart> asTheyAre = flat;
   for (FlatChart& chart : flat) {
     if (chart.isGiven) continue;
-    if (!chart.isFixed())
+    if (!chart.isFixed)
       roundInAtlas(chart.uv);
     else if (options.roundsForGltf)
       roundForGltf(chart.uv);
@@ -245,9 +229,9 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   ChartSet set = makeCharts(welded.mesh, open.disks);
   orderCharts(open.place, set.charts);
   const Texcoords texcoords = numberTexcoords(welded, surface, set);
-  const Result<std::vector<std::vector<ChartPin>>> pins =
-      pinsOfCharts(mesh, texcoords, options.pins);
-  if (!pins.ok()) return pins.status;
+  Result<std::vector<ChartWishes>> wishes =
+      chartWishes({mesh, welded, surface, set}, texcoords, options);
+  if (!wishes.ok()) return wishes.status;
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
@@ -256,12 +240,13 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!known.ok()) return known.status;
   std::vector<FlatChart>& flat = known.value;
   if (Status s = layOutFixed(cut, fixed.value, options.udim, flat); !s.ok()) return s;
-  if (Status s = checkUnpinned(set.charts, pins.value, flat); !s.ok()) return s;
-  flattenAll(set.charts, pins.value, options, pool, monitor, flat);
+  if (Status s = checkUnpinned(set.charts, wishes.value, flat); !s.ok()) return s;
+  flattenAll(set.charts, wishes.value, options, pool, monitor, flat);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 
   if (!monitor.tell(kPack)) return aborted;
+  if (Status s = checkPinned(cut, flat); !s.ok()) return s;
   if (Status s = packAll(set.charts, options, pool, monitor, flat, report.atlas); !s.ok()) return s;
   report.timings.pack = watch.lap();
 

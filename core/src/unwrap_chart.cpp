@@ -7,7 +7,7 @@
 namespace abflat {
 
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
-                     const std::vector<ChartPin>& pins, ThreadPool& pool,
+                     const ChartWishes& wishes, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
   SolverOptions solver;
   solver.pool = &pool;
@@ -15,19 +15,23 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(chart, solver);
   flattener.requireSeparation();
+  flattener.requireStraight(wishes.straight);
   FlattenOptions wanted;
   wanted.t = options.t;
-  const auto n = static_cast<double>(chart.boundary.size());
-  // n angles sum to (n - 2) pi: a chart of few boundary vertices cannot be as convex as others.
+  // n angles that may be others than pi sum to (n - 2) pi: a chart with few of them cannot be as
+  // convex as others.
+  const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   FlatChart out;
   out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
   if (out.attempt.solution.cancelled) return out;
   out.unpacked = inMeshUnit(chart, out.attempt);
-  if (!pins.empty()) {
-    pin(flattener, pins, out.attempt);
-    out.fixed = inMeshUnit(chart, out.attempt);
+  if (!wishes.pins.empty()) {
+    pin(flattener, wishes.pins, out.attempt);
+    out.uv = inMeshUnit(chart, out.attempt);
+    out.isFixed = true;
   }
+  if (out.attempt.straight) out.attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, out.attempt);
   out.attempt.uv = {};
   return out;

@@ -12,19 +12,24 @@ namespace abflat {
 /// A chart that has been laid out.
 struct FlatChart {
   std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
-  std::vector<double> fixed;     ///< places in the atlas where it stays; empty: packing decides
   std::vector<double> uv;        ///< in the atlas
   Attempt attempt;               ///< its own uv is gone
   std::string problem;           ///< why it is not valid, one sentence; empty when it is
-  bool isGiven = false;          ///< `fixed` is what the input has, and has been checked
-
-  bool isFixed() const { return !fixed.empty(); }
+  bool isFixed = false;          ///< uv are those in the atlas from the start: packing leaves them
+  bool isGiven = false;          ///< those of the input, which have been checked
 };
 
-/// `pins` are places in the atlas. `goesOn` is asked often, from the thread that calls; when it
+/// What one chart is asked for beyond the options.
+struct ChartWishes {
+  std::vector<ChartPin> pins;  ///< places in the atlas
+  StraightPlaces straight;
+  std::size_t released = 0;  ///< places that would be straight as well, but are not
+};
+
+/// `goesOn` is asked often, from the thread that calls; when it
 /// returns false the layout is empty.
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
-                     const std::vector<ChartPin>& pins, ThreadPool& pool,
+                     const ChartWishes& wishes, ThreadPool& pool,
                      const std::function<bool()>& goesOn);
 
 /// Decides anew whether the layout is valid, from the coordinates in the atlas.

@@ -158,18 +158,18 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
     const DiskChart& chart = mesh.set.charts[i];
     FlatChart& out = flat[i];
     out = {};
-    out.isGiven = true;
-    out.fixed = givenUv(mesh, i);
-    out.unpacked.assign(out.fixed.size(), NAN);
-    const FixedChart c{chart, out.fixed,
+    out.isFixed = out.isGiven = true;
+    out.uv = givenUv(mesh, i);
+    out.unpacked.assign(out.uv.size(), NAN);
+    const FixedChart c{chart, out.uv,
                        [&](std::size_t f) { return inputFace(mesh.welded, mesh.surface, own[f]); }};
     if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
     out.attempt.solver = "given";
-    out.attempt.distortion = measureDistortion(chart, out.fixed);
+    out.attempt.distortion = measureDistortion(chart, out.uv);
     for (std::size_t f = 0; f < own.size(); ++f) faces.push_back(c.face(f));
     for (const std::size_t v : chart.vertexOfCorner)
-      triangles.insert(triangles.end(), {out.fixed[2 * v], out.fixed[2 * v + 1]});
+      triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});
   }
   const auto pair = findOverlap(triangles);
   if (!pair) return {};

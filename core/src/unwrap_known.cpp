@@ -101,8 +101,8 @@ Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh, const UnwrapOpti
   Known known{layout, triangleOrder(mesh.input, mesh.welded, mesh.surface), {}};
   if (Status s = checkSizes(layout, known.order.firstOfFace.back()); !s.ok()) return s;
   if (Status s = checkTriangles(layout, known.order, mesh); !s.ok()) return s;
-  // Other angles were wanted then.
-  if (layout.t != options.t) return out;
+  // Other angles were wanted then. What is straight depends on the charts around, too.
+  if (layout.t != options.t || layout.straightSeams || options.straightSeams) return out;
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
   for (std::uint32_t t = 0; t < known.order.ofTriangle.size(); ++t)
     ++known.trianglesOfChart[known.chartOf(t)];
@@ -116,6 +116,7 @@ Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh, const UnwrapOpti
 KnownLayout knownLayout(const UnwrapResult& earlier) {
   KnownLayout out;
   out.t = earlier.report.options.t;
+  out.straightSeams = earlier.report.options.straightSeams;
   out.vertexMap = earlier.vertexMap;
   out.triangles = earlier.triangles;
   out.chartOfTriangle = earlier.chartOfTriangle;

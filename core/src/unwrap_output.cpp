@@ -88,13 +88,14 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
   row.filledHoles = chart.filledHoles;
   row.area = surfaceArea(chart) * chart.unit * chart.unit;
   row.solver = a.solver;
-  row.fixed = flat.isFixed();
+  row.fixed = flat.isFixed;
   row.iterations = static_cast<int>(a.solution.history.size());
   row.angularDistortion = a.distortion.angular;
   row.quasiConformalMean = a.distortion.quasiConformalMean;
   row.quasiConformalMax = a.distortion.quasiConformalMax;
   row.symmetricDirichlet = a.distortion.symmetricDirichlet;
   row.pins = a.pins;
+  row.straight = a.straight;
   row.fallbacks = a.fallbacks;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();

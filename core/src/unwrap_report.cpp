@@ -37,6 +37,7 @@ Json chartJson(const UnwrapChart& c) {
           {"quasiConformal", {{"mean", c.quasiConformalMean}, {"max", c.quasiConformalMax}}},
           {"symmetricDirichlet", c.symmetricDirichlet},
           {"pins", pinsJson(c.pins)},
+          {"straight", straightJson(c.straight)},
           {"fallbacks", c.fallbacks},
           {"problem", c.problem},
           {"valid", c.valid}};

@@ -35,8 +35,9 @@ struct FlattenCommand {
   std::size_t texcoord = 0;  ///< set of a glTF that is written
   std::string report;        ///< empty: none is wanted
   FlattenOptionValues options;
-  std::string bounds;  ///< file with bounds of single vertices; empty: none
-  std::string pins;    ///< file with pinned vertices; empty: none
+  std::string bounds;    ///< file with bounds of single vertices; empty: none
+  std::string straight;  ///< file with straight runs; empty: none
+  std::string pins;      ///< file with pinned vertices; empty: none
   bool quiet = false;
 };
 

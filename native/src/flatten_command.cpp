@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "mesh_run.h"
 #include "pins_file.h"
+#include "straight_file.h"
 #include "texts.h"
 
 namespace abflat::cli {
@@ -29,6 +30,11 @@ struct FlattenJob {
       Result<std::vector<VertexBound>> bounds = readBounds(command.bounds);
       if (!bounds.ok()) return bounds.status;
       options.bounds = std::move(bounds.value);
+    }
+    if (!command.straight.empty()) {
+      Result<std::vector<StraightRun>> straight = readStraight(command.straight);
+      if (!straight.ok()) return straight.status;
+      options.straight = std::move(straight.value);
     }
     if (!command.pins.empty()) {
       Result<std::vector<Pin>> pins = readPins(command.pins);

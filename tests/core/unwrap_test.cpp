@@ -180,6 +180,12 @@ TEST_CASE("charts with pins stay where these put them, and the others go around"
         CHECK(r.uv[2 * r.cornerUv[c]] == pin.uv[0]);
         CHECK(r.uv[2 * r.cornerUv[c] + 1] == pin.uv[1]);
       }
+  // Two vertices of the other chart, at the same place.
+  options.pins.push_back({24 * 3 + 12, {0.25, 0.35}});
+  options.pins.push_back({24 * 9 + 18, {0.25, 0.5}});
+  const Status overlap = unwrap(mesh, options).status;
+  CHECK(overlap.code == StatusCode::InvalidOption);
+  CHECK_THAT(overlap.message, Catch::Contains("on each other"));
 }
 
 TEST_CASE("a pin on a seam says by a face which texcoord it means", "[pin]") {

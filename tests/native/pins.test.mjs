@@ -122,3 +122,42 @@ test('a chart of an atlas stays where its pins are', async (t) => {
   assert.equal(outside.code, 2);
   assert.match(outside.stderr, /outside the unit square/);
 });
+
+test('straight sides are lines, and the report counts them', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('in.obj'), grid(6));
+  writeFileSync(at('straight'), '0 6\n48 42 # the side above\n');
+  const args = ['flatten', 'in.obj', '-o', 'out.obj', '--straight', 'straight'];
+  const ended = await runAbflat([...args, '--report', 'r.json'], { cwd: at() });
+  assert.equal(ended.code, 0, ended.stderr);
+  const { straight, constraintResidual } = JSON.parse(readFileSync(at('r.json'), 'utf8')).charts[0];
+  assert.deepEqual([straight.runs, straight.vertices, straight.released], [2, 10, 0]);
+  assert.ok(straight.deviation < 1e-8 && constraintResidual < 1e-9);
+  const uv = uvOfVertices(readFileSync(at('out.obj'), 'utf8'));
+  for (const side of [
+    [0, 1, 2, 3, 4, 5, 6],
+    [42, 43, 44, 45, 46, 47, 48],
+  ]) {
+    const points = side.map((v) => [...uv.get(v)][0].split(' ').map(Number));
+    const [first, last] = [points[0], points[6]];
+    const [x, y] = [last[0] - first[0], last[1] - first[1]];
+    for (const [u, v] of points)
+      assert.ok(Math.abs(x * (v - first[1]) - y * (u - first[0])) < 1e-8 * (x * x + y * y));
+  }
+});
+
+for (const [runs, sentence, expected] of [
+  ['0\n', /straight:1: expected two boundary vertices/, 3],
+  ['0 4\n', /in\.obj: vertex 4 ends a straight run, but is not on the boundary/, 2],
+  ['0 0\n', /in\.obj: a straight run begins and ends at vertex 0/, 2],
+  ['0 3\n', /in\.obj: the straight runs leave fewer than three boundary vertices/, 4],
+])
+  test(`straight runs ${JSON.stringify(runs)}: exit code ${expected}`, async (t) => {
+    const at = tempFolder(t);
+    writeFileSync(at('in.obj'), grid(2));
+    writeFileSync(at('straight'), runs);
+    const args = ['flatten', 'in.obj', '-o', 'out.obj', '--straight', 'straight'];
+    const { code, stderr } = await runAbflat(args, { cwd: at() });
+    assert.equal(code, expected);
+    assert.match(stderr, sentence);
+  });

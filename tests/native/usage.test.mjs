@@ -56,7 +56,10 @@ const WRONG = [
   ],
   [[...FLATTEN, '--pins', 'p', '--report', './p'], /--report: would replace the file of --pins/],
   [['flatten', '-', '-o', 'o.obj', '--pins', '-'], /--pins: standard input is the mesh already/],
-  [[...FLATTEN, '--bounds', '-', '--pins', '-'], /--pins: standard input has the bounds already/],
+  [
+    [...FLATTEN, '--bounds', '-', '--pins', '-'],
+    /--pins: standard input is the file of --bounds already/,
+  ],
   [['unwrap', 'in.obj', '-o', 'p.obj', '--pins', 'p.obj'], /would replace the file of --pins/],
   [['unwrap', '-', '-o', 'o.obj', '--pins', '-'], /--pins: standard input is used already/],
   [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ or PLY/],

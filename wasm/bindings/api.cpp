@@ -140,6 +140,10 @@ EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double 
   job->options.bounds.push_back({vertex, t});
 }
 
+EMSCRIPTEN_KEEPALIVE void abflatAddStraight(Job* job, std::uint32_t from, std::uint32_t to) {
+  job->options.straight.push_back({from, to});
+}
+
 /// A pin of whatever the job becomes; `face` is 2^32 - 1 where none is given.
 EMSCRIPTEN_KEEPALIVE void abflatAddPin(Job* job, std::uint32_t vertex, double u, double v,
                                        std::uint32_t face) {

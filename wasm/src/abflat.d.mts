@@ -18,6 +18,7 @@ export interface NativeModule {
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatKnownT(job: number, t: number): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
+  _abflatAddStraight(job: number, from: number, to: number): void;
   _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;
   _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
   _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;

@@ -38,6 +38,7 @@ import {
   knownArrays,
   pinNumbers,
   seamVertices,
+  straightNumbers,
   unwrapNumbers,
 } from './validate.js';
 import { wasmFile } from './wasm-file.js';
@@ -112,6 +113,7 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
     kind: 'flatten',
     values: flattenNumbers(options),
     bounds: boundNumbers(options.bounds),
+    straight: straightNumbers(options.straight),
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }

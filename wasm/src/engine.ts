@@ -168,12 +168,13 @@ export class Engine {
   }
 
   #flatten(request: FlattenRequest): FlattenResult {
-    const { values, bounds } = request;
+    const { values, bounds, straight } = request;
     return this.#withLayout<Report, FlattenResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetOption);
         for (let i = 0; i < bounds.length; i += 2)
           native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
+        for (const [from, to] of straight) native._abflatAddStraight(job, from, to);
       },
       run: this.#native._abflatFlatten,
       complete: (layout) => layout,

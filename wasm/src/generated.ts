@@ -107,6 +107,7 @@ export interface UnwrapOptionValues {
   maxStretch: number;
   fillHoles: FillHoles;
   t: number | 'auto';
+  straightSeams: boolean;
   resolution: number;
   padding: number;
   texelDensity: number | 'auto';
@@ -120,6 +121,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.04,
   fillHoles: 'auto',
   t: 'auto',
+  straightSeams: false,
   resolution: 1024,
   padding: 2,
   texelDensity: 'auto',
@@ -134,6 +136,7 @@ export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.04, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
+  straightSeams: { type: 'boolean', default: false, text: 'seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is', range: '' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 32768, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)', range: 'above 0, or auto' },

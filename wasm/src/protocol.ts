@@ -40,6 +40,7 @@ export interface FlattenRequest extends LayoutRequest {
   values: number[];
   /** Vertex and t of each bound in turn. */
   bounds: number[];
+  straight: [from: number, to: number][];
 }
 
 /** What is known of an earlier call, in arrays that belong to this one. */

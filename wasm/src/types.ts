@@ -49,6 +49,12 @@ export interface Pin {
   face?: number;
 }
 
+/** What follows vertex `from` on the boundary, with the surface on the left, up to vertex `to`. */
+export interface StraightRun {
+  from: number;
+  to: number;
+}
+
 export interface LayoutOptions extends CallOptions {
   /**
    * None, or two and more; in an atlas that of each chart, which then stays where its pins are. Two are met by moving,
@@ -65,6 +71,8 @@ export interface LayoutOptions extends CallOptions {
 export interface FlattenOptions extends LayoutOptions, Partial<FlattenOptionValues> {
   /** Bounds of single boundary vertices, in place of the common t. */
   bounds?: VertexBound[];
+  /** Parts of the boundary that are straight in the layout, whatever t and the bounds say. */
+  straight?: readonly StraightRun[];
   onProgress?: (progress: Progress) => void;
 }
 
@@ -102,6 +110,17 @@ export interface PinReport {
   deviation: number;
 }
 
+/** What became of straight runs. */
+export interface StraightReport {
+  runs: number;
+  /** Strictly inside of them, each with an angle of pi. */
+  vertices: number;
+  /** Vertices that could be straight but are not: no layout, or none without much distortion, has all of them. */
+  released: number;
+  /** Largest difference of an angle from pi, radians. */
+  deviation: number;
+}
+
 export interface ChartReport {
   faces: number;
   boundaryVertices: number;
@@ -132,6 +151,8 @@ export interface ChartReport {
   delaunay: DelaunayReport | null;
   /** Null without pins. */
   pins: PinReport | null;
+  /** Null where nothing is to be straight. */
+  straight: StraightReport | null;
   /** What was done beyond the plain solver, one sentence each. */
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */
@@ -205,7 +226,7 @@ export interface KnownLayout {
   indices: Uint32Array;
   vertexMap: Uint32Array;
   chartOfTriangle: Uint32Array;
-  report: { options: Pick<UnwrapOptionValues, 't'> };
+  report: { options: Pick<UnwrapOptionValues, 't' | 'straightSeams'> };
 }
 
 /** The plain values are described, with their defaults, by UNWRAP_OPTIONS. */
@@ -216,7 +237,7 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   seamEdges?: Uint32Array;
   /** Faces of the input whose uv islands stay exactly as they are; all others are packed around them. */
   fixedFaces?: Uint32Array;
-  /** Charts that have the triangles and the outline of one of these, and the same `t`, are not flattened again. */
+  /** Charts that have the triangles and the outline of one of these, and the same `t`, are not flattened again; all are with `straightSeams`. */
   known?: KnownLayout;
   onProgress?: (progress: UnwrapProgress) => void;
 }
@@ -260,6 +281,8 @@ export interface UnwrapChart {
   symmetricDirichlet: number;
   /** Null without pins. */
   pins: PinReport | null;
+  /** Null where nothing is to be straight. */
+  straight: StraightReport | null;
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */
   problem: string;

@@ -18,7 +18,7 @@ const OF_CALL = ['signal', 'transfer'];
 const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
-  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
+  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', ...OF_LAYOUT],
   unwrap: [
     ...Object.keys(UNWRAP_OPTIONS),
     'seams',
@@ -158,6 +158,8 @@ export function knownArrays(known: unknown): KnownArrays | undefined {
   check('vertexMap', 'Uint32Array');
   check('chartOfTriangle', 'Uint32Array');
   const { unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
+  // What is straight depends on the charts around as well.
+  if (report?.options?.straightSeams === true) return undefined;
   return {
     t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
     arrays: {
@@ -203,6 +205,15 @@ export function boundNumbers(bounds: unknown = []): number[] {
     checkIndex(`bounds[${i}].vertex`, 'vertex', bound?.vertex);
     checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
     return [bound?.vertex as number, bound?.t as number];
+  });
+}
+
+export function straightNumbers(runs: unknown = []): [number, number][] {
+  checkArray('straight', runs, '{ from, to }');
+  return (runs as ({ from?: unknown; to?: unknown } | null)[]).map((run, i) => {
+    checkIndex(`straight[${i}].from`, 'vertex', run?.from);
+    checkIndex(`straight[${i}].to`, 'vertex', run?.to);
+    return [run?.from as number, run?.to as number];
   });
 }
 

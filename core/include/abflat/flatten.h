@@ -34,6 +34,12 @@ struct VertexBound {
   double t = 0;
 };
 
+/// A part of the boundary that is to be straight in the layout: what follows `from`, with the
+/// surface on the left, up to `to`. Both are input vertices and may be corners themselves.
+struct StraightRun {
+  std::uint32_t from = 0, to = 0;
+};
+
 /// Of a pin that needs no face.
 constexpr std::uint32_t kAnyFace = 0xffffffffu;
 
@@ -48,6 +54,8 @@ struct Pin {
 
 struct FlattenOptions : FlattenOptionValues {
   std::vector<VertexBound> bounds;
+  /// Angles inside of these are exactly pi, whatever t and the bounds say.
+  std::vector<StraightRun> straight;
   /// None, or two and more. Two are met by turning and scaling the layout; of the layouts that meet
   /// more, the nearest to the angles in the sense of least squares is taken.
   std::vector<Pin> pins;
@@ -87,6 +95,16 @@ struct PinReport {
   double deviation = 0;
 };
 
+/// What became of straight runs.
+struct StraightReport {
+  std::size_t runs = 0;
+  std::size_t vertices = 0;  ///< strictly inside of them, each with an angle of pi
+  /// Vertices that were not held straight because no layout, or none without much distortion, has
+  /// all of them.
+  std::size_t released = 0;
+  double deviation = 0;  ///< largest difference from pi of the layout's angle at one, radians
+};
+
 struct ChartReport {
   std::size_t faces = 0;
   std::size_t boundaryVertices = 0;
@@ -113,6 +131,7 @@ struct ChartReport {
   double maxBoundaryAngle = 0;             ///< radians
   std::optional<DelaunayReport> delaunay;  ///< when it was asked for
   std::optional<PinReport> pins;           ///< when there are any
+  std::optional<StraightReport> straight;  ///< when it was asked for
   std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each
   std::string problem;  ///< why the chart is not valid, one sentence; empty when it is
   bool valid = false;

@@ -32,6 +32,7 @@ Result<SeamSources> parseSeams(std::string_view text);
 /// What an earlier run gave for the same mesh; names as in UnwrapResult.
 struct KnownLayout {
   double t = 0;                          ///< its UnwrapOptionValues::t
+  bool straightSeams = false;            ///< likewise
   std::vector<double> unpacked;          ///< 2 per vertex, where UnwrapResult has texcoords
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each vertex
   std::vector<std::uint32_t> triangles;  ///< 3 vertices per triangle
@@ -94,11 +95,12 @@ struct UnwrapChart {
   double area = 0;  ///< 3D
   /// "known": its layout is that of an earlier run; "given": that of the input.
   std::string solver;
-  bool fixed = false;  ///< stays where it was
+  bool fixed = false;  ///< stays where the input or pins put it
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
-  std::optional<PinReport> pins;  ///< when there are any
+  std::optional<PinReport> pins;           ///< when there are any
+  std::optional<StraightReport> straight;  ///< when it was asked for
   std::vector<std::string> fallbacks;
   std::string problem;
   bool valid = false;

@@ -45,6 +45,7 @@ AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
   p.place = chart.place;
   p.isBoundary.assign(chart.vertexCount(), 0);
   for (std::uint32_t h : chart.boundary) p.isBoundary[chart.vertexOfCorner[h]] = 1;
+  p.isStraight.assign(chart.vertexCount(), 0);
   p.angleSum.resize(chart.vertexCount());
   for (std::size_t v = 0; v < p.angleSum.size(); ++v)
     p.angleSum[v] = p.isBoundary[v] ? kUnbounded : 2 * kPi;
@@ -63,6 +64,15 @@ AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
 void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t) {
   for (std::size_t i = 0; i < chart.boundary.size(); ++i)
     problem.angleSum[chart.vertexOfCorner[chart.boundary[i]]] = t[i] < 2 ? t[i] * kPi : kUnbounded;
+}
+
+void setStraight(AngleProblem& problem, const DiskChart& chart,
+                 const std::vector<std::uint8_t>& straight) {
+  for (std::size_t i = 0; i < straight.size(); ++i) {
+    const std::uint32_t v = chart.vertexOfCorner[chart.boundary[i]];
+    problem.isStraight[v] = straight[i];
+    if (straight[i] != 0) problem.angleSum[v] = kPi;
+  }
 }
 
 void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin) {

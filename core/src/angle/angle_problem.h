@@ -17,6 +17,7 @@ namespace abflat {
 ///              sums round interior vertices = 2 pi                     (1)
 ///              sum log sin(next) - log sin(prev) = 0 there             (6)
 ///              sums at boundary vertices <= bound                      (4), with t
+///              sums at straight ones = pi
 ///              pairs opposite an interior edge <= limit                (9), only for Delaunay
 struct AngleProblem {
   std::vector<std::uint32_t> vertexOfCorner;  ///< size 3F
@@ -25,6 +26,7 @@ struct AngleProblem {
   std::vector<double> weight;                 ///< w = 1/a^2, size 3F
   std::vector<double>
       angleSum;  ///< per vertex: 2 pi inside, the upper bound on the boundary (infinite: none)
+  std::vector<std::uint8_t> isStraight;  ///< per vertex: on the boundary, the bound is met exactly
   std::vector<std::array<std::uint32_t, 2>>
       edgeCorners;  ///< the two corners opposite each edge of condition (9); empty: no condition
   std::vector<std::uint32_t>
@@ -51,6 +53,11 @@ AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool = nullpt
 /// chart.boundary: condition (4) with the boundary control coefficient. t >= 2 is classic ABF,
 /// which has no condition on the boundary.
 void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t);
+
+/// Bounds of pi that are met exactly, at those places of chart.boundary that `straight` marks.
+/// Empty: none.
+void setStraight(AngleProblem& problem, const DiskChart& chart,
+                 const std::vector<std::uint8_t>& straight);
 
 /// Adds condition (9), alpha_1 + alpha_2 <= pi - margin, for every interior edge.
 void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin);

@@ -68,7 +68,7 @@ ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
 Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {
   Attempt a;
   a.t = t;
-  setBounds(problem_, chart_, t);
+  setAllBounds(a.t);
   Stopwatch watch;
   const bool isDelaunay = !problem_.edgeCorners.empty();
   a.solution = isDelaunay ? solver_.solveDelaunay(warm->solution)
@@ -101,6 +101,11 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   return a;
 }
 
+void ChartFlattener::setAllBounds(const std::vector<double>& t) {
+  setBounds(problem_, chart_, t);
+  setStraight(problem_, chart_, straight_);
+}
+
 std::string ChartFlattener::memoryNote() const {
   const FactorMemory& memory = solver_.memory();
   if (memory.fits()) return {};
@@ -116,7 +121,7 @@ void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, char
 
 std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
   Stopwatch watch;
-  setBounds(problem_, chart_, from.t);
+  setAllBounds(from.t);
   setDelaunay(problem_, chart_, 0);
   AngleSolution best = from.solution;
   for (const double compliance : kCompliances) {
@@ -164,6 +169,7 @@ void ChartFlattener::measure(Attempt& a) {
   onStage_("check");
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
+  if (!straight_.empty()) a.straight = reportStraight(chart_, straight_, a.uv);
   timings_.check += watch.lap();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 #include "check/distortion.h"
 #include "check/validity.h"
@@ -24,6 +25,7 @@ struct Attempt {
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;
   std::optional<PinReport> pins;
+  std::optional<StraightReport> straight;
   bool wasValidUnpinned = false;  ///< with pins only
 
   bool valid() const { return validity.valid() && solution.converged; }
@@ -47,6 +49,9 @@ class ChartFlattener {
 
   /// From now on layouts are checked by checkSeparated().
   void requireSeparation() { requiresSeparation_ = true; }
+
+  /// From now on the boundary goes straight on at these places, whatever the bounds.
+  void requireStraight(StraightPlaces straight) { straight_ = std::move(straight); }
 
   /// From now on attempts also meet condition (9), with the given margin in radians, and need an
   /// attempt to start from. There is no interior point to take over then.
@@ -72,6 +77,7 @@ class ChartFlattener {
   const DiskChart& chart() const { return chart_; }
 
  private:
+  void setAllBounds(const std::vector<double>& t);
   void layOutAndCheck(Attempt& a);
   Validity check(const std::vector<double>& uv) const;
 
@@ -81,6 +87,7 @@ class ChartFlattener {
   std::function<void(const char*)> onStage_;
   Timings timings_;
   bool requiresSeparation_ = false;
+  StraightPlaces straight_;
 };
 
 }  // namespace abflat

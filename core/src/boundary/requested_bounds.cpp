@@ -36,7 +36,8 @@ Status checkFeasible(const std::vector<double>& t, double common) {
 
 }  // namespace
 
-Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options) {
+Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
+                                            const StraightPlaces& straight) {
   if (options.t != kAutoT && !isBound(options.t))
     return Status{StatusCode::InvalidOption, "t must be a number above 0, or auto"};
   double common = options.t == kAutoT ? 2 : options.t;
@@ -58,7 +59,10 @@ Result<std::vector<double>> requestedBounds(const DiskChart& chart, const Flatte
       for (const std::size_t i : found->second) t[i] = b.t;
     }
   }
-  if (Status s = checkFeasible(t, common); !s.ok()) return s;
+  std::vector<double> met = t;
+  for (std::size_t i = 0; i < straight.size(); ++i)
+    if (straight[i] != 0) met[i] = 1;
+  if (Status s = checkFeasible(met, common); !s.ok()) return s;
   return t;
 }
 

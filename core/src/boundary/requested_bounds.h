@@ -3,13 +3,15 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 
 namespace abflat {
 
 /// The bounds the options ask for, times pi, per boundary vertex in the order of chart.boundary;
-/// kAutoT counts as 2. Errors: InvalidOption for a bound of a vertex that is not on the boundary;
-/// InfeasibleBound.
-Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options);
+/// kAutoT counts as 2. Where `straight` holds the angle at pi they have no effect. Errors:
+/// InvalidOption for a bound of a vertex that is not on the boundary; InfeasibleBound.
+Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
+                                            const StraightPlaces& straight);
 
 }  // namespace abflat

@@ -15,19 +15,15 @@ double angleAt(const double* o, const double* a, const double* b) {
   return portable::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
 }
 
-double maxBoundaryAngle(const DiskChart& chart, const std::vector<double>& uv) {
-  double worst = 0;
-  for (const std::uint32_t h : chart.boundary) {
-    double sum = 0;
-    for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(chart.twin, c))
-      sum += angleAt(&uv[2 * chart.vertexOfCorner[c]], &uv[2 * chart.vertexOfCorner[nextCorner(c)]],
-                     &uv[2 * chart.vertexOfCorner[prevCorner(c)]]);
-    worst = std::max(worst, sum);
-  }
-  return worst;
-}
-
 }  // namespace
+
+double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t h) {
+  double sum = 0;
+  for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(chart.twin, c))
+    sum += angleAt(&uv[2 * chart.vertexOfCorner[c]], &uv[2 * chart.vertexOfCorner[nextCorner(c)]],
+                   &uv[2 * chart.vertexOfCorner[prevCorner(c)]]);
+  return sum;
+}
 
 Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
   Validity out;
@@ -47,7 +43,8 @@ Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
     points.insert(points.end(), {uv[2 * v], uv[2 * v + 1]});
   }
   out.crossings = findCrossings(points);
-  out.maxBoundaryAngle = maxBoundaryAngle(chart, uv);
+  for (const std::uint32_t h : chart.boundary)
+    out.maxBoundaryAngle = std::max(out.maxBoundaryAngle, boundaryAngle(chart, uv, h));
   return out;
 }
 

@@ -72,7 +72,7 @@ Result<KktPattern> kktPattern(const PolygonMesh& mesh, double t, Formulation for
   const DiskChart chart = makeDiskChart(mesh, surface);
   FlattenOptions options;
   options.t = t;
-  const Result<std::vector<double>> bounds = requestedBounds(chart, options);
+  const Result<std::vector<double>> bounds = requestedBounds(chart, options, {});
   if (!bounds.ok()) return bounds.status;
   AngleProblem problem = buildAngleProblem(chart);
   setBounds(problem, chart, bounds.value);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "layout/conformal_energy.h"
 #include "mesh/triangle_geometry.h"
+#include "pin/conformal_energy.h"
 
 namespace abflat {
 namespace {

@@ -1,7 +1,7 @@
 #include "reference/lscm.h"
 
-#include "layout/conformal_energy.h"
 #include "mesh/triangle_geometry.h"
+#include "pin/conformal_energy.h"
 #include "reference/corner_angles.h"
 
 namespace abflat {

@@ -42,6 +42,7 @@ std::vector<double> startAngles(const AngleProblem& problem) {
 }
 
 /// i is active iff mu_i + c g_i > 0. The multiplier of an inactive constraint is 0 by definition.
+/// Equations are active always, with multipliers of either sign.
 /// Returns whether anything changed.
 bool updateActive(const AngleProblem& problem, const ConstraintRows& rows, const Linearization& lin,
                   AngleSolution& s) {
@@ -54,7 +55,10 @@ bool updateActive(const AngleProblem& problem, const ConstraintRows& rows, const
   };
   for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
     const std::uint32_t r = rows.ofVertex[v];
-    if (problem.isBoundary[v]) update(s.multipliers.row[r], lin.residual[r], s.active[v]);
+    if (problem.isStraight[v])
+      s.active[v] = 1;
+    else if (problem.isBoundary[v])
+      update(s.multipliers.row[r], lin.residual[r], s.active[v]);
   }
   for (std::size_t i = 0; i < s.activeEdge.size(); ++i)
     update(s.multipliers.edge[i], lin.edgeResidual[i], s.activeEdge[i]);

@@ -75,10 +75,14 @@ class InteriorPoint {
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
       if (!problem_.isBoundary[v] || !std::isfinite(problem_.angleSum[v])) continue;
       bounded_[v] = 1;
+      if (problem_.isStraight[v]) continue;
       slack_[v] = std::max(0.1, -lin_.residual[rows_.ofVertex[v]]);
       multiplier(v) = tauSlack_ / slack_[v];
     }
   }
+
+  /// Equations have no slack.
+  bool hasSlack(std::uint32_t v) const { return bounded_[v] && !problem_.isStraight[v]; }
 
   double& multiplier(std::uint32_t v) { return s_.multipliers.row[rows_.ofVertex[v]]; }
 
@@ -107,7 +111,7 @@ class InteriorPoint {
   /// g + s + J dx + ds = 0 with ds = tau/mu - (s/mu) mu+ eliminated.
   void addSlackTerms() {
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
-      if (!bounded_[v]) continue;
+      if (!hasSlack(v)) continue;
       compliance_[v] = slack_[v] / multiplier(v);
       lin_.residual[rows_.ofVertex[v]] += slack_[v] + tauSlack_ / multiplier(v);
     }
@@ -118,7 +122,7 @@ class InteriorPoint {
     for (std::size_t c = 0; c < dx_.size(); ++c)
       dualStep_[c] = (barrier_.tau - barrier_.dual[c] * dx_[c]) / s_.angles[c] - barrier_.dual[c];
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
-      if (bounded_[v])
+      if (hasSlack(v))
         slackStep_[v] = tauSlack_ / multiplier(v) - compliance_[v] * next_.row[rows_.ofVertex[v]];
   }
 
@@ -131,7 +135,7 @@ class InteriorPoint {
       dual = shorten(barrier_.dual[c], dualStep_[c], kFractionToBoundary, dual);
     }
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
-      if (!bounded_[v]) continue;
+      if (!hasSlack(v)) continue;
       primal = shorten(slack_[v], slackStep_[v], slackFraction, primal);
       dual =
           shorten(multiplier(v), next_.row[rows_.ofVertex[v]] - multiplier(v), slackFraction, dual);
@@ -148,7 +152,7 @@ class InteriorPoint {
       slack_[v] += primal * slackStep_[v];
       for (std::uint32_t r = rows_.ofVertex[v]; r < rows_.ofVertex[v + 1]; ++r)
         s_.multipliers.row[r] +=
-            (problem_.isBoundary[v] ? dual : primal) * (next_.row[r] - s_.multipliers.row[r]);
+            (hasSlack(v) ? dual : primal) * (next_.row[r] - s_.multipliers.row[r]);
     }
     for (std::size_t f = 0; f < next_.triangle.size(); ++f)
       s_.multipliers.triangle[f] += primal * (next_.triangle[f] - s_.multipliers.triangle[f]);
@@ -163,7 +167,7 @@ class InteriorPoint {
     now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers, options_.common.pool);
     s_.constraintResidual = now.constraint;
     for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
-      s_.active[v] = bounded_[v] && multiplier(v) > slack_[v];
+      s_.active[v] = bounded_[v] && (problem_.isStraight[v] || multiplier(v) > slack_[v]);
       now.active += s_.active[v];
     }
     return now;

@@ -126,7 +126,9 @@ double constraintResidual(const AngleProblem& problem, const ConstraintRows& row
       problem, pool, [&](std::uint32_t f) { return std::abs(lin.elements[f].triangleResidual); });
   for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
     const std::uint32_t r = rows.ofVertex[v];
-    if (problem.isBoundary[v])
+    if (problem.isStraight[v])
+      worst = std::max(worst, std::abs(lin.residual[r]));
+    else if (problem.isBoundary[v])
       worst = std::max(worst, lin.residual[r]);
     else
       worst = std::max({worst, std::abs(lin.residual[r]), std::abs(lin.residual[r + 1])});

@@ -17,6 +17,13 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
                  "common t: a line 'VERTEX T' each, vertices counted from 0; - for standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
+  sub->add_option(
+         "--straight", c.straight,
+         wrapped("text file with parts of the boundary that are to be straight: a line 'FROM TO' "
+                 "each, boundary vertices counted from 0, with the surface on the left on the way "
+                 "from one to the other; - for standard input"))
+      ->check(notEmpty())
+      ->type_name("FILE");
   addPins(*sub, c.pins, "");
   addTexcoordSet(*sub, c.texcoord);
   addReport(*sub, c.report);
@@ -34,15 +41,22 @@ void checkTogether(const FlattenCommand& c) {
     const char* option;
     const std::string& path;
   };
-  for (const auto& [option, path] : {Source{"--bounds", c.bounds}, Source{"--pins", c.pins}}) {
+  const std::vector<Source> sources = {
+      {"IN", c.input}, {"--bounds", c.bounds}, {"--straight", c.straight}, {"--pins", c.pins}};
+  const char* reader = nullptr;  // of standard input
+  for (const auto& [option, path] : sources) {
     const std::string loss = std::string("would replace the file of ") + option;
-    if (replaces(c.report, path)) refuse("--report", loss);
-    if (replaces(c.output, path)) refuse("--output", loss);
-    if (c.input == kStandardStream && path == kStandardStream)
-      throw CLI::ValidationError(option, "standard input is the mesh already; name a file");
+    if (&path != &c.input && replaces(c.report, path)) refuse("--report", loss);
+    if (&path != &c.input && replaces(c.output, path)) refuse("--output", loss);
+    if (path != kStandardStream) continue;
+    if (reader != nullptr)
+      throw CLI::ValidationError(
+          option,
+          std::string("standard input is ") +
+              (c.input == kStandardStream ? "the mesh" : std::string("the file of ") + reader) +
+              " already; name a file");
+    reader = option;
   }
-  if (c.bounds == kStandardStream && c.pins == kStandardStream)
-    throw CLI::ValidationError("--pins", "standard input has the bounds already; name a file");
 }
 
 }  // namespace abflat::cli

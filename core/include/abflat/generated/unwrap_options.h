@@ -39,6 +39,8 @@ struct UnwrapOptionValues {
   FillHoles fillHoles = FillHoles::Auto;
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
   double t = 0;
+  /// seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is
+  bool straightSeams = false;
   /// texels along a side of the texture that charts are packed for
   int resolution = 1024;
   /// free texels between charts at that resolution
@@ -60,6 +62,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"maxStretch", "--max-stretch", "1.04", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
+    {"straightSeams", "--straight-seams", "false", "", "seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is", true, false},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "texels along a side of the texture that charts are packed for", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)", false, false},
@@ -68,7 +71,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 10};
+  return {kInfos, 11};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
@@ -86,26 +89,29 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.t = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
     case 3:
+      options.straightSeams = value != 0;
+      return value == 0 || value == 1;
+    case 4:
       if (!(value >= 16 && value <= 32768) || value != static_cast<int>(value)) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 4:
+    case 5:
       if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 5:
+    case 6:
       options.texelDensity = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
-    case 6:
+    case 7:
       options.udim = value != 0;
       return value == 0 || value == 1;
-    case 7:
+    case 8:
       options.rotate = value != 0;
       return value == 0 || value == 1;
-    case 8:
+    case 9:
       options.memory = static_cast<double>(value);
       return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
-    case 9:
+    case 10:
       if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -119,16 +125,16 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 1 && text == "never") return found = true, 1;
   if (index == 1 && text == "always") return found = true, 2;
   if (index == 2 && text == "auto") return found = true, 0;
-  if (index == 5 && text == "auto") return found = true, 0;
-  if (index == 8 && text == "auto") return found = true, 0;
+  if (index == 6 && text == "auto") return found = true, 0;
+  if (index == 9 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 8 && letter == 'M') return 1;
-  if (index == 8 && letter == 'G') return 1024;
-  if (index == 8 && letter == 'T') return 1048576;
+  if (index == 9 && letter == 'M') return 1;
+  if (index == 9 && letter == 'G') return 1024;
+  if (index == 9 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -141,6 +147,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
     visit("t", "auto");
   else
     visit("t", options.t);
+  visit("straightSeams", options.straightSeams);
   visit("resolution", options.resolution);
   visit("padding", options.padding);
   if (options.texelDensity == 0)

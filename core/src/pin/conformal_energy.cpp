@@ -1,4 +1,4 @@
-#include "layout/conformal_energy.h"
+#include "pin/conformal_energy.h"
 
 #include <tuple>
 

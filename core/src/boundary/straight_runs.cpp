@@ -1,0 +1,118 @@
+#include "boundary/straight_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "angle/constants.h"
+#include "check/validity.h"
+
+namespace abflat {
+namespace {
+
+/// Place in the boundary of each chart vertex; kNone inside.
+std::vector<std::uint32_t> placesOfVertices(const DiskChart& chart) {
+  std::vector<std::uint32_t> out(chart.vertexCount(), kNone);
+  for (std::uint32_t i = 0; i < chart.boundary.size(); ++i)
+    out[chart.vertexOfCorner[chart.boundary[i]]] = i;
+  return out;
+}
+
+std::string nameOf(const DiskChart& chart, std::size_t place) {
+  return "vertex " + std::to_string(chart.inputVertex[chart.vertexOfCorner[chart.boundary[place]]]);
+}
+
+/// The only place of an input vertex.
+Result<std::size_t> placeOf(const DiskChart& chart, std::uint32_t vertex) {
+  std::size_t count = 0, place = 0;
+  for (std::size_t i = 0; i < chart.boundary.size(); ++i) {
+    if (chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]] != vertex) continue;
+    place = i;
+    ++count;
+  }
+  if (count == 1) return place;
+  return Status{StatusCode::InvalidOption,
+                "vertex " + std::to_string(vertex) + " ends a straight run, but " +
+                    (count == 0 ? "is not on the boundary"
+                                : "the boundary passes it more than once; end the run elsewhere")};
+}
+
+Status checkFeasible(const DiskChart& chart, const StraightPlaces& straight) {
+  if (isTooStraight(straight))
+    return {StatusCode::InfeasibleBound,
+            "the straight runs leave fewer than three boundary vertices that may turn, and their "
+            "turns sum to 2 pi; shorten a run"};
+  const std::vector<FlatChord> chords = flatChords(chart, straight);
+  if (chords.empty()) return {};
+  const FlatChord& chord = chords.front();
+  return {StatusCode::InfeasibleBound,
+          "the edge from " + nameOf(chart, chord.from) + " to " + nameOf(chart, chord.to) +
+              " cuts off a part of a straight run, which leaves no area between them; end a run "
+              "at " +
+              nameOf(chart, (chord.from + 1) % straight.size())};
+}
+
+}  // namespace
+
+Result<StraightPlaces> straightPlaces(const DiskChart& chart,
+                                      const std::vector<StraightRun>& runs) {
+  if (runs.empty()) return StraightPlaces{};
+  const std::size_t n = chart.boundary.size();
+  StraightPlaces straight(n, 0);
+  for (const StraightRun& run : runs) {
+    const Result<std::size_t> from = placeOf(chart, run.from), to = placeOf(chart, run.to);
+    if (!from.ok()) return from.status;
+    if (!to.ok()) return to.status;
+    if (from.value == to.value)
+      return Status{StatusCode::InvalidOption, "a straight run begins and ends at vertex " +
+                                                   std::to_string(run.from) +
+                                                   "; it needs two vertices"};
+    for (std::size_t i = (from.value + 1) % n; i != to.value; i = (i + 1) % n) straight[i] = 1;
+  }
+  if (Status s = checkFeasible(chart, straight); !s.ok()) return s;
+  return straight;
+}
+
+std::vector<FlatChord> flatChords(const DiskChart& chart, const StraightPlaces& straight) {
+  const std::size_t n = straight.size();
+  // How many straight places follow each, at most n.
+  std::vector<std::size_t> following(2 * n + 1, 0);
+  for (std::size_t i = 2 * n; i-- > 0;)
+    following[i] = straight[(i + 1) % n] != 0 ? std::min(following[i + 1] + 1, n) : 0;
+  const std::vector<std::uint32_t> place = placesOfVertices(chart);
+  std::vector<FlatChord> out;
+  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+    if (chart.twin[h] == kNone) continue;  // both half-edges of an inner edge have their turn
+    const std::uint32_t from = place[chart.vertexOfCorner[h]];
+    const std::uint32_t to = place[chart.vertexOfCorner[nextCorner(h)]];
+    if (from == kNone || to == kNone) continue;
+    const std::size_t between = (to + n - from - 1) % n;
+    if (between > 0 && between <= following[from]) out.push_back({from, to});
+  }
+  return out;
+}
+
+std::size_t placesThatTurn(const DiskChart& chart, const StraightPlaces& straight) {
+  return chart.boundary.size() -
+         static_cast<std::size_t>(std::count(straight.begin(), straight.end(), 1));
+}
+
+bool isTooStraight(const StraightPlaces& straight) {
+  const auto held = std::count(straight.begin(), straight.end(), 1);
+  return held > 0 && static_cast<std::size_t>(held) + 3 > straight.size();
+}
+
+StraightReport reportStraight(const DiskChart& chart, const StraightPlaces& straight,
+                              const std::vector<double>& uv) {
+  StraightReport out;
+  for (std::size_t i = 0; i < straight.size(); ++i) {
+    if (straight[i] == 0) continue;
+    ++out.vertices;
+    out.runs += straight[(i == 0 ? straight.size() : i) - 1] == 0;
+    out.deviation =
+        std::max(out.deviation, std::abs(boundaryAngle(chart, uv, chart.boundary[i]) - kPi));
+  }
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "abflat/flatten.h"
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// Per place in chart.boundary: 1 where the layout's boundary goes straight on, its angle exactly
+/// pi. Empty: nowhere.
+using StraightPlaces = std::vector<std::uint8_t>;
+
+/// The vertices strictly inside of runs of the boundary. Errors: InvalidOption for a run that does
+/// not begin and end at different vertices of the boundary; InfeasibleBound where no layout has
+/// them all straight.
+Result<StraightPlaces> straightPlaces(const DiskChart& chart, const std::vector<StraightRun>& runs);
+
+/// An inner edge between two places of the boundary that are joined by nothing but straight places:
+/// the triangles between would have no area.
+struct FlatChord {
+  std::size_t from = 0, to = 0;  ///< the straight places follow `from` and end before `to`
+};
+std::vector<FlatChord> flatChords(const DiskChart& chart, const StraightPlaces& straight);
+
+/// Places that may turn are fewer than three, while all turns sum to 2 pi.
+bool isTooStraight(const StraightPlaces& straight);
+
+/// Boundary places that are not straight.
+std::size_t placesThatTurn(const DiskChart& chart, const StraightPlaces& straight);
+
+/// Runs, vertices and deviation of a layout.
+StraightReport reportStraight(const DiskChart& chart, const StraightPlaces& straight,
+                              const std::vector<double>& uv);
+
+}  // namespace abflat

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "pin/chart_pins.h"
+#include "unwrap_known.h"
+
+namespace abflat {
+
+/// What each chart is asked for. Errors: those of pinsOfCharts.
+Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoords& texcoords,
+                                             const UnwrapOptions& options);
+
+/// Charts with pins must be inside the unit square and not on each other. Errors: InvalidOption
+/// names a vertex or two faces.
+Status checkPinned(const CutMesh& mesh, const std::vector<FlatChart>& flat);
+
+}  // namespace abflat
