@@ -27,7 +27,7 @@ Opened openAlong(const WeldedMesh& welded, const Surface& surface, const Seams& 
 
 }  // namespace
 
-CutMesh cutMesh(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& given,
                 const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                 SeamSummary& summary) {
   const Opened opened = openAlong(welded, surface, given);
@@ -41,8 +41,13 @@ CutMesh cutMesh(const WeldedMesh& welded, const Surface& surface, const Seams& g
   wanted.pool = &pool;
   wanted.keepsOn = std::move(keepsOn);
   SeamReport found;
-  CutMesh out;
+  CutOpen out;
   out.seams = findSeams(mesh, {}, wanted, &found);
+  for (std::size_t i = 0; i < found.place.size(); ++i) {
+    const std::uint32_t v = opened.fans.inputVertex[i];
+    if (v >= out.place.size()) out.place.resize(v + 1);
+    out.place[v] = found.place[i];
+  }
   out.disks = filledTable(mesh, opened.fans.inputVertex, out.seams);
   out.seams.resize(given.size());
   double length = 0;

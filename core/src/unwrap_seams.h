@@ -11,13 +11,14 @@
 namespace abflat {
 
 /// The surface as disks.
-struct CutMesh {
-  Seams seams;        ///< those that can be seen, the given ones among them
-  FilledTable disks;  ///< cut open, with what fills holes
+struct CutOpen {
+  Seams seams;                       ///< those that can be seen, the given ones among them
+  FilledTable disks;                 ///< cut open, with what fills holes
+  std::vector<std::uint32_t> place;  ///< per vertex of the welded mesh, in an elimination order
 };
 
 /// Cuts the surface and fills the holes of its charts; `keepsOn` as in SeamOptions.
-CutMesh cutMesh(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& given,
                 const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                 SeamSummary& summary);
 

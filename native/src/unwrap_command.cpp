@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "mesh_run.h"
 #include "paths.h"
+#include "pins_file.h"
 #include "seam_file.h"
 #include "texts.h"
 
@@ -14,6 +15,12 @@ struct UnwrapJob {
   using Outcome = UnwrapResult;
   using Report = UnwrapReport;
 
+  static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them, and tells
+
+  static void addNotes(const std::vector<std::string>& notes, UnwrapReport& report) {
+    report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
+  }
+
   static Result<UnwrapResult> compute(const UnwrapCommand& command, const PolygonMesh& mesh,
                                       ProgressCallback progress) {
     UnwrapOptions options;
@@ -24,7 +31,13 @@ struct UnwrapJob {
       if (!edges.ok()) return edges.status;
       options.seams.edges = std::move(edges.value);
     }
-    options.roundsToSingle = writtenFormat(command.output) == MeshFormat::Ply;
+    if (!command.pins.empty()) {
+      Result<std::vector<Pin>> pins = readPins(command.pins);
+      if (!pins.ok()) return pins.status;
+      options.pins = std::move(pins.value);
+    }
+    options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
+    options.roundsForGltf = writtenFormat(command.output) == FileFormat::Gltf;
     options.progress = std::move(progress);
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }

@@ -42,6 +42,7 @@ void scaleTargets(std::size_t corners, AngleProblem& p) {
 AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
   AngleProblem p;
   p.vertexOfCorner = chart.vertexOfCorner;
+  p.place = chart.place;
   p.isBoundary.assign(chart.vertexCount(), 0);
   for (std::uint32_t h : chart.boundary) p.isBoundary[chart.vertexOfCorner[h]] = 1;
   p.angleSum.resize(chart.vertexCount());

@@ -23,6 +23,9 @@ struct DiskChart {
   /// measure.
   std::uint32_t fillingTriangles = 0;
   std::uint32_t filledHoles = 0;
+  /// Per chart vertex, its place in an elimination order that is good for the chart; empty where
+  /// none is known.
+  std::vector<std::uint32_t> place;
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
