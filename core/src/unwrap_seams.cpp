@@ -10,18 +10,31 @@
 namespace abflat {
 namespace {
 
-/// The surface opened along what is given, so that the holes of its charts show.
+/// What seams are sought on.
 struct Opened {
-  CornerTable table;
+  SeamMesh mesh;
   Fans fans;
+  Seams given;  ///< those that are not its boundary
 };
 
-Opened openAlong(const WeldedMesh& welded, const Surface& surface, const Seams& given) {
-  Opened out{surface.table, {}};
+/// The surface opened along what is given, so that the holes of its charts show, and with these
+/// filled; where there are none the surface as it is, which has the same elimination order whatever
+/// is given.
+Opened openAndFill(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+                   FillHoles mode) {
+  CornerTable table = surface.table;
   for (std::size_t h = 0; h < given.size(); ++h)
-    if (given[h]) out.table.twin[h] = kNone;
+    if (given[h]) table.twin[h] = kNone;
+  const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
+    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal);
+  };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
-  out.fans = isAny ? findFans(out.table, welded.mesh.vertexCount()) : surface.fans;
+  Opened out;
+  out.fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
+  out.mesh = meshOf(table, out.fans);
+  fillHoles(mode, out.mesh);
+  if (isAny && out.mesh.hole.empty())
+    out = {meshOf(surface.table, surface.fans), surface.fans, given};
   return out;
 }
 
@@ -30,10 +43,8 @@ Opened openAlong(const WeldedMesh& welded, const Surface& surface, const Seams& 
 CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& given,
                 const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                 SeamSummary& summary) {
-  const Opened opened = openAlong(welded, surface, given);
-  SeamMesh mesh = makeSeamMesh(welded.mesh.positions, opened.table, opened.fans,
-                               surface.triangulation.isDiagonal);
-  fillHoles(options.fillHoles, mesh);
+  Opened opened = openAndFill(welded, surface, given, options.fillHoles);
+  const SeamMesh& mesh = opened.mesh;
   SeamOptions wanted;
   wanted.isAuto = options.seams.isAuto;
   wanted.maxStretch = options.maxStretch;
@@ -42,7 +53,7 @@ CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& g
   wanted.keepsOn = std::move(keepsOn);
   SeamReport found;
   CutOpen out;
-  out.seams = findSeams(mesh, {}, wanted, &found);
+  out.seams = findSeams(mesh, std::move(opened.given), wanted, &found);
   for (std::size_t i = 0; i < found.place.size(); ++i) {
     const std::uint32_t v = opened.fans.inputVertex[i];
     if (v >= out.place.size()) out.place.resize(v + 1);
