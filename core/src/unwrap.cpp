@@ -222,7 +222,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   if (!given.ok()) return given.status;
   const Result<FixedTriangles> fixed = fixedTriangles(mesh, welded, surface, options.fixedFaces);
   if (!fixed.ok()) return fixed.status;
-  const OpenSurface open = openSurface(
+  const CutOpen open = cutOpen(
       welded, surface, given.value, fixed.value, options, pool,
       [&] { return monitor.tell(kSeams); }, report.seams);
   if (monitor.stopped()) return aborted;

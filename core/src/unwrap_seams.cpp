@@ -11,25 +11,38 @@
 namespace abflat {
 namespace {
 
-/// The surface opened along what is given, so that the holes of its charts show.
+/// What seams are sought on.
 struct Opened {
-  CornerTable table;
+  SeamMesh mesh;
   Fans fans;
+  Seams given;  ///< those that are not its boundary
 };
 
-Opened openAlong(const WeldedMesh& welded, const Surface& surface, const Seams& given) {
-  Opened out{surface.table, {}};
+/// The surface opened along what is given, so that the holes of its charts show, and with these
+/// filled; where there are none the surface as it is, which has the same elimination order whatever
+/// is given.
+Opened openAndFill(const WeldedMesh& welded, const Surface& surface, const Seams& given,
+                   const FixedTriangles& fixed, FillHoles mode) {
+  CornerTable table = surface.table;
   for (std::size_t h = 0; h < given.size(); ++h)
-    if (given[h]) out.table.twin[h] = kNone;
+    if (given[h]) table.twin[h] = kNone;
+  const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
+    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal);
+  };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
-  out.fans = isAny ? findFans(out.table, welded.mesh.vertexCount()) : surface.fans;
+  Opened out;
+  out.fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
+  out.mesh = meshOf(table, out.fans);
+  fillHoles(mode, fixed.isFixed, out.mesh);
+  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty())
+    out = {meshOf(surface.table, surface.fans), surface.fans, given};
   return out;
 }
 
 /// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
-Seams findAround(const SeamMesh& mesh, const std::vector<std::uint8_t>& isFixed,
+Seams findAround(const SeamMesh& mesh, const std::vector<std::uint8_t>& isFixed, Seams given,
                  const SeamOptions& wanted, SeamReport& found) {
-  if (isFixed.empty()) return findSeams(mesh, {}, wanted, &found);
+  if (isFixed.empty()) return findSeams(mesh, std::move(given), wanted, &found);
   const CutSurface islands = cutAlong(mesh, Seams(mesh.twin.size(), 0));
   std::vector<std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : islands.charts)
@@ -56,14 +69,12 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 
 }  // namespace
 
-OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                        const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
-                        std::function<bool()> keepsOn, SeamSummary& summary) {
+CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
+                const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
+                std::function<bool()> keepsOn, SeamSummary& summary) {
   const Seams given = withBorders(asked, fixed);
-  const Opened opened = openAlong(welded, surface, given);
-  SeamMesh mesh = makeSeamMesh(welded.mesh.positions, opened.table, opened.fans,
-                               surface.triangulation.isDiagonal);
-  fillHoles(options.fillHoles, fixed.isFixed, mesh);
+  Opened opened = openAndFill(welded, surface, given, fixed, options.fillHoles);
+  const SeamMesh& mesh = opened.mesh;
   SeamOptions wanted;
   wanted.isAuto = options.seams.isAuto;
   wanted.maxStretch = options.maxStretch;
@@ -71,12 +82,14 @@ OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const 
   wanted.pool = &pool;
   wanted.keepsOn = std::move(keepsOn);
   SeamReport found;
-  OpenSurface out;
-  out.seams = findAround(mesh, fixed.isFixed, wanted, found);
+  CutOpen out;
+  out.seams = findAround(mesh, fixed.isFixed, std::move(opened.given), wanted, found);
+  for (std::size_t i = 0; i < found.place.size(); ++i) {
+    const std::uint32_t v = opened.fans.inputVertex[i];
+    if (v >= out.place.size()) out.place.resize(v + 1);
+    out.place[v] = found.place[i];
+  }
   out.disks = filledTable(mesh, opened.fans.inputVertex, out.seams);
-  out.place.resize(welded.mesh.vertexCount());
-  for (std::size_t i = 0; i < found.place.size(); ++i)
-    out.place[opened.fans.inputVertex[i]] = found.place[i];
   out.seams.resize(given.size());
   double length = 0;
   for (std::uint32_t h = 0; h < out.seams.size(); ++h) {

@@ -13,15 +13,16 @@
 namespace abflat {
 
 /// The surface as disks.
-struct OpenSurface {
+struct CutOpen {
   Seams seams;                       ///< those that can be seen, the given ones among them
   FilledTable disks;                 ///< cut open, with what fills holes
-  std::vector<std::uint32_t> place;  ///< per vertex, see SeamReport
+  std::vector<std::uint32_t> place;  ///< per vertex of the welded mesh, in an elimination order
 };
 
-/// Cuts the surface and fills the holes of its charts; `keepsOn` as in SeamOptions.
-OpenSurface openSurface(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                        const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
-                        std::function<bool()> keepsOn, SeamSummary& summary);
+/// Cuts the surface around what is fixed, and fills the holes of its charts; `keepsOn` as in
+/// SeamOptions.
+CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
+                const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
+                std::function<bool()> keepsOn, SeamSummary& summary);
 
 }  // namespace abflat
