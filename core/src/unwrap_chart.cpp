@@ -6,7 +6,8 @@
 
 namespace abflat {
 
-FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, ThreadPool& pool,
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
+                     const std::vector<ChartPin>& pins, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
   SolverOptions solver;
   solver.pool = &pool;
@@ -22,7 +23,11 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, 
   FlatChart out;
   out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
   if (out.attempt.solution.cancelled) return out;
-  out.uv = inMeshUnit(chart, out.attempt);
+  out.unpacked = inMeshUnit(chart, out.attempt);
+  if (!pins.empty()) {
+    pin(flattener, pins, out.attempt);
+    out.fixed = inMeshUnit(chart, out.attempt);
+  }
   out.problem = findProblem(chart, out.attempt);
   out.attempt.uv = {};
   return out;

@@ -2,6 +2,7 @@
 #include "bounds_file.h"
 #include "commands.h"
 #include "mesh_run.h"
+#include "pins_file.h"
 #include "texts.h"
 
 namespace abflat::cli {
@@ -28,6 +29,11 @@ struct FlattenJob {
       Result<std::vector<VertexBound>> bounds = readBounds(command.bounds);
       if (!bounds.ok()) return bounds.status;
       options.bounds = std::move(bounds.value);
+    }
+    if (!command.pins.empty()) {
+      Result<std::vector<Pin>> pins = readPins(command.pins);
+      if (!pins.ok()) return pins.status;
+      options.pins = std::move(pins.value);
     }
     options.progress = std::move(progress);
     Result<FlattenResult> result =

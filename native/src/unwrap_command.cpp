@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "mesh_run.h"
 #include "paths.h"
+#include "pins_file.h"
 #include "seam_file.h"
 #include "texts.h"
 
@@ -29,6 +30,11 @@ struct UnwrapJob {
       Result<std::vector<EdgeVertices>> edges = readSeams(command.seamFile);
       if (!edges.ok()) return edges.status;
       options.seams.edges = std::move(edges.value);
+    }
+    if (!command.pins.empty()) {
+      Result<std::vector<Pin>> pins = readPins(command.pins);
+      if (!pins.ok()) return pins.status;
+      options.pins = std::move(pins.value);
     }
     options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
     options.roundsForGltf = writtenFormat(command.output) == FileFormat::Gltf;

@@ -77,7 +77,7 @@ test('the report has its keys in their order', async (t) => {
   const keys =
     'faces boundaryVertices t bounds solver linearSolver formulation iterations history constraintResidual converged ' +
     'angularDistortion lengthDistortion quasiConformal stretch symmetricDirichlet areaDistortion ' +
-    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle delaunay fallbacks problem valid';
+    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle delaunay pins fallbacks problem valid';
   assert.deepEqual(Object.keys(chart), keys.split(' '));
   assert.ok(chart.history.length > 0);
   for (const step of chart.history)

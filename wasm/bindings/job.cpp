@@ -1,6 +1,7 @@
 #include "job.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "abflat/inspect.h"
@@ -54,14 +55,43 @@ Bytes resultOf(const Job& job, Field field) {
       return bytesOf(job.layout.chartOfTriangle);
     case Field::Seams:
       return bytesOf(job.layout.seams);
+    case Field::Unpacked:
+      return bytesOf(job.layout.unpacked);
   }
   return {};
 }
 
 Bytes methodUvOf(const Job& job, std::size_t method) { return bytesOf(job.methods[method].uv); }
 
+void* knownRoom(Job& job, Field field, std::size_t size) {
+  KnownLayout& known = job.unwrapOptions.known;
+  if (field == Field::Unpacked) {
+    known.unpacked.resize(size);
+    return known.unpacked.data();
+  }
+  std::vector<std::uint32_t>& numbers = field == Field::Indices     ? known.triangles
+                                        : field == Field::VertexMap ? known.vertexMap
+                                                                    : known.chartOfTriangle;
+  numbers.resize(size);
+  return numbers.data();
+}
+
+namespace {
+
+/// Arrays have texcoords by vertex; who has none has NaN.
+Status readArrays(PolygonMesh& mesh) {
+  if (Status s = validateArrays(mesh); !s.ok()) return s;
+  if (mesh.texcoords.empty()) return {};
+  mesh.faceTexcoords.reserve(mesh.faceVertices.size());
+  for (const std::uint32_t v : mesh.faceVertices)
+    mesh.faceTexcoords.push_back(std::isnan(mesh.texcoords[2 * v]) ? kNoTexcoord : v);
+  return {};
+}
+
+}  // namespace
+
 Status readInput(Job& job) {
-  if (!job.isFile) return validateArrays(job.mesh);
+  if (!job.isFile) return readArrays(job.mesh);
   const Result<MeshFormat> format = detectFormat(job.name, job.source);
   if (!format.ok()) return format.status;
   job.format = format.value;
@@ -134,6 +164,7 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   const auto compute = [&] { return unwrap(job.mesh, job.unwrapOptions); };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);
+    job.layout.unpacked = gather(atlas.unpacked, 2, atlas.vertexUv);
     job.layout.triangles = std::move(atlas.triangles);
     job.layout.vertexMap = std::move(atlas.vertexMap);
     job.layout.chartOfTriangle = std::move(atlas.chartOfTriangle);

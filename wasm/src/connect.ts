@@ -34,6 +34,8 @@ import {
   checkString,
   flattenNumbers,
   KEYS,
+  knownArrays,
+  pinNumbers,
   seamVertices,
   unwrapNumbers,
 } from './validate.js';
@@ -122,6 +124,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     values: unwrapNumbers(options),
     seams,
     seamEdges: seamVertices(options.seamEdges),
+    known: knownArrays(options.known),
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }
@@ -130,9 +133,10 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,
-  { obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
+  { pins, obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
   request: (common: LayoutRequest) => Request,
 ): Promise<T> {
+  const pinned = pinNumbers(pins);
   checkBoolean('obj', obj);
   checkBoolean('ply', ply);
   checkFunction('onProgress', onProgress);
@@ -141,6 +145,7 @@ function layout<T extends FlattenResult | UnwrapResult>(
   const owned = takeMesh(mesh, transfer);
   const common: LayoutRequest = {
     mesh: owned.mesh,
+    pins: pinned,
     wantsObj: obj === true,
     wantsPly: ply === true,
     wantsProgress: onProgress !== undefined,

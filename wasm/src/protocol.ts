@@ -22,9 +22,13 @@ export interface OwnedFile {
 /** A mesh in buffers that belong to the call. */
 export type OwnedMesh = MeshArrays | OwnedFile;
 
+/** Vertex, u, v and face, which is 2^32 - 1 where none is given. */
+export type PinNumbers = [vertex: number, u: number, v: number, face: number];
+
 /** What the calls that give a layout share. */
 export interface LayoutRequest {
   mesh: OwnedMesh;
+  pins: PinNumbers[];
   wantsObj: boolean;
   wantsPly: boolean;
   wantsProgress: boolean;
@@ -38,6 +42,13 @@ export interface FlattenRequest extends LayoutRequest {
   bounds: number[];
 }
 
+/** What is known of an earlier call, in arrays that belong to this one. */
+export interface KnownArrays {
+  /** As in `values` of a request. */
+  t: number;
+  arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'>;
+}
+
 export interface UnwrapRequest extends LayoutRequest {
   kind: 'unwrap';
   /** One number per option of UNWRAP_OPTIONS, in its order. */
@@ -46,6 +57,7 @@ export interface UnwrapRequest extends LayoutRequest {
   seams?: string;
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
+  known?: KnownArrays;
 }
 
 export type Request =

@@ -5,6 +5,10 @@ import type { FlattenOptionValues, UnwrapOptionValues } from './generated.js';
 export interface MeshArrays {
   positions: Float32Array | Float64Array;
   indices: Uint32Array | Uint16Array;
+  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'`. */
+  texcoords?: Float32Array | Float64Array;
+  /** A number per triangle: for `seams: 'material'`. */
+  materials?: Uint32Array | Uint16Array;
 }
 
 /** The bytes of an OBJ, PLY, STL or OFF file. `name` is used to tell the format and in messages. */
@@ -37,7 +41,20 @@ export interface VertexBound {
   t: number;
 }
 
+/** A place in the layout for a vertex of the input. */
+export interface Pin {
+  vertex: number;
+  uv: readonly [number, number];
+  /** A face that uses the vertex: tells which of its texcoords is meant where it lies on a seam. */
+  face?: number;
+}
+
 export interface LayoutOptions extends CallOptions {
+  /**
+   * None, or two and more; in an atlas that of each chart, which then stays where its pins are. Two are met by moving,
+   * turning and scaling the layout, more by the nearest one to the angles in the sense of least squares.
+   */
+  pins?: readonly Pin[];
   /** Also return the input as OBJ text with the new texcoords. */
   obj?: boolean;
   /** Also return the input as PLY with the new texcoords; the layout is rounded to single precision where it stays valid. */
@@ -78,6 +95,13 @@ export interface DelaunayReport {
   resisting: [number, number][];
 }
 
+/** What became of pins. */
+export interface PinReport {
+  count: number;
+  /** Largest distance in uv from a pin to where the layout without pins, moved, turned and scaled to fit them, has it. */
+  deviation: number;
+}
+
 export interface ChartReport {
   faces: number;
   boundaryVertices: number;
@@ -106,6 +130,8 @@ export interface ChartReport {
   maxBoundaryAngle: number;
   /** Null unless it was asked for. */
   delaunay: DelaunayReport | null;
+  /** Null without pins. */
+  pins: PinReport | null;
   /** What was done beyond the plain solver, one sentence each. */
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */
@@ -163,7 +189,7 @@ export interface Layout<R> {
 }
 
 /**
- * `uv` is in the unit of the input: the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
+ * `uv` is in the unit of the input: without pins the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
  * disk without unused vertices.
  */
 export type FlattenResult = Layout<Report>;
@@ -173,12 +199,23 @@ export interface UnwrapProgress extends Omit<Progress, 'stage'> {
   stage: 'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write';
 }
 
+/** What an earlier call gave for the same mesh: its result, or this much of it. */
+export interface KnownLayout {
+  unpacked: Float64Array;
+  indices: Uint32Array;
+  vertexMap: Uint32Array;
+  chartOfTriangle: Uint32Array;
+  report: { options: Pick<UnwrapOptionValues, 't'> };
+}
+
 /** The plain values are described, with their defaults, by UNWRAP_OPTIONS. */
 export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues> {
   /** Where to cut: `auto` (the default), `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
   seams?: string;
   /** Edges to cut beside those, two vertices of the input each. */
   seamEdges?: Uint32Array;
+  /** Charts that have the triangles and the outline of one of these, and the same `t`, are not flattened again. */
+  known?: KnownLayout;
   onProgress?: (progress: UnwrapProgress) => void;
 }
 
@@ -209,11 +246,14 @@ export interface UnwrapChart {
   boundaryVertices: number;
   /** In 3D. */
   area: number;
+  /** As in ChartReport, or `known`: the layout is that of an earlier call. */
   solver: string;
   iterations: number;
   angularDistortion: number;
   quasiConformal: { mean: number; max: number };
   symmetricDirichlet: number;
+  /** Null without pins. */
+  pins: PinReport | null;
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */
   problem: string;
@@ -274,6 +314,8 @@ export interface UnwrapResult extends Layout<UnwrapReport> {
   chartOfTriangle: Uint32Array;
   /** Edges that were cut, two vertices of the input each. */
   seams: Uint32Array;
+  /** `uv` before packing, in double precision: every chart in the unit of the input, with the area that it has in 3D. */
+  unpacked: Float64Array;
 }
 
 /** What a mesh is; `disk.ok` tells whether `flatten` accepts it, `disk.message` why not. */
@@ -392,6 +434,6 @@ export interface CreateOptions {
   maxMemory?: number;
   /** Where abflat.wasm is, or that of another build, when it is not beside the module; in Node a path is fine as well. */
   wasmUrl?: string | URL;
-  /** Where the worker's script is, when it is not beside the module. */
+  /** Where `worker.js` is, when it is not beside the module. It runs every build. */
   workerUrl?: string | URL;
 }

@@ -11,13 +11,15 @@ import {
   type UnwrapOptionValues,
 } from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
+import type { KnownArrays, PinNumbers } from './protocol.js';
+import type { KnownLayout } from './types.js';
 
 const OF_CALL = ['signal', 'transfer'];
-const OF_LAYOUT = ['onProgress', 'obj', 'ply', ...OF_CALL];
+const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
-  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', ...OF_LAYOUT],
+  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', 'known', ...OF_LAYOUT],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -136,6 +138,30 @@ function optionNumbers<T extends object>(
   });
 }
 
+/** Copies. What is wrong with the numbers within is for the module to see. */
+export function knownArrays(known: unknown): KnownArrays | undefined {
+  if (known === undefined) return undefined;
+  const found = (known ?? {}) as Partial<KnownLayout>;
+  const check = (name: 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle', tag: string) => {
+    if (tagOf(found[name]) !== tag)
+      throw invalid(`known must be a result of unwrap; its ${name} is no ${tag}.`);
+  };
+  check('unpacked', 'Float64Array');
+  check('indices', 'Uint32Array');
+  check('vertexMap', 'Uint32Array');
+  check('chartOfTriangle', 'Uint32Array');
+  const { unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
+  return {
+    t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
+    arrays: {
+      unpacked: new Float64Array(unpacked),
+      indices: new Uint32Array(indices),
+      vertexMap: new Uint32Array(vertexMap),
+      chartOfTriangle: new Uint32Array(chartOfTriangle),
+    },
+  };
+}
+
 /** A copy: the caller's buffer stays. */
 export function seamVertices(edges: unknown): Uint32Array {
   if (edges === undefined) return new Uint32Array();
@@ -147,14 +173,37 @@ export function seamVertices(edges: unknown): Uint32Array {
   return new Uint32Array(pairs);
 }
 
-export function boundNumbers(bounds: unknown): number[] {
-  if (bounds === undefined) return [];
-  if (!Array.isArray(bounds)) throw invalid('bounds must be an array of { vertex, t }.');
-  return bounds.flatMap((bound: { vertex?: unknown; t?: unknown } | null, i) => {
-    const vertex = bound?.vertex;
-    if (!Number.isInteger(vertex) || (vertex as number) < 0 || (vertex as number) >= 2 ** 32)
-      throw invalid(`bounds[${i}].vertex must be a vertex number.`);
+function checkIndex(name: string, kind: string, value: unknown): void {
+  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= 2 ** 32)
+    throw invalid(`${name} must be a ${kind} number.`);
+}
+
+function checkArray(name: string, value: unknown, of: string): void {
+  if (!Array.isArray(value)) throw invalid(`${name} must be an array of ${of}.`);
+}
+
+export function boundNumbers(bounds: unknown = []): number[] {
+  checkArray('bounds', bounds, '{ vertex, t }');
+  return (bounds as ({ vertex?: unknown; t?: unknown } | null)[]).flatMap((bound, i) => {
+    checkIndex(`bounds[${i}].vertex`, 'vertex', bound?.vertex);
     checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
-    return [vertex as number, bound?.t as number];
+    return [bound?.vertex as number, bound?.t as number];
+  });
+}
+
+/** Of a pin without a face; that of the module's kAnyFace. */
+const ANY_FACE = 2 ** 32 - 1;
+
+export function pinNumbers(pins: unknown = []): PinNumbers[] {
+  checkArray('pins', pins, '{ vertex, uv: [u, v] }');
+  return (pins as ({ vertex?: unknown; uv?: unknown; face?: unknown } | null)[]).map((pin, i) => {
+    checkIndex(`pins[${i}].vertex`, 'vertex', pin?.vertex);
+    checkArray(`pins[${i}].uv`, pin?.uv, 'two numbers');
+    const uv = pin?.uv as unknown[];
+    if (uv.length !== 2) throw invalid(`pins[${i}].uv must be an array of two numbers.`);
+    for (const [k, x] of uv.entries())
+      checkNumber(`pins[${i}].uv[${k}]`, x, { range: 'that is finite' });
+    if (pin?.face !== undefined) checkIndex(`pins[${i}].face`, 'face', pin.face);
+    return [pin?.vertex, ...uv, pin?.face ?? ANY_FACE] as PinNumbers;
   });
 }

@@ -1,17 +1,21 @@
 import type { Outcome } from './lay-out';
-import type { Source } from './session';
+import { isGltf, type Source } from './session';
 
 /** A file goes back in the format it came in where that holds texcoords. */
-export const exportFormat = (source: Source) => (/\.ply$/i.test(source.name) ? 'ply' : 'obj');
+export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
+  if (isGltf(source)) return 'glb';
+  return /\.ply$/i.test(source.name) ? 'ply' : 'obj';
+}
 
-/** Offers the result as NAME-uv.obj or NAME-uv.ply. */
-export function exportMesh({ source, result }: Outcome): { name: string; size: number } {
+/** Offers the result as NAME-uv with the ending of its format. */
+export async function exportMesh(outcome: Outcome): Promise<{ name: string; size: number }> {
+  const { source } = outcome;
   const format = exportFormat(source);
-  const bytes = result[format];
+  const bytes = await bytesOf(outcome, format);
   if (!bytes) throw new Error(`The result came without ${format.toUpperCase()}.`);
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
   const url = URL.createObjectURL(
-    new Blob([bytes as Uint8Array<ArrayBuffer>], { type: `model/${format}` }),
+    new Blob([bytes as Uint8Array<ArrayBuffer>], { type: TYPES[format] }),
   );
   const link = document.createElement('a');
   link.href = url;
@@ -20,4 +24,14 @@ export function exportMesh({ source, result }: Outcome): { name: string; size: n
   // The browser reads the blob after click() returns.
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
   return { name, size: bytes.length };
+}
+
+const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };
+
+async function bytesOf(
+  { mode, gltf, result }: Outcome,
+  format: keyof typeof TYPES,
+): Promise<Uint8Array | undefined> {
+  // A layout in the unit of the mesh would repeat a texture as often as the mesh is large.
+  return format === 'glb' ? gltf?.write(result, { normalize: mode === 'flatten' }) : result[format];
 }

@@ -52,6 +52,12 @@ std::vector<double> roundedOutline(const DiskChart& chart, const std::vector<dou
 
 }  // namespace
 
+Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
+  Validity v = checkValidity(chart, uv);
+  if (v.valid()) v.crossings = findCrossings(roundedOutline(chart, uv));
+  return v;
+}
+
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
@@ -139,9 +145,7 @@ Attempt ChartFlattener::tutte(const std::string& reason) {
   a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
   a.solution.converged = true;
-  a.validity = check(a.uv);
-  a.distortion = measureDistortion(chart_, a.uv);
-  timings_.check += watch.lap();
+  measure(a);
   a.fallbacks.push_back(reason + "; Tutte's embedding on a circle instead");
   return a;
 }
@@ -152,6 +156,11 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
   a.solver = a.solution.barrierFloor > 0 ? "interiorPoint" : "activeSet";
   a.uv = layOut(chart_, a.solution.angles);
   timings_.layout += watch.lap();
+  measure(a);
+}
+
+void ChartFlattener::measure(Attempt& a) {
+  Stopwatch watch;
   onStage_("check");
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
@@ -159,9 +168,7 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
 }
 
 Validity ChartFlattener::check(const std::vector<double>& uv) const {
-  Validity v = checkValidity(chart_, uv);
-  if (requiresSeparation_ && v.valid()) v.crossings = findCrossings(roundedOutline(chart_, uv));
-  return v;
+  return requiresSeparation_ ? checkSeparated(chart_, uv) : checkValidity(chart_, uv);
 }
 
 }  // namespace abflat

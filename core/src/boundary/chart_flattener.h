@@ -23,9 +23,15 @@ struct Attempt {
   std::string solver;                  ///< "activeSet", "interiorPoint" or "tutte"
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;
+  std::optional<PinReport> pins;
+  bool wasValidUnpinned = false;  ///< with pins only
 
   bool valid() const { return validity.valid() && solution.converged; }
 };
+
+/// checkValidity(), where parts of the boundary that are as good as touching count as crossings, so
+/// that a valid layout stays so when it is moved and rounded.
+Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv);
 
 /// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
 class ChartFlattener {
@@ -39,8 +45,7 @@ class ChartFlattener {
   /// the interior point takes over with rising floors of its barrier.
   Attempt attempt(const std::vector<double>& t, const Attempt* warm);
 
-  /// From now on parts of the boundary that are as good as touching count as crossings, so that a
-  /// layout stays valid when it is moved and rounded.
+  /// From now on layouts are checked by checkSeparated().
   void requireSeparation() { requiresSeparation_ = true; }
 
   /// From now on attempts also meet condition (9), with the given margin in radians, and need an
@@ -54,6 +59,9 @@ class ChartFlattener {
   /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
   /// angle is respected.
   Attempt tutte(const std::string& reason);
+
+  /// Checks and measures the layout of an attempt, whoever made it.
+  void measure(Attempt& a);
 
   /// Seconds spent so far, over all attempts.
   const Timings& timings() const { return timings_; }

@@ -110,6 +110,15 @@ void addOutput(CLI::App& app, std::string& output) {
       ->type_name("OUT");
 }
 
+void addPins(CLI::App& app, std::string& pins, const std::string& where) {
+  app.add_option("--pins", pins,
+                 wrapped("text file with vertices that are to lie at given uv" + where +
+                         ", two or more: a line 'VERTEX U V' each, counted from 0, and a face "
+                         "after that where the vertex is on a seam; - for standard input"))
+      ->check(notEmpty())
+      ->type_name("FILE");
+}
+
 void addTexcoordSet(CLI::App& app, std::size_t& set) {
   constexpr std::size_t kMostSets = 7;
   app.add_option("--texcoord", set,

@@ -1,0 +1,200 @@
+// A layout back into the document that its mesh came from.
+
+import type { Accessor, Document, Primitive } from '@gltf-transform/core';
+import { AbflatError } from '../errors.js';
+import { normalized } from '../normalized.js';
+import { indexArray, pickRows } from '../rows.js';
+import type { Layout } from '../types.js';
+import { cornersOf, type DocumentMesh, type DocumentPart, turned } from './document-mesh.js';
+import { TRIANGLES } from './triangles.js';
+
+export interface SetTexcoordsOptions {
+  /** The coordinates become TEXCOORD_`texcoord`. Default: 0. */
+  texcoord?: number;
+  /** Scale and move them into [0, 1] x [0, 1]: for layouts in the unit of the mesh, as of `flatten`. Default: false. */
+  normalize?: boolean;
+}
+
+/**
+ * Gives every primitive of a document mesh the coordinates of its layout, or of a layout of the same triangles whose vertices at one
+ * place are one. Vertices keep their numbers; one that has several coordinates is copied to the end, with all its attributes and
+ * morph targets. Tangents are copied like the rest and belong to the coordinates before.
+ */
+export function setTexcoords(
+  { document, parts }: Pick<DocumentMesh, 'document' | 'parts'>,
+  { uv, indices }: Pick<Layout<unknown>, 'uv' | 'indices'>,
+  { texcoord = 0, normalize = false }: SetTexcoordsOptions = {},
+): void {
+  const triangles = parts.reduce((sum, { triangleCount }) => sum + triangleCount, 0);
+  if (indices.length !== 3 * triangles)
+    throw new AbflatError(
+      'InvalidMesh',
+      `The layout has ${indices.length / 3} triangles, the document ${triangles}.`,
+    );
+  const coordinates = normalize ? normalized(uv) : uv;
+  const replaced = new Set<Accessor>();
+  for (const block of blocksOf(parts)) {
+    const corners = placeCorners(block, indices);
+    const attributes = new Copies(block, replaced);
+    const made = document
+      .createAccessor()
+      .setType('VEC2')
+      .setBuffer(block.position.getBuffer())
+      .setArray(texcoordsOf(block, coordinates));
+    for (const [i, part] of block.parts.entries()) {
+      setCoordinates(part.primitive, made, texcoord, replaced);
+      attributes.replace(part.primitive, made);
+      setIndices(document, part, corners[i] as Uint32Array, block, replaced);
+    }
+  }
+  for (const accessor of replaced) if (!isUsed(accessor)) accessor.dispose();
+}
+
+/** Parts with the same vertices. */
+interface Block {
+  position: Accessor;
+  vertexCount: number;
+  parts: DocumentPart[];
+  /** Of each row, those with copies included: the row before, and the vertex of the layout, NONE where no triangle uses it. */
+  rows: Uint32Array;
+  vertices: Uint32Array;
+}
+
+const NONE = 2 ** 32 - 1;
+
+function blocksOf(parts: DocumentPart[]): Block[] {
+  const blocks = new Map<number, Block>();
+  for (const part of parts) {
+    const { firstVertex, vertexCount, primitive } = part;
+    const known = blocks.get(firstVertex);
+    if (known) known.parts.push(part);
+    else
+      blocks.set(firstVertex, {
+        position: primitive.getAttribute('POSITION') as Accessor,
+        vertexCount,
+        parts: [part],
+        rows: Uint32Array.from({ length: vertexCount }, (_, row) => row),
+        vertices: new Uint32Array(vertexCount).fill(NONE),
+      });
+  }
+  return [...blocks.values()];
+}
+
+/** Completes a block's rows, one for each row before and vertex of the layout that meet; gives those of the corners of each part. */
+function placeCorners(block: Block, indices: Uint32Array): Uint32Array[] {
+  const { vertexCount, vertices } = block;
+  const copies = new Map<string, number>();
+  const [rows, copied]: [number[], number[]] = [[], []];
+  const rowFor = (row: number, vertex: number) => {
+    if (vertices[row] === NONE) vertices[row] = vertex;
+    if (vertices[row] === vertex) return row;
+    const pair = `${row} ${vertex}`;
+    const known = copies.get(pair);
+    if (known !== undefined) return known;
+    const made = vertexCount + rows.length;
+    copies.set(pair, made);
+    rows.push(row);
+    copied.push(vertex);
+    return made;
+  };
+  const corners = block.parts.map(({ primitive, firstTriangle, isMirrored }) => {
+    const before = cornersOf(primitive, vertexCount);
+    const placed = (isMirrored ? turned(before) : before).map((row, c) =>
+      rowFor(row, indices[3 * firstTriangle + c] as number),
+    );
+    return isMirrored ? turned(placed) : placed;
+  });
+  block.rows = Uint32Array.from([...block.rows, ...rows]);
+  block.vertices = Uint32Array.from([...vertices, ...copied]);
+  return corners;
+}
+
+/** That of glTF points down. */
+function texcoordsOf({ vertices }: Block, uv: ArrayLike<number>): Float32Array<ArrayBuffer> {
+  const texcoords = new Float32Array(2 * vertices.length);
+  vertices.forEach((vertex, row) => {
+    if (vertex === NONE) return;
+    texcoords[2 * row] = uv[2 * vertex] as number;
+    texcoords[2 * row + 1] = 1 - (uv[2 * vertex + 1] as number);
+  });
+  return texcoords;
+}
+
+/** Copies of a block's attributes with its new rows, one of each. */
+class Copies {
+  readonly #made = new Map<Accessor, Accessor>();
+  readonly #own = new Set<Accessor>();
+
+  constructor(
+    private readonly block: Block,
+    private readonly replaced: Set<Accessor>,
+  ) {}
+
+  /** All attributes and morph targets but `except`. */
+  replace(primitive: Primitive, except: Accessor): void {
+    const { rows, vertexCount } = this.block;
+    if (rows.length === vertexCount) return;
+    for (const owner of [primitive, ...primitive.listTargets()])
+      for (const name of owner.listSemantics()) {
+        const attribute = owner.getAttribute(name) as Accessor;
+        if (attribute !== except && !this.#own.has(attribute))
+          owner.setAttribute(name, this.#copy(attribute));
+      }
+  }
+
+  #copy(attribute: Accessor): Accessor {
+    const known = this.#made.get(attribute);
+    if (known) return known;
+    const array = attribute.getArray() as NonNullable<ReturnType<Accessor['getArray']>>;
+    const picked = pickRows(array, this.block.rows, { size: attribute.getElementSize() });
+    const made = attribute.clone().setArray(picked);
+    this.#made.set(attribute, made);
+    this.#own.add(made);
+    this.replaced.add(attribute);
+    return made;
+  }
+}
+
+/** A set that is missing below the new one takes the same: glTF allows no gaps. */
+function setCoordinates(
+  primitive: Primitive,
+  coordinates: Accessor,
+  texcoord: number,
+  replaced: Set<Accessor>,
+): void {
+  const before = primitive.getAttribute(`TEXCOORD_${texcoord}`);
+  if (before) replaced.add(before);
+  primitive.setAttribute(`TEXCOORD_${texcoord}`, coordinates);
+  for (let i = texcoord - 1; i >= 0; --i)
+    if (!primitive.getAttribute(`TEXCOORD_${i}`))
+      primitive.setAttribute(`TEXCOORD_${i}`, coordinates);
+}
+
+/** Triangles, by indices where they differ from those before. */
+function setIndices(
+  document: Document,
+  { primitive, vertexCount }: DocumentPart,
+  rows: Uint32Array,
+  block: Block,
+  replaced: Set<Accessor>,
+): void {
+  const before = primitive.getIndices();
+  const isKept =
+    primitive.getMode() === TRIANGLES &&
+    (before !== null || block.rows.length === vertexCount) &&
+    same(cornersOf(primitive, vertexCount), rows);
+  if (isKept) return;
+  const made = before?.clone() ?? document.createAccessor().setType('SCALAR');
+  const bytes = before?.getComponentSize();
+  primitive.setIndices(
+    made.setBuffer(block.position.getBuffer()).setArray(indexArray(rows, block.rows.length, bytes)),
+  );
+  primitive.setMode(TRIANGLES);
+  if (before) replaced.add(before);
+}
+
+const same = (a: Uint32Array, b: Uint32Array) =>
+  a.length === b.length && a.every((x, i) => x === b[i]);
+
+const isUsed = (accessor: Accessor) =>
+  accessor.listParents().some(({ propertyType }) => propertyType !== 'Root');
