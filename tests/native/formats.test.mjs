@@ -259,10 +259,13 @@ test('any input is written as OBJ or PLY, with the same layout', async (t) => {
 test('a name that promises another format is refused with those that are known', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), TRIANGLE);
-  for (const output of ['out.off', 'out.stl', 'out.glb', 'out.txt']) {
+  for (const output of ['out.off', 'out.stl', 'out.vrml', 'out.txt']) {
     const run = await runAbflat(['flatten', 'in.obj', '-o', output], { cwd: at() });
     assert.equal(run.code, 2);
-    assert.match(run.stderr, /written as OBJ or PLY: give a name that ends in \.obj or \.ply, not/);
+    assert.match(
+      run.stderr,
+      /written as OBJ, PLY or glTF: give a name that ends in \.obj, \.ply, \.glb or \.gltf, not/,
+    );
   }
 });
 

@@ -62,7 +62,7 @@ const WRONG = [
   ],
   [['unwrap', 'in.obj', '-o', 'p.obj', '--pins', 'p.obj'], /would replace the file of --pins/],
   [['unwrap', '-', '-o', 'o.obj', '--pins', '-'], /--pins: standard input is used already/],
-  [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ or PLY/],
+  [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ, PLY or glTF/],
   [['sweep', 'in.obj', '--csv', './in.obj'], /--csv: would replace the input/],
   [['inspect'], /IN/],
   [['sample'], /NAME/],

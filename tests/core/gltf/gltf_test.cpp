@@ -150,8 +150,8 @@ TEST_CASE("damaged files are refused or read, never more", "[gltf]") {
   for (std::size_t size = 0; size < good.size(); ++size) tryIt(good.substr(0, size));
   for (int i = 0; i < 4000; ++i) {
     std::string bytes = good;
-    const unsigned flips = 1 + random() % 3;
-    for (unsigned k = 0; k < flips; ++k) {
+    const std::size_t flips = 1 + random() % 3;
+    for (std::size_t k = 0; k < flips; ++k) {
       char& c = bytes[random() % bytes.size()];
       c = random() % 2 == 0 ? static_cast<char>(random()) : static_cast<char>('0' + random() % 10);
     }
