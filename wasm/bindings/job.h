@@ -22,6 +22,7 @@ struct LayoutArrays {
   std::vector<double> positions;         ///< 3 per output vertex, files only
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<EdgeVertices> seams;
+  std::vector<std::uint32_t> faces;  ///< input face per triangle, of a loaded file
 };
 
 /// One call from JavaScript: the input it wrote, then the results it reads.
@@ -50,7 +51,8 @@ enum class Field : int {
   Ply,
   Text,
   ChartOfTriangle,
-  Seams
+  Seams,
+  Faces
 };
 
 struct Bytes {

@@ -22,6 +22,7 @@ import type {
   FlattenResult,
   Layout,
   LayoutTimings,
+  LoadedMesh,
   MeshSummary,
   Report,
   TriangleMesh,
@@ -40,6 +41,7 @@ const FIELD = {
   text: 6,
   chartOfTriangle: 7,
   seams: 8,
+  faces: 9,
 } as const;
 
 /** Minified names may differ between builds, so each module needs its own. */
@@ -259,10 +261,13 @@ export class Engine {
     return JSON.parse(this.#readText(job)) as MeshSummary;
   }
 
-  #load(job: number, file: OwnedMesh): TriangleMesh {
+  #load(job: number, file: OwnedMesh): LoadedMesh {
     this.#writeMesh(job, file);
     this.#check(job, this.#native._abflatLoad(job));
-    return this.#readTriangles(job);
+    return {
+      ...this.#readTriangles(job),
+      faces: new Uint32Array(this.#read(job, FIELD.faces)),
+    };
   }
 
   #sample(job: number, name: string, detail: number): TriangleMesh {

@@ -14,6 +14,7 @@ import { ModeSwitch } from './mode-switch';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
 import { flatPicture } from './picture';
 import { RunPanel } from './run-panel';
+import { SeamPanel } from './seams/seam-panel';
 import type { Opened, SessionEvents, Source } from './session';
 import { Session } from './session';
 import { type FlattenSettings, type Settings, sameSettings } from './settings';
@@ -36,6 +37,7 @@ export class App implements SessionEvents {
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
   private readonly charts = new ChartsTab();
+  private readonly seams: SeamPanel;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
@@ -71,6 +73,10 @@ export class App implements SessionEvents {
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings);
+    this.seams = new SeamPanel(views?.mesh ?? null, {
+      changed: () => this.session.refresh(),
+      say: (text) => this.run.say(text),
+    });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     bindOpen((source) => void this.session.open(source));
     this.exportButton.addEventListener('click', () => this.export());
@@ -84,7 +90,8 @@ export class App implements SessionEvents {
   }
 
   private get settings(): Settings {
-    return this.mode.mode === 'unwrap' ? this.atlas.settings : this.diskSettings;
+    if (this.mode.mode === 'flatten') return this.diskSettings;
+    return { ...this.atlas.settings, ...this.seams.options };
   }
 
   private get diskSettings(): FlattenSettings {
@@ -97,6 +104,7 @@ export class App implements SessionEvents {
     this.methods.leave();
     this.methods.stop();
     this.sweep.stop();
+    this.seams.hide();
     this.details.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
     this.session.refresh();
@@ -117,9 +125,10 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened({ source, mesh, disk }: Opened): void {
+  opened({ source, mesh, summary }: Opened): void {
     hideAlert();
-    this.mode.setDisk(disk);
+    this.mode.setDisk(summary.disk);
+    this.seams.open({ mesh, summary });
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
@@ -149,6 +158,7 @@ export class App implements SessionEvents {
   private showDetails(outcome: Outcome): void {
     if (outcome.mode === 'unwrap') {
       this.charts.show(outcome.result.report);
+      this.seams.show(outcome);
       return;
     }
     const [chart] = outcome.result.report.charts;

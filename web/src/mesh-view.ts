@@ -12,12 +12,15 @@ import { checkerCells } from './checker';
 import { EdgeLines } from './edge-lines';
 import { fitInView } from './fit-in-view';
 import type { DisplayMesh } from './mesh';
-import { boundingBox, facing, perCorner, toCorners, vertexNormals } from './mesh';
+import { facing, perCorner, toCorners, vertexNormals } from './mesh';
 import type { Palette } from './palette';
 import type { FlatPicture, Picture } from './picture';
 import { DOT, PointMarks } from './point-marks';
+import { type SeamMarks, SeamOverlay } from './seams/seam-overlay';
+import { Sight } from './seams/sight';
 import { Stage } from './stage';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
+import { toUnitSphere } from './unit-sphere';
 
 const FIELD_OF_VIEW = 32;
 /** Share of the view's width or height that a fitted mesh takes. */
@@ -41,6 +44,7 @@ export class MeshView {
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
   private readonly boundary = new EdgeLines(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
+  private readonly seams = new SeamOverlay();
   private front = new Vector3(0, 0, 1);
   /** Corners of the shown triangles, within the unit sphere. */
   private corners: Float32Array = new Float32Array();
@@ -52,14 +56,17 @@ export class MeshView {
   private wireOpacity = 0.5;
   private showsWireframe = false;
 
-  constructor(canvas: HTMLCanvasElement, reducedMotion: boolean) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    reducedMotion: boolean,
+  ) {
     this.stage = new Stage(
       canvas,
       () => this.draw(),
       () => this.resized(),
     );
     this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object, this.dots.object);
+    this.scene.add(this.surface, this.boundary.object, this.dots.object, this.seams.object);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -100,11 +107,28 @@ export class MeshView {
     this.reset();
   }
 
+  /** What the camera sees now. */
+  get sight(): Sight {
+    return new Sight(this.camera, this.stage.width, this.stage.height);
+  }
+
+  /** `turned` is called when the point of view has changed. */
+  onTurn(turned: () => void): void {
+    this.controls.addEventListener('change', turned);
+  }
+
+  /** `points` has xyz per vertex, in the unit sphere. */
+  markSeams(points: Float32Array, marks: SeamMarks): void {
+    this.seams.show(points, marks);
+    this.stage.invalidate();
+  }
+
   setPalette(palette: Palette): void {
     this.stage.renderer.setClearColor(palette.background);
     paintSurface(this.material, palette);
     this.boundary.setColor(palette.boundary);
     this.dots.setColor(palette.tightened);
+    this.seams.setPalette(palette);
     this.wireOpacity = palette.wireOpacity;
     this.paint();
   }
@@ -151,6 +175,7 @@ export class MeshView {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     this.dots.setPixelRatio(this.stage.pixelRatio);
     this.boundary.setResolution(this.stage.width, this.stage.height);
+    this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
     if (this.isFitted) this.reset();
   }
 
@@ -202,16 +227,4 @@ function frontOf(mesh: DisplayMesh): Vector3 {
   const around = Math.hypot(x, z) > 0.2 ? Math.atan2(x, z) : Math.PI / 7;
   const polar = Math.PI / 2 - Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
   return new Vector3().setFromSphericalCoords(1, polar, around);
-}
-
-/** Positions moved and scaled so that the triangles lie in the unit sphere round their box's centre: float32 keeps its digits. */
-function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
-  const { min, max } = boundingBox(positions, 3, indices);
-  const center = min.map((low, d) => (low + max[d]) / 2);
-  let radius = 0;
-  for (const v of indices) {
-    const [x, y, z] = center.map((c, d) => positions[3 * v + d] - c);
-    radius = Math.max(radius, Math.hypot(x, y, z));
-  }
-  return Float32Array.from(positions, (x, i) => (x - center[i % 3]) / (radius || 1));
 }

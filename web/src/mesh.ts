@@ -2,6 +2,8 @@
 export interface DisplayMesh {
   positions: Float64Array;
   indices: Uint32Array;
+  /** The face that each triangle is of, where that is not itself. */
+  faces?: Uint32Array;
 }
 
 /** A flattened mesh as it is drawn: `uv` has 2 per vertex of `indices`. */

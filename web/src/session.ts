@@ -23,8 +23,7 @@ export interface Opened {
   source: Source;
   input: MeshInput;
   mesh: DisplayMesh;
-  /** Whether it is a disk, and why not. */
-  disk: MeshSummary['disk'];
+  summary: MeshSummary;
 }
 
 /** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
@@ -154,16 +153,16 @@ export class Session {
     const abflat = await this.abflat;
     if (source.kind === 'sample') {
       const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
-      const { disk } = await abflat.inspect(mesh, { signal });
-      return { source, input: mesh, mesh, disk };
+      const summary = await abflat.inspect(mesh, { signal });
+      return { source, input: mesh, mesh, summary };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
     };
     const mesh = await abflat.load(input, { signal });
-    const { disk } = await abflat.inspect(input, { signal });
-    return { source, input, mesh, disk };
+    const summary = await abflat.inspect(input, { signal });
+    return { source, input, mesh, summary };
   }
 }
 

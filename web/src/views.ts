@@ -11,7 +11,7 @@ import { RAMP_MOST } from './shader-parts';
 
 /** Both pictures and the buttons that belong to them. */
 export class Views {
-  private readonly mesh: MeshView;
+  readonly mesh: MeshView;
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
   private isDisk = true;

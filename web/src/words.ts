@@ -19,8 +19,9 @@ export const WORDS: Record<Mode, Words> = {
 /** "t = auto, Delaunay" */
 export function settingsText(settings: Settings): string {
   if (settings.mode === 'unwrap') {
-    const { maxStretch, resolution, padding } = settings;
-    return `stretch up to ${maxStretch}, ${resolution}\u202fpx, padding ${padding}`;
+    const { maxStretch, resolution, padding, seams, seamEdges } = settings;
+    const along = seamEdges ? `${counted(seamEdges.length / 2, 'seam edge')}` : `seams ${seams}`;
+    return `${along}, stretch up to ${maxStretch}, ${resolution}\u202fpx, padding ${padding}`;
   }
   return `t = ${bound(settings.t)}${settings.delaunay ? ', Delaunay' : ''}`;
 }

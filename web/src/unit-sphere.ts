@@ -1,0 +1,18 @@
+import { boundingBox, type DisplayMesh } from './mesh';
+
+/** Positions moved and scaled so that the triangles lie in the unit sphere round their box's centre: float32 keeps its digits. */
+export function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
+  const { min, max } = boundingBox(positions, 3, indices);
+  const [x, y, z] = min.map((low, d) => (low + max[d]) / 2);
+  let radius = 0;
+  for (const v of indices) {
+    const away = Math.hypot(
+      positions[3 * v] - x,
+      positions[3 * v + 1] - y,
+      positions[3 * v + 2] - z,
+    );
+    if (away > radius) radius = away;
+  }
+  const center = [x, y, z];
+  return Float32Array.from(positions, (p, i) => (p - center[i % 3]) / (radius || 1));
+}
