@@ -12,7 +12,7 @@ import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
-import { flatPicture } from './picture';
+import { type FlatPicture, flatPicture } from './picture';
 import { RunPanel } from './run-panel';
 import { SeamPanel } from './seams/seam-panel';
 import type { Opened, SessionEvents, Source } from './session';
@@ -36,7 +36,7 @@ export class App implements SessionEvents {
   });
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
-  private readonly charts = new ChartsTab();
+  private readonly charts: ChartsTab;
   private readonly seams: SeamPanel;
   private readonly sweep = new SweepTab(
     (t, signal) =>
@@ -67,12 +67,15 @@ export class App implements SessionEvents {
   private delaunay = false;
   /** The last result. */
   private outcome: Outcome | null = null;
+  /** That of the last result; null without WebGL. */
+  private picture: FlatPicture | null = null;
 
   constructor(
     abflat: Promise<Abflat>,
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings);
+    this.charts = new ChartsTab(views);
     this.seams = new SeamPanel(views?.mesh ?? null, {
       changed: () => this.session.refresh(),
       say: (text) => this.run.say(text),
@@ -157,7 +160,7 @@ export class App implements SessionEvents {
 
   private showDetails(outcome: Outcome): void {
     if (outcome.mode === 'unwrap') {
-      this.charts.show(outcome.result.report);
+      this.charts.show(outcome.result.report, this.picture);
       this.seams.show(outcome);
       return;
     }
@@ -205,7 +208,7 @@ export class App implements SessionEvents {
   }
 
   private showResult(outcome: Outcome): void {
-    this.views?.showOutcome(outcome);
+    this.picture = this.views?.showOutcome(outcome) ?? null;
     element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
   }
 

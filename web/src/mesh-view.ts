@@ -19,7 +19,7 @@ import { DOT, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seams/seam-overlay';
 import { Sight } from './seams/sight';
 import { Stage } from './stage';
-import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
+import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
 import { toUnitSphere } from './unit-sphere';
 
 const FIELD_OF_VIEW = 32;
@@ -45,6 +45,8 @@ export class MeshView {
   private readonly boundary = new EdgeLines(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private readonly seams = new SeamOverlay();
+  /** The chart of each shown triangle. */
+  private pieces = new Float32Array();
   private front = new Vector3(0, 0, 1);
   /** Corners of the shown triangles, within the unit sphere. */
   private corners: Float32Array = new Float32Array();
@@ -95,6 +97,8 @@ export class MeshView {
     geometry.setAttribute('error', new BufferAttribute(toCorners(perTriangle), 1));
     const charts = flat?.chartColors ?? new Float32Array(perTriangle.length);
     geometry.setAttribute('chart', new BufferAttribute(toCorners(charts), 1));
+    this.pieces = Float32Array.from(flat?.charts ?? charts);
+    geometry.setAttribute('piece', new BufferAttribute(toCorners(this.pieces), 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(unit, edges);
@@ -103,7 +107,7 @@ export class MeshView {
     this.isFlat = flat !== null;
     this.paint();
     if (!isNew) return;
-    this.front = frontOf(mesh);
+    this.front = frontOf(mesh, USUAL_FRONT);
     this.reset();
   }
 
@@ -143,14 +147,35 @@ export class MeshView {
     this.paint();
   }
 
+  /** Shows one chart clearer than the others; null: all alike. */
+  light(chart: number | null): void {
+    this.material.uniforms.lit.value = chart ?? NONE_LIT;
+    this.stage.invalidate();
+  }
+
+  /** Looks at one chart. */
+  goTo(chart: number): void {
+    const part = partOf(this.corners, this.pieces, chart);
+    const positions = Float64Array.from(part);
+    const indices = Uint32Array.from({ length: part.length / 3 }, (_, v) => v);
+    const now = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.look(part, frontOf({ positions, indices }, now));
+    this.isFitted = false;
+  }
+
   reset(): void {
+    this.look(this.corners, this.front);
+    this.isFitted = true;
+  }
+
+  /** `front`: from the points (xyz each) to the eye. */
+  private look(points: Float32Array, front: Vector3): void {
     this.stopDamping();
     const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
-    const { target, distance } = fitInView(this.corners, this.front, up * this.camera.aspect, up);
+    const { target, distance } = fitInView(points, front, up * this.camera.aspect, up);
     this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(this.front, distance);
+    this.camera.position.copy(target).addScaledVector(front, distance);
     this.controls.update();
-    this.isFitted = true;
     this.stage.invalidate();
   }
 
@@ -218,13 +243,22 @@ export class MeshView {
   }
 }
 
-/** Unit vector from the mesh to the point from which it is first seen; y is up. */
-function frontOf(mesh: DisplayMesh): Vector3 {
+/** Unit vector from the mesh to the point from which it is first seen, `otherwise` where it faces nowhere; y is up. */
+function frontOf(mesh: DisplayMesh, otherwise: Vector3): Vector3 {
   const { direction, clarity } = facing(mesh);
-  if (clarity < CLEAR_FACING) return USUAL_FRONT;
+  if (clarity < CLEAR_FACING) return otherwise;
   const [x, y, z] = direction;
   const elevation = Math.asin(Math.min(1, Math.max(-1, y)));
   const around = Math.hypot(x, z) > 0.2 ? Math.atan2(x, z) : Math.PI / 7;
   const polar = Math.PI / 2 - Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
   return new Vector3().setFromSphericalCoords(1, polar, around);
+}
+
+/** The corners (xyz each) of one chart's triangles. */
+function partOf(corners: Float32Array, pieces: Float32Array, chart: number): Float32Array {
+  const part: number[] = [];
+  pieces.forEach((piece, f) => {
+    if (piece === chart) for (let i = 9 * f; i < 9 * f + 9; ++i) part.push(corners[i]);
+  });
+  return Float32Array.from(part);
 }
