@@ -29,7 +29,7 @@ function numberOf(word, name, isGood) {
 }
 
 /** `--csv` alone means the default file. */
-const withCsvFile = (args, file) =>
+export const withCsvFile = (args, file) =>
   args.flatMap((arg, i) =>
     arg === '--csv' && (args[i + 1] ?? '--').startsWith('--') ? [arg, file] : [arg],
   );
