@@ -16,6 +16,7 @@
 #include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_chart.h"
+#include "unwrap_known.h"
 #include "unwrap_output.h"
 
 namespace abflat {
@@ -58,17 +59,18 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
   return order;
 }
 
-std::vector<FlatChart> flattenAll(const std::vector<DiskChart>& charts,
-                                  const UnwrapOptionValues& options, ThreadPool& pool,
-                                  Monitor& monitor) {
-  std::vector<FlatChart> flat(charts.size());
+/// Those that have no layout yet.
+void flattenAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+                ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
-  for (const DiskChart& c : charts) triangles += c.triangleCount();
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (flat[i].unpacked.empty()) triangles += charts[i].triangleCount();
   std::atomic<std::size_t> done{0};
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
     if (monitor.stopped()) return;
     const DiskChart& chart = charts[order[i]];
+    if (!flat[order[i]].unpacked.empty()) return;
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
@@ -77,14 +79,13 @@ std::vector<FlatChart> flattenAll(const std::vector<DiskChart>& charts,
     flat[order[i]] = flattenOne(chart, options, pool, goesOn);
     done += chart.triangleCount();
   });
-  return flat;
 }
 
 std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
                                 const std::vector<FlatChart>& flat) {
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    shapes[i].uv = flat[i].uv;
+    shapes[i].uv = flat[i].unpacked;
     shapes[i].triangles = charts[i].vertexOfCorner;
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
@@ -96,12 +97,10 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const Placement& p = packing.placements[i];
-    std::vector<double>& uv = flat[i].uv;
-    for (std::size_t k = 0; k < uv.size(); k += 2) {
-      const double u = p.u(&uv[k]), v = p.v(&uv[k]);
-      uv[k] = u;
-      uv[k + 1] = v;
-    }
+    const std::vector<double>& from = flat[i].unpacked;
+    flat[i].uv.clear();
+    for (std::size_t k = 0; k < from.size(); k += 2)
+      flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]), p.v(&from[k])});
   }
 }
 
@@ -179,7 +178,10 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
-  std::vector<FlatChart> flat = flattenAll(set.charts, options, pool, monitor);
+  Result<std::vector<FlatChart>> known = knownCharts({mesh, welded, surface, set}, options, pool);
+  if (!known.ok()) return known.status;
+  std::vector<FlatChart>& flat = known.value;
+  flattenAll(set.charts, options, pool, monitor, flat);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 

@@ -22,7 +22,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, 
   FlatChart out;
   out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
   if (out.attempt.solution.cancelled) return out;
-  out.uv = inMeshUnit(chart, out.attempt);
+  out.unpacked = inMeshUnit(chart, out.attempt);
   out.problem = findProblem(chart, out.attempt);
   out.attempt.uv = {};
   return out;

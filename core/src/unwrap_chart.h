@@ -11,9 +11,10 @@ namespace abflat {
 
 /// A chart that has been laid out.
 struct FlatChart {
-  std::vector<double> uv;  ///< of the chart's 3D area, in the mesh's unit; then in the atlas
-  Attempt attempt;         ///< its own uv is gone
-  std::string problem;     ///< why it is not valid, one sentence; empty when it is
+  std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
+  std::vector<double> uv;        ///< in the atlas
+  Attempt attempt;               ///< its own uv is gone
+  std::string problem;           ///< why it is not valid, one sentence; empty when it is
 };
 
 /// `goesOn` is asked often, from the thread that calls; when it returns false the layout is empty.

@@ -69,42 +69,26 @@ void listCharts(const PolygonMesh& input, const WeldedMesh& welded, const Surfac
   }
 }
 
-/// Triangles of the surface, by input face: `of[first[f]]` to `of[first[f + 1]]`.
-struct TrianglesByFace {
-  std::vector<std::uint32_t> first, of;
-};
-
-TrianglesByFace trianglesByFace(std::size_t faces, const WeldedMesh& welded,
-                                const Triangulation& triangulation) {
-  TrianglesByFace out;
-  out.first.assign(faces + 1, 0);
-  for (const std::uint32_t w : triangulation.face) ++out.first[welded.inputFace[w] + 1];
-  for (std::size_t f = 0; f < faces; ++f) out.first[f + 1] += out.first[f];
-  std::vector<std::uint32_t> fill(out.first.begin(), out.first.end() - 1);
-  out.of.resize(triangulation.face.size());
-  for (std::uint32_t t = 0; t < out.of.size(); ++t)
-    out.of[fill[welded.inputFace[triangulation.face[t]]]++] = t;
-  return out;
-}
-
 void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                    const ChartSet& set, UnwrapResult& out) {
-  const TrianglesByFace sorted = trianglesByFace(input.faceCount(), welded, surface.triangulation);
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t chart) {
-    for (const std::uint32_t corner : {a, b, c}) out.triangles.push_back(out.cornerVertex[corner]);
-    out.chartOfTriangle.push_back(chart);
+  const TriangleOrder order = triangleOrder(input, welded, surface);
+  out.triangles.resize(3 * static_cast<std::size_t>(order.firstOfFace.back()));
+  out.chartOfTriangle.resize(order.firstOfFace.back());
+  const auto put = [&](std::size_t i, std::array<std::uint32_t, 3> corners, std::uint32_t chart) {
+    for (std::size_t k = 0; k < 3; ++k) out.triangles[3 * i + k] = out.cornerVertex[corners[k]];
+    out.chartOfTriangle[i] = chart;
   };
   const auto cornerOf = [&](std::uint32_t h) {
     return welded.inputCorner[surface.triangulation.corner[h]];
   };
+  for (std::uint32_t t = 0; t < order.ofTriangle.size(); ++t)
+    put(order.ofTriangle[t], {cornerOf(3 * t), cornerOf(3 * t + 1), cornerOf(3 * t + 2)},
+        set.ofTriangle[t]);
   for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
-    for (std::uint32_t i = sorted.first[f]; i < sorted.first[f + 1]; ++i) {
-      const std::uint32_t t = sorted.of[i];
-      add(cornerOf(3 * t), cornerOf(3 * t + 1), cornerOf(3 * t + 2), set.ofTriangle[t]);
-    }
-    if (sorted.first[f] != sorted.first[f + 1]) continue;
-    const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
-    for (std::uint32_t c = begin + 1; c + 1 < end; ++c) add(begin, c, c + 1, out.chartOfFace[f]);
+    if (!order.isFan[f]) continue;
+    const std::uint32_t begin = input.faceOffsets[f];
+    for (std::uint32_t c = begin + 1; c + 1 < input.faceOffsets[f + 1]; ++c)
+      put(order.firstOfFace[f] + c - begin - 1, {begin, c, c + 1}, out.chartOfFace[f]);
   }
 }
 
@@ -129,6 +113,24 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
 
 }  // namespace
 
+TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
+                            const Surface& surface) {
+  const std::vector<std::uint32_t>& face = surface.triangulation.face;
+  TriangleOrder out;
+  out.firstOfFace.assign(input.faceCount() + 1, 0);
+  out.isFan.assign(input.faceCount(), 0);
+  for (const std::uint32_t w : face) ++out.firstOfFace[welded.inputFace[w] + 1];
+  for (std::size_t f = 0; f < input.faceCount(); ++f) {
+    std::uint32_t& count = out.firstOfFace[f + 1];
+    out.isFan[f] = count == 0;
+    if (out.isFan[f]) count = input.faceOffsets[f + 1] - input.faceOffsets[f] - 2;
+    count += out.firstOfFace[f];
+  }
+  std::vector<std::uint32_t> fill = out.firstOfFace;
+  for (const std::uint32_t w : face) out.ofTriangle.push_back(fill[welded.inputFace[w]]++);
+  return out;
+}
+
 RepairReport repairReport(const WeldedMesh& welded, const Surface& surface) {
   RepairReport out;
   out.mergedVertices = welded.mergedVertices;
@@ -147,6 +149,7 @@ void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surfac
   for (const FlatChart& chart : flat) {
     firstOf.push_back(static_cast<std::uint32_t>(out.uv.size() / 2));
     out.uv.insert(out.uv.end(), chart.uv.begin(), chart.uv.end());
+    out.unpacked.insert(out.unpacked.end(), chart.unpacked.begin(), chart.unpacked.end());
   }
   const std::vector<std::uint32_t> ofCorner =
       texcoordOfCorner(surface, set, firstOf, welded.inputCorner.size());
@@ -160,6 +163,7 @@ void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surfac
     if (corner == kNone) {
       corner = static_cast<std::uint32_t>(out.uv.size() / 2);
       out.uv.insert(out.uv.end(), {0, 0});
+      out.unpacked.insert(out.unpacked.end(), {0, 0});
     }
     out.cornerUv[c] = corner;
   }

@@ -9,6 +9,15 @@ namespace abflat {
 
 RepairReport repairReport(const WeldedMesh& welded, const Surface& surface);
 
+/// Where triangles of the surface are in UnwrapResult::triangles, as triangles.
+struct TriangleOrder {
+  std::vector<std::uint32_t> ofTriangle;   ///< per triangle of the surface
+  std::vector<std::uint32_t> firstOfFace;  ///< size F + 1
+  std::vector<std::uint8_t> isFan;         ///< per face: nothing of it is on the surface
+};
+TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
+                            const Surface& surface);
+
 /// All of the result but its report, from charts that lie in the atlas.
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                 const ChartSet& set, const std::vector<FlatChart>& flat, UnwrapResult& out);

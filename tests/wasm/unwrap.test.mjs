@@ -252,6 +252,62 @@ test('seams: none keeps as few charts as topology allows, edges are cut as asked
   assert.ok(sharp.seams.length > 0, 'the edges that were passed stay');
 });
 
+const solvers = ({ report }) => report.charts.map(({ solver }) => solver);
+const ARRAYS = ['uv', 'unpacked', 'indices', 'vertexMap', 'chartOfTriangle', 'seams'];
+
+test('unpacked: charts as large as on the surface, at the scale of the atlas in uv', async () => {
+  const { uv, unpacked, indices, chartOfTriangle, report } = await abflat.unwrap(
+    arraysOf(SURFACES['sphere-and-torus']),
+  );
+  const areas = (of) => {
+    const sums = new Array(report.charts.length).fill(0);
+    for (const [f, chart] of chartOfTriangle.entries())
+      sums[chart] += doubleArea(of, indices.subarray(3 * f, 3 * f + 3)) / 2;
+    return sums;
+  };
+  const inUv = areas(uv);
+  const scale = (report.atlas.texelDensity / report.atlas.resolution) ** 2;
+  for (const [i, area] of areas(unpacked).entries()) {
+    assert.ok(Math.abs(area / report.charts[i].area - 1) < 1e-9);
+    assert.ok(Math.abs(inUv[i] / (area * scale) - 1) < 1e-4);
+  }
+});
+
+test('known: charts that an edit of the seams leaves alone are not solved, and the result is that of solving', async () => {
+  const mesh = arraysOf(CUBE);
+  const file = { bytes: bytesOf(objText(CUBE)), name: 'cube.obj' };
+  for (const input of [mesh, file]) {
+    const first = await abflat.unwrap(input, { seams: 'sharp=45' });
+    const edit = { seams: 'none', seamEdges: first.seams.slice(2) };
+    const solved = await abflat.unwrap(input, edit);
+    const quick = await abflat.unwrap(input, { ...edit, known: first });
+    assert.equal(solved.report.charts.length, 5);
+    assert.ok(!solvers(solved).includes('known'));
+    assert.equal(solvers(quick).filter((solver) => solver === 'known').length, 4);
+    for (const key of ARRAYS) assert.deepEqual(quick[key], solved[key], key);
+    const again = await abflat.unwrap(input, { ...edit, known: quick });
+    assert.deepEqual(new Set(solvers(again)), new Set(['known']));
+    for (const key of ARRAYS) assert.deepEqual(again[key], solved[key], key);
+    const other = await abflat.unwrap(input, { ...edit, t: 1, known: quick });
+    assert.ok(!solvers(other).includes('known'), 'other angles were asked for');
+    assert.ok(quick.unpacked.length > 0, 'what was passed stays');
+  }
+});
+
+test('known: what is no result, or that of another mesh, is refused', async () => {
+  const cube = await abflat.unwrap(arraysOf(CUBE));
+  const { uv, ...rest } = cube;
+  assert.equal((await abflat.unwrap(arraysOf(CUBE), { known: rest })).report.valid, true);
+  for (const [known, pattern] of [
+    [null, /result of unwrap; its unpacked/],
+    [{ ...cube, indices: [0, 1, 2] }, /its indices is no Uint32Array/],
+    [{ ...cube, report: {} }, /report\.options\.t/],
+    [{ ...cube, vertexMap: cube.vertexMap.slice(1) }, /not of this mesh.*coordinates/],
+    [await abflat.unwrap(arraysOf(SURFACES.sphere)), /not of this mesh.*triangles/],
+  ])
+    await assertFails(abflat.unwrap(arraysOf(CUBE), { known }), 'InvalidOption', pattern);
+});
+
 test('a disk becomes one chart with the angles of flatten', async () => {
   const mesh = grid(8);
   const flat = await abflat.flatten(mesh);

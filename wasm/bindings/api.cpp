@@ -111,6 +111,13 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatSeamEdges(Job* job, std::size_t count)
   return edges.empty() ? nullptr : edges.front().data();
 }
 
+/// Room for an array of a known layout, `size` numbers; Field says which.
+EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
+  return knownRoom(*job, static_cast<Field>(field), size);
+}
+
+EMSCRIPTEN_KEEPALIVE void abflatKnownT(Job* job, double t) { job->unwrapOptions.known.t = t; }
+
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});
 }

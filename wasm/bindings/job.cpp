@@ -54,6 +54,8 @@ Bytes resultOf(const Job& job, Field field) {
       return bytesOf(job.layout.chartOfTriangle);
     case Field::Seams:
       return bytesOf(job.layout.seams);
+    case Field::Unpacked:
+      return bytesOf(job.layout.unpacked);
     case Field::Faces:
       return bytesOf(job.layout.faces);
   }
@@ -61,6 +63,19 @@ Bytes resultOf(const Job& job, Field field) {
 }
 
 Bytes methodUvOf(const Job& job, std::size_t method) { return bytesOf(job.methods[method].uv); }
+
+void* knownRoom(Job& job, Field field, std::size_t size) {
+  KnownLayout& known = job.unwrapOptions.known;
+  if (field == Field::Unpacked) {
+    known.unpacked.resize(size);
+    return known.unpacked.data();
+  }
+  std::vector<std::uint32_t>& numbers = field == Field::Indices     ? known.triangles
+                                        : field == Field::VertexMap ? known.vertexMap
+                                                                    : known.chartOfTriangle;
+  numbers.resize(size);
+  return numbers.data();
+}
 
 Status readInput(Job& job) {
   if (!job.isFile) return validateArrays(job.mesh);
@@ -136,6 +151,7 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   const auto compute = [&] { return unwrap(job.mesh, job.unwrapOptions); };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);
+    job.layout.unpacked = gather(atlas.unpacked, 2, atlas.vertexUv);
     job.layout.triangles = std::move(atlas.triangles);
     job.layout.vertexMap = std::move(atlas.vertexMap);
     job.layout.chartOfTriangle = std::move(atlas.chartOfTriangle);

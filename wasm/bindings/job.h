@@ -22,6 +22,7 @@ struct LayoutArrays {
   std::vector<double> positions;         ///< 3 per output vertex, files only
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<EdgeVertices> seams;
+  std::vector<double> unpacked;  ///< 2 per output vertex
   std::vector<std::uint32_t> faces;  ///< input face per triangle, of a loaded file
 };
 
@@ -52,6 +53,7 @@ enum class Field : int {
   Text,
   ChartOfTriangle,
   Seams,
+  Unpacked,
   Faces
 };
 
@@ -64,6 +66,10 @@ Bytes resultOf(const Job& job, Field field);
 
 /// The layout by one method of a comparison, in the order of its JSON; empty where there is none.
 Bytes methodUvOf(const Job& job, std::size_t method);
+
+/// Room for one of the arrays of a known layout, which are Unpacked, Indices, VertexMap and
+/// ChartOfTriangle.
+void* knownRoom(Job& job, Field field, std::size_t size);
 
 /// Parses the file, or checks the arrays. Errors: those of detectFormat, readMesh, validateArrays.
 Status readInput(Job& job);

@@ -12,6 +12,8 @@ export interface NativeModule {
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;
   _abflatSeams(job: number, bytes: number): number;
   _abflatSeamEdges(job: number, count: number): number;
+  _abflatKnown(job: number, field: number, count: number): number;
+  _abflatKnownT(job: number, t: number): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
   _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;

@@ -35,6 +35,7 @@ import {
   checkString,
   flattenNumbers,
   KEYS,
+  knownArrays,
   seamVertices,
   unwrapNumbers,
 } from './validate.js';
@@ -123,6 +124,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     values: unwrapNumbers(options),
     seams,
     seamEdges: seamVertices(options.seamEdges),
+    known: knownArrays(options.known),
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }

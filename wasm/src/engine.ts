@@ -12,6 +12,7 @@ import type {
   AnyProgress,
   Description,
   FlattenRequest,
+  KnownArrays,
   LayoutRequest,
   OwnedMesh,
   Request,
@@ -41,7 +42,8 @@ const FIELD = {
   text: 6,
   chartOfTriangle: 7,
   seams: 8,
-  faces: 9,
+  unpacked: 9,
+  faces: 10,
 } as const;
 
 /** Minified names may differ between builds, so each module needs its own. */
@@ -181,19 +183,21 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges } = request;
+    const { values, seams, seamEdges, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
         if (seams !== undefined) this.#writeText(seams, (bytes) => native._abflatSeams(job, bytes));
         const edges = native._abflatSeamEdges(job, seamEdges.length / 2) >>> 0;
         new Uint32Array(this.#memory.buffer, edges, seamEdges.length).set(seamEdges);
+        if (known !== undefined) this.#writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,
       complete: (layout, job) => ({
         ...layout,
         chartOfTriangle: new Uint32Array(this.#read(job, FIELD.chartOfTriangle)),
         seams: new Uint32Array(this.#read(job, FIELD.seams)),
+        unpacked: new Float64Array(this.#read(job, FIELD.unpacked)),
       }),
     });
   }
@@ -316,10 +320,26 @@ export class Engine {
     mesh.indices = new Uint32Array();
   }
 
-  /** Sizes beyond 32 bits must not reach the module. */
+  #writeKnown(job: number, { t, arrays }: KnownArrays): void {
+    const entries = Object.entries(arrays);
+    this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
+    for (const [name, array] of entries) {
+      const field = FIELD[name as keyof typeof arrays];
+      const start = this.#native._abflatKnown(job, field, array.length) >>> 0;
+      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+      new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
+    }
+    this.#native._abflatKnownT(job, t);
+  }
+
   #checkSize(mesh: OwnedMesh): void {
-    const bytes =
-      'bytes' in mesh ? mesh.bytes.length : 8 * mesh.positions.length + 4 * mesh.indices.length;
+    this.#checkBytes(
+      'bytes' in mesh ? mesh.bytes.length : 8 * mesh.positions.length + 4 * mesh.indices.length,
+    );
+  }
+
+  /** Sizes beyond 32 bits must not reach the module. */
+  #checkBytes(bytes: number): void {
     if (bytes >= this.#maxMemory) throw new OutOfMemory();
   }
 

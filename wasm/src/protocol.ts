@@ -38,6 +38,13 @@ export interface FlattenRequest extends LayoutRequest {
   bounds: number[];
 }
 
+/** What is known of an earlier call, in arrays that belong to this one. */
+export interface KnownArrays {
+  /** As in `values` of a request. */
+  t: number;
+  arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'>;
+}
+
 export interface UnwrapRequest extends LayoutRequest {
   kind: 'unwrap';
   /** One number per option of UNWRAP_OPTIONS, in its order. */
@@ -46,6 +53,7 @@ export interface UnwrapRequest extends LayoutRequest {
   seams?: string;
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
+  known?: KnownArrays;
 }
 
 export type Request =

@@ -173,12 +173,23 @@ export interface UnwrapProgress extends Omit<Progress, 'stage'> {
   stage: 'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write';
 }
 
+/** What an earlier call gave for the same mesh: its result, or this much of it. */
+export interface KnownLayout {
+  unpacked: Float64Array;
+  indices: Uint32Array;
+  vertexMap: Uint32Array;
+  chartOfTriangle: Uint32Array;
+  report: { options: Pick<UnwrapOptionValues, 't'> };
+}
+
 /** The plain values are described, with their defaults, by UNWRAP_OPTIONS. */
 export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues> {
   /** Where to cut: `auto` (the default), `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
   seams?: string;
   /** Edges to cut beside those, two vertices of the input each. */
   seamEdges?: Uint32Array;
+  /** Charts that have the triangles and the outline of one of these, and the same `t`, are not flattened again. */
+  known?: KnownLayout;
   onProgress?: (progress: UnwrapProgress) => void;
 }
 
@@ -209,6 +220,7 @@ export interface UnwrapChart {
   boundaryVertices: number;
   /** In 3D. */
   area: number;
+  /** As in ChartReport, or `known`: the layout is that of an earlier call. */
   solver: string;
   iterations: number;
   angularDistortion: number;
@@ -274,6 +286,8 @@ export interface UnwrapResult extends Layout<UnwrapReport> {
   chartOfTriangle: Uint32Array;
   /** Edges that were cut, two vertices of the input each. */
   seams: Uint32Array;
+  /** `uv` before packing, in double precision: every chart in the unit of the input, with the area that it has in 3D. */
+  unpacked: Float64Array;
 }
 
 /** What a mesh is; `disk.ok` tells whether `flatten` accepts it, `disk.message` why not. */

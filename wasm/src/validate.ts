@@ -11,13 +11,15 @@ import {
   type UnwrapOptionValues,
 } from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
+import type { KnownArrays } from './protocol.js';
+import type { KnownLayout } from './types.js';
 
 const OF_CALL = ['signal', 'transfer'];
 const OF_LAYOUT = ['onProgress', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
-  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', ...OF_LAYOUT],
+  unwrap: [...Object.keys(UNWRAP_OPTIONS), 'seams', 'seamEdges', 'known', ...OF_LAYOUT],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -134,6 +136,30 @@ function optionNumbers<T extends object>(
     const value = options[key] === undefined ? defaults[key] : options[key];
     return optionNumber(name, value, rule);
   });
+}
+
+/** Copies. What is wrong with the numbers within is for the module to see. */
+export function knownArrays(known: unknown): KnownArrays | undefined {
+  if (known === undefined) return undefined;
+  const found = (known ?? {}) as Partial<KnownLayout>;
+  const check = (name: 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle', tag: string) => {
+    if (tagOf(found[name]) !== tag)
+      throw invalid(`known must be a result of unwrap; its ${name} is no ${tag}.`);
+  };
+  check('unpacked', 'Float64Array');
+  check('indices', 'Uint32Array');
+  check('vertexMap', 'Uint32Array');
+  check('chartOfTriangle', 'Uint32Array');
+  const { unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
+  return {
+    t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
+    arrays: {
+      unpacked: new Float64Array(unpacked),
+      indices: new Uint32Array(indices),
+      vertexMap: new Uint32Array(vertexMap),
+      chartOfTriangle: new Uint32Array(chartOfTriangle),
+    },
+  };
 }
 
 /** A copy: the caller's buffer stays. */

@@ -28,8 +28,20 @@ struct SeamSources {
 /// "sharp=DEGREES", which is above 0 and at most 180. Errors: InvalidOption.
 Result<SeamSources> parseSeams(std::string_view text);
 
+/// What an earlier run gave for the same mesh; names as in UnwrapResult.
+struct KnownLayout {
+  double t = 0;                          ///< its UnwrapOptionValues::t
+  std::vector<double> unpacked;          ///< 2 per vertex, where UnwrapResult has texcoords
+  std::vector<std::uint32_t> vertexMap;  ///< input vertex of each vertex
+  std::vector<std::uint32_t> triangles;  ///< 3 vertices per triangle
+  std::vector<std::uint32_t> chartOfTriangle;
+};
+
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
+  /// Charts that have the triangles and the outline of one of these are not flattened again, which
+  /// is for changing seams little by little. No triangles: nothing is known.
+  KnownLayout known;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
   /// hold them; not where that would make a chart invalid.
   bool roundsToSingle = false;
@@ -67,8 +79,8 @@ struct UnwrapChart {
   std::size_t faces = 0;        ///< triangles
   std::uint32_t firstFace = 0;  ///< an input face in it
   std::size_t boundaryVertices = 0;
-  double area = 0;  ///< 3D
-  std::string solver;
+  double area = 0;     ///< 3D
+  std::string solver;  ///< "known": its layout is that of an earlier run
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
@@ -113,6 +125,7 @@ constexpr std::uint32_t kNoChart = 0xffffffffu;
 /// one more for each further texcoord of theirs.
 struct UnwrapResult {
   std::vector<double> uv;               ///< 2 per texcoord, in [0, 1]
+  std::vector<double> unpacked;         ///< the same before packing: charts of their 3D area
   std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
   /// Per input face, index into report.charts: that of its first triangle, or of a neighbour where
   /// it has none; kNoChart where it has no neighbour either.
@@ -132,6 +145,9 @@ struct UnwrapResult {
 /// result is valid when every chart is and none overlap.
 /// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
+
+/// What a later run may know of this one; rows of the table of vertices, not that of texcoords.
+KnownLayout knownLayout(const UnwrapResult& earlier);
 
 /// The report as JSON text, indented by two spaces; keys as in the README.
 std::string unwrapReportJson(const UnwrapReport& report);

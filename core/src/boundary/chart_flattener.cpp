@@ -52,6 +52,12 @@ std::vector<double> roundedOutline(const DiskChart& chart, const std::vector<dou
 
 }  // namespace
 
+Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
+  Validity v = checkValidity(chart, uv);
+  if (v.valid()) v.crossings = findCrossings(roundedOutline(chart, uv));
+  return v;
+}
+
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
@@ -159,9 +165,7 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
 }
 
 Validity ChartFlattener::check(const std::vector<double>& uv) const {
-  Validity v = checkValidity(chart_, uv);
-  if (requiresSeparation_ && v.valid()) v.crossings = findCrossings(roundedOutline(chart_, uv));
-  return v;
+  return requiresSeparation_ ? checkSeparated(chart_, uv) : checkValidity(chart_, uv);
 }
 
 }  // namespace abflat

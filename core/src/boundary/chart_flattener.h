@@ -27,6 +27,10 @@ struct Attempt {
   bool valid() const { return validity.valid() && solution.converged; }
 };
 
+/// checkValidity(), where parts of the boundary that are as good as touching count as crossings, so
+/// that a valid layout stays so when it is moved and rounded.
+Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv);
+
 /// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
 class ChartFlattener {
  public:
@@ -39,8 +43,7 @@ class ChartFlattener {
   /// the interior point takes over with rising floors of its barrier.
   Attempt attempt(const std::vector<double>& t, const Attempt* warm);
 
-  /// From now on parts of the boundary that are as good as touching count as crossings, so that a
-  /// layout stays valid when it is moved and rounded.
+  /// From now on layouts are checked by checkSeparated().
   void requireSeparation() { requiresSeparation_ = true; }
 
   /// From now on attempts also meet condition (9), with the given margin in radians, and need an

@@ -1,0 +1,128 @@
+#include "unwrap_known.h"
+
+#include <cmath>
+
+#include "unwrap_output.h"
+
+namespace abflat {
+namespace {
+
+/// What an earlier run knows, by triangles of the surface.
+struct Known {
+  const KnownLayout& layout;
+  TriangleOrder order;
+  std::vector<std::uint32_t> trianglesOfChart;  ///< per known chart, on the surface
+
+  std::uint32_t chartOf(std::uint32_t triangle) const {
+    return layout.chartOfTriangle[order.ofTriangle[triangle]];
+  }
+  const double* uv(std::uint32_t triangle, std::size_t k) const {
+    const std::size_t corner = 3 * static_cast<std::size_t>(order.ofTriangle[triangle]) + k;
+    return &layout.unpacked[2 * static_cast<std::size_t>(layout.triangles[corner])];
+  }
+};
+
+Status isOfOther(const std::string& what) {
+  return {StatusCode::InvalidOption,
+          "the known layout is not of this mesh: " + what + "; unwrap without it first"};
+}
+
+Status checkSizes(const KnownLayout& known, std::size_t triangles) {
+  if (known.triangles.size() != 3 * triangles || known.chartOfTriangle.size() != triangles)
+    return isOfOther("it has " + std::to_string(known.triangles.size() / 3) +
+                     " triangles and the mesh " + std::to_string(triangles));
+  if (known.unpacked.size() != 2 * known.vertexMap.size())
+    return isOfOther("it has " + std::to_string(known.unpacked.size() / 2) + " coordinates for " +
+                     std::to_string(known.vertexMap.size()) + " vertices");
+  return {};
+}
+
+/// Every triangle has the vertices of the mesh, and a chart.
+Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, const CutMesh& mesh) {
+  for (std::uint32_t t = 0; t < order.ofTriangle.size(); ++t) {
+    const std::uint32_t i = order.ofTriangle[t];
+    bool isSame = known.chartOfTriangle[i] < known.chartOfTriangle.size();
+    for (std::size_t k = 0; k < 3 && isSame; ++k) {
+      const std::uint32_t v = known.triangles[3 * static_cast<std::size_t>(i) + k];
+      const std::uint32_t corner =
+          mesh.welded.inputCorner[mesh.surface.triangulation.corner[3 * t + k]];
+      isSame = v < known.vertexMap.size() && known.vertexMap[v] == mesh.input.faceVertices[corner];
+    }
+    if (!isSame) return isOfOther("triangle " + std::to_string(i) + " has other vertices");
+  }
+  return {};
+}
+
+/// Known coordinates of the chart's vertices; empty where triangles are missing or more, or where
+/// an edge of the chart was a seam. A seam that is new leaves a layout that touches itself.
+std::vector<double> knownUv(const Known& known, const DiskChart& chart,
+                            const std::vector<std::uint32_t>& triangles) {
+  const std::uint32_t id = known.chartOf(triangles.front());
+  if (known.trianglesOfChart[id] != triangles.size()) return {};
+  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()), NAN);
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    if (known.chartOf(triangles[f]) != id) return {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* from = known.uv(triangles[f], k);
+      double* to = &uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[3 * f + k])];
+      for (std::size_t d = 0; d < 2; ++d) {
+        if (!std::isfinite(from[d]) || (!std::isnan(to[d]) && to[d] != from[d])) return {};
+        to[d] = from[d];
+      }
+    }
+  }
+  return uv;
+}
+
+/// Checked and measured as if it had just been solved.
+FlatChart takeOver(const DiskChart& chart, std::vector<double> unpacked) {
+  FlatChart out;
+  Attempt& a = out.attempt;
+  a.solver = "known";
+  a.solution.converged = true;
+  a.uv = unpacked;
+  for (double& x : a.uv) x /= chart.unit;
+  a.validity = checkSeparated(chart, a.uv);
+  if (!a.validity.valid()) return {};
+  a.distortion = measureDistortion(chart, a.uv);
+  a.uv = {};
+  out.unpacked = std::move(unpacked);
+  return out;
+}
+
+}  // namespace
+
+Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh, const UnwrapOptions& options,
+                                           ThreadPool& pool) {
+  const std::vector<DiskChart>& charts = mesh.set.charts;
+  std::vector<FlatChart> out(charts.size());
+  const KnownLayout& layout = options.known;
+  if (layout.triangles.empty()) return out;
+  Known known{layout, triangleOrder(mesh.input, mesh.welded, mesh.surface), {}};
+  if (Status s = checkSizes(layout, known.order.firstOfFace.back()); !s.ok()) return s;
+  if (Status s = checkTriangles(layout, known.order, mesh); !s.ok()) return s;
+  // Other angles were wanted then.
+  if (layout.t != options.t) return out;
+  known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
+  for (std::uint32_t t = 0; t < known.order.ofTriangle.size(); ++t)
+    ++known.trianglesOfChart[known.chartOf(t)];
+  parallelFor(&pool, charts.size(), [&](std::size_t i) {
+    std::vector<double> uv = knownUv(known, charts[i], mesh.set.triangles[i]);
+    if (!uv.empty()) out[i] = takeOver(charts[i], std::move(uv));
+  });
+  return out;
+}
+
+KnownLayout knownLayout(const UnwrapResult& earlier) {
+  KnownLayout out;
+  out.t = earlier.report.options.t;
+  out.vertexMap = earlier.vertexMap;
+  out.triangles = earlier.triangles;
+  out.chartOfTriangle = earlier.chartOfTriangle;
+  out.unpacked.reserve(2 * earlier.vertexUv.size());
+  for (const std::size_t i : earlier.vertexUv)
+    out.unpacked.insert(out.unpacked.end(), {earlier.unpacked[2 * i], earlier.unpacked[2 * i + 1]});
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "chart/chart_set.h"
+#include "mesh/welded_mesh.h"
+#include "parallel.h"
+#include "unwrap_chart.h"
+
+namespace abflat {
+
+/// A mesh and the charts it has been cut into.
+struct CutMesh {
+  const PolygonMesh& input;
+  const WeldedMesh& welded;
+  const Surface& surface;
+  const ChartSet& set;
+};
+
+/// Per chart the layout that `options.known` has for it; empty where it has none that is valid.
+/// Errors: InvalidOption where what is known is not about this mesh.
+Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh, const UnwrapOptions& options,
+                                           ThreadPool& pool);
+
+}  // namespace abflat

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <cmath>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Eight charts: seams round the tube and along it.
+std::vector<EdgeVertices> torusSeams(unsigned columns, unsigned rows) {
+  std::vector<EdgeVertices> out;
+  const auto at = [&](unsigned i, unsigned j) { return j % rows * columns + i % columns; };
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; i += columns / 4) out.push_back({at(i, j), at(i, j + 1)});
+  for (unsigned i = 0; i < columns; ++i)
+    for (unsigned j = 0; j < rows; j += rows / 2) out.push_back({at(i, j), at(i + 1, j)});
+  return out;
+}
+
+UnwrapOptions alongSeams(std::vector<EdgeVertices> edges) {
+  UnwrapOptions out;
+  out.seams.isAuto = false;
+  out.seams.edges = std::move(edges);
+  return out;
+}
+
+UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  Result<UnwrapResult> result = unwrap(mesh, options);
+  REQUIRE(result.ok());
+  CHECK(result.value.report.valid);
+  return std::move(result.value);
+}
+
+std::size_t known(const UnwrapResult& r) {
+  return static_cast<std::size_t>(
+      std::count_if(r.report.charts.begin(), r.report.charts.end(),
+                    [](const UnwrapChart& c) { return c.solver == "known"; }));
+}
+
+void checkSameLayout(const UnwrapResult& a, const UnwrapResult& b) {
+  CHECK(a.unpacked == b.unpacked);
+  CHECK(a.uv == b.uv);
+  CHECK(a.cornerUv == b.cornerUv);
+  CHECK(a.report.angularDistortion == b.report.angularDistortion);
+  CHECK(a.report.quasiConformalMean == b.report.quasiConformalMean);
+  CHECK(a.report.symmetricDirichlet == b.report.symmetricDirichlet);
+}
+
+}  // namespace
+
+TEST_CASE("what is known is taken over and gives the bytes of solving", "[known]") {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const PolygonMesh mesh = transformed(torus(24, 16), scale, {0, 0, 0});
+    UnwrapOptions options = alongSeams(torusSeams(24, 16));
+    const UnwrapResult first = unwrapped(mesh, options);
+    REQUIRE(first.report.charts.size() == 8);
+    CHECK(known(first) == 0);
+    options.known = knownLayout(first);
+    const UnwrapResult second = unwrapped(mesh, options);
+    CHECK(known(second) == 8);
+    checkSameLayout(first, second);
+    options.roundsToSingle = true;
+    options.known = knownLayout(unwrapped(mesh, options));
+    CHECK(options.known.unpacked == knownLayout(first).unpacked);
+  }
+}
+
+TEST_CASE("only charts whose outline changes are solved", "[known]") {
+  const PolygonMesh mesh = torus(24, 16);
+  std::vector<EdgeVertices> edges = torusSeams(24, 16);
+  UnwrapOptions options = alongSeams(edges);
+  const KnownLayout before = knownLayout(unwrapped(mesh, options));
+  SECTION("a slit keeps the triangles and changes the outline") {
+    edges.insert(edges.end(), {{3, 27}, {27, 51}});
+    options = alongSeams(edges);
+    const UnwrapResult solved = unwrapped(mesh, options);
+    options.known = before;
+    const UnwrapResult quick = unwrapped(mesh, options);
+    CHECK(solved.report.charts.size() == 8);
+    CHECK(known(quick) == 7);
+    checkSameLayout(solved, quick);
+    // And back: the slit is closed.
+    options = alongSeams(torusSeams(24, 16));
+    const UnwrapResult whole = unwrapped(mesh, options);
+    options.known = knownLayout(quick);
+    const UnwrapResult again = unwrapped(mesh, options);
+    CHECK(known(again) == 7);
+    checkSameLayout(whole, again);
+  }
+  SECTION("a chart is cut in two") {
+    for (unsigned j = 0; j < 8; ++j) edges.push_back({j * 24 + 3, (j + 1) * 24 + 3});
+    options = alongSeams(edges);
+    const UnwrapResult solved = unwrapped(mesh, options);
+    options.known = before;
+    const UnwrapResult quick = unwrapped(mesh, options);
+    CHECK(solved.report.charts.size() == 9);
+    CHECK(known(quick) == 7);
+    checkSameLayout(solved, quick);
+  }
+  SECTION("two charts are joined") {
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                               [](const EdgeVertices& e) {
+                                 return e[0] % 24 == 6 && e[1] % 24 == 6 && e[0] / 24 < 8;
+                               }),
+                edges.end());
+    options = alongSeams(edges);
+    const UnwrapResult solved = unwrapped(mesh, options);
+    options.known = before;
+    const UnwrapResult quick = unwrapped(mesh, options);
+    CHECK(solved.report.charts.size() == 7);
+    CHECK(known(quick) == 6);
+    checkSameLayout(solved, quick);
+  }
+}
+
+TEST_CASE("what cannot be taken over is solved", "[known]") {
+  const PolygonMesh mesh = torus(24, 16);
+  UnwrapOptions options = alongSeams(torusSeams(24, 16));
+  const UnwrapResult first = unwrapped(mesh, options);
+  const KnownLayout good = knownLayout(first);
+  SECTION("other angles are wanted") {
+    options.known = good;
+    options.t = 1;
+    CHECK(known(unwrapped(mesh, options)) == 0);
+  }
+  SECTION("a layout that is not valid") {
+    options.known = good;
+    for (std::size_t i = 0; i < options.known.unpacked.size(); i += 2)
+      options.known.unpacked[i] = -options.known.unpacked[i];
+    const UnwrapResult again = unwrapped(mesh, options);
+    CHECK(known(again) == 0);
+    checkSameLayout(first, again);
+  }
+  SECTION("no numbers") {
+    options.known = good;
+    options.known.unpacked[2 * options.known.triangles[0]] = NAN;
+    CHECK(known(unwrapped(mesh, options)) == 7);
+  }
+}
+
+TEST_CASE("polygons, faces without area and places that occur twice are known, too", "[known]") {
+  PolygonMesh mesh = torus(12, 8);
+  std::vector<std::uint32_t> faces(mesh.faceVertices);
+  faces.insert(faces.begin() + 30, {faces[0], faces[1], faces[1]});
+  faces.insert(faces.end(), {faces[0], faces[1], faces[2]});
+  PolygonMesh soup;
+  for (std::size_t c = 0; c < faces.size(); ++c)
+    for (std::size_t d = 0; d < 3; ++d) soup.positions.push_back(mesh.positions[3 * faces[c] + d]);
+  std::vector<std::uint32_t> corners(faces.size());
+  for (std::uint32_t c = 0; c < corners.size(); ++c) corners[c] = c;
+  soup = makeTriangleMesh(soup.positions, corners);
+  for (const PolygonMesh& m : {makeTriangleMesh(mesh.positions, faces), soup, star(7)}) {
+    UnwrapOptions options;
+    const UnwrapResult first = unwrapped(m, options);
+    options.known = knownLayout(first);
+    const UnwrapResult second = unwrapped(m, options);
+    CHECK(known(second) == first.report.charts.size());
+    checkSameLayout(first, second);
+  }
+}
+
+TEST_CASE("what is known of another mesh is refused", "[known]") {
+  UnwrapOptions options;
+  const PolygonMesh mesh = torus(12, 8);
+  const auto refused = [&](const KnownLayout& layout) {
+    options.known = layout;
+    const Status s = unwrap(mesh, options).status;
+    return s.code == StatusCode::InvalidOption &&
+           s.message.find("the known layout is not of this mesh") == 0;
+  };
+  const KnownLayout good = knownLayout(unwrapped(mesh, {}));
+  CHECK_FALSE(refused(good));
+  CHECK(refused(knownLayout(unwrapped(torus(12, 9), {}))));
+  CHECK(refused(knownLayout(unwrapped(torus(8, 12), {}))));
+  const auto changed = [&](auto change) {
+    KnownLayout bad = good;
+    change(bad);
+    return bad;
+  };
+  CHECK(refused(changed([](KnownLayout& l) { l.unpacked.pop_back(); })));
+  CHECK(refused(changed([](KnownLayout& l) { l.chartOfTriangle.pop_back(); })));
+  CHECK(refused(changed([](KnownLayout& l) { l.chartOfTriangle[5] = 0xfffffff0u; })));
+  CHECK(refused(changed([](KnownLayout& l) { l.triangles[7] = 0xfffffff0u; })));
+  CHECK(refused(changed([](KnownLayout& l) { l.vertexMap[3] = 0; })));
+}
