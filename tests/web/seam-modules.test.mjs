@@ -238,3 +238,45 @@ test('what is under a pixel: the vertex or seam in front, seams from further awa
   assert.equal(edgeAt(solid, sight, half, ends, [0, 1, 2]), 0);
   assert.equal(edgeAt(solid, sight, half, ends, [1, 2]), -1, 'hidden');
 });
+
+test('seam files are those of the command line, and are checked', async () => {
+  const { readSeams, seamText } = await load('seams/seam-file');
+  const graph = await graphOf(plane(3));
+  const pairs = Uint32Array.of(5, 6, 6, 10);
+  assert.equal(seamText(pairs), '5 6\n6 10\n');
+  assert.deepEqual(readSeams(graph, seamText(pairs), 'a.txt'), pairs);
+  assert.deepEqual(readSeams(graph, '# seams\r\n\r\n 5\t6 # one\r\n6 10', 'a.txt'), pairs);
+  for (const [text, message] of [
+    ['5 6\n5', "a.txt:2: expected two vertex numbers, such as '17 42'."],
+    ['5 -6', "a.txt:1: expected two vertex numbers, such as '17 42'."],
+    ['5 16', 'a.txt:1: there is no vertex 16, the last one is 15.'],
+    ['\n0 5', 'a.txt:2: 0-5 is no edge of a face.'],
+  ])
+    assert.throws(() => readSeams(graph, text, 'a.txt'), { message });
+});
+
+test('charts are sorted by any measure, equal ones by number, what is no number last', async () => {
+  const { chartRows, COLUMNS, sortedRows } = await load('charts/chart-rows');
+  const chart = (faces, area, symmetricDirichlet) => ({
+    faces,
+    area,
+    symmetricDirichlet,
+    angularDistortion: 0,
+    valid: true,
+  });
+  const rows = chartRows({ charts: [chart(5, 1, 1.2), chart(9, 2, null), chart(5, 1, 1.1)] });
+  assert.deepEqual(
+    rows.map(({ share }) => share),
+    [0.25, 0.5, 0.25],
+  );
+  const order = (name, descending) =>
+    sortedRows(rows, {
+      column: COLUMNS.findIndex((column) => column.name === name),
+      descending,
+    }).map(({ index }) => index);
+  assert.deepEqual(order('Faces', true), [1, 0, 2]);
+  assert.deepEqual(order('Faces', false), [0, 2, 1]);
+  assert.deepEqual(order('Stretch', true), [0, 2, 1]);
+  assert.deepEqual(order('Stretch', false), [2, 0, 1]);
+  assert.deepEqual(order('Chart', false), [0, 1, 2]);
+});

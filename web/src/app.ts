@@ -23,7 +23,7 @@ import { flattenIfPossible } from './sweep';
 import { SweepTab } from './sweep-tab';
 import { bindTheme } from './theme';
 import type { Views } from './views';
-import { failure, layoutInfo, settingsText, WORDS } from './words';
+import { failure, kept, layoutInfo, settingsText, WORDS } from './words';
 
 /** Connects the session with what is on the page. */
 export class App implements SessionEvents {
@@ -131,7 +131,7 @@ export class App implements SessionEvents {
   opened({ source, mesh, summary }: Opened): void {
     hideAlert();
     this.mode.setDisk(summary.disk);
-    this.seams.open({ mesh, summary });
+    this.seams.open({ mesh, summary, name: source.name });
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
@@ -155,7 +155,7 @@ export class App implements SessionEvents {
     this.markStale(outcome.settings);
     const verdict = report.valid ? '' : ', not valid';
     const { done } = WORDS[outcome.mode];
-    this.finish(`${done} in ${duration(report.timings.total)}${verdict}`, false);
+    this.finish(`${done} in ${duration(report.timings.total)}${verdict}${kept(outcome)}`, false);
   }
 
   private showDetails(outcome: Outcome): void {

@@ -1,3 +1,4 @@
+import { download } from './download';
 import type { Outcome } from './lay-out';
 import type { Source } from './session';
 
@@ -10,14 +11,6 @@ export function exportMesh({ source, result }: Outcome): { name: string; size: n
   const bytes = result[format];
   if (!bytes) throw new Error(`The result came without ${format.toUpperCase()}.`);
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
-  const url = URL.createObjectURL(
-    new Blob([bytes as Uint8Array<ArrayBuffer>], { type: `model/${format}` }),
-  );
-  const link = document.createElement('a');
-  link.href = url;
-  link.download = name;
-  link.click();
-  // The browser reads the blob after click() returns.
-  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+  download(name, `model/${format}`, bytes);
   return { name, size: bytes.length };
 }

@@ -31,11 +31,12 @@ interface Watch {
   onProgress: (progress: AnyProgress) => void;
 }
 
-/** One run of abflat, in the way the settings ask for. */
+/** One run of abflat, in the way the settings ask for; `earlier`: the last outcome, of whatever mesh. */
 export async function layOut(
   abflat: Abflat,
   { source, input, mesh }: Opened,
   settings: Settings,
+  earlier: Outcome | null,
   watch: Watch,
 ): Promise<Outcome> {
   const file = { [exportFormat(source)]: true };
@@ -45,6 +46,8 @@ export async function layOut(
     return { mode, source, mesh, settings, result };
   }
   const { mode, ...options } = settings;
-  const result = await abflat.unwrap(input, { ...options, ...file, ...watch });
+  // Charts that an edit leaves as they were are not flattened again.
+  const known = earlier?.mode === mode && earlier.source === source ? earlier.result : undefined;
+  const result = await abflat.unwrap(input, { ...options, known, ...file, ...watch });
   return { mode, source, mesh, settings, result };
 }

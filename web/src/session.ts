@@ -35,6 +35,8 @@ const SAMPLE_DETAIL = 2;
 /** One mesh at a time, one run at a time; the latest wish wins. Wishes are heard while abflat still starts. */
 export class Session {
   private opened: Opened | null = null;
+  /** The last one. */
+  private outcome: Outcome | null = null;
   private running: AbortController | null = null;
   /** Whether to lay out once more as soon as the run in flight ends. */
   private isWanted = false;
@@ -110,12 +112,13 @@ export class Session {
     const controller = this.begin();
     this.events.started(opened.source, settings);
     try {
-      const outcome = await layOut(await this.abflat, opened, settings, {
+      const outcome = await layOut(await this.abflat, opened, settings, this.outcome, {
         signal: controller.signal,
         onProgress: (progress) => {
           if (controller === this.running) this.events.progress(progress);
         },
       });
+      if (controller === this.running) this.outcome = outcome;
       this.end(controller, () => this.events.laidOut(outcome));
     } catch (error) {
       this.end(controller, () => this.events.failed(opened.source, settings, toError(error)));

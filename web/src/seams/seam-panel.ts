@@ -1,4 +1,5 @@
 import type { MeshSummary } from 'abflat';
+import { showAlert } from '../alert';
 import type { Unwrapped } from '../lay-out';
 import type { DisplayMesh } from '../mesh';
 import type { MeshView } from '../mesh-view';
@@ -6,7 +7,10 @@ import { toUnitSphere } from '../unit-sphere';
 import { weld } from '../weld';
 import type { Solid } from './ray';
 import { AUTOMATIC, type SeamChoice, seamOptions } from './seam-choice';
+import { pairsOf } from './seam-edges';
 import { SeamEditor, type SeamEditorEvents } from './seam-editor';
+import { BadSeamFile, readSeams, seamText } from './seam-file';
+import { SeamFiles } from './seam-files';
 import { SeamModel } from './seam-model';
 import { SourceControl } from './source-control';
 import { surfaceGraph } from './surface-graph';
@@ -15,6 +19,7 @@ import { surfaceGraph } from './surface-graph';
 export interface Editable {
   mesh: DisplayMesh;
   summary: MeshSummary;
+  name: string;
 }
 
 /** All that the page has about seams: sources, editor, and what becomes of both. */
@@ -24,6 +29,8 @@ export class SeamPanel {
   private model: SeamModel | null = null;
   private solid: Solid = { points: new Float32Array(), indices: new Uint32Array() };
   private isUnwrapped = false;
+  private readonly files: SeamFiles;
+  private meshName = '';
 
   /** Without a `view` there are the sources only. */
   constructor(
@@ -34,8 +41,26 @@ export class SeamPanel {
       this.model?.setSources(sources);
       this.changed();
     });
+    this.files = new SeamFiles({
+      text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
+      meshName: () => this.meshName,
+      opened: (text, name) => this.openFile(text, name),
+    });
     const editorEvents = { changed: () => this.changed(), say: events.say };
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
+  }
+
+  /** Takes the seams that a file lists, which says where it is wrong. */
+  private openFile(text: string, name: string): void {
+    if (!this.model) return;
+    try {
+      this.model.setEdges(readSeams(this.model.graph, text, name));
+    } catch (error) {
+      if (!(error instanceof BadSeamFile)) throw error;
+      showAlert(error.message);
+      return;
+    }
+    this.changed();
   }
 
   get choice(): SeamChoice {
@@ -47,7 +72,8 @@ export class SeamPanel {
   }
 
   /** Another mesh, with automatic seams. */
-  open({ mesh, summary }: Editable): void {
+  open({ mesh, summary, name }: Editable): void {
+    this.meshName = name;
     this.solid = { points: toUnitSphere(mesh), indices: mesh.indices };
     this.model = new SeamModel(() =>
       surfaceGraph(mesh, placesOf(mesh, summary.disk.ok), mesh.faces),
@@ -60,6 +86,7 @@ export class SeamPanel {
   /** There is nothing to edit until the open mesh has an atlas. */
   hide(): void {
     this.isUnwrapped = false;
+    this.files.setEnabled(false);
     this.editor?.edit(null, this.solid);
   }
 
@@ -69,6 +96,7 @@ export class SeamPanel {
     if (this.isUnwrapped) this.editor?.update();
     else this.editor?.edit(this.model, this.solid);
     this.isUnwrapped = true;
+    this.files.setEnabled(true);
   }
 
   private changed(): void {
