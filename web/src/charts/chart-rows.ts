@@ -48,7 +48,7 @@ export const COLUMNS: ChartColumn[] = [
     name: 'Stretch',
     title: 'Mean symmetric Dirichlet energy / 4: 1 keeps all lengths',
     key: ({ chart }) => chart.symmetricDirichlet,
-    text: ({ chart }) => measure(chart.symmetricDirichlet),
+    text: ({ chart }) => fixed(chart.symmetricDirichlet),
   },
   {
     name: 'Angle',
@@ -83,4 +83,9 @@ export function sortedRows(rows: ChartRow[], { column, descending }: Order): Cha
       return Number(!Number.isFinite(x)) - Number(!Number.isFinite(y)) || a.index - b.index;
     return sign * (x - y) || a.index - b.index;
   });
+}
+
+/** Near 1 the third decimal tells charts apart. */
+function fixed(x: number): string {
+  return Number.isFinite(x) && x < 10 ? x.toFixed(3) : measure(x);
 }

@@ -3,7 +3,6 @@ import type { MeshView } from '../mesh-view';
 import { Aim, type Modifiers } from './aim';
 import { edgeAt, vertexAt } from './pick';
 import type { Solid } from './ray';
-import { pairsOf } from './seam-edges';
 import type { SeamModel } from './seam-model';
 import { NO_MARKS, type SeamMarks } from './seam-overlay';
 import { SeamTools, type Tool } from './seam-tools';
@@ -17,6 +16,14 @@ export interface SeamEditorEvents {
   say(text: string): void;
 }
 
+/** What a click wants to meet. */
+interface Targets {
+  /** Edges. */
+  seams: number[];
+  /** Those on seams and boundaries. */
+  places: number[];
+}
+
 /** Seams are cut and joined by clicks on the surface. */
 export class SeamEditor {
   private readonly tools: SeamTools;
@@ -24,8 +31,8 @@ export class SeamEditor {
   private model: SeamModel | null = null;
   private solid: Solid = { points: new Float32Array(), indices: new Uint32Array() };
   private paths: ShortestPaths | null = null;
-  /** Places on seams and boundaries, which cuts want to reach; null until they are needed. */
-  private goals: Uint32Array | null = null;
+  /** Null until they are needed. */
+  private targets: Targets | null = null;
 
   constructor(
     private readonly view: MeshView,
@@ -56,7 +63,7 @@ export class SeamEditor {
 
   /** The model has changed, or the atlas. */
   update(): void {
-    this.goals = null;
+    this.targets = null;
     this.tools.setHistory(this.model?.canUndo ?? false, this.model?.canRedo ?? false);
     this.aim.refresh();
   }
@@ -157,20 +164,16 @@ export class SeamEditor {
 
   private placeAt(model: SeamModel, at: Pixel | null): number {
     if (!at) return -1;
-    this.goals ??= goalsOf(model);
-    const vertex = vertexAt(this.solid, this.view.sight, at, this.goals);
+    this.targets ??= targetsOf(model);
+    const vertex = vertexAt(this.solid, this.view.sight, at, this.targets.places);
     return vertex < 0 ? vertex : model.graph.places[vertex];
   }
 
   /** The edges of the seam that is aimed at, or only the one. */
   private seamAt(model: SeamModel, at: Pixel | null, isOne: boolean): number[] {
     if (!at) return [];
-    const { ends } = model.graph;
-    const seams: number[] = [];
-    model.all.forEach((isSeam, edge) => {
-      if (isSeam) seams.push(edge);
-    });
-    const edge = edgeAt(this.solid, this.view.sight, at, ends, seams);
+    this.targets ??= targetsOf(model);
+    const edge = edgeAt(this.solid, this.view.sight, at, model.graph.ends, this.targets.seams);
     if (edge < 0) return [];
     return isOne ? [edge] : model.run(edge);
   }
@@ -198,8 +201,12 @@ function listed(place: number): Uint32Array {
   return place < 0 ? new Uint32Array() : Uint32Array.of(place);
 }
 
-/** Ends of seams and of the surface's boundary. */
-function goalsOf({ graph, all }: SeamModel): Uint32Array {
-  const isGoal = all.map((isSeam, edge) => isSeam | Number(!graph.isInner[edge]));
-  return Uint32Array.from(new Set(pairsOf(graph, isGoal)));
+function targetsOf({ graph, all }: SeamModel): Targets {
+  const seams: number[] = [];
+  const places = new Set<number>();
+  graph.isInner.forEach((isInner, edge) => {
+    if (all[edge]) seams.push(edge);
+    if (all[edge] || !isInner) places.add(graph.ends[2 * edge]).add(graph.ends[2 * edge + 1]);
+  });
+  return { seams, places: [...places] };
 }

@@ -10,7 +10,7 @@ export interface ToolEvents {
 
 const TOOLS: Tool[] = ['cut', 'join'];
 
-/** The bar over the 3D view: what a click does, and the way back. */
+/** The bar below the 3D view: what a click does, and the way back. */
 export class SeamTools {
   private readonly bar = element('seam-tools', HTMLElement);
   private readonly buttons = TOOLS.map((tool) => element(`seam-${tool}`, HTMLButtonElement));
