@@ -40,6 +40,13 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
                   a.solution.constraintResidual, a.solution.history.size());
     return text;
   }
+  if (a.pins && a.wasValidUnpinned && !v.valid())
+    return "the pins fold the layout: " +
+           (v.flippedTriangles > 0
+                ? count(v.flippedTriangles, "triangle is", "triangles are") +
+                      " flipped or without area"
+                : "its boundary crosses itself at " + count(v.crossings.count, "place", "places")) +
+           "; move them nearer to where the layout without them is, or leave some out";
   if (v.flippedTriangles > 0) {
     const int range = edgeRange(chart, a.uv);
     return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or without area" +
@@ -90,6 +97,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   r.converged = s.converged;
   setMeasures(r, attempt.validity, attempt.distortion);
   r.delaunay = attempt.delaunay;
+  r.pins = attempt.pins;
   r.fallbacks = attempt.fallbacks;
   r.problem = findProblem(chart, attempt);
   r.valid = r.problem.empty();

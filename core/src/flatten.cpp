@@ -10,6 +10,7 @@
 #include "flatten_chart.h"
 #include "mesh/surface.h"
 #include "parallel.h"
+#include "pin/chart_pins.h"
 #include "solve/kkt_step_solver.h"
 #include "stopwatch.h"
 
@@ -90,6 +91,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   const DiskChart& chart = prepared.value.chart;
   const Result<std::vector<double>> t = requestedBounds(chart, options);
   if (!t.ok()) return t.status;
+  const Result<std::vector<std::vector<ChartPin>>> pins =
+      pinsOfCharts(mesh, {prepared.value.cornerUv, {0, chart.vertexCount()}}, options.pins);
+  if (!pins.ok()) return pins.status;
   FlattenResult out;
   Timings& timings = out.report.timings;
   const double connectivity = watch.lap();
@@ -104,6 +108,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
                            {options.linearSolver, options.formulation, options.precondition});
   const double setUp = watch.lap();
   Attempt best = flattenChart(flattener, t.value, options);
+  pin(flattener, pins.value.front(), best);
   if (best.solution.cancelled || monitor.stopped()) return aborted;
   timings = flattener.timings();
   timings.solve += setUp;

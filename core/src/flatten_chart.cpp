@@ -4,6 +4,8 @@
 
 #include "boundary/auto_bounds.h"
 #include "boundary/delaunay_step.h"
+#include "check/delaunay.h"
+#include "mesh/triangle_geometry.h"
 #include "parallel.h"
 
 namespace abflat {
@@ -16,6 +18,18 @@ constexpr double kAutoMemoryMegabytes = 3072;
 #else
 constexpr double kAutoMemoryMegabytes = 1e9;
 #endif
+
+/// Those of the solution; of a layout without one its own.
+std::vector<double> flatAngles(const DiskChart& chart, const Attempt& attempt) {
+  if (!attempt.solution.angles.empty()) return attempt.solution.angles;
+  std::vector<double> positions, angles;
+  for (std::size_t i = 0; i < attempt.uv.size(); i += 2)
+    positions.insert(positions.end(), {attempt.uv[i], attempt.uv[i + 1], 0});
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
+    for (const double a : anglesOrMadeUp(cornerAngles(positions, &chart.vertexOfCorner[3 * f])))
+      angles.push_back(a);
+  return angles;
+}
 
 }  // namespace
 
@@ -41,6 +55,27 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                         : untangled(flattener, flattener.attempt(t, nullptr), untangle);
   if (!options.delaunay || best.solution.cancelled) return best;
   return madeDelaunay(flattener, std::move(best), untangle);
+}
+
+void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, Attempt& attempt) {
+  if (pins.empty() || attempt.solution.cancelled) return;
+  const DiskChart& chart = flattener.chart();
+  std::vector<ChartPin> inUnits = pins;
+  for (ChartPin& p : inUnits) {
+    p.u /= chart.unit;
+    p.v /= chart.unit;
+  }
+  PinnedLayout layout = pinLayout(chart, flatAngles(chart, attempt), attempt.uv, inUnits);
+  if (!layout.isSolved)
+    attempt.fallbacks.push_back(
+        "the linear system that spreads the pins is singular to the precision of numbers; only "
+        "the pinned vertices are moved");
+  attempt.wasValidUnpinned = attempt.valid();
+  attempt.uv = std::move(layout.uv);
+  attempt.pins = PinReport{pins.size(), layout.deviation * chart.unit};
+  flattener.measure(attempt);
+  if (attempt.delaunay)
+    attempt.delaunay->violated = checkDelaunay(chart, attempt.uv).violated.size();
 }
 
 std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt) {

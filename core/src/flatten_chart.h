@@ -4,6 +4,7 @@
 
 #include "abflat/flatten.h"
 #include "boundary/chart_flattener.h"
+#include "pin/pinned_layout.h"
 
 namespace abflat {
 
@@ -16,6 +17,10 @@ unsigned usefulThreads(int wanted, std::size_t faces);
 /// One chart with the bounds and all that the options ask for beyond them.
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                      const FlattenOptions& options);
+
+/// Moves the attempt's layout to where its pins are, and checks and measures it anew. Without pins
+/// it stays.
+void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, Attempt& attempt);
 
 /// The layout in the mesh's unit, a power of two. Where that costs digits, the attempt becomes the
 /// layout that is left, measured anew; elsewhere all that is known about it holds digit by digit.

@@ -59,6 +59,7 @@ Json chartJson(const ChartReport& c) {
       {"boundaryCrossings", c.boundaryCrossings},
       {"maxBoundaryAngle", c.maxBoundaryAngle},
       {"delaunay", delaunayJson(c.delaunay)},
+      {"pins", pinsJson(c.pins)},
       {"fallbacks", c.fallbacks},
       {"problem", c.problem},
       {"valid", c.valid},

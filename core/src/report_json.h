@@ -1,8 +1,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "abflat/status.h"
 
@@ -38,6 +40,12 @@ Json optionsJson(const Values& options) {
   Json out = Json::object();
   forEachOption(options, [&](const char* name, const auto& value) { out[name] = value; });
   return out;
+}
+
+/// Null without pins.
+inline Json pinsJson(const std::optional<PinReport>& pins) {
+  if (!pins) return {};
+  return {{"count", pins->count}, {"deviation", pins->deviation}};
 }
 
 inline Json errorJson(const Status& error) {

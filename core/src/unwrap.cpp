@@ -59,24 +59,26 @@ std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
   return order;
 }
 
-/// Those that have no layout yet.
-void flattenAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+/// Those that have no layout yet, and those with pins.
+void flattenAll(const std::vector<DiskChart>& charts,
+                const std::vector<std::vector<ChartPin>>& pins, const UnwrapOptionValues& options,
                 ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
+  const auto isKnown = [&](std::size_t i) { return !flat[i].unpacked.empty() && pins[i].empty(); };
   for (std::size_t i = 0; i < charts.size(); ++i)
-    if (flat[i].unpacked.empty()) triangles += charts[i].triangleCount();
+    if (!isKnown(i)) triangles += charts[i].triangleCount();
   std::atomic<std::size_t> done{0};
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
     if (monitor.stopped()) return;
     const DiskChart& chart = charts[order[i]];
-    if (!flat[order[i]].unpacked.empty()) return;
+    if (isKnown(order[i])) return;
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
       return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
     };
-    flat[order[i]] = flattenOne(chart, options, pool, goesOn);
+    flat[order[i]] = flattenOne(chart, options, pins[order[i]], pool, goesOn);
     done += chart.triangleCount();
   });
 }
@@ -85,7 +87,8 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
                                 const std::vector<FlatChart>& flat) {
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    shapes[i].uv = flat[i].unpacked;
+    shapes[i].isFixed = flat[i].isFixed();
+    shapes[i].uv = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
     shapes[i].triangles = charts[i].vertexOfCorner;
     for (const std::uint32_t h : charts[i].boundary)
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
@@ -93,15 +96,35 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   return shapes;
 }
 
+/// Charts that stay where they are must be inside the unit square.
+Status checkFixed(const std::vector<DiskChart>& charts, const std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    for (std::size_t k = 0; k < flat[i].fixed.size(); ++k) {
+      const double x = flat[i].fixed[k];
+      if (x >= 0 && x <= 1) continue;
+      return {StatusCode::InvalidOption,
+              "the pins put vertex " + std::to_string(charts[i].inputVertex[k / 2]) +
+                  " outside the unit square, where " + (k % 2 == 0 ? "u" : "v") + " is " +
+                  std::to_string(x) + "; move the pins of its chart, or pin it smaller"};
+    }
+  return {};
+}
+
 /// Moves the layouts to their places.
 void place(const Packing& packing, std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const Placement& p = packing.placements[i];
-    const std::vector<double>& from = flat[i].unpacked;
+    const std::vector<double>& from = flat[i].isFixed() ? flat[i].fixed : flat[i].unpacked;
     flat[i].uv.clear();
     for (std::size_t k = 0; k < from.size(); k += 2)
       flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]), p.v(&from[k])});
   }
+}
+
+/// A multiple of 2^-24, which up to 1 is a number of single precision, and 1 - x as well: for
+/// formats whose v points down.
+double inSinglePrecision(double x) {
+  return static_cast<double>(static_cast<float>(std::floor(x * 0x1p24 + 0.5) * 0x1p-24));
 }
 
 /// All charts in the atlas, rounded or as they are.
@@ -113,7 +136,7 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
   if (!roundsToSingle) return check();
   const std::vector<FlatChart> asTheyAre = flat;
   for (FlatChart& chart : flat)
-    for (double& x : chart.uv) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : chart.uv) x = inSinglePrecision(x);
   check();
   std::size_t lost = 0;
   for (std::size_t i = 0; i < flat.size(); ++i)
@@ -125,9 +148,21 @@ void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadP
                   (lost == 1 ? " chart" : " charts") + " would not be valid");
 }
 
+/// Charts are factored in the order that was found for the whole surface. `place` is per fan.
+void orderCharts(const Surface& surface, const std::vector<std::uint32_t>& place, ChartSet& set) {
+  std::vector<std::uint32_t> ofVertex;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const std::uint32_t v = surface.fans.inputVertex[i];
+    if (v >= ofVertex.size()) ofVertex.resize(v + 1);
+    ofVertex[v] = place[i];
+  }
+  for (DiskChart& chart : set.charts)
+    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(ofVertex[v]);
+}
+
 Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
               const UnwrapOptions& options, ThreadPool& pool, Monitor& monitor,
-              UnwrapReport& report) {
+              UnwrapReport& report, std::vector<std::uint32_t>& place) {
   const SeamMesh mesh = makeSeamMesh(welded.mesh.positions, surface.table, surface.fans,
                                      surface.triangulation.isDiagonal);
   SeamOptions wanted;
@@ -142,6 +177,7 @@ Seams seamsOf(const WeldedMesh& welded, const Surface& surface, Seams given,
   report.seams.handleLoops = found.handleLoops;
   for (const std::uint8_t isSeam : seams) report.seams.edges += isSeam;
   report.seams.edges /= 2;
+  place = std::move(found.place);
   return seams;
 }
 
@@ -171,21 +207,28 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.threads = pool.threads();
   Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
   if (!given.ok()) return given.status;
+  std::vector<std::uint32_t> placeOfFan;
   const Seams seams =
-      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report);
+      seamsOf(welded, surface, std::move(given.value), options, pool, monitor, report, placeOfFan);
   if (monitor.stopped()) return aborted;
-  const ChartSet set = makeCharts(welded.mesh, surface, seams);
+  ChartSet set = makeCharts(welded.mesh, surface, seams);
+  orderCharts(surface, placeOfFan, set);
+  const Texcoords texcoords = numberTexcoords(welded, surface, set);
+  const Result<std::vector<std::vector<ChartPin>>> pins =
+      pinsOfCharts(mesh, texcoords, options.pins);
+  if (!pins.ok()) return pins.status;
   report.timings.seams = watch.lap();
 
   if (!monitor.tell(kSolve)) return aborted;
   Result<std::vector<FlatChart>> known = knownCharts({mesh, welded, surface, set}, options, pool);
   if (!known.ok()) return known.status;
   std::vector<FlatChart>& flat = known.value;
-  flattenAll(set.charts, options, pool, monitor, flat);
+  flattenAll(set.charts, pins.value, options, pool, monitor, flat);
   if (monitor.stopped()) return aborted;
   report.timings.solve = watch.lap();
 
   if (!monitor.tell(kPack)) return aborted;
+  if (Status s = checkFixed(set.charts, flat); !s.ok()) return s;
   PackOptions packing;
   packing.resolution = options.resolution;
   packing.padding = options.padding;
@@ -200,7 +243,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
 
   if (!monitor.tell(kCheck)) return aborted;
   checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
-  fillOutput(mesh, welded, surface, set, flat, out);
+  fillOutput(mesh, welded, surface, set, texcoords, flat, out);
   out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);
   report.timings.check = watch.lap();

@@ -6,7 +6,8 @@
 
 namespace abflat {
 
-FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, ThreadPool& pool,
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
+                     const std::vector<ChartPin>& pins, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
   SolverOptions solver;
   solver.pool = &pool;
@@ -23,6 +24,10 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options, 
   out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
   if (out.attempt.solution.cancelled) return out;
   out.unpacked = inMeshUnit(chart, out.attempt);
+  if (!pins.empty()) {
+    pin(flattener, pins, out.attempt);
+    out.fixed = inMeshUnit(chart, out.attempt);
+  }
   out.problem = findProblem(chart, out.attempt);
   out.attempt.uv = {};
   return out;

@@ -14,19 +14,6 @@ std::vector<std::array<std::uint32_t, 2>> edgesOf(const std::vector<BadEdge>& ba
   return out;
 }
 
-/// Texcoord per corner of the welded mesh's faces.
-std::vector<std::uint32_t> texcoordOfCorner(const Surface& surface, const ChartSet& set,
-                                            const std::vector<std::uint32_t>& firstOf,
-                                            std::size_t corners) {
-  std::vector<std::uint32_t> out(corners, kNone);
-  for (std::size_t i = 0; i < set.charts.size(); ++i)
-    for (std::uint32_t f = 0; f < set.triangles[i].size(); ++f)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        out[surface.triangulation.corner[3 * set.triangles[i][f] + k]] =
-            firstOf[i] + set.charts[i].vertexOfCorner[3 * f + k];
-  return out;
-}
-
 /// One output vertex for each input vertex and texcoord that occur together, by input vertex.
 void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
   struct Use {
@@ -105,6 +92,7 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
   row.quasiConformalMean = a.distortion.quasiConformalMean;
   row.quasiConformalMax = a.distortion.quasiConformalMax;
   row.symmetricDirichlet = a.distortion.symmetricDirichlet;
+  row.pins = a.pins;
   row.fallbacks = a.fallbacks;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();
@@ -143,31 +131,41 @@ RepairReport repairReport(const WeldedMesh& welded, const Surface& surface) {
   return out;
 }
 
+Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, const ChartSet& set) {
+  Texcoords out;
+  std::vector<std::uint32_t> ofWelded(welded.inputCorner.size(), kNone);
+  out.firstOf.push_back(0);
+  for (std::size_t i = 0; i < set.charts.size(); ++i) {
+    for (std::uint32_t f = 0; f < set.triangles[i].size(); ++f)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        ofWelded[surface.triangulation.corner[3 * set.triangles[i][f] + k]] =
+            out.firstOf.back() + set.charts[i].vertexOfCorner[3 * f + k];
+    out.firstOf.push_back(out.firstOf.back() + set.charts[i].vertexCount());
+  }
+  for (const std::uint32_t corner : welded.cornerFor)
+    out.ofCorner.push_back(corner == kNone ? kNone : ofWelded[corner]);
+  return out;
+}
+
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const std::vector<FlatChart>& flat, UnwrapResult& out) {
-  std::vector<std::uint32_t> firstOf;
+                const ChartSet& set, const Texcoords& texcoords, const std::vector<FlatChart>& flat,
+                UnwrapResult& out) {
   for (const FlatChart& chart : flat) {
-    firstOf.push_back(static_cast<std::uint32_t>(out.uv.size() / 2));
     out.uv.insert(out.uv.end(), chart.uv.begin(), chart.uv.end());
     out.unpacked.insert(out.unpacked.end(), chart.unpacked.begin(), chart.unpacked.end());
   }
-  const std::vector<std::uint32_t> ofCorner =
-      texcoordOfCorner(surface, set, firstOf, welded.inputCorner.size());
-  out.cornerUv.resize(input.faceVertices.size());
+  out.cornerUv = texcoords.ofCorner;
   std::uint32_t corner = kNone;  // where nothing of a face is left, and of no other at its place
-  for (std::size_t c = 0; c < out.cornerUv.size(); ++c) {
-    if (welded.cornerFor[c] != kNone) {
-      out.cornerUv[c] = ofCorner[welded.cornerFor[c]];
-      continue;
-    }
+  for (std::uint32_t& texcoord : out.cornerUv) {
+    if (texcoord != kNone) continue;
     if (corner == kNone) {
       corner = static_cast<std::uint32_t>(out.uv.size() / 2);
       out.uv.insert(out.uv.end(), {0, 0});
       out.unpacked.insert(out.unpacked.end(), {0, 0});
     }
-    out.cornerUv[c] = corner;
+    texcoord = corner;
   }
-  listCharts(input, welded, surface, set, firstOf, out);
+  listCharts(input, welded, surface, set, texcoords.firstOf, out);
   splitVertices(input, out);
   listTriangles(input, welded, surface, set, out);
 }

@@ -3,6 +3,7 @@
 #include "abflat/unwrap.h"
 #include "chart/chart_set.h"
 #include "mesh/welded_mesh.h"
+#include "pin/chart_pins.h"
 #include "unwrap_chart.h"
 
 namespace abflat {
@@ -17,10 +18,13 @@ struct TriangleOrder {
 };
 TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
                             const Surface& surface);
+/// Texcoords of the input's corners, one for each vertex of each chart.
+Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, const ChartSet& set);
 
 /// All of the result but its report, from charts that lie in the atlas.
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const std::vector<FlatChart>& flat, UnwrapResult& out);
+                const ChartSet& set, const Texcoords& texcoords, const std::vector<FlatChart>& flat,
+                UnwrapResult& out);
 
 /// Charts, means and validity.
 void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const Surface& surface,

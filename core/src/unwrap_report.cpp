@@ -33,6 +33,7 @@ Json chartJson(const UnwrapChart& c) {
           {"angularDistortion", c.angularDistortion},
           {"quasiConformal", {{"mean", c.quasiConformalMean}, {"max", c.quasiConformalMax}}},
           {"symmetricDirichlet", c.symmetricDirichlet},
+          {"pins", pinsJson(c.pins)},
           {"fallbacks", c.fallbacks},
           {"problem", c.problem},
           {"valid", c.valid}};

@@ -15,10 +15,12 @@ constexpr const char* kStandardStream = "-";
 
 struct UnwrapCommand {
   std::string input, output;
-  std::string report;  ///< empty: none is wanted
+  std::size_t texcoord = 0;  ///< set of a glTF that is written
+  std::string report;        ///< empty: none is wanted
   UnwrapOptionValues options;
   SeamSources seams;
   std::string seamFile;    ///< edges to cut along; empty: none
+  std::string pins;        ///< file with pinned vertices; empty: none
   std::string writeSeams;  ///< file for the edges that were cut; empty: none is wanted
   std::string layout;      ///< picture of the atlas, .svg or .png; empty: none is wanted
   double scale = 0;        ///< millimetres a unit of the mesh in an SVG; 0: pixels
@@ -28,9 +30,11 @@ struct UnwrapCommand {
 
 struct FlattenCommand {
   std::string input, output;
-  std::string report;  ///< empty: none is wanted
+  std::size_t texcoord = 0;  ///< set of a glTF that is written
+  std::string report;        ///< empty: none is wanted
   FlattenOptionValues options;
   std::string bounds;  ///< file with bounds of single vertices; empty: none
+  std::string pins;    ///< file with pinned vertices; empty: none
   bool quiet = false;
 };
 

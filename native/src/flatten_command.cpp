@@ -2,6 +2,7 @@
 #include "bounds_file.h"
 #include "commands.h"
 #include "mesh_run.h"
+#include "pins_file.h"
 #include "texts.h"
 
 namespace abflat::cli {
@@ -21,10 +22,15 @@ struct FlattenJob {
       if (!bounds.ok()) return bounds.status;
       options.bounds = std::move(bounds.value);
     }
+    if (!command.pins.empty()) {
+      Result<std::vector<Pin>> pins = readPins(command.pins);
+      if (!pins.ok()) return pins.status;
+      options.pins = std::move(pins.value);
+    }
     options.progress = std::move(progress);
     Result<FlattenResult> result =
         placed(inputName(command.input), [&] { return flatten(mesh, options); });
-    if (result.ok() && writtenFormat(command.output) == MeshFormat::Ply)
+    if (result.ok() && writtenFormat(command.output) == FileFormat::Ply)
       roundToSinglePrecision(mesh, result.value);
     return result;
   }

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "arguments.h"
@@ -40,6 +41,54 @@ std::string readAll(int file, std::string& bytes) {
   }
 }
 
+FileFormat fileFormat(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::Obj:
+      return FileFormat::Obj;
+    case MeshFormat::Off:
+      return FileFormat::Off;
+    case MeshFormat::Ply:
+      return FileFormat::Ply;
+    case MeshFormat::Stl:
+      return FileFormat::Stl;
+  }
+  return FileFormat::Obj;
+}
+
+/// By its ending, or by its first bytes where that says nothing.
+bool isGltf(const std::string& path, std::string_view bytes) {
+  const std::string ending = endingOf(path);
+  if (ending == ".glb" || ending == ".gltf") return true;
+  const bool isOther = ending == ".obj" || ending == ".ply" || ending == ".stl" || ending == ".off";
+  return !isOther && looksLikeGltf(bytes);
+}
+
+Status readGltfInput(const std::string& path, InputMesh& input) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const auto readBeside = [&](const std::string& name) {
+    return readBytes((folder / name).string());
+  };
+  Result<GltfModel> model = readGltf(input.bytes, inputName(path), readBeside);
+  if (!model.ok()) return model.status;
+  std::string().swap(input.bytes);
+  input.format = FileFormat::Gltf;
+  input.mesh = std::move(model.value.mesh);
+  input.notes = std::move(model.value.notes);
+  input.gltf = std::move(model.value.source);
+  return {};
+}
+
+Status readMeshInput(const std::string& path, InputMesh& input) {
+  const std::string name = inputName(path);
+  const Result<MeshFormat> format = detectFormat(name, input.bytes);
+  if (!format.ok() && input.bytes.empty()) return format.status;
+  if (!format.ok()) return {format.status.code, name + ": not an OBJ, PLY, STL, OFF or glTF file"};
+  input.format = fileFormat(format.value);
+  Result<PolygonMesh> mesh = readMesh(input.bytes, format.value, name);
+  input.mesh = std::move(mesh.value);
+  return mesh.status;
+}
+
 }  // namespace
 
 Result<std::string> readBytes(const std::string& path) {
@@ -55,18 +104,17 @@ Result<std::string> readBytes(const std::string& path) {
   if (!problem.empty()) return failure(problem);
   return bytes;
 }
+
 Result<InputMesh> readInput(const std::string& path) {
   return orOutOfMemory(inputName(path), [&]() -> Result<InputMesh> {
     InputMesh out;
+    out.path = path;
     Result<std::string> bytes = readBytes(path);
     if (!bytes.ok()) return bytes.status;
     out.bytes = std::move(bytes.value);
-    const Result<MeshFormat> format = detectFormat(inputName(path), out.bytes);
-    if (!format.ok()) return format.status;
-    out.format = format.value;
-    Result<PolygonMesh> mesh = readMesh(out.bytes, out.format, inputName(path));
-    if (!mesh.ok()) return mesh.status;
-    out.mesh = std::move(mesh.value);
+    const Status status =
+        isGltf(path, out.bytes) ? readGltfInput(path, out) : readMeshInput(path, out);
+    if (!status.ok()) return status;
     return out;
   });
 }

@@ -1,23 +1,30 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "abflat/gltf.h"
 #include "abflat/io.h"
 
 namespace abflat::cli {
 
+enum class FileFormat { Obj, Off, Ply, Stl, Gltf };
+
 struct InputMesh {
-  std::string bytes;
-  MeshFormat format = MeshFormat::Obj;
+  std::string bytes;  ///< of a glTF: none, `gltf` has them
+  FileFormat format = FileFormat::Obj;
   PolygonMesh mesh;
+  std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
+  std::shared_ptr<const gltf::Source> gltf;
+  std::string path;
 };
 
 /// All bytes of a file, or of standard input when `path` is "-".
 /// Errors: UnreadableFile; the message names the file.
 Result<std::string> readBytes(const std::string& path);
 
-/// Reads a mesh from a file, or from standard input when `path` is "-".
-/// Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
+/// Reads a mesh from a file with the files that it refers to, or from standard input when `path` is
+/// "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
 Result<InputMesh> readInput(const std::string& path);
 
 }  // namespace abflat::cli

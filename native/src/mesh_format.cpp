@@ -1,38 +1,69 @@
 #include "mesh_format.h"
 
+#include <filesystem>
+
+#include "arguments.h"
 #include "paths.h"
 
 namespace abflat::cli {
+namespace {
 
-std::string formatName(MeshFormat format) {
+/// From the folder of one file to that of another; empty where it is the same.
+std::string pathBetween(const std::string& from, const std::string& to) {
+  namespace fs = std::filesystem;
+  if (from == kStandardStream || to == kStandardStream) return {};
+  std::error_code ignored;  // a folder that cannot be looked up is compared as it is written
+  const auto folder = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(path, ignored), ignored).parent_path();
+  };
+  const std::string out = folder(to).lexically_relative(folder(from)).generic_string();
+  return out == "." ? "" : out;
+}
+
+}  // namespace
+
+std::string formatName(FileFormat format) {
   switch (format) {
-    case MeshFormat::Obj:
+    case FileFormat::Obj:
       return "OBJ";
-    case MeshFormat::Off:
+    case FileFormat::Off:
       return "OFF";
-    case MeshFormat::Ply:
+    case FileFormat::Ply:
       return "PLY";
-    case MeshFormat::Stl:
+    case FileFormat::Stl:
       return "STL";
+    case FileFormat::Gltf:
+      return "glTF";
   }
   return {};
 }
 
 bool isWritableName(const std::string& path) {
   const std::string ending = endingOf(path);
-  return ending.empty() || ending == ".obj" || ending == ".ply";
+  return ending.empty() || ending == ".obj" || ending == ".ply" || ending == ".glb" ||
+         ending == ".gltf";
 }
 
-MeshFormat writtenFormat(const std::string& path) {
-  return endingOf(path) == ".ply" ? MeshFormat::Ply : MeshFormat::Obj;
+FileFormat writtenFormat(const std::string& path) {
+  const std::string ending = endingOf(path);
+  if (ending == ".glb" || ending == ".gltf") return FileFormat::Gltf;
+  return ending == ".ply" ? FileFormat::Ply : FileFormat::Obj;
 }
 
-std::string layoutText(const InputMesh& input, const std::string& path,
-                       const std::vector<double>& uv, const std::vector<std::uint32_t>& cornerUv) {
-  const MeshFormat format = writtenFormat(path);
+Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
+                               const std::vector<double>& uv,
+                               const std::vector<std::uint32_t>& cornerUv) {
+  const FileFormat format = writtenFormat(path);
   const std::string_view source = input.format == format ? input.bytes : std::string_view();
-  return format == MeshFormat::Ply ? writePly(input.mesh, uv, cornerUv, source)
-                                   : writeObj(input.mesh, uv, cornerUv, source);
+  if (format == FileFormat::Ply) return writePly(input.mesh, uv, cornerUv, source);
+  if (format == FileFormat::Obj) return writeObj(input.mesh, uv, cornerUv, source);
+  const bool isBinary = endingOf(path) == ".glb";
+  if (!input.gltf) return makeGltf(input.mesh, uv, cornerUv, isBinary);
+  GltfWriteOptions options;
+  options.isBinary = isBinary;
+  options.texcoord = set;
+  options.pathToSource = pathBetween(path, input.path);
+  return writeGltf(*input.gltf, input.mesh, uv, cornerUv, options);
 }
 
 }  // namespace abflat::cli

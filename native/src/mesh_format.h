@@ -10,16 +10,20 @@
 namespace abflat::cli {
 
 /// "OBJ", "PLY", ...
-std::string formatName(MeshFormat format);
+std::string formatName(FileFormat format);
 
-/// Whether results can be written under this name: it ends in .obj or .ply, or has no ending.
+/// Whether results can be written under this name: it ends in .obj, .ply, .glb or .gltf, or has no
+/// ending.
 bool isWritableName(const std::string& path);
 
 /// The format that is written under a name; OBJ where it has no ending.
-MeshFormat writtenFormat(const std::string& path);
+FileFormat writtenFormat(const std::string& path);
 
-/// The file to write as `path`: the input with these texcoords, see writeObj and writePly.
-std::string layoutText(const InputMesh& input, const std::string& path,
-                       const std::vector<double>& uv, const std::vector<std::uint32_t>& cornerUv);
+/// The file to write as `path`: the input with these texcoords, see writeObj, writePly and
+/// writeGltf. `set` is the number of the texcoords in a glTF.
+/// Errors: CannotWrite.
+Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
+                               const std::vector<double>& uv,
+                               const std::vector<std::uint32_t>& cornerUv);
 
 }  // namespace abflat::cli

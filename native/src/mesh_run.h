@@ -101,7 +101,7 @@ class MeshRun {
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
     // The names cannot tell when one of them has no ending or is a link.
-    const MeshFormat written = writtenFormat(command_.output);
+    const FileFormat written = writtenFormat(command_.output);
     if (input_.format != written && command_.output != kStandardStream &&
         isSameTarget(command_.input, command_.output))
       return Status{StatusCode::InvalidOption,
@@ -126,12 +126,15 @@ class MeshRun {
   Status writeAll(Outcome& result) {
     progress_.show({"write", 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
-    if (Status s = layout_.write(layoutText(input_, command_.output, result.uv, result.cornerUv));
-        !s.ok())
-      return s;
+    const std::string name = inputName(command_.input);
+    const Result<std::string> layout = placed(name, [&] {
+      return layoutText(input_, command_.output, command_.texcoord, result.uv, result.cornerUv);
+    });
+    if (!layout.ok()) return layout.status;
+    if (Status s = layout_.write(layout.value); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       const Result<std::string> text =
-          placed(inputName(command_.input), [&] { return extraTexts_[i](input_.mesh, result); });
+          placed(name, [&] { return extraTexts_[i](input_.mesh, result); });
       if (!text.ok()) return text.status;
       if (Status s = extras_[i].write(text.value); !s.ok()) return s;
     }

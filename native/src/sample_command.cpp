@@ -12,9 +12,9 @@ namespace {
 Result<std::string> sampleText(const SampleCommand& command) {
   for (const Sample& sample : samples())
     if (sample.name == command.name) {
-      const PolygonMesh mesh = sample.make(command.detail);
-      return writtenFormat(command.output) == MeshFormat::Ply ? writePly(mesh, {}, {})
-                                                              : writeObj(mesh, {}, {});
+      InputMesh input;
+      input.mesh = sample.make(command.detail);
+      return layoutText(input, command.output, 0, {}, {});
     }
   return Status{StatusCode::InvalidOption, "there is no sample '" + command.name + "'"};
 }

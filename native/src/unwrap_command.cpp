@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "mesh_run.h"
 #include "paths.h"
+#include "pins_file.h"
 #include "seam_file.h"
 #include "texts.h"
 
@@ -24,7 +25,12 @@ struct UnwrapJob {
       if (!edges.ok()) return edges.status;
       options.seams.edges = std::move(edges.value);
     }
-    options.roundsToSingle = writtenFormat(command.output) == MeshFormat::Ply;
+    if (!command.pins.empty()) {
+      Result<std::vector<Pin>> pins = readPins(command.pins);
+      if (!pins.ok()) return pins.status;
+      options.pins = std::move(pins.value);
+    }
+    options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
     options.progress = std::move(progress);
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }

@@ -12,7 +12,14 @@ const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
   native: [...CORE, 'cli11'],
   wasm: WASM,
-  web: [...WASM, 'node_modules/three'],
+  web: [
+    ...WASM,
+    'node_modules/three',
+    'node_modules/@gltf-transform/core',
+    'node_modules/@gltf-transform/extensions',
+    'node_modules/property-graph',
+    'node_modules/ktx-parse',
+  ],
 };
 
 function licenseText(entry) {

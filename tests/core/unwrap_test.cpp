@@ -9,6 +9,21 @@
 using namespace abflat;
 using namespace abflat::test;
 
+namespace {
+
+/// Cuts a torus of that many vertices into a quarter and the rest of it, both disks.
+SeamSources inTwo(std::uint32_t columns, std::uint32_t rows) {
+  SeamSources seams;
+  seams.isAuto = false;
+  for (std::uint32_t i = 0; i < columns; ++i) seams.edges.push_back({i, (i + 1) % columns});
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (const std::uint32_t i : {0u, columns / 4})
+      seams.edges.push_back({columns * j + i, columns * ((j + 1) % rows) + i});
+  return seams;
+}
+
+}  // namespace
+
 TEST_CASE("every corner has a texcoord, and a vertex is repeated along seams only") {
   for (const PolygonMesh& mesh : {tetrahedron(), torus(24, 12), cylinder(12, 6), star(7)}) {
     const Result<UnwrapResult> result = unwrap(mesh, {});
@@ -138,4 +153,77 @@ TEST_CASE("polygons become the triangles that were flattened") {
     area += twice / 2;
   }
   CHECK(area == Approx(r.report.atlas.utilization).epsilon(1e-9));
+}
+
+TEST_CASE("charts with pins stay where these put them, and the others go around", "[pin]") {
+  const PolygonMesh mesh = torus(24, 12);
+  UnwrapOptions options;
+  options.seams = inTwo(24, 12);
+  const Result<UnwrapResult> free = unwrap(mesh, options);
+  REQUIRE(free.ok());
+  REQUIRE(free.value.report.charts.size() == 2);
+  // Two vertices inside the chart of face 0.
+  const std::uint32_t first = 24 * 3 + 2, second = 24 * 9 + 4;
+  options.pins = {{first, {0.25, 0.3}}, {second, {0.25, 0.6}}};
+  const Result<UnwrapResult> result = unwrap(mesh, options);
+  INFO(result.status.message);
+  REQUIRE(result.ok());
+  const UnwrapResult& r = result.value;
+  CHECK(r.report.valid);
+  const std::uint32_t chart = r.chartOfFace[0];
+  REQUIRE(r.report.charts[chart].pins);
+  CHECK(r.report.charts[chart].pins->count == 2);
+  CHECK_FALSE(r.report.charts[1 - chart].pins);
+  for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c)
+    for (const Pin& pin : options.pins)
+      if (mesh.faceVertices[c] == pin.vertex) {
+        CHECK(r.uv[2 * r.cornerUv[c]] == pin.uv[0]);
+        CHECK(r.uv[2 * r.cornerUv[c] + 1] == pin.uv[1]);
+      }
+}
+
+TEST_CASE("a pin on a seam says by a face which texcoord it means", "[pin]") {
+  const PolygonMesh mesh = torus(24, 12);
+  UnwrapOptions options;
+  options.seams = inTwo(24, 12);
+  const std::uint32_t seam = 24 * 5 + 6, inside = 24 * 9 + 4;
+  options.pins = {{seam, {0.5, 0.4}}, {inside, {0.5, 0.5}}};
+  const Result<UnwrapResult> ambiguous = unwrap(mesh, options);
+  CHECK(ambiguous.status.code == StatusCode::InvalidOption);
+  CHECK_THAT(ambiguous.status.message,
+             Catch::Contains("vertex " + std::to_string(seam)) && Catch::Contains("seam"));
+  std::uint32_t face = 0;
+  const auto uses = [&](std::uint32_t f, std::uint32_t v) {
+    return std::count(mesh.faceVertices.begin() + mesh.faceOffsets[f],
+                      mesh.faceVertices.begin() + mesh.faceOffsets[f + 1], v) > 0;
+  };
+  while (!uses(face, seam) || !uses(face, seam - 1)) ++face;
+  options.pins[0].face = face;
+  const Result<UnwrapResult> result = unwrap(mesh, options);
+  INFO(result.status.message);
+  REQUIRE(result.ok());
+  const UnwrapResult& r = result.value;
+  CHECK(r.report.valid);
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c)
+      if (mesh.faceVertices[c] == seam)
+        CHECK((r.uv[2 * r.cornerUv[c]] == 0.5 && r.uv[2 * r.cornerUv[c] + 1] == 0.4) ==
+              (r.chartOfFace[f] == r.chartOfFace[face]));
+  options.pins[1].uv = {0.25, 9};
+  CHECK_THAT(unwrap(mesh, options).status.message, Catch::Contains("outside the unit square"));
+  options.pins.pop_back();
+  CHECK_THAT(unwrap(mesh, options).status.message, Catch::Contains("only pinned one of its chart"));
+}
+
+TEST_CASE("rounded texcoords are single precision numbers, also when v points down") {
+  UnwrapOptions options;
+  options.roundsToSingle = true;
+  const Result<UnwrapResult> result = unwrap(torus(24, 12), options);
+  REQUIRE(result.ok());
+  CHECK(result.value.report.valid);
+  CHECK(result.value.report.notes.empty());
+  for (const double x : result.value.uv) {
+    CHECK(static_cast<double>(static_cast<float>(x)) == x);
+    CHECK(static_cast<double>(static_cast<float>(1 - x)) == 1 - x);
+  }
 }

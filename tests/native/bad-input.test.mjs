@@ -119,7 +119,7 @@ const REFUSED = [
     'a.png',
     '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
     3,
-    /a\.png: not an OBJ, PLY, STL or OFF file/,
+    /a\.png: not an OBJ, PLY, STL, OFF or glTF file/,
   ],
   ['vertices without faces', 'a.obj', HEAD, 4, /a\.obj: .*no faces/],
   ['a face that uses a vertex twice', 'a.obj', `${TRIANGLE}f 1 2 2\n`, 4, /face 1 .*twice|face 1 /],

@@ -77,7 +77,7 @@ test('the report has its keys in their order', async (t) => {
   const keys =
     'faces boundaryVertices t bounds solver linearSolver formulation iterations history constraintResidual converged ' +
     'angularDistortion lengthDistortion quasiConformal stretch symmetricDirichlet areaDistortion ' +
-    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle delaunay fallbacks problem valid';
+    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle delaunay pins fallbacks problem valid';
   assert.deepEqual(Object.keys(chart), keys.split(' '));
   assert.ok(chart.history.length > 0);
   for (const step of chart.history)
@@ -208,7 +208,7 @@ test('the format of standard input is found out', async (t) => {
   assert.equal(lines(run.stdout, 'vt').length, 4);
   for (const [input, sentence] of [
     ['', /standard input: the file is empty/],
-    ['hello', /standard input: not an OBJ, PLY, STL or OFF file/],
+    ['hello', /standard input: not an OBJ, PLY, STL, OFF or glTF file/],
     ['v 0 0\n', /standard input:1: /],
   ]) {
     const bad = await flatten(at, ['-', '-o', '-'], { input });

@@ -2,26 +2,29 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
+import { addMesh, emptyDocument, io, primitiveOf, primitivesOf } from '../support/gltf.mjs';
+import { sphere } from '../support/surfaces.mjs';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
 const MAX_BYTES = 400 * 1024;
-const MODULES = ['abflat.wasm', 'abflat-simd.wasm', 'abflat-threads.wasm'];
+const BUILDS = { plain: 'abflat', simd: 'abflat-simd', threads: 'abflat-threads' };
+const MODULES = Object.values(BUILDS).map((name) => `${name}.wasm`);
 
-/** The files that a script loads through static imports, itself included. */
+/** The files that a script imports, at once or later, itself included. */
 function filesFrom(entry) {
   const files = new Set();
   const visit = (name) => {
     if (files.has(name)) return;
     files.add(name);
     const text = readFileSync(join(DIST, name), 'utf8');
-    for (const [, specifier] of text.matchAll(/(?:from|import)\s*['"]([^'"]+)['"]/g)) {
+    for (const [, specifier] of text.matchAll(/(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g)) {
       if (specifier.startsWith('./')) visit(specifier.slice(2));
       else assert.fail(`${name} imports ${specifier}`);
     }
@@ -30,9 +33,18 @@ function filesFrom(entry) {
   return files;
 }
 
-for (const module of MODULES) {
-  test(`everything that a browser loads with ${module} is under 400 KB compressed`, () => {
-    const files = new Set([...filesFrom('index.js'), ...filesFrom('worker.js'), module]);
+/** All that a browser loads for a build: the package, its worker with one script of Emscripten's, the module, what threads begin with. */
+function filesOf(build, name) {
+  const files = [...filesFrom('index.js'), ...filesFrom(`worker-${build}.js`), `${name}.wasm`];
+  const starter = `${name}.worker.js`;
+  return new Set(existsSync(join(DIST, starter)) ? [...files, starter] : files);
+}
+
+for (const [build, name] of Object.entries(BUILDS)) {
+  test(`everything that a browser loads for the build ${build} is under 400 KB compressed`, () => {
+    const files = filesOf(build, name);
+    const glue = [...files].filter((file) => file.endsWith('.mjs'));
+    assert.deepEqual(glue, [`${name}.mjs`], 'nothing of the other builds');
     const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
     const sum = bytes.reduce((a, b) => a + b, 0);
     assert.ok(sum < MAX_BYTES, `${sum} bytes`);
@@ -41,7 +53,7 @@ for (const module of MODULES) {
 
 test('the entries for browsers import only files beside them', () => {
   assert.ok(filesFrom('index.js').size > 1);
-  assert.ok(filesFrom('worker.js').has('abflat.mjs'));
+  for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.mjs`));
 });
 
 // The third one runs in browsers alone: createAbflat checks there what is checked here.
@@ -49,8 +61,10 @@ for (const module of MODULES.slice(0, 2)) {
   test(`${module} knows its label, the status codes and samples of the package`, async () => {
     const { Engine } = await import(join(DIST, 'engine.js'));
     const { buildOf } = await import(join(DIST, 'builds.js'));
+    const { plain } = await import(join(DIST, 'glue-plain.js'));
+    const { simd } = await import(join(DIST, 'glue-simd.js'));
     const wasm = await WebAssembly.compile(readFileSync(join(DIST, module)));
-    const engine = await Engine.create(wasm, 2 ** 28);
+    const engine = await Engine.create(wasm, 2 ** 28, { plain, simd });
     const { build, statuses, samples } = engine.run({ kind: 'describe' });
     assert.equal(build, buildOf(wasm));
     assert.deepEqual(statuses, [...STATUS_NAMES]);
@@ -91,43 +105,64 @@ test('npm pack contains the licences and no sources', () => {
   );
 });
 
-/** Runs an example of the README in a folder of its own; `check` gets the output and the folder. */
-function runExample(name, check) {
+/** Runs an example of the README in a folder of its own, with more `files`; `check` gets the output and the folder. */
+async function runExample(name, check, files = {}) {
   const code = examples()[name];
   assert.ok(code, 'there is no example');
   const folder = mkdtempSync(join(tmpdir(), 'abflat-readme-'));
   try {
     symlinkSync(join(ROOT, 'node_modules'), join(folder, 'node_modules'));
     writeFileSync(join(folder, 'example.mjs'), code);
-    writeFileSync(join(folder, 'mesh.obj'), EXAMPLE_OBJ);
+    for (const [file, content] of Object.entries({ 'mesh.obj': EXAMPLE_OBJ, ...files }))
+      writeFileSync(join(folder, file), content);
     const { status, stdout, stderr } = spawnSync(process.execPath, ['example.mjs'], {
       cwd: folder,
       encoding: 'utf8',
     });
     assert.equal(status, 0, stderr);
-    check(stdout, folder);
+    await check(stdout, folder);
   } finally {
     rmSync(folder, { recursive: true });
   }
 }
 
-test('the example for Node in the README runs', () => {
-  runExample('node', (stdout, folder) => {
+test('the example for Node in the README runs', async () => {
+  await runExample('node', (stdout, folder) => {
     assert.match(stdout, /true/);
     assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
   });
 });
 
-test('the examples of atlases in the README run', () => {
-  runExample('node-unwrap', (stdout, folder) => {
+test('the examples of atlases in the README run', async () => {
+  await runExample('node-unwrap', (stdout, folder) => {
     assert.match(stdout, /^true 1 0\.\d+$/m);
     assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
   });
-  runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
+  await runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
 });
 
-test('the example of a comparison in the README runs', () => {
-  runExample('compare', (stdout) => {
+test('the example of glTF in the README runs', async () => {
+  const document = emptyDocument();
+  addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+  const check = async (stdout, folder) => {
+    assert.match(stdout, /^true \d+$/m);
+    const written = await io.read(join(folder, 'mesh-uv.glb'));
+    assert.ok(primitivesOf(written)[0].getAttribute('TEXCOORD_0'));
+  };
+  await runExample('gltf-unwrap', check, { 'mesh.glb': await io.writeBinary(document) });
+});
+
+test('the README names every option of unwrapping documents', () => {
+  const text = readFileSync(join(ROOT, 'wasm/README.md'), 'utf8');
+  const types = readFileSync(join(DIST, 'gltf.d.ts'), 'utf8');
+  const [, body] = types.match(/interface UnwrapDocumentOptions [^{]*{(.*?)^}/ms);
+  const options = [...body.matchAll(/^ {4}(\w+)\?:/gm)].map(([, name]) => name);
+  assert.equal(options.length, 4);
+  for (const name of options) assert.ok(text.includes(`| \`${name}\` |`), name);
+});
+
+test('the example of a comparison in the README runs', async () => {
+  await runExample('compare', (stdout) => {
     assert.match(stdout, /^abflat, t = auto true 0\.\d+$/m);
     assert.match(stdout, /^LSCM, free (true|false) 0\.\d+$/m);
   });

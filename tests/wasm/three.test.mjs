@@ -146,6 +146,26 @@ test('unwrapGeometry keeps attributes, morph targets and groups of every corner'
   assert.deepEqual(Float64Array.from(geometry.attributes.uv.array), result.uv, 'as checked');
 });
 
+test('unwrapGeometry cuts between groups and round islands when asked to', async () => {
+  const ball = new THREE.SphereGeometry(1, 16, 8);
+  const half = ball.index.count / 2;
+  ball.addGroup(0, half, 0);
+  ball.addGroup(half, half, 1);
+  const chartsOf = async (geometry, seams) =>
+    (await unwrapGeometry(abflat, geometry, { seams })).result.chartOfTriangle;
+  const byGroup = await chartsOf(ball, 'material');
+  const halves = [byGroup.slice(0, half / 3), byGroup.slice(half / 3)].map((part) => new Set(part));
+  assert.ok([...halves[0]].every((chart) => !halves[1].has(chart)));
+
+  const box = new THREE.BoxGeometry(1, 1, 1, 3, 3, 3);
+  assert.equal(new Set(await chartsOf(box, 'none')).size, 1);
+  // Each side of the box has its own copy of the same coordinates.
+  box.attributes.uv.array.forEach((x, i, uv) => {
+    uv[i] = x + 2 * Math.floor(i / 32);
+  });
+  assert.equal(new Set(await chartsOf(box, 'uv')).size, 6);
+});
+
 test('unwrapGeometry puts a second set of coordinates beside the first', async () => {
   const torus = new THREE.TorusGeometry(1, 0.4, 8, 16);
   const { geometry } = await unwrapGeometry(abflat, torus, { attribute: 'uv1', maxStretch: 1.2 });

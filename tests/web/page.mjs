@@ -42,23 +42,32 @@ export async function settled(page) {
 }
 
 /** Drops a file on the page as a file manager does. */
-export async function drop(page, name, text) {
-  await page.evaluate(
-    ([name, text]) => {
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([text], name));
-      for (const type of ['dragover', 'drop'])
-        document.body.dispatchEvent(
-          new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
-        );
-    },
-    [name, text],
-  );
+export async function drop(page, name, content) {
+  await dropFiles(page, { [name]: content });
 }
 
-/** Drops a file and waits for what comes of it. */
-export async function dropAndWait(page, name, text) {
-  await drop(page, name, text);
+/** Drops files, texts or bytes by their names, at once. */
+export async function dropFiles(page, files) {
+  const encoded = Object.entries(files).map(([name, content]) => [
+    name,
+    Buffer.from(content).toString('base64'),
+  ]);
+  await page.evaluate((files) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, content] of files) {
+      const bytes = Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
+      dataTransfer.items.add(new File([bytes], name));
+    }
+    for (const type of ['dragover', 'drop'])
+      document.body.dispatchEvent(
+        new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
+      );
+  }, encoded);
+}
+
+/** Drops a file, with `others`, and waits for what comes of it. */
+export async function dropAndWait(page, name, content, others = {}) {
+  await dropFiles(page, { [name]: content, ...others });
   await page.waitForFunction(
     (name) =>
       document.querySelector('#source').textContent === name ||

@@ -88,6 +88,18 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
   return job->mesh.faceVertices.data();
 }
 
+/// Room for texcoords of a mesh given as arrays, two per vertex, after its triangles.
+EMSCRIPTEN_KEEPALIVE double* abflatTexcoords(Job* job, std::size_t size) {
+  job->mesh.texcoords.resize(size);
+  return job->mesh.texcoords.data();
+}
+
+/// Room for materials of a mesh given as arrays, one per triangle, after its triangles.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatMaterials(Job* job, std::size_t size) {
+  job->mesh.faceMaterials.resize(size);
+  return job->mesh.faceMaterials.data();
+}
+
 /// Option number `index` of flattening, in the order of FLATTEN_OPTIONS, as a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
   return setNumber(*job, job->options, index, value);
@@ -120,6 +132,14 @@ EMSCRIPTEN_KEEPALIVE void abflatKnownT(Job* job, double t) { job->unwrapOptions.
 
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});
+}
+
+/// A pin of whatever the job becomes; `face` is 2^32 - 1 where none is given.
+EMSCRIPTEN_KEEPALIVE void abflatAddPin(Job* job, std::uint32_t vertex, double u, double v,
+                                       std::uint32_t face) {
+  const abflat::Pin pin{vertex, {u, v}, face};
+  job->options.pins.push_back(pin);
+  job->unwrapOptions.pins.push_back(pin);
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj, int wantsPly) {

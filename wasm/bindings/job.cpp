@@ -1,6 +1,7 @@
 #include "job.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "abflat/inspect.h"
@@ -77,8 +78,22 @@ void* knownRoom(Job& job, Field field, std::size_t size) {
   return numbers.data();
 }
 
+namespace {
+
+/// Arrays have texcoords by vertex; who has none has NaN.
+Status readArrays(PolygonMesh& mesh) {
+  if (Status s = validateArrays(mesh); !s.ok()) return s;
+  if (mesh.texcoords.empty()) return {};
+  mesh.faceTexcoords.reserve(mesh.faceVertices.size());
+  for (const std::uint32_t v : mesh.faceVertices)
+    mesh.faceTexcoords.push_back(std::isnan(mesh.texcoords[2 * v]) ? kNoTexcoord : v);
+  return {};
+}
+
+}  // namespace
+
 Status readInput(Job& job) {
-  if (!job.isFile) return validateArrays(job.mesh);
+  if (!job.isFile) return readArrays(job.mesh);
   const Result<MeshFormat> format = detectFormat(job.name, job.source);
   if (!format.ok()) return format.status;
   job.format = format.value;

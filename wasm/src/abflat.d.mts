@@ -8,6 +8,8 @@ export interface NativeModule {
   _abflatSource(job: number, bytes: number): number;
   _abflatPositions(job: number, count: number): number;
   _abflatIndices(job: number, count: number): number;
+  _abflatTexcoords(job: number, count: number): number;
+  _abflatMaterials(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;
   _abflatSeams(job: number, bytes: number): number;
@@ -15,6 +17,7 @@ export interface NativeModule {
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatKnownT(job: number, t: number): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
+  _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;
   _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
   _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;
   _abflatCompare(job: number): number;

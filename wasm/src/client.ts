@@ -1,6 +1,7 @@
 // The caller's side of the protocol: a queue in front of one worker, which is started when there is something to do
 // and replaced when it was stopped.
 
+import { buildOf } from './builds.js';
 import { ABORTED, AbflatError, abortError } from './errors.js';
 import type { Platform, WorkerHandle } from './platform.js';
 import type { Answer, AnyProgress, FromWorker, Request } from './protocol.js';
@@ -106,6 +107,7 @@ export class Client {
         onMessage: (message) => isCurrent() && this.#onMessage(message),
         onCrash: (error) => isCurrent() && this.#onCrash(error),
       },
+      buildOf(module),
       workerUrl,
     );
     worker.post({ type: 'start', module, maxMemory });

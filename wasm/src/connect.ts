@@ -36,6 +36,7 @@ import {
   flattenNumbers,
   KEYS,
   knownArrays,
+  pinNumbers,
   seamVertices,
   unwrapNumbers,
 } from './validate.js';
@@ -133,9 +134,10 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,
-  { obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
+  { pins, obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
   request: (common: LayoutRequest) => Request,
 ): Promise<T> {
+  const pinned = pinNumbers(pins);
   checkBoolean('obj', obj);
   checkBoolean('ply', ply);
   checkFunction('onProgress', onProgress);
@@ -144,6 +146,7 @@ function layout<T extends FlattenResult | UnwrapResult>(
   const owned = takeMesh(mesh, transfer);
   const common: LayoutRequest = {
     mesh: owned.mesh,
+    pins: pinned,
     wantsObj: obj === true,
     wantsPly: ply === true,
     wantsProgress: onProgress !== undefined,

@@ -1,11 +1,10 @@
 // One instance of the WebAssembly module. Runs in the worker, where it may block.
 
-import createPlain, { type NativeModule } from './abflat.mjs';
-import createSimd from './abflat-simd.mjs';
-import createThreads from './abflat-threads.mjs';
+import type { NativeModule } from './abflat.mjs';
 import { type Build, buildOf } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
+import type { Glues } from './glue.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
 import type {
   Answer,
@@ -46,12 +45,6 @@ const FIELD = {
   faces: 10,
 } as const;
 
-/** Minified names may differ between builds, so each module needs its own. */
-const CREATE = { plain: createPlain, simd: createSimd, threads: createThreads };
-
-/** What a thread loads; bundlers find the file by exactly this expression, and copy it as it is. */
-const threadScript = () => new URL('./abflat-threads.mjs', import.meta.url).href;
-
 /** Thrown through the module by its allocator. */
 class OutOfMemory extends Error {}
 
@@ -86,8 +79,15 @@ export class Engine {
     this.#hooks = hooks;
   }
 
-  static async create(module: WebAssembly.Module, maxMemory: number): Promise<Engine> {
+  static async create(
+    module: WebAssembly.Module,
+    maxMemory: number,
+    glues: Glues,
+  ): Promise<Engine> {
     const build = buildOf(module);
+    const glue = glues[build];
+    if (!glue) throw new AbflatError('Internal', `This worker does not run the build ${build}.`);
+    const { create, threadScript } = glue;
     const memory = new WebAssembly.Memory({
       initial: MIN_MEMORY / PAGE,
       maximum: Math.floor(maxMemory / PAGE),
@@ -95,9 +95,9 @@ export class Engine {
     });
     const hooks: Hooks = { onProgress: ignore };
     const native = await new Promise<NativeModule>((resolve, reject) => {
-      CREATE[build]({
+      create({
         wasmMemory: memory,
-        ...(build === 'threads' && { mainScriptUrlOrBlob: threadScript() }),
+        ...(threadScript && { mainScriptUrlOrBlob: threadScript() }),
         instantiateWasm: (imports, receive) => {
           WebAssembly.instantiate(module, imports)
             .then((instance) => receive(instance, module))
@@ -203,7 +203,7 @@ export class Engine {
   }
 
   #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
-    { mesh, wantsObj, wantsPly }: LayoutRequest,
+    { mesh, pins, wantsObj, wantsPly }: LayoutRequest,
     { set, run, complete }: LayoutSteps<R, T>,
   ): T {
     const started = performance.now();
@@ -211,6 +211,7 @@ export class Engine {
       this.#writeMesh(job, mesh);
       const written = performance.now();
       set(job, this.#native);
+      for (const [vertex, u, v, face] of pins) this.#native._abflatAddPin(job, vertex, u, v, face);
       this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
       const layout: Layout<R> = {
@@ -310,12 +311,20 @@ export class Engine {
       mesh.bytes = new Uint8Array();
       return;
     }
-    const { positions, indices } = mesh;
+    const { positions, indices, texcoords, materials } = mesh;
     this.#writeName(job, 'arrays');
     const xyz = this.#native._abflatPositions(job, positions.length) >>> 0;
     new Float64Array(this.#memory.buffer, xyz, positions.length).set(positions);
     const corners = this.#native._abflatIndices(job, indices.length) >>> 0;
     new Uint32Array(this.#memory.buffer, corners, indices.length).set(indices);
+    if (texcoords) {
+      const uv = this.#native._abflatTexcoords(job, texcoords.length) >>> 0;
+      new Float64Array(this.#memory.buffer, uv, texcoords.length).set(texcoords);
+    }
+    if (materials) {
+      const start = this.#native._abflatMaterials(job, materials.length) >>> 0;
+      new Uint32Array(this.#memory.buffer, start, materials.length).set(materials);
+    }
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
   }
@@ -333,9 +342,13 @@ export class Engine {
   }
 
   #checkSize(mesh: OwnedMesh): void {
-    this.#checkBytes(
-      'bytes' in mesh ? mesh.bytes.length : 8 * mesh.positions.length + 4 * mesh.indices.length,
-    );
+    const numbers = (array?: { length: number }) => array?.length ?? 0;
+    const bytes =
+      'bytes' in mesh
+        ? mesh.bytes.length
+        : 8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
+          4 * (numbers(mesh.indices) + numbers(mesh.materials));
+    this.#checkBytes(bytes);
   }
 
   /** Sizes beyond 32 bits must not reach the module. */

@@ -53,14 +53,32 @@ function checkFile({ bytes, name = 'mesh' }: { bytes?: unknown; name?: unknown }
   throw invalid(`bytes must be a Uint8Array or ArrayBuffer, not ${tag}.`);
 }
 
-function checkArrays(mesh: { positions?: unknown; indices?: unknown }): MeshArrays {
-  checkTag('positions', mesh.positions, ['Float32Array', 'Float64Array']);
-  checkTag('indices', mesh.indices, ['Uint32Array', 'Uint16Array']);
-  const { positions, indices } = mesh as MeshArrays;
+const REALS = ['Float32Array', 'Float64Array'];
+const WHOLE = ['Uint32Array', 'Uint16Array'];
+
+function checkArrays(mesh: Partial<Record<keyof MeshArrays, unknown>>): MeshArrays {
+  checkTag('positions', mesh.positions, REALS);
+  checkTag('indices', mesh.indices, WHOLE);
+  const { positions, indices, texcoords, materials } = mesh as MeshArrays;
   for (const [name, { length }] of Object.entries({ positions, indices })) {
     if (length % 3 !== 0) throw invalid(`${name} has ${length} elements, not a multiple of 3.`);
   }
-  return { positions, indices };
+  const checked: MeshArrays = { positions, indices };
+  if (texcoords !== undefined) {
+    checkTag('texcoords', texcoords, REALS);
+    checkLength('texcoords', texcoords, (2 * positions.length) / 3, '2 per vertex');
+    checked.texcoords = texcoords;
+  }
+  if (materials !== undefined) {
+    checkTag('materials', materials, WHOLE);
+    checkLength('materials', materials, indices.length / 3, '1 per triangle');
+    checked.materials = materials;
+  }
+  return checked;
+}
+
+function checkLength(name: string, { length }: { length: number }, wanted: number, rule: string) {
+  if (length !== wanted) throw invalid(`${name} has ${length} elements, not ${wanted}: ${rule}.`);
 }
 
 function checkTag(name: string, value: unknown, tags: string[]): void {

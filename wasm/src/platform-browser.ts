@@ -1,3 +1,4 @@
+import type { Build } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import type { Platform, WorkerHandle } from './platform.js';
 import type { FromWorker } from './protocol.js';
@@ -17,8 +18,8 @@ export const browser: Platform = {
     }
   },
 
-  startWorker(events, address) {
-    const worker = openWorker(address);
+  startWorker(events, build, address) {
+    const worker = openWorker(build, address);
     worker.onmessage = (event: MessageEvent<FromWorker>) => events.onMessage(event.data);
     worker.onmessageerror = () => events.onCrash(crash('a message from it cannot be read'));
     worker.onerror = (event) => {
@@ -47,19 +48,33 @@ const crash = (reason: string) =>
   new AbflatError('Internal', `The worker of abflat stopped: ${reason}`);
 
 /** The error event of a script that cannot be loaded has no message. */
-function notLoaded(address: string | URL = 'worker.js beside its module'): AbflatError {
+function notLoaded(address: string | URL = 'a script beside its module'): AbflatError {
   return new AbflatError(
     'UnreadableFile',
     `Cannot load the worker of abflat from ${address}; pass workerUrl to createAbflat if it is elsewhere.`,
   );
 }
 
-function openWorker(address?: string | URL): Worker {
-  const url = address === undefined ? new URL('./worker.js', here) : new URL(address, page());
+function openWorker(build: Build, address?: string | URL): Worker {
+  const url =
+    address === undefined ? new URL(`./worker-${build}.js`, here) : new URL(address, page());
   if (isForeign(url)) return openForeignWorker(url);
-  if (address !== undefined) return new Worker(url, { type: 'module' });
-  // Bundlers find the worker's file by exactly this expression.
-  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  return address === undefined ? openOwnWorker(build) : new Worker(url, { type: 'module' });
+}
+
+/**
+ * Bundlers find the workers' files by exactly these expressions. There is one for each build because not all formats
+ * of workers that bundlers write allow parts that are loaded later.
+ */
+function openOwnWorker(build: Build): Worker {
+  switch (build) {
+    case 'plain':
+      return new Worker(new URL('./worker-plain.js', import.meta.url), { type: 'module' });
+    case 'simd':
+      return new Worker(new URL('./worker-simd.js', import.meta.url), { type: 'module' });
+    case 'threads':
+      return new Worker(new URL('./worker-threads.js', import.meta.url), { type: 'module' });
+  }
 }
 
 function handleOf(worker: Worker): WorkerHandle {

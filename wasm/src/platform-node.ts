@@ -23,7 +23,7 @@ export const node: Platform = {
     }
   },
 
-  startWorker(events, address) {
+  startWorker(events, _build, address) {
     // The flags of the process are not for the worker; some, as --input-type, would stop it.
     const options = { execArgv: [] };
     const worker =

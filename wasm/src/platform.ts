@@ -1,3 +1,4 @@
+import type { Build } from './builds.js';
 import type { AbflatError } from './errors.js';
 import type { FromWorker, ToWorker } from './protocol.js';
 
@@ -18,6 +19,6 @@ export interface WorkerEvents {
 export interface Platform {
   /** Rejects with a sentence that names the address. */
   loadModule(address: string | URL): Promise<WebAssembly.Module>;
-  /** Without an address it is the script beside the package's modules. */
-  startWorker(events: WorkerEvents, address?: string | URL): WorkerHandle;
+  /** A worker that runs `build`. Without an address it is a script beside the package's modules. */
+  startWorker(events: WorkerEvents, build: Build, address?: string | URL): WorkerHandle;
 }

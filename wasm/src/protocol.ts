@@ -22,9 +22,13 @@ export interface OwnedFile {
 /** A mesh in buffers that belong to the call. */
 export type OwnedMesh = MeshArrays | OwnedFile;
 
+/** Vertex, u, v and face, which is 2^32 - 1 where none is given. */
+export type PinNumbers = [vertex: number, u: number, v: number, face: number];
+
 /** What the calls that give a layout share. */
 export interface LayoutRequest {
   mesh: OwnedMesh;
+  pins: PinNumbers[];
   wantsObj: boolean;
   wantsPly: boolean;
   wantsProgress: boolean;

@@ -2,6 +2,7 @@
 
 import { Engine } from './engine.js';
 import { AbflatError, messageOf } from './errors.js';
+import type { Glues } from './glue.js';
 import { KEPT_MEMORY } from './memory.js';
 import type { Answer, AnyProgress, FromWorker, Request, ToWorker } from './protocol.js';
 
@@ -13,11 +14,12 @@ export interface Port {
   listen(handle: (message: ToWorker) => void): void;
 }
 
-export function serve(port: Port): void {
+/** `glues`: the builds that this worker can run. */
+export function serve(port: Port, glues: Glues): void {
   let engine: Promise<Engine> | undefined;
   port.listen((message) => {
     if (message.type === 'start') {
-      engine = Engine.create(message.module, message.maxMemory);
+      engine = Engine.create(message.module, message.maxMemory, glues);
       engine.catch(() => undefined); // the first call reports it
     } else {
       void answer(port, message.request, engine);

@@ -1,6 +1,7 @@
 // Helpers for three.js.
 
 import { BufferAttribute, BufferGeometry } from 'three';
+import { normalized } from './normalized.js';
 import type { Layout, MeshArrays } from './types.js';
 
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
@@ -71,15 +72,4 @@ function positionsOf(
     out.set(mesh.positions.subarray(3 * vertex, 3 * vertex + 3), 3 * i);
   });
   return out;
-}
-
-function normalized(uv: Float64Array): Float32Array {
-  const least = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
-  const most = [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  uv.forEach((value, i) => {
-    least[i % 2] = Math.min(least[i % 2], value);
-    most[i % 2] = Math.max(most[i % 2], value);
-  });
-  const extent = Math.max(most[0] - least[0], most[1] - least[1]);
-  return Float32Array.from(uv, (value, i) => (value - least[i % 2]) / extent);
 }

@@ -5,6 +5,10 @@ import type { FlattenOptionValues, UnwrapOptionValues } from './generated.js';
 export interface MeshArrays {
   positions: Float32Array | Float64Array;
   indices: Uint32Array | Uint16Array;
+  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'`. */
+  texcoords?: Float32Array | Float64Array;
+  /** A number per triangle: for `seams: 'material'`. */
+  materials?: Uint32Array | Uint16Array;
 }
 
 /** The bytes of an OBJ, PLY, STL or OFF file. `name` is used to tell the format and in messages. */
@@ -37,7 +41,20 @@ export interface VertexBound {
   t: number;
 }
 
+/** A place in the layout for a vertex of the input. */
+export interface Pin {
+  vertex: number;
+  uv: readonly [number, number];
+  /** A face that uses the vertex: tells which of its texcoords is meant where it lies on a seam. */
+  face?: number;
+}
+
 export interface LayoutOptions extends CallOptions {
+  /**
+   * None, or two and more; in an atlas that of each chart, which then stays where its pins are. Two are met by moving,
+   * turning and scaling the layout, more by the nearest one to the angles in the sense of least squares.
+   */
+  pins?: readonly Pin[];
   /** Also return the input as OBJ text with the new texcoords. */
   obj?: boolean;
   /** Also return the input as PLY with the new texcoords; the layout is rounded to single precision where it stays valid. */
@@ -78,6 +95,13 @@ export interface DelaunayReport {
   resisting: [number, number][];
 }
 
+/** What became of pins. */
+export interface PinReport {
+  count: number;
+  /** Largest distance in uv from a pin to where the layout without pins, moved, turned and scaled to fit them, has it. */
+  deviation: number;
+}
+
 export interface ChartReport {
   faces: number;
   boundaryVertices: number;
@@ -106,6 +130,8 @@ export interface ChartReport {
   maxBoundaryAngle: number;
   /** Null unless it was asked for. */
   delaunay: DelaunayReport | null;
+  /** Null without pins. */
+  pins: PinReport | null;
   /** What was done beyond the plain solver, one sentence each. */
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */
@@ -163,7 +189,7 @@ export interface Layout<R> {
 }
 
 /**
- * `uv` is in the unit of the input: the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
+ * `uv` is in the unit of the input: without pins the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
  * disk without unused vertices.
  */
 export type FlattenResult = Layout<Report>;
@@ -226,6 +252,8 @@ export interface UnwrapChart {
   angularDistortion: number;
   quasiConformal: { mean: number; max: number };
   symmetricDirichlet: number;
+  /** Null without pins. */
+  pins: PinReport | null;
   fallbacks: string[];
   /** Why the chart is not valid, one sentence; empty when it is. */
   problem: string;
@@ -415,6 +443,6 @@ export interface CreateOptions {
   maxMemory?: number;
   /** Where abflat.wasm is, or that of another build, when it is not beside the module; in Node a path is fine as well. */
   wasmUrl?: string | URL;
-  /** Where the worker's script is, when it is not beside the module. */
+  /** Where `worker.js` is, when it is not beside the module. It runs every build. */
   workerUrl?: string | URL;
 }

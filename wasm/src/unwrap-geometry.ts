@@ -1,11 +1,8 @@
 // Unwraps geometry of three.js.
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type InterleavedBufferAttribute,
-  type TypedArray,
-} from 'three';
+import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
+import { neededFor } from './needed-arrays.js';
+import { indexArray, pickRows } from './rows.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
@@ -25,7 +22,7 @@ export async function unwrapGeometry(
   geometry: BufferGeometry,
   { attribute = 'uv', ...options }: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
-  const result = await abflat.unwrap(meshOf(geometry), options);
+  const result = await abflat.unwrap(neededFor(options.seams, meshOf(geometry)), options);
   return { geometry: withUv(geometry, result, attribute), result };
 }
 
@@ -40,7 +37,22 @@ function meshOf(geometry: BufferGeometry): MeshArrays {
   const indices = geometry.index
     ? new Uint32Array(geometry.index.array)
     : Uint32Array.from({ length: count }, (_, i) => i);
-  return { positions, indices };
+  const mesh: MeshArrays = { positions, indices };
+  const uv = geometry.getAttribute('uv') as Attribute | undefined;
+  if (uv)
+    mesh.texcoords = Float64Array.from({ length: 2 * count }, (_, i) =>
+      uv.getComponent(i >> 1, i % 2),
+    );
+  if (geometry.groups.length > 0) mesh.materials = materialsOf(geometry, indices.length / 3);
+  return mesh;
+}
+
+/** By triangle; 0 where no group says which. */
+function materialsOf({ groups }: BufferGeometry, triangleCount: number): Uint32Array {
+  const materials = new Uint32Array(triangleCount);
+  for (const { start, count, materialIndex = 0 } of groups)
+    materials.fill(materialIndex + 1, start / 3, (start + count) / 3);
+  return materials;
 }
 
 function withUv(from: BufferGeometry, result: UnwrapResult, name: string): BufferGeometry {
@@ -55,8 +67,7 @@ function withUv(from: BufferGeometry, result: UnwrapResult, name: string): Buffe
   for (const [key, targets] of Object.entries<Attribute[]>(from.morphAttributes))
     morphs[key] = targets.map((target) => pick(target, vertexMap));
   to.morphTargetsRelative = from.morphTargetsRelative;
-  const Index = vertexMap.length > 65535 ? Uint32Array : Uint16Array;
-  to.setIndex(new BufferAttribute(new Index(indices), 1));
+  to.setIndex(new BufferAttribute(indexArray(indices, vertexMap.length), 1));
   // Triangles keep their order, so ranges of them stay true.
   to.groups = from.groups.map((group) => ({ ...group }));
   to.drawRange = { ...from.drawRange };
@@ -69,16 +80,13 @@ function withUv(from: BufferGeometry, result: UnwrapResult, name: string): Buffe
 function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
   const { itemSize, normalized } = attribute;
   const isInterleaved = 'data' in attribute;
-  const array = isInterleaved ? attribute.data.array : attribute.array;
-  const [stride, offset] = isInterleaved
-    ? [attribute.data.stride, attribute.offset]
-    : [itemSize, 0];
-  const Kind = array.constructor as new (length: number) => TypedArray;
-  const picked = new Kind(itemSize * rows.length);
-  rows.forEach((row, i) => {
-    for (let k = 0; k < itemSize; ++k)
-      picked[itemSize * i + k] = array[stride * row + offset + k] as number;
-  });
+  const picked = isInterleaved
+    ? pickRows(attribute.data.array, rows, {
+        size: itemSize,
+        stride: attribute.data.stride,
+        offset: attribute.offset,
+      })
+    : pickRows(attribute.array, rows, { size: itemSize });
   const made = new BufferAttribute(picked, itemSize, normalized);
   made.name = attribute.name;
   if (!isInterleaved) {

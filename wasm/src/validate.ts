@@ -11,11 +11,11 @@ import {
   type UnwrapOptionValues,
 } from './generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
-import type { KnownArrays } from './protocol.js';
+import type { KnownArrays, PinNumbers } from './protocol.js';
 import type { KnownLayout } from './types.js';
 
 const OF_CALL = ['signal', 'transfer'];
-const OF_LAYOUT = ['onProgress', 'obj', 'ply', ...OF_CALL];
+const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', ...OF_LAYOUT],
@@ -173,14 +173,37 @@ export function seamVertices(edges: unknown): Uint32Array {
   return new Uint32Array(pairs);
 }
 
-export function boundNumbers(bounds: unknown): number[] {
-  if (bounds === undefined) return [];
-  if (!Array.isArray(bounds)) throw invalid('bounds must be an array of { vertex, t }.');
-  return bounds.flatMap((bound: { vertex?: unknown; t?: unknown } | null, i) => {
-    const vertex = bound?.vertex;
-    if (!Number.isInteger(vertex) || (vertex as number) < 0 || (vertex as number) >= 2 ** 32)
-      throw invalid(`bounds[${i}].vertex must be a vertex number.`);
+function checkIndex(name: string, kind: string, value: unknown): void {
+  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= 2 ** 32)
+    throw invalid(`${name} must be a ${kind} number.`);
+}
+
+function checkArray(name: string, value: unknown, of: string): void {
+  if (!Array.isArray(value)) throw invalid(`${name} must be an array of ${of}.`);
+}
+
+export function boundNumbers(bounds: unknown = []): number[] {
+  checkArray('bounds', bounds, '{ vertex, t }');
+  return (bounds as ({ vertex?: unknown; t?: unknown } | null)[]).flatMap((bound, i) => {
+    checkIndex(`bounds[${i}].vertex`, 'vertex', bound?.vertex);
     checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
-    return [vertex as number, bound?.t as number];
+    return [bound?.vertex as number, bound?.t as number];
+  });
+}
+
+/** Of a pin without a face; that of the module's kAnyFace. */
+const ANY_FACE = 2 ** 32 - 1;
+
+export function pinNumbers(pins: unknown = []): PinNumbers[] {
+  checkArray('pins', pins, '{ vertex, uv: [u, v] }');
+  return (pins as ({ vertex?: unknown; uv?: unknown; face?: unknown } | null)[]).map((pin, i) => {
+    checkIndex(`pins[${i}].vertex`, 'vertex', pin?.vertex);
+    checkArray(`pins[${i}].uv`, pin?.uv, 'two numbers');
+    const uv = pin?.uv as unknown[];
+    if (uv.length !== 2) throw invalid(`pins[${i}].uv must be an array of two numbers.`);
+    for (const [k, x] of uv.entries())
+      checkNumber(`pins[${i}].uv[${k}]`, x, { range: 'that is finite' });
+    if (pin?.face !== undefined) checkIndex(`pins[${i}].face`, 'face', pin.face);
+    return [pin?.vertex, ...uv, pin?.face ?? ANY_FACE] as PinNumbers;
   });
 }

@@ -1,11 +1,8 @@
-// Entry of the Web Worker.
+// Entry of a Web Worker for every build: what `workerUrl` names.
 
-import type { ToWorker } from './protocol.js';
-import { serve } from './serve.js';
+import { plain } from './glue-plain.js';
+import { simd } from './glue-simd.js';
+import { threads } from './glue-threads.js';
+import { serveWeb } from './serve-web.js';
 
-serve({
-  post: (message, transfer = []) => globalThis.postMessage(message, { transfer }),
-  listen: (handle) => {
-    globalThis.addEventListener('message', (event: MessageEvent<ToWorker>) => handle(event.data));
-  },
-});
+serveWeb({ plain, simd, threads });

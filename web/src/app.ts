@@ -257,7 +257,12 @@ export class App implements SessionEvents {
 
   private export(): void {
     if (!this.outcome) return;
-    const { name, size } = exportMesh(this.outcome);
-    this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`);
+    const { source, settings } = this.outcome;
+    exportMesh(this.outcome).then(
+      ({ name, size }) =>
+        this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`),
+      (error: Error) =>
+        showAlert(`${titleOf(source)} was not exported: ${error.message}`, settingsText(settings)),
+    );
   }
 }

@@ -16,24 +16,29 @@ export function titleOf(source: Source): string {
 
 /** Drop, file dialog and samples: three ways to choose a mesh. */
 export function bindOpen(open: (source: Source) => void): void {
-  const openFile = (file: File | undefined) => {
-    if (file) open({ kind: 'file', name: file.name, file });
+  const openFiles = (list: FileList | null | undefined) => {
+    const files = [...(list ?? [])];
+    const file = files.find(({ name }) => /\.gltf$/i.test(name)) ?? files[0];
+    const others = files.filter((other) => other !== file);
+    if (file) open({ kind: 'file', name: file.name, file, others });
   };
-  bindDialog(openFile);
+  bindDialog(openFiles);
   bindSamples((name) => open({ kind: 'sample', name }));
-  bindDrop(openFile);
+  bindDrop(openFiles);
 }
+
+type OpenFiles = (files: FileList | null | undefined) => void;
 
 /** Shows which sample is open; none for a file. */
 export function showSample(name: string | null): void {
   element('sample', HTMLSelectElement).value = name ?? '';
 }
 
-function bindDialog(openFile: (file: File | undefined) => void): void {
+function bindDialog(openFiles: OpenFiles): void {
   const input = element('file', HTMLInputElement);
   element('open', HTMLButtonElement).addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
-    openFile(input.files?.[0]);
+    openFiles(input.files);
     // So that choosing the same file again is a change.
     input.value = '';
   });
@@ -51,7 +56,7 @@ function bindSamples(openSample: (name: string) => void): void {
   select.addEventListener('change', () => openSample(select.value));
 }
 
-function bindDrop(openFile: (file: File | undefined) => void): void {
+function bindDrop(openFiles: OpenFiles): void {
   const overlay = element('drop', HTMLElement);
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   window.addEventListener('dragover', (event) => {
@@ -67,6 +72,6 @@ function bindDrop(openFile: (file: File | undefined) => void): void {
     if (!hasFiles(event)) return;
     event.preventDefault();
     overlay.hidden = true;
-    openFile(event.dataTransfer?.files[0]);
+    openFiles(event.dataTransfer?.files);
   });
 }

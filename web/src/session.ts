@@ -1,11 +1,22 @@
 import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
 import { Background } from './background';
+import type { GltfFile } from './gltf-file';
 import { type AnyProgress, layOut, type Outcome } from './lay-out';
 import type { DisplayMesh } from './mesh';
 import type { Settings } from './settings';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
-export type Source = { kind: 'sample'; name: string } | { kind: 'file'; name: string; file: File };
+export type Source = { kind: 'sample'; name: string } | FileSource;
+
+export interface FileSource {
+  kind: 'file';
+  name: string;
+  file: File;
+  /** What came with it: a glTF may be of several files. */
+  others: File[];
+}
+
+export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
 
 export interface SessionEvents {
   /** A mesh is being read, or laid out when there are `settings`. */
@@ -24,6 +35,8 @@ export interface Opened {
   input: MeshInput;
   mesh: DisplayMesh;
   summary: MeshSummary;
+  /** Of a glTF, which abflat knows as arrays. */
+  gltf?: GltfFile;
 }
 
 /** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
@@ -158,6 +171,12 @@ export class Session {
       const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
       const summary = await abflat.inspect(mesh, { signal });
       return { source, input: mesh, mesh, summary };
+    }
+    if (isGltf(source)) {
+      const { readGltf } = await import('./gltf-file');
+      const gltf = await readGltf(source);
+      const summary = await abflat.inspect(gltf.mesh, { signal });
+      return { source, input: gltf.mesh, mesh: gltf.mesh, summary, gltf };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),

@@ -34,8 +34,23 @@ struct VertexBound {
   double t = 0;
 };
 
+/// Of a pin that needs no face.
+constexpr std::uint32_t kAnyFace = 0xffffffffu;
+
+/// The place of a vertex in the layout. Vertex and face are those of the input mesh.
+struct Pin {
+  std::uint32_t vertex = 0;
+  std::array<double, 2> uv{};
+  /// One that uses the vertex: tells which of its texcoords is meant where it has several, on both
+  /// sides of a seam.
+  std::uint32_t face = kAnyFace;
+};
+
 struct FlattenOptions : FlattenOptionValues {
   std::vector<VertexBound> bounds;
+  /// None, or two and more. Two are met by turning and scaling the layout; of the layouts that meet
+  /// more, the nearest to the angles in the sense of least squares is taken.
+  std::vector<Pin> pins;
   ProgressCallback progress;
 };
 
@@ -64,6 +79,14 @@ struct DelaunayReport {
   std::vector<std::array<std::uint32_t, 2>> resisting;
 };
 
+/// What became of pins.
+struct PinReport {
+  std::size_t count = 0;
+  /// Largest distance in uv from a pin to where the layout has its vertex without pins, once that
+  /// is moved, turned and scaled to fit them best; 0 for two pins.
+  double deviation = 0;
+};
+
 struct ChartReport {
   std::size_t faces = 0;
   std::size_t boundaryVertices = 0;
@@ -89,6 +112,7 @@ struct ChartReport {
       0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
   double maxBoundaryAngle = 0;             ///< radians
   std::optional<DelaunayReport> delaunay;  ///< when it was asked for
+  std::optional<PinReport> pins;           ///< when there are any
   std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each
   std::string problem;  ///< why the chart is not valid, one sentence; empty when it is
   bool valid = false;
@@ -111,7 +135,7 @@ struct Report {
 };
 
 struct FlattenResult {
-  std::vector<double> uv;                ///< 2 per output vertex, scaled to the mesh's 3D area
+  std::vector<double> uv;  ///< 2 per output vertex; of the mesh's 3D area unless pinned
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
   std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle (polygons triangulated)
   std::vector<std::uint32_t>

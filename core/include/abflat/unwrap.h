@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,11 +40,14 @@ struct KnownLayout {
 
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
+  /// Places in the atlas, of a chart none or two and more, as in FlattenOptions: such a chart stays
+  /// where they put it, and the others go around it.
+  std::vector<Pin> pins;
   /// Charts that have the triangles and the outline of one of these are not flattened again, which
   /// is for changing seams little by little. No triangles: nothing is known.
   KnownLayout known;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
-  /// hold them; not where that would make a chart invalid.
+  /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;
 
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
@@ -84,6 +88,7 @@ struct UnwrapChart {
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
+  std::optional<PinReport> pins;  ///< when there are any
   std::vector<std::string> fallbacks;
   std::string problem;
   bool valid = false;

@@ -17,6 +17,7 @@ constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
 AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
   AngleProblem p;
   p.vertexOfCorner = chart.vertexOfCorner;
+  p.place = chart.place;
   p.isBoundary.assign(chart.vertexCount(), 0);
   for (std::uint32_t h : chart.boundary) p.isBoundary[chart.vertexOfCorner[h]] = 1;
   p.angleSum.resize(chart.vertexCount());

@@ -34,6 +34,8 @@ struct AngleProblem {
   /// of weight 1/compliance, which exists even where the condition cannot be met.
   double edgeCompliance = 0;
 
+  std::vector<std::uint32_t> place;  ///< see DiskChart
+
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
   }

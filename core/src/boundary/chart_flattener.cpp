@@ -145,9 +145,7 @@ Attempt ChartFlattener::tutte(const std::string& reason) {
   a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
   a.solution.converged = true;
-  a.validity = check(a.uv);
-  a.distortion = measureDistortion(chart_, a.uv);
-  timings_.check += watch.lap();
+  measure(a);
   a.fallbacks.push_back(reason + "; Tutte's embedding on a circle instead");
   return a;
 }
@@ -158,6 +156,11 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
   a.solver = a.solution.barrierFloor > 0 ? "interiorPoint" : "activeSet";
   a.uv = layOut(chart_, a.solution.angles);
   timings_.layout += watch.lap();
+  measure(a);
+}
+
+void ChartFlattener::measure(Attempt& a) {
+  Stopwatch watch;
   onStage_("check");
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);

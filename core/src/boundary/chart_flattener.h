@@ -23,6 +23,8 @@ struct Attempt {
   std::string solver;                  ///< "activeSet", "interiorPoint" or "tutte"
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;
+  std::optional<PinReport> pins;
+  bool wasValidUnpinned = false;  ///< with pins only
 
   bool valid() const { return validity.valid() && solution.converged; }
 };
@@ -57,6 +59,9 @@ class ChartFlattener {
   /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
   /// angle is respected.
   Attempt tutte(const std::string& reason);
+
+  /// Checks and measures the layout of an attempt, whoever made it.
+  void measure(Attempt& a);
 
   /// Seconds spent so far, over all attempts.
   const Timings& timings() const { return timings_; }

@@ -19,6 +19,9 @@ struct DiskChart {
   std::vector<double> positions;              ///< xyz per chart vertex, in `unit`
   std::vector<std::array<double, 3>> angles;  ///< per triangle in 3D, radians; see cornerAngles
   double unit = 1;                            ///< a power of two, so that scaling is exact
+  /// Per chart vertex, its place in an elimination order that is good for the chart; empty where
+  /// none is known.
+  std::vector<std::uint32_t> place;
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);

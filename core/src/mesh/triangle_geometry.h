@@ -94,4 +94,6 @@ inline std::array<double, 3> anglesOrMadeUp(std::array<double, 3> alpha) {
   return alpha;
 }
 
+inline double cotangent(double angle) { return portable::cos(angle) / portable::sin(angle); }
+
 }  // namespace abflat

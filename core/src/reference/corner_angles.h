@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "chart/disk_chart.h"
 #include "mesh/triangle_geometry.h"
-#include "portable_math.h"
 
 namespace abflat {
 
@@ -17,7 +15,5 @@ inline std::vector<double> drawableAngles(const DiskChart& chart) {
     for (const double a : anglesOrMadeUp(chart.angles[f])) out.push_back(a);
   return out;
 }
-
-inline double cotangent(double angle) { return portable::cos(angle) / portable::sin(angle); }
 
 }  // namespace abflat

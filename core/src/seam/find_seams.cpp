@@ -43,7 +43,8 @@ class Finder {
   void split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
   bool finishUnchanged(const CutSurface& s);
   void handBack();
-  std::uint32_t toWhole(std::uint32_t h) const { return mesh_ == &whole_ ? h : part_.halfEdge[h]; }
+  bool isWhole() const { return mesh_ == &whole_; }
+  std::uint32_t toWhole(std::uint32_t h) const { return isWhole() ? h : part_.halfEdge[h]; }
   /// A disk as it was given: all of its triangles, and no edge twice.
   bool isUntouched(const CutSurface& s, std::uint32_t chart) const {
     const CutSurface::Chart& now = s.charts[chart];
@@ -75,7 +76,11 @@ class Finder {
 
 void Finder::analyse() {
   Stopwatch watch;
-  scale_ = std::make_unique<LogScale>(*mesh_, options_.pool);
+  std::vector<std::uint32_t> place;
+  if (!isWhole())
+    for (const std::uint32_t v : part_.vertex) place.push_back(report_.place[v]);
+  scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(place));
+  if (isWhole()) report_.place = scale_->place();
   report_.analysisSeconds += watch.lap();
 }
 
@@ -155,6 +160,8 @@ bool Finder::finishUnchanged(const CutSurface& s) {
     seams.push_back(seams_[h] && s.twin[h] != kNone);
     h = toWhole(h);
   }
+  if (!isWhole())
+    for (std::uint32_t& v : rest.vertex) v = part_.vertex[v];
   part_ = std::move(rest);
   seams_ = std::move(seams);
   mesh_ = &part_.mesh;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "parallel.h"
 #include "seam/cut_surface.h"
@@ -29,6 +30,9 @@ struct SeamReport {
   double handleLength = 0;  ///< of the seams that topology needs, over sqrt(surface area)
   double stretch = 0;       ///< predicted, mean by area
   int rounds = 0;
+  /// Per vertex of the mesh, its place in an elimination order that was found for the whole and is
+  /// good for any part of it.
+  std::vector<std::uint32_t> place;
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0;
   bool cancelled = false;
 };

@@ -25,12 +25,13 @@ bool solveWith(BasicCholesky<Scalar>& factor, const std::vector<double>& values,
 
 }  // namespace
 
-LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool)
+LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool, std::vector<std::uint32_t> place)
     : mesh_(mesh),
       pool_(pool),
       symbolic_([&] {
         buildPattern();
         CholeskyAnalysisOptions options;
+        options.place = std::move(place);
         options.pool = pool;
         return std::make_shared<const CholeskySymbolic>(
             analyzePattern({mesh.vertexCount(), columnStart_.data(), row_.data()}, options));

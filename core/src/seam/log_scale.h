@@ -14,11 +14,16 @@ namespace abflat {
 /// (Springborn et al. 2008, linearised; this boundary distorts areas least). Lengths grow by e^u.
 class LogScale {
  public:
-  LogScale(const SeamMesh& mesh, ThreadPool* pool);
+  /// `place`: per vertex in an elimination order, as `place()` of a surface that has these
+  /// vertices; empty where none is known.
+  LogScale(const SeamMesh& mesh, ThreadPool* pool, std::vector<std::uint32_t> place = {});
 
   /// Per vertex of the mesh. `anchors` are vertices of the cut surface that closed charts are held
   /// at; there the curvature is taken relative to its mean. Empty when the system cannot be solved.
   std::vector<double> solve(const CutSurface& surface, const std::vector<std::uint32_t>& anchors);
+
+  /// Per vertex, where its row comes in the elimination: also good for any part of the surface.
+  const std::vector<std::uint32_t>& place() const { return symbolic_->place; }
 
  private:
   void buildPattern();

@@ -24,7 +24,8 @@ constexpr double kBlockedStep = 0.1;
 constexpr double kHeavier = 1.5;
 /// Below this constraint residual the exact Hessian is used.
 constexpr double kNearSolution = 0.1;
-const double kStepShare = getenv("SHARE") ? atof(getenv("SHARE")) : 0.1;
+/// What a step may leave, of what Newton's method leaves anyway.
+constexpr double kStepShare = 0.1;
 
 bool hasStalled(const std::vector<NewtonStep>& history, int steps) {
   return history.size() >= static_cast<std::size_t>(steps) &&

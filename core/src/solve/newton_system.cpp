@@ -1,6 +1,17 @@
 #include "solve/newton_system.h"
 
 namespace abflat {
+namespace {
+
+/// Per row, the place of its vertex.
+std::vector<std::uint32_t> placeOfRows(const AngleProblem& problem, const ConstraintRows& rows) {
+  std::vector<std::uint32_t> out;
+  for (std::size_t v = 0; v < problem.place.size(); ++v)
+    out.insert(out.end(), rows.ofVertex[v + 1] - rows.ofVertex[v], problem.place[v]);
+  return out;
+}
+
+}  // namespace
 
 NewtonSystem::NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver, ThreadPool* pool)
     : rows_(numberRows(problem)),
@@ -14,7 +25,8 @@ NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedByt
     : rows_(numberRows(problem)),
       schur_(problem, rows_, pool),
       memory_{allowedBytes},
-      solver_(makeRowSolverWithin(schur_.matrix(), rowKinds(rows_), memory_, pool)) {
+      solver_(makeRowSolverWithin(schur_.matrix(), rowKinds(rows_), memory_, pool,
+                                  placeOfRows(problem, rows_))) {
   if (solver_->place()) schur_.divide(*solver_->place());
 }
 

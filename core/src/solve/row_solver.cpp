@@ -22,8 +22,9 @@ constexpr double kWorthwhile = 9;
 /// can tell from singular need more.
 constexpr int kMaxIterations = 30;
 
-Symbolic analyze(const SparseMatrix& m, ThreadPool* pool) {
+Symbolic analyze(const SparseMatrix& m, ThreadPool* pool, std::vector<std::uint32_t> place = {}) {
   CholeskyAnalysisOptions options;
+  options.place = std::move(place);
   options.pool = pool;
   return std::make_shared<const CholeskySymbolic>(analyzePattern(
       {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}, options));
@@ -152,8 +153,8 @@ std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower, ThreadPool* 
 
 std::unique_ptr<RowSolver> makeRowSolverWithin(const SparseMatrix& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,
-                                               ThreadPool* pool) {
-  const Symbolic symbolic = analyze(lower, pool);
+                                               ThreadPool* pool, std::vector<std::uint32_t> place) {
+  const Symbolic symbolic = analyze(lower, pool, std::move(place));
   constexpr std::uint64_t kEntry = sizeof(double) + sizeof(int);
   const std::uint64_t matrix = kEntry * static_cast<std::uint64_t>(lower.nonZeros());
   memory.needed = matrix + symbolic->factorBytes();

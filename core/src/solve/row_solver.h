@@ -49,9 +49,11 @@ struct FactorMemory {
 
 /// As makeRowSolver where the factor fits, which is known before it is computed; where it does in
 /// single precision only, the inexact one, with MultigridRowSolver in place of direct solves;
-/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets what is needed in `memory`.
+/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets what is needed in `memory`. `place`:
+/// per row, see CholeskyAnalysisOptions.
 std::unique_ptr<RowSolver> makeRowSolverWithin(const Eigen::SparseMatrix<double>& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,
-                                               ThreadPool* pool = nullptr);
+                                               ThreadPool* pool = nullptr,
+                                               std::vector<std::uint32_t> place = {});
 
 }  // namespace abflat

@@ -17,6 +17,7 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
                  "common t: a line 'VERTEX T' each, vertices counted from 0; - for standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
+  addPins(*sub, c.pins, "");
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());
@@ -28,10 +29,19 @@ void checkTogether(const FlattenCommand& c) {
   if (!c.report.empty() && isSameTarget(c.report, c.output))
     refuse("--report", "is the same file as --output");
   if (replaces(c.report, c.input)) refuse("--report", "would replace the input");
-  if (replaces(c.report, c.bounds)) refuse("--report", "would replace the file of --bounds");
-  if (replaces(c.output, c.bounds)) refuse("--output", "would replace the file of --bounds");
-  if (c.input == kStandardStream && c.bounds == kStandardStream)
-    throw CLI::ValidationError("--bounds", "standard input is the mesh already; name a file");
+  struct Source {
+    const char* option;
+    const std::string& path;
+  };
+  for (const auto& [option, path] : {Source{"--bounds", c.bounds}, Source{"--pins", c.pins}}) {
+    const std::string loss = std::string("would replace the file of ") + option;
+    if (replaces(c.report, path)) refuse("--report", loss);
+    if (replaces(c.output, path)) refuse("--output", loss);
+    if (c.input == kStandardStream && path == kStandardStream)
+      throw CLI::ValidationError(option, "standard input is the mesh already; name a file");
+  }
+  if (c.bounds == kStandardStream && c.pins == kStandardStream)
+    throw CLI::ValidationError("--pins", "standard input has the bounds already; name a file");
 }
 
 }  // namespace abflat::cli

@@ -34,7 +34,9 @@ CLI::Validator resultName() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
         if (isWritableName(text)) return "";
-        return "results are written as OBJ or PLY: give a name that ends in .obj or .ply, not " +
+        return "results are written as OBJ, PLY or glTF: give a name that ends in .obj, .ply, .glb "
+               "or "
+               ".gltf, not " +
                endingOf(text);
       },
       "");
@@ -92,7 +94,7 @@ CLI::Validator notEmpty() {
 }
 
 void addInput(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL or OFF; - for standard input")
+  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL, OFF or glTF; - for standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
@@ -100,11 +102,21 @@ void addInput(CLI::App& app, std::string& input) {
 
 void addOutput(CLI::App& app, std::string& output) {
   app.add_option("-o,--output", output,
-                 wrapped("file to write, OBJ or PLY by its ending; - for OBJ on standard output"))
+                 wrapped("file to write, OBJ, PLY or glTF (.glb, .gltf) by its ending; - for OBJ "
+                         "on standard output"))
       ->required()
       ->check(notEmpty())
       ->check(resultName())
       ->type_name("OUT");
+}
+
+void addPins(CLI::App& app, std::string& pins, const std::string& where) {
+  app.add_option("--pins", pins,
+                 wrapped("text file with vertices that are to lie at given uv" + where +
+                         ", two or more: a line 'VERTEX U V' each, counted from 0, and a face "
+                         "after that where the vertex is on a seam; - for standard input"))
+      ->check(notEmpty())
+      ->type_name("FILE");
 }
 
 void addReport(CLI::App& app, std::string& report) {

@@ -27,6 +27,8 @@ CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double));
 
 void addInput(CLI::App& app, std::string& input);
 void addOutput(CLI::App& app, std::string& output);
+/// `where`: what their uv are.
+void addPins(CLI::App& app, std::string& pins, const std::string& where);
 void addReport(CLI::App& app, std::string& report);
 void addQuiet(CLI::App& app, bool& quiet);
 

@@ -92,6 +92,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
                           "- for standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
+  addPins(*sub, c.pins, " in the atlas, of a chart none or");
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addReport(*sub, c.report);
@@ -122,10 +123,13 @@ void checkTogether(const UnwrapCommand& c) {
     // Edges that were read may be replaced by those that were cut.
     if (&target->path != &c.writeSeams && replaces(target->path, c.seamFile))
       refuse(target->option, "would replace the file of --seams");
+    if (replaces(target->path, c.pins)) refuse(target->option, "would replace the file of --pins");
   }
   checkPictures(c);
   if (c.input == kStandardStream && c.seamFile == kStandardStream)
     throw CLI::ValidationError("--seams", "standard input is the mesh already; name a file");
+  if (c.pins == kStandardStream && (c.input == kStandardStream || c.seamFile == kStandardStream))
+    throw CLI::ValidationError("--pins", "standard input is used already; name a file");
 }
 
 }  // namespace abflat::cli

@@ -1,6 +1,7 @@
 #include "solve/cholesky/symbolic.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace abflat {
 namespace {
@@ -116,6 +117,16 @@ void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymboli
   });
 }
 
+std::vector<std::uint32_t> knownOrder(const CompressedGraph& c,
+                                      const std::vector<std::uint32_t>& place) {
+  std::vector<std::uint32_t> order(c.graph.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return place[c.firstRow[a]] < place[c.firstRow[b]];
+  });
+  return order;
+}
+
 }  // namespace
 
 CholeskySymbolic analyzePattern(const LowerPattern& pattern,
@@ -124,8 +135,9 @@ CholeskySymbolic analyzePattern(const LowerPattern& pattern,
   s.size = pattern.rows;
   s.values = pattern.rows ? static_cast<std::uint32_t>(pattern.columnStart[pattern.rows]) : 0;
   const CompressedGraph c = compressGraph(pattern);
-  const EliminationTree tree =
-      eliminationTree(c.graph, nestedDissection(c.graph, options.dissection, options.pool));
+  const EliminationTree tree = eliminationTree(
+      c.graph, options.place.empty() ? nestedDissection(c.graph, options.dissection, options.pool)
+                                     : knownOrder(c, options.place));
   expandRows(c, findSupernodes(c.graph, tree, options.panelCost), s);
   numberInParents(s);
   measure(s);

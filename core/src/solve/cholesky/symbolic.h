@@ -10,6 +10,9 @@ namespace abflat {
 struct CholeskyAnalysisOptions {
   DissectionOptions dissection;
   PanelCost panelCost;
+  /// Per row, where it comes in an elimination order that is known, such as that of a larger
+  /// matrix; equal ones by number. Empty: nested dissection finds one.
+  std::vector<std::uint32_t> place;
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 

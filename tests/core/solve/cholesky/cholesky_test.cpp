@@ -123,6 +123,27 @@ TEST_CASE("hubs do not fill the factor", "[cholesky]") {
   }
 }
 
+TEST_CASE("the order of a surface serves the surface and its parts", "[cholesky]") {
+  const PolygonMesh grid = bumpyGrid(80, 60, 0.4, 3);
+  for (const bool twice : {false, true}) {
+    const SparseMatrix one = meshLaplacian(grid), m = twice ? withTwoRowsEach(one) : one;
+    const auto own = analyzed(m);
+    CholeskyAnalysisOptions known;
+    known.place = own->place;
+    CHECK(analyzed(m, known)->factorEntries == own->factorEntries);
+
+    const int rows = static_cast<int>(m.rows()) / 2;
+    const SparseMatrix part = m.topLeftCorner(rows, rows);
+    known.place.resize(static_cast<std::size_t>(rows));
+    const auto symbolic = analyzed(part, known);
+    CHECK(10 * symbolic->factorEntries < 13 * analyzed(part)->factorEntries);
+    Cholesky factor(symbolic);
+    REQUIRE(factor.factorize(part.valuePtr()).isOk());
+    const Eigen::VectorXd b = randomVector(rows, 8);
+    CHECK(residual(part, solved(factor, b), b) < 1e-12);
+  }
+}
+
 TEST_CASE("one analysis serves many factorisations", "[cholesky]") {
   SparseMatrix m = withTwoRowsEach(meshLaplacian(bumpyGrid(50, 50, 0.4, 3)));
   const auto symbolic = analyzed(m);

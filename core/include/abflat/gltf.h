@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "abflat/mesh.h"
+#include "abflat/status.h"
+
+namespace abflat {
+
+namespace gltf {
+struct Source;  // the file, and how the mesh was made from it
+}
+
+/// Bytes of a file that a glTF refers to, by its path relative to the glTF.
+/// The message of an error says why it cannot be read.
+using ReadResource = std::function<Result<std::string>(const std::string& path)>;
+
+/// A glTF 2.0 file as one mesh: the triangles of all primitives of the scene, in the order of the
+/// file, each mesh where the first node that uses it puts it. Texcoords are those of TEXCOORD_0,
+/// with v upwards; materials are those of the file.
+struct GltfModel {
+  PolygonMesh mesh;
+  std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
+  std::shared_ptr<const gltf::Source> source;
+};
+
+/// Whether bytes begin as those of a .glb or .gltf file do.
+bool looksLikeGltf(std::string_view bytes);
+
+/// Reads a .glb or .gltf file. `fileName` is used in messages only.
+/// Errors: ParseError, UnreadableFile (a file it refers to); messages name file and place.
+Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
+                           const ReadResource& readResource);
+
+struct GltfWriteOptions {
+  bool isBinary = true;      ///< .glb; otherwise .gltf with the buffer in a data URI
+  std::size_t texcoord = 0;  ///< N of the TEXCOORD_N that is written; other sets stay
+  /// Path from the folder of the new file to that of the old one, for images that are files of
+  /// their own; empty: the same folder.
+  std::string pathToSource;
+};
+
+/// The file that `mesh` was read from with texcoords `uv` (v upwards) for its triangles; `cornerUv`
+/// has the texcoord of each face corner. Vertices with several texcoords are repeated behind the
+/// others with all of their attributes and morph targets. Everything else stays: bytes that nothing
+/// refers to any more are left out, and all buffers become one. TEXCOORD sets below the one that is
+/// written, where they are missing, are the same.
+/// Errors: CannotWrite (a .glb of 4 GB).
+Result<std::string> writeGltf(const gltf::Source& source, const PolygonMesh& mesh,
+                              const std::vector<double>& uv,
+                              const std::vector<std::uint32_t>& cornerUv,
+                              const GltfWriteOptions& options);
+
+/// A new .glb, or .gltf with its buffer in a data URI: the mesh as triangles with texcoords, a
+/// primitive for each material. `uv` may be empty: without texcoords. Errors: CannotWrite (a .glb
+/// of 4 GB).
+Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
+                             const std::vector<std::uint32_t>& cornerUv, bool isBinary);
+
+/// What new texcoords make stale, one sentence each.
+std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);
+
+}  // namespace abflat

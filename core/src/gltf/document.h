@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "abflat/gltf.h"
+#include "gltf/field.h"
+#include "gltf/json.h"
+
+namespace abflat::gltf {
+
+// Entries of the lists of a glTF file as far as geometry needs them. Indices are within their
+// lists, or kNone.
+
+struct BufferView {
+  std::size_t buffer = kNone, offset = 0, length = 0;
+  std::size_t stride = 0;  ///< bytes from element to element; 0: as they follow each other
+};
+
+enum class ComponentType { Int8, Uint8, Int16, Uint16, Uint32, Float };
+
+bool isUnsigned(ComponentType type);
+
+/// Elements in a view, one after the other; those of a type of several columns (matrices) begin
+/// each column at a multiple of 4 bytes.
+struct ElementShape {
+  ComponentType type = ComponentType::Float;
+  std::size_t columns = 1, rows = 1;
+
+  std::size_t components() const { return columns * rows; }
+  std::size_t columnSize() const;
+  std::size_t size() const { return columns * columnSize(); }
+};
+
+/// Values in place of some of the elements.
+struct SparseElements {
+  std::size_t count = 0;
+  std::size_t indexView = kNone, indexOffset = 0;
+  ComponentType indexType = ComponentType::Uint32;
+  std::size_t valueView = kNone, valueOffset = 0;
+};
+
+struct Accessor {
+  std::size_t view = kNone;  ///< kNone: all zero
+  std::size_t offset = 0, count = 0;
+  ElementShape shape;
+  bool isNormalized = false;
+  std::optional<SparseElements> sparse;
+};
+
+/// Accessors by their names.
+using Attributes = std::vector<std::pair<std::string, std::size_t>>;
+
+/// kNone where there is none.
+std::size_t accessorNamed(const Attributes& attributes, const std::string& name);
+
+enum class Mode { Points, Lines, LineLoop, LineStrip, Triangles, TriangleStrip, TriangleFan };
+
+struct Primitive {
+  Mode mode = Mode::Triangles;
+  Attributes attributes;
+  std::vector<Attributes> targets;
+  std::size_t indices = kNone, material = kNone;
+};
+
+using Matrix = std::array<double, 16>;  ///< by columns
+
+struct Node {
+  std::vector<std::size_t> children;
+  std::size_t mesh = kNone, skin = kNone;
+  Matrix local{};
+};
+
+/// A glTF file that has been understood. Views are inside their buffers, accessors inside their
+/// views.
+struct Document {
+  std::string fileName;
+  bool isBinary = false;
+  Json json;
+  std::vector<std::string> buffers;
+  std::string otherChunks;  ///< of a .glb, as they are in the file
+  std::vector<BufferView> views;
+  std::vector<Accessor> accessors;
+  std::vector<std::vector<Primitive>> meshes;
+  std::vector<Node> nodes;
+  std::optional<std::vector<std::size_t>> roots;  ///< nodes of the scene; none: there is no scene
+
+  std::string_view viewBytes(std::size_t view) const {
+    const BufferView& v = views[view];
+    return std::string_view(buffers[v.buffer]).substr(v.offset, v.length);
+  }
+};
+
+/// "meshes[2].primitives[0]"
+std::string primitivePlace(std::size_t mesh, std::size_t primitive);
+
+Result<Document> readDocument(std::string_view bytes, const std::string& fileName,
+                              const ReadResource& readResource);
+
+}  // namespace abflat::gltf

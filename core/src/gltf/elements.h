@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gltf/document.h"
+
+namespace abflat::gltf {
+
+/// Bytes of all elements of an accessor, each right behind the one before; sparse ones in place.
+std::string elementsOf(const Document& document, const Accessor& accessor);
+
+/// All components as numbers, integers scaled where they are normalized.
+std::vector<double> numbersOf(const Document& document, const Accessor& accessor);
+
+/// First components of unsigned type as they are.
+std::vector<std::uint32_t> integersOf(const Document& document, const Accessor& accessor);
+
+/// Elements that a sparse accessor replaces.
+std::vector<std::uint32_t> sparseIndices(const Document& document, const SparseElements& sparse);
+
+/// Whether sparse indices ascend and are within the accessor: what all other functions expect.
+bool hasSparseOrder(const Document& document, const Accessor& accessor);
+
+}  // namespace abflat::gltf

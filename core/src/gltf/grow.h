@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gltf/edit.h"
+
+namespace abflat::gltf {
+
+/// The accessor with more elements behind its own: of each number in `copied` the same bytes again.
+/// Its views are added to `edit`; sparse ones stay sparse.
+Json grownAccessor(const Document& document, std::size_t accessor,
+                   const std::vector<std::uint32_t>& copied, Edit& edit);
+
+/// An accessor of unsigned numbers, of `type` or the next one that holds them all.
+Json indexAccessor(Json base, const std::vector<std::uint32_t>& indices, ComponentType type,
+                   Edit& edit);
+
+/// An accessor of two floats for each element.
+Json texcoordAccessor(Json base, const std::vector<float>& uv, Edit& edit);
+
+}  // namespace abflat::gltf

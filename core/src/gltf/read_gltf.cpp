@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "abflat/gltf.h"
+#include "gltf/container.h"
+#include "gltf/elements.h"
+#include "gltf/source.h"
+#include "gltf/transforms.h"
+#include "gltf/triangles.h"
+#include "io/settle_texcoords.h"
+
+namespace abflat {
+namespace gltf {
+namespace {
+
+constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::array<double, 3> moved(const Matrix& m, const double* p) {
+  std::array<double, 3> out{};
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i];
+  return out;
+}
+
+class ModelReader {
+ public:
+  ModelReader(Source& source, GltfModel& model)
+      : source_(source), document_(source.document), model_(model) {}
+
+  Status read() {
+    Result<std::vector<MeshPlace>> places = meshPlaces(document_);
+    if (!places.ok()) return places.status;
+    model_.mesh.faceOffsets = {0};
+    for (std::size_t m = 0; m < document_.meshes.size(); ++m) {
+      unused_ += !places.value[m].isUsed;
+      if (!places.value[m].isUsed) continue;
+      groupOf_.clear();
+      for (std::size_t p = 0; p < document_.meshes[m].size(); ++p)
+        if (Status s = readPrimitive(m, p, places.value[m]); !s.ok()) return s;
+    }
+    model_.mesh.faceTexcoords = model_.mesh.faceVertices;
+    settleTexcoords(model_.mesh);
+    if (materials_.size() < 2) model_.mesh.faceMaterials = {};
+    addNotes();
+    return {};
+  }
+
+ private:
+  Status failure(std::size_t mesh, std::size_t primitive, const std::string& sentence) const {
+    return {StatusCode::ParseError,
+            document_.fileName + ": " + primitivePlace(mesh, primitive) + sentence};
+  }
+
+  Status readPrimitive(std::size_t m, std::size_t p, const MeshPlace& place) {
+    const Primitive& primitive = document_.meshes[m][p];
+    const std::size_t positions = accessorNamed(primitive.attributes, "POSITION");
+    if (!hasTriangles(primitive.mode) || positions == kNone) {
+      ++leftOut_;
+      return {};
+    }
+    Part part{
+        m, p, 0, static_cast<std::uint32_t>(model_.mesh.faceCount()), 0, place.determinant < 0};
+    if (Status s = findGroup(m, p, place.matrix, part.group); !s.ok()) return s;
+    std::vector<std::uint32_t> vertices;
+    if (Status s = readVertices(m, p, source_.groups[part.group], vertices); !s.ok()) return s;
+    const std::vector<std::uint32_t> triangles = asTriangles(primitive.mode, std::move(vertices));
+    if (triangles.size() > kMostVertices - model_.mesh.faceVertices.size())
+      return failure(m, p, " has more triangles than there can be, with those before it");
+    addFaces(triangles, part, primitive.material);
+    source_.parts.push_back(part);
+    return {};
+  }
+
+  /// Numbers of the vertices, one for each corner, strip or fan entry.
+  Status readVertices(std::size_t m, std::size_t p, const VertexGroup& group,
+                      std::vector<std::uint32_t>& out) const {
+    const Primitive& primitive = document_.meshes[m][p];
+    if (primitive.indices == kNone) {
+      for (std::uint32_t v = 0; v < group.vertexCount; ++v) out.push_back(v);
+      return {};
+    }
+    const Accessor& indices = document_.accessors[primitive.indices];
+    if (!isUnsigned(indices.shape.type) || indices.shape.components() != 1)
+      return failure(m, p, ".indices is not a list of unsigned numbers");
+    if (!hasSparseOrder(document_, indices))
+      return failure(m, p, ".indices has sparse indices that do not ascend within its elements");
+    out = integersOf(document_, indices);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (out[i] >= group.vertexCount)
+        return failure(m, p,
+                       ".indices: entry " + std::to_string(i) + " is vertex " +
+                           std::to_string(out[i]) + ", but there are " +
+                           std::to_string(group.vertexCount) + ", counted from 0");
+    return {};
+  }
+
+  Status findGroup(std::size_t m, std::size_t p, const Matrix& matrix, std::size_t& group) {
+    const Primitive& primitive = document_.meshes[m][p];
+    Attributes sorted = primitive.attributes;
+    std::sort(sorted.begin(), sorted.end());
+    for (const Attributes& target : primitive.targets)
+      for (const auto& attribute : target) sorted.push_back(attribute);
+    const auto known = groupOf_.emplace(std::move(sorted), source_.groups.size());
+    group = known.first->second;
+    return known.second ? addGroup(m, p, matrix) : Status{};
+  }
+
+  Status addGroup(std::size_t m, std::size_t p, const Matrix& matrix) {
+    const Primitive& primitive = document_.meshes[m][p];
+    PolygonMesh& mesh = model_.mesh;
+    const Accessor& positions =
+        document_.accessors[accessorNamed(primitive.attributes, "POSITION")];
+    if (positions.shape.components() != 3 || positions.shape.columns != 1)
+      return failure(m, p, ".attributes.POSITION has not three coordinates for each vertex");
+    if (positions.count > kMostVertices - mesh.vertexCount())
+      return failure(m, p, " is more than 4294967294 vertices can be, with those before it");
+    for (const Attributes* list : allAttributes(primitive))
+      for (const auto& [name, accessor] : *list)
+        if (const std::string s = problemOf(accessor, positions.count); !s.empty())
+          return failure(m, p, ": " + name + s);
+    VertexGroup group{m, p, static_cast<std::uint32_t>(mesh.vertexCount()),
+                      static_cast<std::uint32_t>(positions.count)};
+    const std::vector<double> local = numbersOf(document_, positions);
+    mesh.positions.reserve(mesh.positions.size() + local.size());
+    for (std::size_t v = 0; v < positions.count; ++v) {
+      const std::array<double, 3> at = moved(matrix, &local[3 * v]);
+      for (const double x : at)
+        if (!std::isfinite(x))
+          return failure(m, p,
+                         ".attributes.POSITION: vertex " + std::to_string(v) +
+                             " has a coordinate that is not finite");
+      mesh.positions.insert(mesh.positions.end(), at.begin(), at.end());
+    }
+    addTexcoords(primitive, positions.count);
+    source_.groups.push_back(group);
+    return {};
+  }
+
+  /// Of an accessor that is to have `count` elements; empty when there is none.
+  std::string problemOf(std::size_t accessor, std::size_t count) const {
+    const Accessor& a = document_.accessors[accessor];
+    const std::string place = " (accessors[" + std::to_string(accessor) + "])";
+    if (a.count != count)
+      return place + " has " + std::to_string(a.count) + " elements, but POSITION has " +
+             std::to_string(count);
+    return hasSparseOrder(document_, a)
+               ? ""
+               : place + " has sparse indices that do not ascend within its elements";
+  }
+
+  static std::vector<const Attributes*> allAttributes(const Primitive& primitive) {
+    std::vector<const Attributes*> out = {&primitive.attributes};
+    for (const Attributes& target : primitive.targets) out.push_back(&target);
+    return out;
+  }
+
+  /// One for each vertex, so that their numbers are those of vertices.
+  void addTexcoords(const Primitive& primitive, std::size_t count) {
+    std::vector<double>& out = model_.mesh.texcoords;
+    const std::size_t found = accessorNamed(primitive.attributes, "TEXCOORD_0");
+    if (found == kNone || document_.accessors[found].shape.components() != 2) {
+      out.resize(out.size() + 2 * count, std::numeric_limits<double>::quiet_NaN());  // none
+      return;
+    }
+    const std::vector<double> uv = numbersOf(document_, document_.accessors[found]);
+    for (std::size_t i = 0; i + 1 < uv.size(); i += 2)
+      out.insert(out.end(), {uv[i], 1 - uv[i + 1]});  // v of glTF points down
+  }
+
+  void addFaces(const std::vector<std::uint32_t>& triangles, Part& part, std::size_t material) {
+    PolygonMesh& mesh = model_.mesh;
+    const std::uint32_t first = source_.groups[part.group].firstVertex;
+    const auto number =
+        static_cast<std::uint32_t>(materials_.emplace(material, materials_.size()).first->second);
+    for (std::size_t c = 0; c < triangles.size(); c += 3) {
+      const std::size_t next = part.isMirrored ? 2 : 1;
+      for (const std::size_t k : {c, c + next, c + 3 - next})
+        mesh.faceVertices.push_back(first + triangles[k]);
+      mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+      mesh.faceMaterials.push_back(number);
+    }
+    part.faceCount = static_cast<std::uint32_t>(triangles.size() / 3);
+  }
+
+  void addNotes() {
+    if (leftOut_ > 0)
+      model_.notes.push_back(counted(leftOut_, "primitive of points or lines is",
+                                     "primitives of points or lines are") +
+                             " left as " + (leftOut_ == 1 ? "it is" : "they are"));
+    if (unused_ > 0)
+      model_.notes.push_back(counted(unused_, "mesh that the scene does not use is",
+                                     "meshes that the scene does not use are") +
+                             " left as " + (unused_ == 1 ? "it is" : "they are"));
+  }
+
+  Source& source_;
+  const Document& document_;
+  GltfModel& model_;
+  std::map<Attributes, std::size_t> groupOf_;  ///< of the present mesh, by sorted accessors
+  std::map<std::size_t, std::size_t> materials_;
+  std::size_t leftOut_ = 0, unused_ = 0;
+};
+
+}  // namespace
+}  // namespace gltf
+
+bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); }
+
+Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
+                           const ReadResource& readResource) {
+  Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
+  if (!document.ok()) return document.status;
+  auto source = std::make_shared<gltf::Source>();
+  source->document = std::move(document.value);
+  GltfModel out;
+  if (Status s = gltf::ModelReader(*source, out).read(); !s.ok()) return s;
+  out.source = std::move(source);
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,77 @@
+#include "gltf/read_json.h"
+
+#include <algorithm>
+#include <array>
+
+#include "gltf/field.h"
+
+namespace abflat::gltf {
+namespace {
+
+/// Values are visited recursively later on.
+constexpr std::size_t kMostLevels = 256;
+
+std::size_t levels(std::string_view text) {
+  std::size_t now = 0, most = 0;
+  bool isInString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (isInString) {
+      if (c == '\\') ++i;
+      isInString = c != '"';
+    } else if (c == '"') {
+      isInString = true;
+    } else if (c == '{' || c == '[') {
+      most = std::max(most, ++now);
+    } else if ((c == '}' || c == ']') && now > 0) {
+      --now;
+    }
+  }
+  return most;
+}
+
+/// Extensions that pack geometry in a way of their own.
+constexpr std::array<const char*, 3> kPackings = {
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
+
+void checkVersion(const Field& root, Complaints& complaints) {
+  const Field asset = root["asset"];
+  if (!asset.isPresent())
+    return complaints.add("is not a glTF file: the JSON has no entry 'asset'");
+  const std::string version = asset["version"].text();
+  if (version.substr(0, 2) != "2.")
+    complaints.add("glTF version '" + version + "' is not supported; convert it to version 2.0");
+}
+
+void checkExtensions(const Field& root, Complaints& complaints) {
+  std::vector<std::string> used;
+  for (const char* list : {"extensionsRequired", "extensionsUsed"})
+    for (const Field& name : root[list].items()) used.push_back(name.text());
+  for (const char* packing : kPackings)
+    if (std::find(used.begin(), used.end(), packing) != used.end())
+      complaints.add(std::string("the meshes are compressed (") + packing +
+                     "); decompress them first, for example with: npx @gltf-transform/cli cp IN "
+                     "OUT");
+}
+
+}  // namespace
+
+Result<Json> readJson(std::string_view text, const std::string& fileName) {
+  Complaints complaints(fileName);
+  if (levels(text) > kMostLevels) {
+    complaints.add("the JSON is nested more than " + std::to_string(kMostLevels) + " levels deep");
+    return complaints.status();
+  }
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) {
+    complaints.add("the JSON is not valid; it may be cut off");
+    return complaints.status();
+  }
+  const Field root(&json, "", complaints);
+  checkVersion(root, complaints);
+  checkExtensions(root, complaints);
+  if (!complaints.none()) return complaints.status();
+  return json;
+}
+
+}  // namespace abflat::gltf

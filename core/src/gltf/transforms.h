@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "gltf/document.h"
+
+namespace abflat::gltf {
+
+/// Where a mesh is in the scene.
+struct MeshPlace {
+  bool isUsed = false;     ///< by a node of the scene
+  Matrix matrix{};         ///< to the scene, by columns
+  double determinant = 1;  ///< below 0: mirrored
+};
+
+/// Of each mesh: where the first node that uses it puts it. Skinned meshes stay where they are, and
+/// so do those whose nodes squeeze them flat. Without a scene all meshes are used as they are.
+/// Errors: ParseError (nodes that are their own descendants, numbers that are not finite).
+Result<std::vector<MeshPlace>> meshPlaces(const Document& document);
+
+}  // namespace abflat::gltf

@@ -1,0 +1,202 @@
+#include <map>
+#include <utility>
+
+#include "abflat/gltf.h"
+#include "gltf/container.h"
+#include "gltf/edit.h"
+#include "gltf/grow.h"
+#include "gltf/source.h"
+#include "gltf/split_parts.h"
+#include "gltf/uri.h"
+
+namespace abflat {
+namespace gltf {
+namespace {
+
+std::string texcoordName(std::size_t set) { return "TEXCOORD_" + std::to_string(set); }
+
+/// How often the primitives of a group refer to an accessor.
+struct GroupUses {
+  std::size_t asReplaced = 0;  ///< as the texcoords that are replaced
+  std::size_t otherwise = 0;
+};
+
+class ModelWriter {
+ public:
+  ModelWriter(const Source& source, SplitParts split, std::size_t texcoord)
+      : source_(source),
+        document_(source.document),
+        split_(std::move(split)),
+        texcoord_(texcoord),
+        usage_(document_),
+        edit_(document_, usage_),
+        partsOf_(source.groups.size()),
+        uses_(source.groups.size()) {}
+
+  std::pair<Json, std::string> write() {
+    for (std::size_t p = 0; p < source_.parts.size(); ++p) {
+      partsOf_[source_.parts[p].group].push_back(p);
+      countUses(source_.parts[p]);
+    }
+    releaseAll();
+    for (std::size_t g = 0; g < source_.groups.size(); ++g)
+      if (source_.groups[g].vertexCount > 0) writeGroup(g);
+    for (std::size_t p = 0; p < source_.parts.size(); ++p)
+      if (split_.parts[p].needsIndices) writeIndices(p);
+    return edit_.finish();
+  }
+
+ private:
+  const Primitive& primitiveOf(const Part& part) const {
+    return document_.meshes[part.mesh][part.primitive];
+  }
+
+  void countUses(const Part& part) {
+    const Primitive& primitive = primitiveOf(part);
+    std::map<std::size_t, GroupUses>& uses = uses_[part.group];
+    for (const auto& [name, accessor] : primitive.attributes)
+      ++(name == texcoordName(texcoord_) ? uses[accessor].asReplaced : uses[accessor].otherwise);
+    for (const Attributes& target : primitive.targets)
+      for (const auto& [name, accessor] : target) ++uses[accessor].otherwise;
+  }
+
+  /// Whether nothing beyond these uses refers to an accessor: its number gets the new content.
+  bool isReplaced(std::size_t accessor, std::size_t uses) const {
+    return uses > 0 && usage_.ofAccessor(accessor) == uses;
+  }
+
+  bool hasCopies(std::size_t group) const { return !split_.groups[group].copied.empty(); }
+
+  void releaseAll() {
+    for (std::size_t g = 0; g < uses_.size(); ++g)
+      for (const auto& [accessor, uses] : uses_[g])
+        if (isReplaced(accessor, uses.asReplaced) ||
+            (hasCopies(g) && isReplaced(accessor, uses.otherwise)))
+          edit_.release(accessor);
+    for (std::size_t p = 0; p < source_.parts.size(); ++p) {
+      const std::size_t indices = primitiveOf(source_.parts[p]).indices;
+      if (split_.parts[p].needsIndices && indices != kNone && isReplaced(indices, 1))
+        edit_.release(indices);
+    }
+  }
+
+  void writeGroup(std::size_t g) {
+    std::map<std::size_t, std::size_t> grown;  // new number of each accessor with copies
+    if (hasCopies(g))
+      for (const auto& [accessor, uses] : uses_[g])
+        if (uses.otherwise > 0)
+          grown[accessor] =
+              edit_.putAccessor(isReplaced(accessor, uses.otherwise) ? accessor : kNone,
+                                grownAccessor(document_, accessor, split_.groups[g].copied, edit_));
+    const std::size_t texcoords = writeTexcoords(g);
+    for (const std::size_t p : partsOf_[g]) {
+      const Primitive& primitive = primitiveOf(source_.parts[p]);
+      Json& json = jsonOf(p);
+      refer(primitive.attributes, grown, json["attributes"]);
+      for (std::size_t t = 0; t < primitive.targets.size(); ++t)
+        refer(primitive.targets[t], grown, json["targets"][t]);
+      for (std::size_t set = 0; set <= texcoord_; ++set)
+        if (set == texcoord_ || accessorNamed(primitive.attributes, texcoordName(set)) == kNone)
+          json["attributes"][texcoordName(set)] = texcoords;
+    }
+  }
+
+  Json& jsonOf(std::size_t p) {
+    const Part& part = source_.parts[p];
+    return edit_.json()["meshes"][part.mesh]["primitives"][part.primitive];
+  }
+
+  static void refer(const Attributes& names, const std::map<std::size_t, std::size_t>& grown,
+                    Json& json) {
+    for (const auto& [name, accessor] : names) {
+      const auto found = grown.find(accessor);
+      if (found != grown.end()) json[name] = found->second;
+    }
+  }
+
+  Json jsonOfAccessor(std::size_t slot) const {
+    return slot == kNone ? Json::object() : document_.json["accessors"][slot];
+  }
+
+  std::size_t writeTexcoords(std::size_t g) {
+    const Primitive& primitive = primitiveOf(source_.parts[partsOf_[g].front()]);
+    std::size_t slot = accessorNamed(primitive.attributes, texcoordName(texcoord_));
+    if (slot != kNone && !isReplaced(slot, uses_[g][slot].asReplaced)) slot = kNone;
+    return edit_.putAccessor(slot,
+                             texcoordAccessor(jsonOfAccessor(slot), split_.groups[g].uv, edit_));
+  }
+
+  void writeIndices(std::size_t p) {
+    const std::size_t old = primitiveOf(source_.parts[p]).indices;
+    const std::size_t slot = old != kNone && isReplaced(old, 1) ? old : kNone;
+    const ComponentType type =
+        old == kNone ? ComponentType::Uint16 : document_.accessors[old].shape.type;
+    const std::size_t indices = edit_.putAccessor(
+        slot, indexAccessor(jsonOfAccessor(slot), split_.parts[p].triangles, type, edit_));
+    Json& json = jsonOf(p);
+    json["indices"] = indices;
+    if (json.contains("mode")) json["mode"] = static_cast<int>(Mode::Triangles);
+  }
+
+  const Source& source_;
+  const Document& document_;
+  SplitParts split_;
+  std::size_t texcoord_;
+  Usage usage_;
+  Edit edit_;
+  std::vector<std::vector<std::size_t>> partsOf_;       ///< by group
+  std::vector<std::map<std::size_t, GroupUses>> uses_;  ///< by group and accessor
+};
+
+/// Files beside the old file are still found from the folder of the new one.
+void moveImages(Json& json, const std::string& pathToSource) {
+  const auto images = json.find("images");
+  if (images == json.end() || !images->is_array() || pathToSource.empty()) return;
+  for (Json& image : *images) {
+    const auto uri = image.is_object() ? image.find("uri") : image.end();
+    if (uri == image.end() || !uri->is_string()) continue;
+    const std::string old = uri->get<std::string>();
+    const bool isBeside = !isDataUri(old) && !hasScheme(old) && old.substr(0, 1) != "/";
+    if (isBeside) *uri = uriOfPath(pathToSource) + "/" + old;
+  }
+}
+
+/// Whether a material looks up its normals by a set of texcoords.
+bool hasNormalMap(const Json& json, std::size_t material, std::size_t texcoord) {
+  if (material == kNone) return false;
+  const Json& value = json["materials"][material];
+  const auto texture = value.is_object() ? value.find("normalTexture") : value.end();
+  if (texture == value.end() || !texture->is_object()) return false;
+  const auto set = texture->find("texCoord");
+  return set == texture->end() ? texcoord == 0 : *set == texcoord;
+}
+
+}  // namespace
+}  // namespace gltf
+
+Result<std::string> writeGltf(const gltf::Source& source, const PolygonMesh& mesh,
+                              const std::vector<double>& uv,
+                              const std::vector<std::uint32_t>& cornerUv,
+                              const GltfWriteOptions& options) {
+  auto [json, buffer] =
+      gltf::ModelWriter(source, gltf::splitParts(source, mesh, uv, cornerUv), options.texcoord)
+          .write();
+  gltf::moveImages(json, options.pathToSource);
+  if (options.isBinary) return gltf::binaryFile(json.dump(), buffer, source.document.otherChunks);
+  json["buffers"][0]["uri"] = gltf::dataUri(buffer);
+  return json.dump(2) + "\n";
+}
+
+std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord) {
+  std::size_t count = 0;
+  for (const gltf::Part& part : source.parts) {
+    const gltf::Primitive& primitive = source.document.meshes[part.mesh][part.primitive];
+    count += gltf::accessorNamed(primitive.attributes, "TANGENT") != gltf::kNone &&
+             gltf::hasNormalMap(source.document.json, primitive.material, texcoord);
+  }
+  if (count == 0) return {};
+  return {"the tangents of " + std::to_string(count) + (count == 1 ? " primitive" : " primitives") +
+          " are those of the old texcoords; bake normal maps anew and recompute them"};
+}
+
+}  // namespace abflat

@@ -1,0 +1,90 @@
+#include "layout/conformal_energy.h"
+
+#include <tuple>
+
+#include "mesh/triangle_geometry.h"
+#include "solve/symmetric_solve.h"
+#include "sparse_assembly.h"
+
+namespace abflat {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// The rows of the unknowns that are not pinned; what the pins add comes to the right-hand side.
+struct Reduced {
+  Matrix matrix;
+  Eigen::VectorXd rhs;
+};
+
+/// `unknown`: row of each entry of x, -1 of the pinned ones, whose values `x` has.
+Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown, int count,
+                    const Eigen::VectorXd& x) {
+  Reduced out{{}, Eigen::VectorXd::Zero(count)};
+  SparseEntries entries;
+  entries.reserve(static_cast<std::size_t>(energy.nonZeros()));
+  for (Eigen::Index c = 0; c < energy.outerSize(); ++c)
+    for (Matrix::InnerIterator e(energy, c); e; ++e) {
+      const int row = unknown[static_cast<std::size_t>(e.row())];
+      const int column = unknown[static_cast<std::size_t>(c)];
+      if (row < 0) continue;
+      if (column >= 0)
+        entries.emplace_back(row, column, e.value());
+      else
+        out.rhs[row] -= e.value() * x[c];
+    }
+  out.matrix = assembled(count, entries);
+  return out;
+}
+
+}  // namespace
+
+Matrix conformalEnergy(const DiskChart& chart, const std::vector<double>& angles) {
+  const auto n = static_cast<int>(chart.vertexCount());
+  SparseEntries entries;
+  entries.reserve(8 * angles.size() + 4 * chart.boundary.size());
+  for (std::uint32_t h = 0; h < angles.size(); ++h) {
+    const auto a = static_cast<int>(chart.vertexOfCorner[h]);
+    const auto b = static_cast<int>(chart.vertexOfCorner[nextCorner(h)]);
+    const double w = cotangent(angles[prevCorner(h)]) / 2;
+    for (const int offset : {0, n}) {
+      entries.emplace_back(a + offset, a + offset, w);
+      entries.emplace_back(b + offset, b + offset, w);
+      entries.emplace_back(a + offset, b + offset, -w);
+      entries.emplace_back(b + offset, a + offset, -w);
+    }
+  }
+  // Twice the area, sum of u_a v_b - u_b v_a over the boundary, as a symmetric matrix.
+  for (const std::uint32_t h : chart.boundary) {
+    const auto a = static_cast<int>(chart.vertexOfCorner[h]);
+    const auto b = static_cast<int>(chart.vertexOfCorner[nextCorner(h)]);
+    for (const auto& [row, column, value] :
+         {std::tuple{a, b + n, -0.5}, std::tuple{b, a + n, 0.5}}) {
+      entries.emplace_back(row, column, value);
+      entries.emplace_back(column, row, value);
+    }
+  }
+  return assembled(2 * Eigen::Index{n}, entries);
+}
+
+bool relaxConformally(const Matrix& energy, const std::vector<std::uint32_t>& pinned,
+                      std::vector<double>& uv) {
+  const std::size_t n = uv.size() / 2;
+  std::vector<int> unknown(2 * n, 0);
+  for (const std::uint32_t pin : pinned) unknown[pin] = unknown[n + pin] = -1;
+  int count = 0;
+  for (int& u : unknown)
+    if (u == 0) u = count++;
+  if (count == 0) return true;
+  Eigen::VectorXd x(static_cast<Eigen::Index>(2 * n));
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    x[static_cast<Eigen::Index>(i)] = uv[i < n ? 2 * i : 2 * (i - n) + 1];
+  const Reduced system = withoutPins(energy, unknown, count, x);
+  const Eigen::MatrixXd solved = solveSymmetric(system.matrix, system.rhs);
+  if (solved.size() == 0 || !solved.allFinite()) return false;
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    if (unknown[i] >= 0) uv[i < n ? 2 * i : 2 * (i - n) + 1] = solved(unknown[i]);
+  return true;
+}
+
+}  // namespace abflat

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// Twice the conformal energy of Lévy et al., "Least squares conformal maps", 2002, as a quadratic
+/// form x^T E x: Dirichlet energy minus uv area, twice each. x has size 2V: all u, then all v.
+/// Positive semidefinite; 0 where every triangle has the given angles (radians, size 3F, in
+/// (0, pi)).
+Eigen::SparseMatrix<double> conformalEnergy(const DiskChart& chart,
+                                            const std::vector<double>& angles);
+
+/// The least energy with the pinned vertices, two or more, where `uv` has them: replaces the uv of
+/// all others. False, and unchanged, when the system is singular to the precision of numbers.
+bool relaxConformally(const Eigen::SparseMatrix<double>& energy,
+                      const std::vector<std::uint32_t>& pinned, std::vector<double>& uv);
+
+}  // namespace abflat

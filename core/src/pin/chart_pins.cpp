@@ -1,0 +1,142 @@
+#include "pin/chart_pins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mesh/corner_table.h"
+
+namespace abflat {
+namespace {
+
+Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
+
+std::string nameOf(const Pin& pin) { return "vertex " + std::to_string(pin.vertex); }
+
+/// A corner at a pinned vertex.
+struct Use {
+  std::uint32_t vertex, face, texcoord;
+};
+
+/// All corners at pinned vertices, by vertex.
+std::vector<Use> findUses(const PolygonMesh& mesh, const Texcoords& texcoords,
+                          const std::vector<Pin>& pins) {
+  std::vector<std::uint8_t> isPinned(mesh.vertexCount(), 0);
+  for (const Pin& pin : pins)
+    if (pin.vertex < isPinned.size()) isPinned[pin.vertex] = 1;
+  std::vector<Use> uses;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c)
+      if (isPinned[mesh.faceVertices[c]] && texcoords.ofCorner[c] != kNone)
+        uses.push_back({mesh.faceVertices[c], f, texcoords.ofCorner[c]});
+  std::stable_sort(uses.begin(), uses.end(),
+                   [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
+  return uses;
+}
+
+/// The first face of each texcoord, in words.
+std::string facesToChoose(std::vector<Use> uses) {
+  constexpr std::size_t kMost = 8;
+  std::stable_sort(uses.begin(), uses.end(),
+                   [](const Use& a, const Use& b) { return a.texcoord < b.texcoord; });
+  std::string out;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (i > 0 && uses[i].texcoord == uses[i - 1].texcoord) continue;
+    if (++count <= kMost) out += (out.empty() ? "" : ", ") + std::to_string(uses[i].face);
+  }
+  return count > kMost ? out + ", ..." : out;
+}
+
+Result<std::uint32_t> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>& uses,
+                                 const Pin& pin) {
+  if (pin.vertex >= mesh.vertexCount())
+    return invalid(nameOf(pin) + " is pinned, but the mesh has " +
+                   std::to_string(mesh.vertexCount()) + " vertices, counted from 0");
+  if (!std::isfinite(pin.uv[0]) || !std::isfinite(pin.uv[1]))
+    return invalid("the uv that " + nameOf(pin) + " is pinned to must be two finite numbers");
+  const auto [first, last] =
+      std::equal_range(uses.begin(), uses.end(), Use{pin.vertex, 0, 0},
+                       [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
+  if (first == last)
+    return invalid(nameOf(pin) + " is pinned, but no face that is flattened uses it; leave it out");
+  const auto chosen = pin.face == kAnyFace ? first : std::find_if(first, last, [&](const Use& u) {
+    return u.face == pin.face;
+  });
+  if (chosen == last)
+    return invalid(nameOf(pin) + " is pinned in face " + std::to_string(pin.face) +
+                   ", which does not use it; give one that does, such as " +
+                   std::to_string(first->face));
+  const bool isTold = std::all_of(first, last, [&](const Use& u) {
+    return u.texcoord == chosen->texcoord || (pin.face != kAnyFace && u.face != pin.face);
+  });
+  if (!isTold)
+    return invalid(nameOf(pin) +
+                   " is pinned, but has several texcoords, one on each side of a seam; tell which "
+                   "by a face that uses it: " +
+                   facesToChoose({first, last}));
+  return chosen->texcoord;
+}
+
+/// A pin and the texcoord that it means.
+struct Found {
+  const Pin* pin;
+  std::uint32_t texcoord;
+};
+
+std::string bothNames(const Found& a, const Found& b) {
+  return "vertices " + std::to_string(a.pin->vertex) + " and " + std::to_string(b.pin->vertex);
+}
+
+/// Sorts by texcoord.
+Status checkApart(std::vector<Found>& found) {
+  const auto sameNext = [&](auto&& less) {
+    std::stable_sort(found.begin(), found.end(), less);
+    return std::adjacent_find(found.begin(), found.end(),
+                              [&](const Found& a, const Found& b) { return !less(a, b); });
+  };
+  const auto place = sameNext([](const Found& a, const Found& b) { return a.pin->uv < b.pin->uv; });
+  if (place != found.end() && place->texcoord != (place + 1)->texcoord)
+    return invalid(bothNames(*place, *(place + 1)) +
+                   " are pinned to the same uv; every vertex needs its own");
+  const auto twice =
+      sameNext([](const Found& a, const Found& b) { return a.texcoord < b.texcoord; });
+  if (twice == found.end()) return {};
+  if (twice->pin->vertex == (twice + 1)->pin->vertex)
+    return invalid(nameOf(*twice->pin) + " is pinned twice; leave one of the two out");
+  return invalid(bothNames(*twice, *(twice + 1)) +
+                 " are at the same place and pinned both; leave one of them out");
+}
+
+}  // namespace
+
+Result<std::vector<std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh& mesh,
+                                                        const Texcoords& texcoords,
+                                                        const std::vector<Pin>& pins) {
+  const std::size_t charts = texcoords.firstOf.size() - 1;
+  std::vector<std::vector<ChartPin>> out(charts);
+  if (pins.empty()) return out;
+  const std::vector<Use> uses = findUses(mesh, texcoords, pins);
+  std::vector<Found> found;
+  for (const Pin& pin : pins) {
+    const Result<std::uint32_t> texcoord = texcoordOf(mesh, uses, pin);
+    if (!texcoord.ok()) return texcoord.status;
+    found.push_back({&pin, texcoord.value});
+  }
+  if (Status s = checkApart(found); !s.ok()) return s;
+  std::size_t chart = 0;
+  std::vector<const Pin*> firstPin(charts, nullptr);
+  for (const Found& f : found) {
+    while (f.texcoord >= texcoords.firstOf[chart + 1]) ++chart;
+    out[chart].push_back({f.texcoord - texcoords.firstOf[chart], f.pin->uv[0], f.pin->uv[1]});
+    if (firstPin[chart] == nullptr) firstPin[chart] = f.pin;
+  }
+  for (std::size_t i = 0; i < charts; ++i)
+    if (out[i].size() == 1)
+      return invalid(nameOf(*firstPin[i]) + " is the only pinned one" +
+                     (charts > 1 ? " of its chart" : "") +
+                     ", which leaves scale and rotation open; pin two or more, or none");
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+/// A place for one vertex of a chart, in the chart's unit.
+struct ChartPin {
+  std::uint32_t vertex = 0;
+  double u = 0, v = 0;
+};
+
+struct PinnedLayout {
+  std::vector<double> uv;  ///< pinned vertices are exactly where they are pinned
+  /// Largest distance of a pin from where a similarity of the layout alone has its vertex.
+  double deviation = 0;
+  bool isSolved = true;  ///< false: the similarity alone, but for the pinned vertices
+};
+
+/// A layout of the given angles (radians, size 3F) made to meet two or more pins at different
+/// places.
+///
+/// The similarity that fits best in the sense of least squares, which never mirrors, comes first:
+/// it meets two pins. What is left at more of them is spread by the least conformal energy with
+/// respect to the flat triangles, as a correction: so a layout that meets its pins already stays as
+/// it is, digit by digit but for the similarity's rounding.
+PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles,
+                       const std::vector<double>& uv, const std::vector<ChartPin>& pins);
+
+}  // namespace abflat

@@ -1,0 +1,131 @@
+// glTF files are opened, laid out and written again with everything else that they have.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import {
+  addMesh,
+  assertSameButTexcoord,
+  assertValidFile,
+  atlasOf,
+  emptyDocument,
+  flaws,
+  io,
+  primitiveOf,
+  primitivesOf,
+  randomRows,
+  reread,
+} from '../support/gltf.mjs';
+import { sphere, torus } from '../support/surfaces.mjs';
+import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+
+/** The least PNG there is. */
+const PIXEL = Buffer.from(
+  'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==',
+  'base64',
+);
+
+/** A ring and a ball with materials, colours, a texture and an animation, in two buffers. */
+function scene() {
+  const document = emptyDocument();
+  const [ring, ball] = [torus(16, 8), sphere(6)].map((surface, i) => {
+    const primitive = primitiveOf(document, surface);
+    const count = primitive.getAttribute('POSITION').getCount();
+    return primitive
+      .setAttribute(
+        'COLOR_0',
+        randomRows(document, 'VEC4', Uint8Array, count, { normalized: true }),
+      )
+      .setMaterial(document.createMaterial(`material ${i}`));
+  });
+  ball
+    .getMaterial()
+    .setBaseColorTexture(document.createTexture('pixel').setImage(PIXEL).setMimeType('image/png'));
+  ball.getAttribute('POSITION').setBuffer(document.createBuffer('second'));
+  addMesh(document, 'ring', ring);
+  addMesh(document, 'ball', ball).node.setTranslation([0, 0, 4]);
+  return document;
+}
+
+async function exported(page) {
+  const { name, path } = await exportMesh(page);
+  return { name, document: await io.readBinary(readFileSync(path)) };
+}
+
+async function assertExported(page, before) {
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await textOf(page, '#export'), 'Export GLB');
+  const { name, document } = await exported(page);
+  assert.equal(name, 'scene-uv.glb');
+  assertSameButTexcoord(document, before);
+  assert.deepEqual(flaws(atlasOf(primitivesOf(document))), []);
+  await assertValidFile(document);
+  const root = document.getRoot();
+  assert.deepEqual(
+    root.listMaterials().map((material) => material.getName()),
+    ['material 0', 'material 1'],
+  );
+  assert.deepEqual(Buffer.from(root.listTextures()[0].getImage()), PIXEL);
+  assert.deepEqual(root.listNodes()[1].getTranslation(), [0, 0, 4]);
+}
+
+test('a GLB gets an atlas and keeps the rest', async (t) => {
+  const page = await openPage(t);
+  const document = scene();
+  for (const accessor of document.getRoot().listAccessors())
+    accessor.setBuffer(document.getRoot().listBuffers()[0]);
+  document.getRoot().listBuffers()[1].dispose();
+  await dropAndWait(page, 'scene.glb', await io.writeBinary(document));
+  assert.match(await textOf(page, '#mesh-info'), /^688 triangles$/);
+  assert.equal((await metrics(page)).Faces, '688');
+  await assertExported(page, await reread(document));
+});
+
+test('a glTF of several files, dropped together or not', async (t) => {
+  const page = await openPage(t);
+  const document = scene();
+  document.getRoot().listTextures()[0].setURI('a picture.png');
+  const { json, resources } = await io.writeJSON(document);
+  const text = JSON.stringify(json);
+  await dropAndWait(page, 'scene.gltf', text, resources);
+  await assertExported(page, document);
+  await dropAndWait(page, 'lonely.gltf', text);
+  assert.match(await textOf(page, '#alert'), /^lonely\.gltf needs .*drop both files together\./);
+  // The mesh before is still there.
+  assert.equal((await exported(page)).name, 'scene-uv.glb');
+});
+
+test('a disk is flattened into the unit square of its texture', async (t) => {
+  const page = await openPage(t);
+  const { positions, faces } = torus(24, 12);
+  const document = emptyDocument();
+  const patch = faces.filter((face) => face.every((v) => v % 24 < 8 && v < 120));
+  const large = positions.map((p) => p.map((x) => 1000 * x));
+  addMesh(document, 'patch', primitiveOf(document, { positions: large, faces: patch }));
+  await dropAndWait(page, 'scene.glb', await io.writeBinary(document));
+  assert.match(await textOf(page, '#run-text'), /^Flattened in/);
+  const { document: written } = await exported(page);
+  assertSameButTexcoord(written, await reread(document));
+  assert.deepEqual(flaws(atlasOf(primitivesOf(written))), []);
+  await page.click('#mode-unwrap');
+  await settled(page);
+  assert.deepEqual(flaws(atlasOf(primitivesOf((await exported(page)).document))), []);
+});
+
+test('what cannot be read is said in a sentence with its name', async (t) => {
+  const page = await openPage(t);
+  const { json } = await io.writeJSON(scene());
+  const withUse = (name) =>
+    JSON.stringify({ ...json, buffers: [], images: [], extensionsUsed: [name] });
+  for (const [name, content, pattern] of [
+    ['a.gltf', withUse('KHR_draco_mesh_compression'), /a\.gltf is compressed \(KHR_draco_mesh_c/],
+    ['b.gltf', withUse('EXT_meshopt_compression'), /b\.gltf is compressed \(EXT_meshopt_compress/],
+    ['c.gltf', 'nonsense', /c\.gltf is neither binary nor JSON/],
+    ['d.glb', await io.writeBinary(emptyDocument()), /d\.glb has no triangles/],
+    ['e.glb', (await io.writeBinary(emptyDocument())).slice(0, 30), /e\.glb was not opened: /],
+  ]) {
+    await dropAndWait(page, name, content);
+    assert.match(await textOf(page, '#alert'), pattern);
+  }
+});

@@ -1,0 +1,213 @@
+// A document of glTF-Transform as one mesh.
+
+import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core';
+import { AbflatError } from '../errors.js';
+import type { MeshArrays } from '../types.js';
+import { type Placement, placements, put } from './placement.js';
+import { isOfTriangles, trianglesOf } from './triangles.js';
+
+/** What one primitive has in the mesh. */
+export interface DocumentPart {
+  mesh: Mesh;
+  primitive: Primitive;
+  /** Primitives that share their positions, at the same place, share vertices as well. */
+  firstVertex: number;
+  vertexCount: number;
+  firstTriangle: number;
+  triangleCount: number;
+  /** The second and third corner of its triangles are exchanged in the mesh, as its node mirrors it. */
+  isMirrored: boolean;
+}
+
+export interface DocumentMesh extends MeshArrays {
+  positions: Float64Array;
+  indices: Uint32Array;
+  /** TEXCOORD_0, where any primitive has that. */
+  texcoords?: Float64Array;
+  materials: Uint32Array;
+  document: Document;
+  parts: DocumentPart[];
+}
+
+/** A primitive and where to find it. */
+export interface Member {
+  mesh: Mesh;
+  primitive: Primitive;
+}
+
+/** All primitives of triangles that have positions. */
+export function membersOf(document: Document): Member[] {
+  const members = new Map<Primitive, Member>();
+  for (const mesh of document.getRoot().listMeshes())
+    for (const primitive of mesh.listPrimitives())
+      if (isOfTriangles(primitive.getMode()) && primitive.getAttribute('POSITION'))
+        members.set(primitive, { mesh, primitive });
+  return [...members.values()];
+}
+
+/**
+ * The triangles of a document, of its `members` if not of all, as one mesh in the coordinates of the scene. Each mesh is where
+ * its first node puts it.
+ */
+export function documentMesh(document: Document, members = membersOf(document)): DocumentMesh {
+  const placementOf = placements(document);
+  const gathered: Gathered = { positions: [], triangles: [], parts: [] };
+  const materialOf = (part: DocumentPart) =>
+    document
+      .getRoot()
+      .listMaterials()
+      .indexOf(part.primitive.getMaterial() as Material) + 1;
+  const blocks = new Map<Accessor, [Placement, DocumentPart][]>();
+  for (const member of members) {
+    const position = member.primitive.getAttribute('POSITION') as Accessor;
+    const placement = placementOf(member.mesh);
+    const known = blocks.get(position) ?? [];
+    blocks.set(position, known);
+    const shared = known.find(([other]) => samePlace(other, placement))?.[1];
+    known.push([placement, gather(document, member, placement, shared, gathered)]);
+  }
+  const { parts } = gathered;
+  const positions = joined(Float64Array, gathered.positions);
+  const texcoords = texcoordsOf(parts, positions.length / 3);
+  return {
+    positions,
+    indices: joined(Uint32Array, gathered.triangles),
+    ...(texcoords && { texcoords }),
+    materials: joined(
+      Uint32Array,
+      parts.map((part) => new Uint32Array(part.triangleCount).fill(materialOf(part))),
+    ),
+    document,
+    parts,
+  };
+}
+
+interface Gathered {
+  positions: Float64Array[];
+  triangles: Uint32Array[];
+  parts: DocumentPart[];
+}
+
+/** Adds a primitive. `shared`: a part with the same vertices. */
+function gather(
+  document: Document,
+  { mesh, primitive }: Member,
+  placement: Placement,
+  shared: DocumentPart | undefined,
+  { positions, triangles, parts }: Gathered,
+): DocumentPart {
+  const fail = failureOf(document, mesh, primitive);
+  const position = primitive.getAttribute('POSITION') as Accessor;
+  const vertexCount = position.getCount();
+  checkAttributes(primitive, vertexCount, fail);
+  const firstVertex = shared?.firstVertex ?? total(positions) / 3;
+  if (!shared) positions.push(placed(position, placement, fail));
+  const corners = cornersOf(primitive, vertexCount, fail);
+  const firstTriangle = total(triangles) / 3;
+  triangles.push(inMesh(corners, firstVertex, placement.isMirrored));
+  const part = {
+    mesh,
+    primitive,
+    firstVertex,
+    vertexCount,
+    firstTriangle,
+    triangleCount: corners.length / 3,
+    isMirrored: placement.isMirrored,
+  };
+  parts.push(part);
+  return part;
+}
+
+/** Of the first set, NaN where there is none; nothing if nobody has any. */
+function texcoordsOf(parts: DocumentPart[], vertexCount: number): Float64Array | undefined {
+  const known = parts.filter(({ primitive }) => primitive.getAttribute('TEXCOORD_0'));
+  if (known.length === 0) return undefined;
+  const texcoords = new Float64Array(2 * vertexCount).fill(Number.NaN);
+  for (const { primitive, firstVertex } of known) {
+    const attribute = primitive.getAttribute('TEXCOORD_0') as Accessor;
+    const uv: number[] = [];
+    for (let v = 0; v < attribute.getCount(); ++v)
+      texcoords.set(attribute.getElement(v, uv), 2 * (firstVertex + v));
+  }
+  return texcoords;
+}
+
+type Fail = (what: string) => AbflatError;
+
+/** Errors say where. */
+function failureOf(document: Document, mesh: Mesh, primitive: Primitive): Fail {
+  const number = document.getRoot().listMeshes().indexOf(mesh);
+  const name = mesh.getName() ? ` (${JSON.stringify(mesh.getName())})` : '';
+  const place = `mesh ${number}${name}, primitive ${mesh.listPrimitives().indexOf(primitive)}`;
+  return (what) => new AbflatError('InvalidMesh', `${place}: ${what}`);
+}
+
+function checkAttributes(primitive: Primitive, vertexCount: number, fail: Fail): void {
+  const check = (owner: Pick<Primitive, 'listSemantics' | 'getAttribute'>, of: string) => {
+    for (const name of owner.listSemantics()) {
+      const attribute = owner.getAttribute(name) as Accessor;
+      if (!attribute.getArray()) throw fail(`${name}${of} has no data`);
+      if (attribute.getCount() !== vertexCount)
+        throw fail(`${name}${of} has ${attribute.getCount()} rows, POSITION ${vertexCount}`);
+    }
+  };
+  check(primitive, '');
+  primitive.listTargets().forEach((target, i) => {
+    check(target, ` of morph target ${i}`);
+  });
+}
+
+function placed(position: Accessor, { matrix }: Placement, fail: Fail): Float64Array {
+  const count = position.getCount();
+  const out = new Float64Array(3 * count);
+  const point: number[] = [];
+  for (let v = 0; v < count; ++v) put(position.getElement(v, point), matrix, out, 3 * v);
+  const wrong = out.findIndex((x) => !Number.isFinite(x));
+  if (wrong >= 0) throw fail(`vertex ${Math.floor(wrong / 3)} has a coordinate that is not finite`);
+  return out;
+}
+
+/** Three vertices of the primitive per triangle. */
+export function cornersOf(primitive: Primitive, vertexCount: number, fail?: Fail): Uint32Array {
+  const indices = primitive.getIndices();
+  const array = indices?.getArray() ?? Uint32Array.from({ length: vertexCount }, (_, i) => i);
+  const restart = indices ? 2 ** (8 * indices.getComponentSize()) - 1 : Number.NaN;
+  const corners = trianglesOf(primitive.getMode(), array, restart);
+  const wrong = corners.findIndex((vertex) => vertex >= vertexCount);
+  if (wrong >= 0 && fail)
+    throw fail(
+      `triangle ${Math.floor(wrong / 3)} has vertex ${corners[wrong]}, and there are ${vertexCount}`,
+    );
+  return corners;
+}
+
+function inMesh(corners: Uint32Array, firstVertex: number, isMirrored: boolean): Uint32Array {
+  const out = corners.map((vertex) => firstVertex + vertex);
+  return isMirrored ? turned(out) : out;
+}
+
+/** Triangles that run the other way round, in place. */
+export function turned(triangles: Uint32Array): Uint32Array {
+  for (let c = 0; c < triangles.length; c += 3) triangles.subarray(c + 1, c + 3).reverse();
+  return triangles;
+}
+
+function samePlace(a: Placement, b: Placement): boolean {
+  if (!a.matrix || !b.matrix) return a.matrix === b.matrix;
+  return a.matrix.every((x, i) => x === b.matrix?.[i]);
+}
+
+const total = (arrays: { length: number }[]) => arrays.reduce((sum, { length }) => sum + length, 0);
+
+function joined<T extends Float64Array | Uint32Array>(
+  Kind: new (length: number) => T,
+  arrays: T[],
+): T {
+  const out = new Kind(total(arrays));
+  let at = 0;
+  for (const array of arrays) {
+    out.set(array, at);
+    at += array.length;
+  }
+  return out;
+}

@@ -1,0 +1,3 @@
+import create from './abflat.mjs';
+
+export const plain = { create };

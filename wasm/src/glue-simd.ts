@@ -1,0 +1,3 @@
+import create from './abflat-simd.mjs';
+
+export const simd = { create };

@@ -1,0 +1,19 @@
+// What the Web Workers share.
+
+import type { Glues } from './glue.js';
+import type { ToWorker } from './protocol.js';
+import { serve } from './serve.js';
+
+export function serveWeb(glues: Glues): void {
+  serve(
+    {
+      post: (message, transfer = []) => globalThis.postMessage(message, { transfer }),
+      listen: (handle) => {
+        globalThis.addEventListener('message', (event: MessageEvent<ToWorker>) =>
+          handle(event.data),
+        );
+      },
+    },
+    glues,
+  );
+}

@@ -1,0 +1,6 @@
+// Entry of the Web Worker for the build `plain`.
+
+import { plain } from './glue-plain.js';
+import { serveWeb } from './serve-web.js';
+
+serveWeb({ plain });

@@ -1,0 +1,6 @@
+// Entry of the Web Worker for the build `simd`.
+
+import { simd } from './glue-simd.js';
+import { serveWeb } from './serve-web.js';
+
+serveWeb({ simd });

@@ -1,0 +1,6 @@
+// Entry of the Web Worker for the build `threads`.
+
+import { threads } from './glue-threads.js';
+import { serveWeb } from './serve-web.js';
+
+serveWeb({ threads });
