@@ -1,6 +1,6 @@
 #include "abflat/inspect.h"
 
-#include <algorithm>
+#include <set>
 
 #include "abflat/io.h"
 #include "mesh/surface.h"
@@ -13,8 +13,8 @@ MeshSummary inspect(const PolygonMesh& mesh) {
   if (!summary.disk.ok()) return summary;
   summary = buildSurface(mesh).summary;
   summary.texcoords = mesh.texcoords.size() / 2;
-  for (const std::size_t material : mesh.faceMaterials)
-    summary.materials = std::max(summary.materials, material + 1);
+  const std::set<std::uint32_t> materials(mesh.faceMaterials.begin(), mesh.faceMaterials.end());
+  summary.materials = materials.size();
   return summary;
 }
 

@@ -2,13 +2,15 @@
 
 import { type Document, type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
-import type { Layout } from 'abflat';
+import type { Layout, MeshArrays } from 'abflat';
 import { documentMesh, type SetTexcoordsOptions, setTexcoords } from 'abflat/gltf';
 import type { DisplayMesh } from './mesh';
 import type { FileSource } from './session';
 
 export interface GltfFile {
   mesh: DisplayMesh;
+  /** The same for abflat, with what seams may follow. */
+  input: MeshArrays;
   /** The file as GLB, with the coordinates of a layout of `mesh`. */
   write(layout: Layout<unknown>, options: SetTexcoordsOptions): Promise<Uint8Array>;
 }
@@ -16,10 +18,11 @@ export interface GltfFile {
 export async function readGltf({ file, name, others }: FileSource): Promise<GltfFile> {
   const source = await open(name, file, others);
   refuseCompressed(name, source);
-  const { positions, indices } = documentMesh(await io().readJSON(source));
+  const { positions, indices, texcoords, materials } = documentMesh(await io().readJSON(source));
   if (indices.length === 0) throw new Error(`${name} has no triangles.`);
   return {
     mesh: { positions, indices },
+    input: { positions, indices, texcoords, materials },
     async write(layout, options) {
       // What was read is not kept: it would take several times the memory of the file.
       const document = await io().readJSON(source);

@@ -175,8 +175,8 @@ export class Session {
     if (isGltf(source)) {
       const { readGltf } = await import('./gltf-file');
       const gltf = await readGltf(source);
-      const summary = await abflat.inspect(gltf.mesh, { signal });
-      return { source, input: gltf.mesh, mesh: gltf.mesh, summary, gltf };
+      const summary = await abflat.inspect(gltf.input, { signal });
+      return { source, input: gltf.input, mesh: gltf.mesh, summary, gltf };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
