@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { grid } from '../support/small-meshes.mjs';
+import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
@@ -189,18 +189,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
 
 test('sources of seams: what the file has is offered, and they combine', async (t) => {
   const page = await openPage(t, STILL);
-  const cube = objText({
-    positions: [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]),
-    faces: [
-      [0, 2, 3, 1],
-      [4, 5, 7, 6],
-      [0, 1, 5, 4],
-      [2, 6, 7, 3],
-      [0, 4, 6, 2],
-      [1, 3, 7, 5],
-    ],
-  });
-  await dropAndWait(page, 'cube.obj', cube);
+  await dropAndWait(page, 'cube.obj', CUBE);
   assert.ok(await page.isHidden('#seams-uv'));
   assert.ok(await page.isHidden('#seams-material'));
   await page.click('#seams-sharp');
@@ -215,17 +204,7 @@ test('sources of seams: what the file has is offered, and they combine', async (
   await page.locator('#sharp-degrees').blur();
   assert.equal(await page.inputValue('#sharp-degrees'), '95');
 
-  // Two materials, and texcoords in two islands: the lid and the rest.
-  const lines = cube.trim().split('\n');
-  const at = lines.findIndex((line) => line.startsWith('f'));
-  const faces = lines.slice(at).map((line, i) => {
-    const corner = i === 1 ? (v) => `${v}/${v}` : (v) => `${v}/${Number(v) + 8}`;
-    const face = `f ${line.split(' ').slice(1).map(corner).join(' ')}`;
-    return i === 5 ? `usemtl side\n${face}` : face;
-  });
-  const texcoords = [...Array(16).keys()].map((i) => `vt ${(i & 3) / 8} ${(i >> 2) / 8}`);
-  const text = [...lines.slice(0, at), ...texcoords, 'usemtl rest', ...faces].join('\n');
-  await dropAndWait(page, 'parts.obj', `${text}\n`);
+  await dropAndWait(page, 'parts.obj', CUBE_OF_PARTS);
   assert.equal(await textOf(page, '#alert'), '');
   assert.ok(await page.isVisible('#seams-uv'));
   assert.ok(await page.isVisible('#seams-material'));
