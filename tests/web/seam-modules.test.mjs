@@ -157,7 +157,7 @@ test('seams are cut and joined from those on screen, and every step can be undon
   const { SeamModel } = await load('seams/seam-model');
   const { ShortestPaths } = await load('seams/shortest-paths');
   const graph = await graphOf(plane(6));
-  const model = new SeamModel(() => graph);
+  const model = new SeamModel(() => ({ graph }));
   assert.equal(model.choice.edges, null);
   model.show(Uint32Array.of(8, 9, 9, 10));
   const path = new ShortestPaths(graph, 22).to(25);

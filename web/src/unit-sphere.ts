@@ -13,6 +13,11 @@ export function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array 
     );
     if (away > radius) radius = away;
   }
-  const center = [x, y, z];
-  return Float32Array.from(positions, (p, i) => (p - center[i % 3]) / (radius || 1));
+  const points = new Float32Array(positions.length);
+  for (let i = 0; i < points.length; i += 3) {
+    points[i] = (positions[i] - x) / (radius || 1);
+    points[i + 1] = (positions[i + 1] - y) / (radius || 1);
+    points[i + 2] = (positions[i + 2] - z) / (radius || 1);
+  }
+  return points;
 }

@@ -2,7 +2,6 @@ import { counted, measure } from '../format';
 import type { MeshView } from '../mesh-view';
 import { Aim, type Modifiers } from './aim';
 import { edgeAt, vertexAt } from './pick';
-import type { Solid } from './ray';
 import type { SeamModel } from './seam-model';
 import { NO_MARKS, type SeamMarks } from './seam-overlay';
 import { SeamTools, type Tool } from './seam-tools';
@@ -15,6 +14,11 @@ export interface SeamEditorEvents {
   /** For people. */
   say(text: string): void;
 }
+
+const INVITATIONS: Record<Tool, string> = {
+  cut: 'Click a vertex to begin a cut',
+  join: 'Click a seam to join its sides',
+};
 
 /** What a click wants to meet. */
 interface Targets {
@@ -29,7 +33,6 @@ export class SeamEditor {
   private readonly tools: SeamTools;
   private readonly aim: Aim;
   private model: SeamModel | null = null;
-  private solid: Solid = { points: new Float32Array(), indices: new Uint32Array() };
   private paths: ShortestPaths | null = null;
   /** Null until they are needed. */
   private targets: Targets | null = null;
@@ -52,11 +55,10 @@ export class SeamEditor {
     window.addEventListener('keydown', (event) => this.onEscape(event), { capture: true });
   }
 
-  /** The seams to edit, on a surface; null: none. */
-  edit(model: SeamModel | null, solid: Solid): void {
+  /** The seams to edit; null: none. */
+  edit(model: SeamModel | null): void {
     if (model !== this.model) this.paths = null;
     this.model = model;
-    this.solid = solid;
     this.tools.setVisible(model !== null);
     this.update();
   }
@@ -75,7 +77,9 @@ export class SeamEditor {
   }
 
   private mark(marks: SeamMarks, hint: string): void {
-    this.view.markSeams(this.solid.points, marks);
+    if (this.model && marks !== NO_MARKS)
+      this.view.markSeams(this.model.surface.solid.points, marks);
+    else this.view.markSeams(new Float32Array(), NO_MARKS);
     this.tools.setHint(hint);
   }
 
@@ -88,6 +92,7 @@ export class SeamEditor {
   private onMove(at: Pixel | null, modifiers: Modifiers): void {
     const tool = this.toolOf(modifiers);
     if (!this.model || tool === null) this.mark(NO_MARKS, '');
+    else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
     else if (tool === 'cut') this.previewCut(this.model, at);
     else this.previewJoin(this.model, at, modifiers);
   }
@@ -104,7 +109,7 @@ export class SeamEditor {
     const place = this.placeAt(model, at);
     const { paths } = this;
     if (!paths) {
-      const text = place < 0 ? 'Click a vertex to begin a cut' : `Vertex ${place}: begin a cut`;
+      const text = place < 0 ? INVITATIONS.cut : `Vertex ${place}: begin a cut`;
       this.mark({ ...NO_MARKS, vertices: listed(place) }, text);
       return;
     }
@@ -123,7 +128,7 @@ export class SeamEditor {
     const vertices = this.paths ? Uint32Array.of(this.paths.start) : NO_MARKS.vertices;
     const isOwn = edges.some((e) => model.own[e]);
     const seam = `Seam of ${counted(edges.length, 'edge')}`;
-    if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, 'Click a seam to join its sides');
+    if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, INVITATIONS.join);
     else if (!isOwn) this.mark(NO_MARKS, `${seam}: needed, its chart is no disk without`);
     else this.mark({ ...NO_MARKS, joined: this.pairs(model, edges), vertices }, `${seam}: join`);
   }
@@ -165,7 +170,7 @@ export class SeamEditor {
   private placeAt(model: SeamModel, at: Pixel | null): number {
     if (!at) return -1;
     this.targets ??= targetsOf(model);
-    const vertex = vertexAt(this.solid, this.view.sight, at, this.targets.places);
+    const vertex = vertexAt(model.surface.solid, this.view.sight, at, this.targets.places);
     return vertex < 0 ? vertex : model.graph.places[vertex];
   }
 
@@ -173,7 +178,13 @@ export class SeamEditor {
   private seamAt(model: SeamModel, at: Pixel | null, isOne: boolean): number[] {
     if (!at) return [];
     this.targets ??= targetsOf(model);
-    const edge = edgeAt(this.solid, this.view.sight, at, model.graph.ends, this.targets.seams);
+    const edge = edgeAt(
+      model.surface.solid,
+      this.view.sight,
+      at,
+      model.graph.ends,
+      this.targets.seams,
+    );
     if (edge < 0) return [];
     return isOne ? [edge] : model.run(edge);
   }

@@ -1,22 +1,34 @@
 import { History } from './history';
+import type { Solid } from './ray';
 import { AUTOMATIC, type SeamChoice, type SeamSources } from './seam-choice';
 import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
 import type { SurfaceGraph } from './surface-graph';
 
+/** What is cut, and where it is seen. */
+export interface Surface {
+  graph: SurfaceGraph;
+  solid: Solid;
+}
+
 /** The seams of one mesh: what the user wants, with undo, and what the atlas on screen has. */
 export class SeamModel {
   private readonly history = new History(AUTOMATIC);
-  private made: SurfaceGraph | null = null;
-  /** Those of the atlas; null until there is one. */
-  private shown: EdgeFlags | null = null;
+  private made: Surface | null = null;
+  /** Those of the atlas, two vertices each; null until there is one. */
+  private shownPairs: Uint32Array | null = null;
+  private shownFlags: EdgeFlags | null = null;
   private wanted: EdgeFlags | null = null;
 
-  /** `makeGraph` is called when somebody edits. */
-  constructor(private readonly makeGraph: () => SurfaceGraph) {}
+  /** `makeSurface` is called when somebody edits. */
+  constructor(private readonly makeSurface: () => Surface) {}
+
+  get surface(): Surface {
+    this.made ??= this.makeSurface();
+    return this.made;
+  }
 
   get graph(): SurfaceGraph {
-    this.made ??= this.makeGraph();
-    return this.made;
+    return this.surface.graph;
   }
 
   get choice(): SeamChoice {
@@ -47,7 +59,8 @@ export class SeamModel {
 
   /** The seams of the atlas that is now on screen, two vertices each. */
   show(pairs: Uint32Array): void {
-    this.shown = flagsOf(this.graph, pairs);
+    this.shownPairs = pairs;
+    this.shownFlags = null;
   }
 
   /** Returns how many of these edges were no seams before. */
@@ -89,6 +102,11 @@ export class SeamModel {
   redo(): boolean {
     this.wanted = null;
     return this.history.redo();
+  }
+
+  private get shown(): EdgeFlags | null {
+    if (this.shownPairs) this.shownFlags ??= flagsOf(this.graph, this.shownPairs);
+    return this.shownFlags;
   }
 
   private set(edges: number[], value: 0 | 1): number {

@@ -5,7 +5,6 @@ import type { DisplayMesh } from '../mesh';
 import type { MeshView } from '../mesh-view';
 import { toUnitSphere } from '../unit-sphere';
 import { weld } from '../weld';
-import type { Solid } from './ray';
 import { AUTOMATIC, type SeamChoice, seamOptions } from './seam-choice';
 import { pairsOf } from './seam-edges';
 import { SeamEditor, type SeamEditorEvents } from './seam-editor';
@@ -27,7 +26,6 @@ export class SeamPanel {
   private readonly sources: SourceControl;
   private readonly editor: SeamEditor | null;
   private model: SeamModel | null = null;
-  private solid: Solid = { points: new Float32Array(), indices: new Uint32Array() };
   private isUnwrapped = false;
   private readonly files: SeamFiles;
   private meshName = '';
@@ -75,9 +73,10 @@ export class SeamPanel {
   open({ mesh, summary, name }: Editable): void {
     this.meshName = name;
     this.solid = { points: toUnitSphere(mesh), indices: mesh.indices };
-    this.model = new SeamModel(() =>
-      surfaceGraph(mesh, placesOf(mesh, summary.disk.ok), mesh.faces),
-    );
+    this.model = new SeamModel(() => ({
+      graph: surfaceGraph(mesh, placesOf(mesh, summary.disk.ok), mesh.faces),
+      solid: { points: toUnitSphere(mesh), indices: mesh.indices },
+    }));
     this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
     this.sources.show(this.choice);
     this.hide();
@@ -87,14 +86,14 @@ export class SeamPanel {
   hide(): void {
     this.isUnwrapped = false;
     this.files.setEnabled(false);
-    this.editor?.edit(null, this.solid);
+    this.editor?.edit(null);
   }
 
   show({ result }: Unwrapped): void {
     if (!this.model) return;
     this.model.show(result.seams);
     if (this.isUnwrapped) this.editor?.update();
-    else this.editor?.edit(this.model, this.solid);
+    else this.editor?.edit(this.model);
     this.isUnwrapped = true;
     this.files.setEnabled(true);
   }

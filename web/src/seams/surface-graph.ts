@@ -29,15 +29,16 @@ export function surfaceGraph(
 ): SurfaceGraph {
   const { ends, uses } = uniqueEdges(sortedSides(indices, places, faces));
   const lengths = new Float64Array(uses.length);
+  const isInner = new Uint8Array(uses.length);
   for (let e = 0; e < uses.length; ++e) {
     const [a, b] = [3 * ends[2 * e], 3 * ends[2 * e + 1]];
+    isInner[e] = Number(uses[e] > 1);
     lengths[e] = Math.hypot(
       positions[a] - positions[b],
       positions[a + 1] - positions[b + 1],
       positions[a + 2] - positions[b + 2],
     );
   }
-  const isInner = Uint8Array.from(uses, (n) => Number(n > 1));
   return { places, ends, lengths, isInner, ...around(ends, places.length) };
 }
 
@@ -62,15 +63,17 @@ function sortedSides(
   const high = new Uint32Array(indices.length);
   const face = new Uint32Array(indices.length);
   let size = 0;
+  const add = (a: number, b: number, triangle: number) => {
+    low[size] = a < b ? a : b;
+    high[size] = a < b ? b : a;
+    face[size++] = faces ? faces[triangle] : triangle;
+  };
   for (let c = 0; c < indices.length; c += 3) {
-    const corners = [places[indices[c]], places[indices[c + 1]], places[indices[c + 2]]];
-    if (new Set(corners).size < 3) continue; // no area, no edges
-    for (let k = 0; k < 3; ++k) {
-      const [a, b] = [corners[k], corners[(k + 1) % 3]];
-      low[size] = Math.min(a, b);
-      high[size] = Math.max(a, b);
-      face[size++] = faces ? faces[c / 3] : c / 3;
-    }
+    const [i, j, k] = [places[indices[c]], places[indices[c + 1]], places[indices[c + 2]]];
+    if (i === j || j === k || k === i) continue; // no area, no edges
+    add(i, j, c / 3);
+    add(j, k, c / 3);
+    add(k, i, c / 3);
   }
   const byHigh = ordered(high.subarray(0, size), places.length);
   const byBoth = ordered(pick(low, byHigh), places.length);
@@ -91,23 +94,36 @@ function ordered(keys: Uint32Array, most: number): Uint32Array {
 }
 
 function pick(values: Uint32Array, rows: Uint32Array): Uint32Array {
-  return Uint32Array.from(rows, (row) => values[row]);
+  const picked = new Uint32Array(rows.length);
+  for (let i = 0; i < rows.length; ++i) picked[i] = values[rows[i]];
+  return picked;
 }
 
 /** Each edge of a face once, with the number of faces that it has. */
-function uniqueEdges({ low, high, face }: Sides): { ends: Uint32Array; uses: number[] } {
-  const ends: number[] = [];
-  const uses: number[] = [];
+function uniqueEdges({ low, high, face }: Sides): { ends: Uint32Array; uses: Uint32Array } {
+  const ends = new Uint32Array(2 * low.length);
+  const uses = new Uint32Array(low.length);
+  let size = 0;
   for (let from = 0, to = 0; from < low.length; from = to) {
     while (to < low.length && low[to] === low[from] && high[to] === high[from]) ++to;
-    const faces = face.subarray(from, to);
-    // Inside a face an edge has two triangles of that face.
-    const sides = faces.filter((f, i) => !faces.some((other, j) => j !== i && other === f));
-    if (sides.length === 0) continue;
-    ends.push(low[from], high[from]);
-    uses.push(sides.length);
+    const sides = sidesOfFaces(face, from, to);
+    if (sides === 0) continue;
+    ends[2 * size] = low[from];
+    ends[2 * size + 1] = high[from];
+    uses[size++] = sides;
   }
-  return { ends: Uint32Array.from(ends), uses };
+  return { ends: ends.slice(0, 2 * size), uses: uses.slice(0, size) };
+}
+
+/** Of the sides `from` to `to` those that are no diagonal: inside a face an edge has two triangles of that face. */
+function sidesOfFaces(face: Uint32Array, from: number, to: number): number {
+  let sides = 0;
+  for (let i = from; i < to; ++i) {
+    let isDiagonal = false;
+    for (let j = from; j < to; ++j) if (j !== i && face[j] === face[i]) isDiagonal = true;
+    if (!isDiagonal) ++sides;
+  }
+  return sides;
 }
 
 function around(ends: Uint32Array, placeCount: number) {
