@@ -72,7 +72,6 @@ export class SeamPanel {
   /** Another mesh, with automatic seams. */
   open({ mesh, summary, name }: Editable): void {
     this.meshName = name;
-    this.solid = { points: toUnitSphere(mesh), indices: mesh.indices };
     this.model = new SeamModel(() => ({
       graph: surfaceGraph(mesh, placesOf(mesh, summary.disk.ok), mesh.faces),
       solid: { points: toUnitSphere(mesh), indices: mesh.indices },
