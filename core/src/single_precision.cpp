@@ -1,4 +1,4 @@
-#include <cmath>
+#include <utility>
 
 #include "abflat/flatten.h"
 #include "chart/disk_chart.h"
@@ -7,6 +7,7 @@
 #include "check/distortion.h"
 #include "check/validity.h"
 #include "mesh/surface.h"
+#include "round_texcoords.h"
 #include "stopwatch.h"
 
 namespace abflat {
@@ -16,20 +17,35 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// Why a valid layout cannot be rounded; empty when it can.
-std::string findObstacle(const DiskChart& chart, const ChartReport& report,
-                         const std::vector<double>& uv, const Validity& validity) {
+/// Why a rounded layout is not valid; empty when it is.
+std::string findDefect(const Validity& validity) {
   if (validity.flippedTriangles > 0)
-    return count(validity.flippedTriangles, "triangle", "triangles") +
-           " would be flipped or without area";
+    return count(validity.flippedTriangles, "triangle would", "triangles would") +
+           " be flipped or without area";
   if (validity.crossings.count > 0)
     return "the boundary would cross itself at " +
            count(validity.crossings.count, "place", "places");
-  if (!report.delaunay) return {};
-  const std::size_t violated = checkDelaunay(chart, uv).violated.size();
-  if (violated <= report.delaunay->violated) return {};
-  return count(violated - report.delaunay->violated, "edge", "edges") +
-         " more would not be Delaunay";
+  return {};
+}
+
+/// A layout after rounding, in its own unit.
+struct Rounded {
+  std::vector<double> uv;
+  Validity validity;
+  Distortion distortion;
+  std::size_t violatedEdges = 0;  ///< of the Delaunay condition, where it is asked for
+};
+
+Rounded measured(const DiskChart& chart, const ChartReport& report, std::vector<double> uv) {
+  Rounded out;
+  std::vector<double> inUnits;
+  inUnits.reserve(uv.size());
+  for (const double x : uv) inUnits.push_back(x / chart.unit);
+  out.uv = std::move(uv);
+  out.validity = checkValidity(chart, inUnits);
+  out.distortion = measureDistortion(chart, inUnits);
+  if (report.delaunay) out.violatedEdges = checkDelaunay(chart, inUnits).violated.size();
+  return out;
 }
 
 }  // namespace
@@ -39,23 +55,39 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
   Stopwatch watch;
   const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
   ChartReport& report = result.report.charts.front();
-  std::vector<double> rounded = result.uv, inUnits;
-  inUnits.reserve(rounded.size());
-  for (double& x : rounded) {
-    x = static_cast<double>(static_cast<float>(x));
-    inUnits.push_back(x / chart.unit);
-  }
-  const Validity validity = checkValidity(chart, inUnits);
-  const std::string obstacle = findObstacle(chart, report, inUnits, validity);
+  std::vector<double> uv = result.uv;
+  roundToSingle(uv);
+  Rounded rounded = measured(chart, report, std::move(uv));
+  std::string obstacle = findDefect(rounded.validity);
+  if (obstacle.empty() && report.delaunay && rounded.violatedEdges > report.delaunay->violated)
+    obstacle = count(rounded.violatedEdges - report.delaunay->violated, "edge", "edges") +
+               " more would not be Delaunay";
   if (obstacle.empty()) {
-    setMeasures(report, validity, measureDistortion(chart, inUnits));
-    result.uv = std::move(rounded);
+    setMeasures(report, rounded.validity, rounded.distortion);
+    result.uv = std::move(rounded.uv);
   } else {
     report.fallbacks.push_back("texcoords are written in double precision: rounded to single, " +
                                obstacle);
   }
   result.report.timings.check += watch.lap();
   return obstacle.empty();
+}
+
+void roundForGltf(const PolygonMesh& mesh, FlattenResult& result) {
+  Stopwatch watch;
+  const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
+  ChartReport& report = result.report.charts.front();
+  roundForGltf(result.uv);
+  const Rounded rounded = measured(chart, report, result.uv);
+  setMeasures(report, rounded.validity, rounded.distortion);
+  if (report.delaunay) report.delaunay->violated = rounded.violatedEdges;
+  const std::string defect = findDefect(rounded.validity);
+  if (report.valid && !defect.empty()) {
+    report.problem =
+        "in single precision, which is all that a glTF has, " + defect + "; write an OBJ or PLY";
+    report.valid = result.report.valid = false;
+  }
+  result.report.timings.check += watch.lap();
 }
 
 }  // namespace abflat

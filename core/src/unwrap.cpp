@@ -12,6 +12,7 @@
 #include "mesh/welded_mesh.h"
 #include "pack/pack.h"
 #include "parallel.h"
+#include "round_texcoords.h"
 #include "seam/find_seams.h"
 #include "seam/given_seams.h"
 #include "stopwatch.h"
@@ -121,23 +122,24 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
   }
 }
 
-/// A multiple of 2^-24, which up to 1 is a number of single precision, and 1 - x as well: for
-/// formats whose v points down.
-double inSinglePrecision(double x) {
-  return static_cast<double>(static_cast<float>(std::floor(x * 0x1p24 + 0.5) * 0x1p-24));
-}
-
 /// All charts in the atlas, rounded or as they are.
-void checkAll(const std::vector<DiskChart>& charts, bool roundsToSingle, ThreadPool& pool,
+void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, ThreadPool& pool,
               std::vector<FlatChart>& flat, std::vector<std::string>& notes) {
   const auto check = [&] {
     parallelFor(&pool, flat.size(), [&](std::size_t i) { checkInPlace(charts[i], flat[i]); });
   };
-  if (!roundsToSingle) return check();
+  if (!options.roundsToSingle && !options.roundsForGltf) return check();
   const std::vector<FlatChart> asTheyAre = flat;
-  for (FlatChart& chart : flat)
-    for (double& x : chart.uv) x = inSinglePrecision(x);
+  for (FlatChart& chart : flat) {
+    if (!chart.isFixed())
+      roundInAtlas(chart.uv);
+    else if (options.roundsForGltf)
+      roundForGltf(chart.uv);
+    else
+      roundToSingle(chart.uv);
+  }
   check();
+  if (options.roundsForGltf) return;  // which holds nothing else
   std::size_t lost = 0;
   for (std::size_t i = 0; i < flat.size(); ++i)
     lost += !flat[i].problem.empty() && asTheyAre[i].problem.empty();
@@ -242,7 +244,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   report.timings.pack = watch.lap();
 
   if (!monitor.tell(kCheck)) return aborted;
-  checkAll(set.charts, options.roundsToSingle, pool, flat, report.notes);
+  checkAll(set.charts, options, pool, flat, report.notes);
   fillOutput(mesh, welded, surface, set, texcoords, flat, out);
   out.seams = seamEdges(mesh, welded, surface, seams);
   fillReport(set, flat, surface, welded, report);

@@ -13,6 +13,14 @@ struct FlattenJob {
   using Outcome = FlattenResult;
   using Report = abflat::Report;
 
+  static constexpr Repeated kRepeated = Repeated::Join;
+
+  static void addNotes(const std::vector<std::string>& notes, abflat::Report& report) {
+    if (report.charts.empty()) return;  // there is only an error to report
+    std::vector<std::string>& out = report.charts.front().fallbacks;
+    out.insert(out.begin(), notes.begin(), notes.end());
+  }
+
   static Result<FlattenResult> compute(const FlattenCommand& command, const PolygonMesh& mesh,
                                        ProgressCallback progress) {
     FlattenOptions options;
@@ -30,8 +38,10 @@ struct FlattenJob {
     options.progress = std::move(progress);
     Result<FlattenResult> result =
         placed(inputName(command.input), [&] { return flatten(mesh, options); });
-    if (result.ok() && writtenFormat(command.output) == FileFormat::Ply)
-      roundToSinglePrecision(mesh, result.value);
+    if (!result.ok()) return result;
+    const FileFormat format = writtenFormat(command.output);
+    if (format == FileFormat::Ply) roundToSinglePrecision(mesh, result.value);
+    if (format == FileFormat::Gltf) roundForGltf(mesh, result.value);
     return result;
   }
 

@@ -78,6 +78,13 @@ Status readGltfInput(const std::string& path, InputMesh& input) {
   return {};
 }
 
+void joinRepeated(InputMesh& input) {
+  const std::size_t joined = joinVertices(input.mesh);
+  if (joined > 0)
+    input.notes.push_back(std::to_string(joined) + (joined == 1 ? " vertex is" : " vertices are") +
+                          " taken as the one at the same place");
+}
+
 Status readMeshInput(const std::string& path, InputMesh& input) {
   const std::string name = inputName(path);
   const Result<MeshFormat> format = detectFormat(name, input.bytes);
@@ -105,7 +112,7 @@ Result<std::string> readBytes(const std::string& path) {
   return bytes;
 }
 
-Result<InputMesh> readInput(const std::string& path) {
+Result<InputMesh> readInput(const std::string& path, Repeated repeated) {
   return orOutOfMemory(inputName(path), [&]() -> Result<InputMesh> {
     InputMesh out;
     out.path = path;
@@ -115,6 +122,7 @@ Result<InputMesh> readInput(const std::string& path) {
     const Status status =
         isGltf(path, out.bytes) ? readGltfInput(path, out) : readMeshInput(path, out);
     if (!status.ok()) return status;
+    if (out.gltf && repeated == Repeated::Join) joinRepeated(out);
     return out;
   });
 }

@@ -23,8 +23,14 @@ struct InputMesh {
 /// Errors: UnreadableFile; the message names the file.
 Result<std::string> readBytes(const std::string& path);
 
+/// What a command makes of vertices that a glTF repeats where normals or texcoords change.
+enum class Repeated {
+  Stay,
+  Join  ///< unless the mesh is a disk as it is
+};
+
 /// Reads a mesh from a file with the files that it refers to, or from standard input when `path` is
 /// "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
-Result<InputMesh> readInput(const std::string& path);
+Result<InputMesh> readInput(const std::string& path, Repeated repeated = Repeated::Join);
 
 }  // namespace abflat::cli

@@ -21,8 +21,9 @@ int runInspect(const InspectCommand& command) {
       orOutOfMemory(name, [&]() -> Result<MeshSummary> { return inspect(input.value.mesh); });
   if (!summary.ok()) return ended(summary.status);
   OutputFile out(kStandardStream);
-  const Status written = out.write(command.json ? inspectJson(summary.value, command.input)
-                                                : inspectText(summary.value, name));
+  const Status written =
+      out.write(command.json ? inspectJson(summary.value, command.input)
+                             : inspectText(summary.value, name, input.value.notes));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

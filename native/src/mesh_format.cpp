@@ -63,7 +63,7 @@ Result<std::string> layoutText(const InputMesh& input, const std::string& path, 
   options.isBinary = isBinary;
   options.texcoord = set;
   options.pathToSource = pathBetween(path, input.path);
-  return writeGltf(*input.gltf, input.mesh, uv, cornerUv, options);
+  return writeGltf(*input.gltf, uv, cornerUv, options);
 }
 
 }  // namespace abflat::cli

@@ -39,6 +39,8 @@ struct ExtraFile {
 /// where it is wanted. `Job` has
 ///   Command           with input, output, report, options and quiet
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
+///   kRepeated         see readInput
+///   addNotes          to a report
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
 ///   extraFiles       further files, as a vector of ExtraFile<Outcome>
@@ -96,10 +98,14 @@ class MeshRun {
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
     progress_.show({"read", 0, 0, 0});
-    Result<InputMesh> input = readInput(command_.input);
+    Result<InputMesh> input = readInput(command_.input, Job::kRepeated);
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
+    notes_ = input_.notes;
+    if (input_.gltf && writtenFormat(command_.output) == FileFormat::Gltf)
+      for (const std::string& note : staleNotes(*input_.gltf, command_.texcoord))
+        notes_.push_back(note);
     // The names cannot tell when one of them has no ending or is a link.
     const FileFormat written = writtenFormat(command_.output);
     if (input_.format != written && command_.output != kStandardStream &&
@@ -117,6 +123,7 @@ class MeshRun {
   void complete(Report& report) const {
     report.path = command_.input;
     report.options = command_.options;
+    Job::addNotes(notes_, report);
     report.timings.read = readSeconds_;
     report.timings.write = writeSeconds_;
     report.timings.total = secondsSince(start_);
@@ -183,6 +190,7 @@ class MeshRun {
   std::deque<OutputFile> extras_;
   std::vector<std::function<Result<std::string>(const PolygonMesh&, const Outcome&)>> extraTexts_;
   InputMesh input_;
+  std::vector<std::string> notes_;  ///< about reading and writing, one sentence each
   double readSeconds_ = 0, writeSeconds_ = 0;
 };
 

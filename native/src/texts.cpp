@@ -70,12 +70,14 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
       << "  atlas: " << report.atlas.resolution << " x " << report.atlas.resolution << ", "
       << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
-      << " texels per unit\n"
-      << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
+      << " texels per unit\n";
+  for (const std::string& note : report.notes) out << "  " << note << "\n";
+  out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
 }
 
-std::string inspectText(const MeshSummary& s, const std::string& name) {
+std::string inspectText(const MeshSummary& s, const std::string& name,
+                        const std::vector<std::string>& notes) {
   std::ostringstream out;
   const auto row = [&](const char* label, const auto& value) {
     out << "  " << std::left << std::setw(24) << label << std::right << std::setw(10) << value
@@ -101,6 +103,7 @@ std::string inspectText(const MeshSummary& s, const std::string& name) {
   row("materials", s.materials);
   row("disk", s.disk.ok() ? "yes" : "no");
   if (!s.disk.ok()) out << "  " << s.disk.message << "\n";
+  for (const std::string& note : notes) out << "  " << note << "\n";
   return out.str();
 }
 

@@ -17,6 +17,7 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
                        const std::string& outputName);
 
 /// Aligned table of what a mesh is.
-std::string inspectText(const MeshSummary& summary, const std::string& name);
+std::string inspectText(const MeshSummary& summary, const std::string& name,
+                        const std::vector<std::string>& notes);
 
 }  // namespace abflat::cli

@@ -15,6 +15,12 @@ struct UnwrapJob {
   using Outcome = UnwrapResult;
   using Report = UnwrapReport;
 
+  static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them, and tells
+
+  static void addNotes(const std::vector<std::string>& notes, UnwrapReport& report) {
+    report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
+  }
+
   static Result<UnwrapResult> compute(const UnwrapCommand& command, const PolygonMesh& mesh,
                                       ProgressCallback progress) {
     UnwrapOptions options;
@@ -31,6 +37,7 @@ struct UnwrapJob {
       options.pins = std::move(pins.value);
     }
     options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
+    options.roundsForGltf = writtenFormat(command.output) == FileFormat::Gltf;
     options.progress = std::move(progress);
     return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
   }

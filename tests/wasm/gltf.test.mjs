@@ -14,13 +14,16 @@ import {
   emptyDocument,
   flaws,
   indicesOf,
+  io,
   positionsOf,
   primitiveOf,
   primitivesOf,
   randomRows,
   reread,
 } from '../support/gltf.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
 import { sphere, torus } from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
 
 let abflat;
 before(async () => {
@@ -379,6 +382,28 @@ test('primitives without coordinates are islands of their own', async () => {
   assert.ok(!touch(...primitivesOf(after)));
 });
 
+test('the command line program gives the same atlas', async (t) => {
+  const path = tempFolder(t);
+  const document = character();
+  addMesh(document, 'ball', primitiveOf(document, sphere(5)))
+    .node.setScale([-1, 2, 1])
+    .setTranslation([3, 0, 0]);
+  for (const primitive of primitivesOf(document)) primitive.setAttribute('TEXCOORD_1', null);
+  await io.write(path('in.glb'), document);
+  const { after } = await unwrapped(document, {
+    isMirrored: (primitive) => primitive === primitivesOf(document)[2],
+  });
+  const { code, stderr } = await runAbflat(['unwrap', path('in.glb'), '-o', path('out.glb')]);
+  assert.equal(code, 0, stderr);
+  const other = await io.read(path('out.glb'));
+  assertSameButTexcoord(other, await io.read(path('in.glb')));
+  const [ours, theirs] = [after, other].map((each) => atlasOf(primitivesOf(each)).flat(2));
+  assert.equal(ours.length, theirs.length);
+  ours.forEach((x, i) => {
+    assert.ok(Math.abs(x - theirs[i]) < 1e-5, `number ${i}: ${x} and ${theirs[i]}`);
+  });
+});
+
 test('options are those of unwrap', async () => {
   const document = character();
   const { atlases } = await unwrapped(document, { maxStretch: 1.3, resolution: 256, padding: 4 });
@@ -433,7 +458,12 @@ test('a layout of one’s own goes into a document as well', async () => {
   addMesh(document, 'strip', primitiveOf(document, open));
   const before = await reread(document);
   const mesh = documentMesh(document);
-  setTexcoords(mesh, await abflat.unwrap(mesh, { seamEdges: Uint32Array.of(0, 12) }));
+  const layout = await abflat.unwrap(mesh, { seamEdges: Uint32Array.of(0, 12) });
+  assert.throws(
+    () => setTexcoords(mesh, { ...layout, indices: layout.indices.slice(3) }),
+    /has 23 triangles, the document 24/,
+  );
+  setTexcoords(mesh, layout);
   assertSameButTexcoord(document, before);
   assert.deepEqual(flaws(atlasOf(primitivesOf(document))), []);
 });

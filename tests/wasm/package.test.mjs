@@ -2,7 +2,15 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -17,6 +25,8 @@ const MAX_BYTES = 400 * 1024;
 const BUILDS = { plain: 'abflat', simd: 'abflat-simd', threads: 'abflat-threads' };
 const MODULES = Object.values(BUILDS).map((name) => `${name}.wasm`);
 
+const IMPORTS = /(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g;
+
 /** The files that a script imports, at once or later, itself included. */
 function filesFrom(entry) {
   const files = new Set();
@@ -24,7 +34,7 @@ function filesFrom(entry) {
     if (files.has(name)) return;
     files.add(name);
     const text = readFileSync(join(DIST, name), 'utf8');
-    for (const [, specifier] of text.matchAll(/(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g)) {
+    for (const [, specifier] of text.matchAll(IMPORTS)) {
       if (specifier.startsWith('./')) visit(specifier.slice(2));
       else assert.fail(`${name} imports ${specifier}`);
     }
@@ -54,6 +64,15 @@ for (const [build, name] of Object.entries(BUILDS)) {
 test('the entries for browsers import only files beside them', () => {
   assert.ok(filesFrom('index.js').size > 1);
   for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.mjs`));
+});
+
+test('the entry for glTF-Transform has types of it alone', () => {
+  const inside = readdirSync(join(DIST, 'gltf')).map((name) => `gltf/${name}`);
+  const scripts = ['gltf.js', ...inside].filter((name) => name.endsWith('.js'));
+  assert.ok(scripts.length > 3);
+  for (const name of scripts)
+    for (const [, specifier] of readFileSync(join(DIST, name), 'utf8').matchAll(IMPORTS))
+      assert.match(specifier, /^\.\.?\//, name);
 });
 
 // The third one runs in browsers alone: createAbflat checks there what is checked here.

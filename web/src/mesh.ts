@@ -6,6 +6,12 @@ export interface DisplayMesh {
   faces?: Uint32Array;
 }
 
+/** With what seams may follow: 2 texcoords per vertex, a material per triangle. */
+export interface ArrayMesh extends DisplayMesh {
+  texcoords?: Float64Array;
+  materials?: Uint32Array;
+}
+
 /** A flattened mesh as it is drawn: `uv` has 2 per vertex of `indices`. */
 export interface FlatMesh extends DisplayMesh {
   uv: Float64Array;

@@ -1,4 +1,5 @@
 import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
+import { asDisk } from './as-disk';
 import { Background } from './background';
 import type { GltfFile } from './gltf-file';
 import { type AnyProgress, layOut, type Outcome } from './lay-out';
@@ -175,8 +176,8 @@ export class Session {
     if (isGltf(source)) {
       const { readGltf } = await import('./gltf-file');
       const gltf = await readGltf(source);
-      const summary = await abflat.inspect(gltf.input, { signal });
-      return { source, input: gltf.input, mesh: gltf.mesh, summary, gltf };
+      const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal);
+      return { source, input: mesh, mesh, summary, gltf };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),

@@ -156,6 +156,10 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
 /// is and a sentence among the fallbacks says so. Returns whether it was rounded.
 bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result);
 
+/// Rounds a layout to what a glTF holds, whatever becomes of it: single precision, with v from the
+/// top. The report is about the rounded coordinates then.
+void roundForGltf(const PolygonMesh& mesh, FlattenResult& result);
+
 /// The report as JSON text, indented by two spaces; keys as in the README. Numbers that are not
 /// finite, and counts of an input that is not known (it could not be read), are null.
 std::string reportJson(const Report& report);

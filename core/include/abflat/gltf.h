@@ -37,6 +37,11 @@ bool looksLikeGltf(std::string_view bytes);
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
                            const ReadResource& readResource);
 
+/// A glTF repeats vertices where normals or texcoords change. Faces get the first vertex at each
+/// place; not where the mesh is a disk as it is, which may be so because it was cut. Returns how
+/// many vertices are no longer used.
+std::size_t joinVertices(PolygonMesh& mesh);
+
 struct GltfWriteOptions {
   bool isBinary = true;      ///< .glb; otherwise .gltf with the buffer in a data URI
   std::size_t texcoord = 0;  ///< N of the TEXCOORD_N that is written; other sets stay
@@ -45,14 +50,13 @@ struct GltfWriteOptions {
   std::string pathToSource;
 };
 
-/// The file that `mesh` was read from with texcoords `uv` (v upwards) for its triangles; `cornerUv`
-/// has the texcoord of each face corner. Vertices with several texcoords are repeated behind the
+/// The file with texcoords `uv` (v upwards) for the triangles of its mesh; `cornerUv` has the
+/// texcoord of each face corner. Vertices with several texcoords are repeated behind the
 /// others with all of their attributes and morph targets. Everything else stays: bytes that nothing
 /// refers to any more are left out, and all buffers become one. TEXCOORD sets below the one that is
 /// written, where they are missing, are the same.
 /// Errors: CannotWrite (a .glb of 4 GB).
-Result<std::string> writeGltf(const gltf::Source& source, const PolygonMesh& mesh,
-                              const std::vector<double>& uv,
+Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options);
 

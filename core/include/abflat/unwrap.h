@@ -49,6 +49,9 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
   /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;
+  /// Texcoords are rounded to what a glTF holds, whatever becomes of the charts: single precision,
+  /// with v from the top.
+  bool roundsForGltf = false;
 
   /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
   ProgressCallback progress;

@@ -47,6 +47,8 @@ class ModelReader {
     }
     model_.mesh.faceTexcoords = model_.mesh.faceVertices;
     settleTexcoords(model_.mesh);
+    source_.vertexCount = static_cast<std::uint32_t>(model_.mesh.vertexCount());
+    source_.faceVertices = model_.mesh.faceVertices;
     if (materials_.size() < 2) model_.mesh.faceMaterials = {};
     addNotes();
     return {};

@@ -25,6 +25,8 @@ struct Source {
   Document document;
   std::vector<VertexGroup> groups;
   std::vector<Part> parts;
+  std::uint32_t vertexCount = 0;
+  std::vector<std::uint32_t> faceVertices;  ///< of the mesh as it was read
 };
 
 }  // namespace abflat::gltf

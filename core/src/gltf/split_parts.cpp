@@ -23,16 +23,16 @@ std::size_t groupOf(const std::vector<VertexGroup>& groups, std::uint32_t vertex
 
 }  // namespace
 
-SplitParts splitParts(const Source& source, const PolygonMesh& mesh, const std::vector<double>& uv,
+SplitParts splitParts(const Source& source, const std::vector<double>& uv,
                       const std::vector<std::uint32_t>& cornerUv) {
-  const SplitVertices split = splitVertices(mesh, uv, cornerUv);
+  const SplitVertices split = splitVertices(source.vertexCount, source.faceVertices, uv, cornerUv);
   SplitParts out;
   for (const VertexGroup& group : source.groups) {
     out.groups.emplace_back();
     for (std::uint32_t v = 0; v < group.vertexCount; ++v)
       addTexcoord(split, group.firstVertex + v, out.groups.back().uv);
   }
-  const auto vertices = static_cast<std::uint32_t>(mesh.vertexCount());
+  const std::uint32_t vertices = source.vertexCount;
   std::vector<std::uint32_t> local;  // number of each copy in its group
   for (std::size_t i = 0; i < split.copied.size(); ++i) {
     const std::size_t g = groupOf(source.groups, split.copied[i]);

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "abflat/mesh.h"
 #include "gltf/source.h"
 
 namespace abflat::gltf {
@@ -25,7 +24,7 @@ struct SplitParts {
 };
 
 /// Arguments as for writeGltf.
-SplitParts splitParts(const Source& source, const PolygonMesh& mesh, const std::vector<double>& uv,
+SplitParts splitParts(const Source& source, const std::vector<double>& uv,
                       const std::vector<std::uint32_t>& cornerUv);
 
 }  // namespace abflat::gltf

@@ -174,13 +174,11 @@ bool hasNormalMap(const Json& json, std::size_t material, std::size_t texcoord) 
 }  // namespace
 }  // namespace gltf
 
-Result<std::string> writeGltf(const gltf::Source& source, const PolygonMesh& mesh,
-                              const std::vector<double>& uv,
+Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options) {
   auto [json, buffer] =
-      gltf::ModelWriter(source, gltf::splitParts(source, mesh, uv, cornerUv), options.texcoord)
-          .write();
+      gltf::ModelWriter(source, gltf::splitParts(source, uv, cornerUv), options.texcoord).write();
   gltf::moveImages(json, options.pathToSource);
   if (options.isBinary) return gltf::binaryFile(json.dump(), buffer, source.document.otherChunks);
   json["buffers"][0]["uri"] = gltf::dataUri(buffer);

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "abflat/mesh.h"
 
 namespace abflat {
 
@@ -16,7 +15,8 @@ struct SplitVertices {
 };
 
 /// Arguments as for writePly; `uv` may be empty.
-SplitVertices splitVertices(const PolygonMesh& mesh, const std::vector<double>& uv,
+SplitVertices splitVertices(std::size_t vertexCount, const std::vector<std::uint32_t>& faceVertices,
+                            const std::vector<double>& uv,
                             const std::vector<std::uint32_t>& cornerUv);
 
 }  // namespace abflat

@@ -100,7 +100,7 @@ class FreshPly {
 
 std::string writePly(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourcePly) {
-  const SplitVertices vertices = splitVertices(mesh, uv, cornerUv);
+  const SplitVertices vertices = splitVertices(mesh.vertexCount(), mesh.faceVertices, uv, cornerUv);
   if (hasByteOrderMark(sourcePly)) sourcePly.remove_prefix(kByteOrderMark.size());
   return sourcePly.empty() || uv.empty() ? FreshPly(mesh, vertices).run()
                                          : rewritten(mesh, vertices, sourcePly);

@@ -18,6 +18,7 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
       ->check(notEmpty())
       ->type_name("FILE");
   addPins(*sub, c.pins, "");
+  addTexcoordSet(*sub, c.texcoord);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());

@@ -119,6 +119,16 @@ void addPins(CLI::App& app, std::string& pins, const std::string& where) {
       ->type_name("FILE");
 }
 
+void addTexcoordSet(CLI::App& app, std::size_t& set) {
+  constexpr std::size_t kMostSets = 7;
+  app.add_option("--texcoord", set,
+                 wrapped("set of a glTF that gets the texcoords, from 0 on; others stay, so that 1 "
+                         "is for a lightmap beside the textures"))
+      ->check(CLI::Range(std::size_t{0}, kMostSets))
+      ->default_str("0")
+      ->type_name("NUMBER");
+}
+
 void addReport(CLI::App& app, std::string& report) {
   app.add_option("--report", report,
                  wrapped("JSON file for what was done and how well; - for standard output"))

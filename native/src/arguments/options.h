@@ -29,6 +29,7 @@ void addInput(CLI::App& app, std::string& input);
 void addOutput(CLI::App& app, std::string& output);
 /// `where`: what their uv are.
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
+void addTexcoordSet(CLI::App& app, std::size_t& set);
 void addReport(CLI::App& app, std::string& report);
 void addQuiet(CLI::App& app, bool& quiet);
 

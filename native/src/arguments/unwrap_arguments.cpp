@@ -95,6 +95,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addPins(*sub, c.pins, " in the atlas, of a chart none or");
   addPictures(*sub, c);
   addOptions(*sub, c.options);
+  addTexcoordSet(*sub, c.texcoord);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());

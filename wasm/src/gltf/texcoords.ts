@@ -1,6 +1,7 @@
 // A layout back into the document that its mesh came from.
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
+import { AbflatError } from '../errors.js';
 import { normalized } from '../normalized.js';
 import { indexArray, pickRows } from '../rows.js';
 import type { Layout } from '../types.js';
@@ -15,33 +16,35 @@ export interface SetTexcoordsOptions {
 }
 
 /**
- * Gives every primitive of a document mesh the coordinates of its layout. Vertices keep their numbers; one that
- * has several coordinates is copied to the end, with all its attributes and morph targets. Tangents are copied like the rest and belong
- * to the coordinates before.
+ * Gives every primitive of a document mesh the coordinates of its layout, or of a layout of the same triangles whose vertices at one
+ * place are one. Vertices keep their numbers; one that has several coordinates is copied to the end, with all its attributes and
+ * morph targets. Tangents are copied like the rest and belong to the coordinates before.
  */
 export function setTexcoords(
   { document, parts }: Pick<DocumentMesh, 'document' | 'parts'>,
-  layout: Pick<Layout<unknown>, 'uv' | 'indices' | 'vertexMap'>,
+  { uv, indices }: Pick<Layout<unknown>, 'uv' | 'indices'>,
   { texcoord = 0, normalize = false }: SetTexcoordsOptions = {},
 ): void {
-  const blocks = blocksOf(parts);
-  const uv = normalize ? normalized(layout.uv) : layout.uv;
-  const rowOf = placeVertices(blocks, layout.vertexMap, uv);
+  const triangles = parts.reduce((sum, { triangleCount }) => sum + triangleCount, 0);
+  if (indices.length !== 3 * triangles)
+    throw new AbflatError(
+      'InvalidMesh',
+      `The layout has ${indices.length / 3} triangles, the document ${triangles}.`,
+    );
+  const coordinates = normalize ? normalized(uv) : uv;
   const replaced = new Set<Accessor>();
-  for (const block of blocks) {
+  for (const block of blocksOf(parts)) {
+    const corners = placeCorners(block, indices);
     const attributes = new Copies(block, replaced);
-    const coordinates = document
+    const made = document
       .createAccessor()
       .setType('VEC2')
       .setBuffer(block.position.getBuffer())
-      .setArray(block.texcoords);
-    for (const part of block.parts) {
-      setCoordinates(part.primitive, coordinates, texcoord, replaced);
-      attributes.replace(part.primitive, coordinates);
-      const first = 3 * part.firstTriangle;
-      const corners = layout.indices.slice(first, first + 3 * part.triangleCount);
-      const rows = corners.map((vertex) => rowOf[vertex] as number);
-      setIndices(document, part, part.isMirrored ? turned(rows) : rows, block, replaced);
+      .setArray(texcoordsOf(block, coordinates));
+    for (const [i, part] of block.parts.entries()) {
+      setCoordinates(part.primitive, made, texcoord, replaced);
+      attributes.replace(part.primitive, made);
+      setIndices(document, part, corners[i] as Uint32Array, block, replaced);
     }
   }
   for (const accessor of replaced) if (!isUsed(accessor)) accessor.dispose();
@@ -50,13 +53,14 @@ export function setTexcoords(
 /** Parts with the same vertices. */
 interface Block {
   position: Accessor;
-  firstVertex: number;
   vertexCount: number;
   parts: DocumentPart[];
-  /** The row before of each row. */
+  /** Of each row, those with copies included: the row before, and the vertex of the layout, NONE where no triangle uses it. */
   rows: Uint32Array;
-  texcoords: Float32Array<ArrayBuffer>;
+  vertices: Uint32Array;
 }
+
+const NONE = 2 ** 32 - 1;
 
 function blocksOf(parts: DocumentPart[]): Block[] {
   const blocks = new Map<number, Block>();
@@ -67,62 +71,53 @@ function blocksOf(parts: DocumentPart[]): Block[] {
     else
       blocks.set(firstVertex, {
         position: primitive.getAttribute('POSITION') as Accessor,
-        firstVertex,
         vertexCount,
         parts: [part],
-        rows: new Uint32Array(),
-        texcoords: new Float32Array(),
+        rows: Uint32Array.from({ length: vertexCount }, (_, row) => row),
+        vertices: new Uint32Array(vertexCount).fill(NONE),
       });
   }
   return [...blocks.values()];
 }
 
-/** Completes the blocks and tells the row, inside its block, of each vertex of the layout. */
-function placeVertices(
-  blocks: Block[],
-  vertexMap: Uint32Array,
-  uv: Float64Array | Float32Array,
-): Uint32Array {
-  const rowOf = new Uint32Array(vertexMap.length);
-  const verticesOf = byBlock(blocks, vertexMap);
-  blocks.forEach((block, b) => {
-    const { firstVertex, vertexCount } = block;
-    const isPlaced = new Uint8Array(vertexCount);
-    const copied: number[] = [];
-    const vertices = verticesOf[b] as number[];
-    for (const vertex of vertices) {
-      const row = (vertexMap[vertex] as number) - firstVertex;
-      rowOf[vertex] = isPlaced[row] ? vertexCount + copied.length : row;
-      if (isPlaced[row]) copied.push(row);
-      isPlaced[row] = 1;
-    }
-    block.rows = Uint32Array.from({ length: vertexCount + copied.length }, (_, i) =>
-      i < vertexCount ? i : (copied[i - vertexCount] as number),
+/** Completes a block's rows, one for each row before and vertex of the layout that meet; gives those of the corners of each part. */
+function placeCorners(block: Block, indices: Uint32Array): Uint32Array[] {
+  const { vertexCount, vertices } = block;
+  const copies = new Map<string, number>();
+  const [rows, copied]: [number[], number[]] = [[], []];
+  const rowFor = (row: number, vertex: number) => {
+    if (vertices[row] === NONE) vertices[row] = vertex;
+    if (vertices[row] === vertex) return row;
+    const pair = `${row} ${vertex}`;
+    const known = copies.get(pair);
+    if (known !== undefined) return known;
+    const made = vertexCount + rows.length;
+    copies.set(pair, made);
+    rows.push(row);
+    copied.push(vertex);
+    return made;
+  };
+  const corners = block.parts.map(({ primitive, firstTriangle, isMirrored }) => {
+    const before = cornersOf(primitive, vertexCount);
+    const placed = (isMirrored ? turned(before) : before).map((row, c) =>
+      rowFor(row, indices[3 * firstTriangle + c] as number),
     );
-    block.texcoords = new Float32Array(2 * block.rows.length);
-    for (const vertex of vertices) {
-      const row = 2 * (rowOf[vertex] as number);
-      block.texcoords[row] = uv[2 * vertex] as number;
-      // That of glTF points down.
-      block.texcoords[row + 1] = 1 - (uv[2 * vertex + 1] as number);
-    }
+    return isMirrored ? turned(placed) : placed;
   });
-  return rowOf;
+  block.rows = Uint32Array.from([...block.rows, ...rows]);
+  block.vertices = Uint32Array.from([...vertices, ...copied]);
+  return corners;
 }
 
-/** The vertices of the layout that each block has. */
-function byBlock(blocks: Block[], vertexMap: Uint32Array): number[][] {
-  const blockOf = new Uint32Array(
-    blocks.reduce((most, block) => Math.max(most, block.firstVertex + block.vertexCount), 0),
-  );
-  blocks.forEach(({ firstVertex, vertexCount }, b) => {
-    blockOf.fill(b, firstVertex, firstVertex + vertexCount);
+/** That of glTF points down. */
+function texcoordsOf({ vertices }: Block, uv: ArrayLike<number>): Float32Array<ArrayBuffer> {
+  const texcoords = new Float32Array(2 * vertices.length);
+  vertices.forEach((vertex, row) => {
+    if (vertex === NONE) return;
+    texcoords[2 * row] = uv[2 * vertex] as number;
+    texcoords[2 * row + 1] = 1 - (uv[2 * vertex + 1] as number);
   });
-  const vertices: number[][] = blocks.map(() => []);
-  vertexMap.forEach((from, vertex) => {
-    vertices[blockOf[from] as number]?.push(vertex);
-  });
-  return vertices;
+  return texcoords;
 }
 
 /** Copies of a block's attributes with its new rows, one of each. */

@@ -1,0 +1,14 @@
+#include "abflat/gltf.h"
+#include "abflat/inspect.h"
+#include "mesh/weld.h"
+
+namespace abflat {
+
+std::size_t joinVertices(PolygonMesh& mesh) {
+  if (inspect(mesh).disk.ok()) return 0;
+  const Welding welding = weldVertices(mesh.positions);
+  for (std::uint32_t& v : mesh.faceVertices) v = welding.ofVertex[v];
+  return welding.merged;
+}
+
+}  // namespace abflat
