@@ -1,6 +1,7 @@
 // Seams are edited by clicks on the surface: cut, joined, undone, and laid out anew.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
@@ -332,4 +333,29 @@ test('an edit solves only the charts that it changes', async (t) => {
   assert.ok(said, await textOf(page, '#run-text'));
   assert.ok(Number(said[1]) >= before / 2 && Number(said[1]) < Number(said[2]));
   assert.equal(await textOf(page, '#badge'), 'Valid');
+});
+
+test('seams are opened from a file and saved to one', async (t) => {
+  const page = await openPage(t, STILL);
+  await openGrid(page, 4);
+  await page.click('#details-toggle');
+  const open = (text) =>
+    page.setInputFiles('#seams-file', {
+      name: 'mine.txt',
+      mimeType: 'text/plain',
+      buffer: Buffer.from(text),
+    });
+  const text = '10 11\n11 12\n12 13\n13 14\n';
+  await open(text);
+  await page.waitForFunction(() => document.querySelector('#seams-state').textContent !== '');
+  await settled(page);
+  assert.equal(await edited(page), 4);
+  assert.equal(await charts(page), 2);
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#seams-save')]);
+  assert.equal(saved.suggestedFilename(), 'grid-seams.txt');
+  assert.equal(readFileSync(await saved.path(), 'utf8'), text);
+  await open('10 11\n0 13\n');
+  await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
+  assert.match(await textOf(page, '#alert'), /mine\.txt:2: 0-13 is no edge of a face\./);
+  assert.equal(await edited(page), 4, 'the seams stay');
 });
