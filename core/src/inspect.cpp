@@ -1,5 +1,7 @@
 #include "abflat/inspect.h"
 
+#include <set>
+
 #include "abflat/io.h"
 #include "mesh/surface.h"
 
@@ -8,7 +10,12 @@ namespace abflat {
 MeshSummary inspect(const PolygonMesh& mesh) {
   MeshSummary summary;
   summary.disk = validateArrays(mesh);
-  return summary.disk.ok() ? buildSurface(mesh).summary : summary;
+  if (!summary.disk.ok()) return summary;
+  summary = buildSurface(mesh).summary;
+  summary.texcoords = mesh.texcoords.size() / 2;
+  const std::set<std::uint32_t> materials(mesh.faceMaterials.begin(), mesh.faceMaterials.end());
+  summary.materials = materials.size();
+  return summary;
 }
 
 }  // namespace abflat

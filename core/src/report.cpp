@@ -91,6 +91,8 @@ Json summaryJson(const MeshSummary& s, const std::string& path) {
       {"degenerateFaces", s.degenerateFaces},
       {"eulerCharacteristic", s.eulerCharacteristic},
       {"genus", s.genus},
+      {"texcoords", s.texcoords},
+      {"materials", s.materials},
       {"disk",
        {{"ok", s.disk.ok()}, {"code", statusName(s.disk.code)}, {"message", s.disk.message}}},
   };

@@ -105,6 +105,8 @@ std::string inspectText(const MeshSummary& s, const std::string& name,
     row("genus", "undefined");
   else
     row("genus", s.genus);
+  row("texcoords", s.texcoords);
+  row("materials", s.materials);
   row("disk", s.disk.ok() ? "yes" : "no");
   if (!s.disk.ok()) out << "  " << s.disk.message << "\n";
   for (const std::string& note : notes) out << "  " << note << "\n";

@@ -55,6 +55,8 @@ test('inspect --json gives the same counts, from a file and from a pipe', async 
     degenerateFaces: 0,
     eulerCharacteristic: 1,
     genus: 0,
+    texcoords: 0,
+    materials: 0,
   });
   assert.deepEqual(disk, { ok: true, code: 'Ok', message: '' });
 });

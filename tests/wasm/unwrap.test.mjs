@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { AbflatError, createAbflat, UNWRAP_DEFAULTS } from 'abflat';
+import { CUBE_OF_PARTS, CUBE as CUBE_TEXT } from '../support/small-meshes.mjs';
 import {
   boxArray,
   defects,
@@ -479,4 +480,29 @@ test('the names of results are those of the types', async () => {
   assert.deepEqual(fields('UnwrapChart'), Object.keys(report.charts[0]));
   assert.deepEqual(fields('RepairReport'), Object.keys(report.repair));
   assert.deepEqual(fields('InputSummary'), Object.keys(report.input));
+});
+
+test('seams along texcoords and materials of an OBJ, and what the mesh has of them', async () => {
+  const file = (text) => ({ bytes: bytesOf(text), name: 'cube.obj' });
+  const chartsOf = async (seams) =>
+    (await abflat.unwrap(file(CUBE_OF_PARTS), { seams, maxStretch: 3 })).report.charts.map(
+      ({ faces }) => faces,
+    );
+  assert.deepEqual((await chartsOf('uv')).sort(), [10, 2]);
+  assert.deepEqual((await chartsOf('material')).sort(), [10, 2]);
+  assert.deepEqual((await chartsOf('uv,material')).sort(), [2, 2, 8]);
+  const { texcoords, materials } = await abflat.inspect(file(CUBE_OF_PARTS));
+  assert.deepEqual([texcoords, materials], [16, 2]);
+  const plain = await abflat.inspect(file(CUBE_TEXT));
+  assert.deepEqual([plain.texcoords, plain.materials], [0, 0]);
+  for (const seams of ['uv', 'material'])
+    await assert.rejects(abflat.unwrap(file(CUBE_TEXT), { seams }), { code: 'InvalidOption' });
+});
+
+test('load tells the face of each triangle', async () => {
+  const { indices, faces } = await abflat.load({ bytes: bytesOf(CUBE_TEXT), name: 'cube.obj' });
+  assert.deepEqual([...faces], [0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5]);
+  assert.equal(indices.length, 3 * faces.length);
+  for (let f = 0; f < 6; ++f)
+    assert.equal(new Set(indices.subarray(6 * f, 6 * f + 6)).size, 4, 'two halves of a square');
 });

@@ -1,20 +1,8 @@
 // The page's modules that need no page.
 
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { after, test } from 'node:test';
-import { createServer } from 'vite';
-import { ROOT } from '../../scripts/lib/paths.mjs';
-
-const vite = await createServer({
-  root: join(ROOT, 'web'),
-  appType: 'custom',
-  logLevel: 'error',
-  server: { middlewareMode: true, hmr: false, ws: false },
-  optimizeDeps: { noDiscovery: true },
-});
-after(() => vite.close());
-const load = (name) => vite.ssrLoadModule(`/src/${name}.ts`);
+import { test } from 'node:test';
+import { loadModule as load } from './modules.mjs';
 
 /** A square of two triangles, tilted. */
 const SQUARE = {

@@ -5,24 +5,13 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
-import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
+import { CUBE, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { defects, objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { drop, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 const picture = (page, id) => page.locator(id).screenshot();
 const TORUS = objText(torus(24, 12));
-const CUBE = objText({
-  positions: [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]),
-  faces: [
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-  ],
-});
 
 /** The colours of a canvas that cover more than a thousandth of it, as [hue, count]; hues in steps of 20 degrees. */
 async function hues(page, id) {

@@ -57,6 +57,8 @@ Bytes resultOf(const Job& job, Field field) {
       return bytesOf(job.layout.seams);
     case Field::Unpacked:
       return bytesOf(job.layout.unpacked);
+    case Field::Faces:
+      return bytesOf(job.layout.faces);
   }
   return {};
 }
@@ -197,7 +199,9 @@ Status inspectJob(Job& job) {
 
 Status loadJob(Job& job) {
   if (Status s = readInput(job); !s.ok()) return s;
-  job.layout.triangles = triangulate(job.mesh).vertex;
+  Triangulation triangulation = triangulate(job.mesh);
+  job.layout.triangles = std::move(triangulation.vertex);
+  job.layout.faces = std::move(triangulation.face);
   job.layout.positions = std::move(job.mesh.positions);
   return {};
 }

@@ -22,7 +22,8 @@ struct LayoutArrays {
   std::vector<double> positions;         ///< 3 per output vertex, files only
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<EdgeVertices> seams;
-  std::vector<double> unpacked;  ///< 2 per output vertex
+  std::vector<double> unpacked;      ///< 2 per output vertex
+  std::vector<std::uint32_t> faces;  ///< input face per triangle, of a loaded file
 };
 
 /// One call from JavaScript: the input it wrote, then the results it reads.
@@ -52,7 +53,8 @@ enum class Field : int {
   Text,
   ChartOfTriangle,
   Seams,
-  Unpacked
+  Unpacked,
+  Faces
 };
 
 struct Bytes {

@@ -14,6 +14,7 @@ import type {
   CreateOptions,
   FlattenOptions,
   FlattenResult,
+  LoadedMesh,
   MeshFile,
   MeshInput,
   MeshSummary,
@@ -177,11 +178,11 @@ function inspect(client: Client, mesh: MeshInput, options: CallOptions): Promise
   return client.call<MeshSummary>(request, { transfer: owned.buffers, signal });
 }
 
-function load(client: Client, file: MeshFile, options: CallOptions): Promise<TriangleMesh> {
+function load(client: Client, file: MeshFile, options: CallOptions): Promise<LoadedMesh> {
   const { signal, transfer } = checkCall(client, options);
   const owned = takeFile(file, transfer);
   const request = { kind: 'load', mesh: owned.mesh } as const;
-  return client.call<TriangleMesh>(request, { transfer: owned.buffers, signal });
+  return client.call<LoadedMesh>(request, { transfer: owned.buffers, signal });
 }
 
 function checkCall(client: Client, options: CallOptions): CallOptions {

@@ -22,6 +22,7 @@ import type {
   FlattenResult,
   Layout,
   LayoutTimings,
+  LoadedMesh,
   MeshSummary,
   Report,
   TriangleMesh,
@@ -41,6 +42,7 @@ const FIELD = {
   chartOfTriangle: 7,
   seams: 8,
   unpacked: 9,
+  faces: 10,
 } as const;
 
 /** Thrown through the module by its allocator. */
@@ -265,10 +267,13 @@ export class Engine {
     return JSON.parse(this.#readText(job)) as MeshSummary;
   }
 
-  #load(job: number, file: OwnedMesh): TriangleMesh {
+  #load(job: number, file: OwnedMesh): LoadedMesh {
     this.#writeMesh(job, file);
     this.#check(job, this.#native._abflatLoad(job));
-    return this.#readTriangles(job);
+    return {
+      ...this.#readTriangles(job),
+      faces: new Uint32Array(this.#read(job, FIELD.faces)),
+    };
   }
 
   #sample(job: number, name: string, detail: number): TriangleMesh {

@@ -12,8 +12,9 @@ import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
-import { flatPicture } from './picture';
+import { type FlatPicture, flatPicture } from './picture';
 import { RunPanel } from './run-panel';
+import { SeamPanel } from './seams/seam-panel';
 import type { Opened, SessionEvents, Source } from './session';
 import { Session } from './session';
 import { type FlattenSettings, type Settings, sameSettings } from './settings';
@@ -22,7 +23,7 @@ import { flattenIfPossible } from './sweep';
 import { SweepTab } from './sweep-tab';
 import { bindTheme } from './theme';
 import type { Views } from './views';
-import { failure, layoutInfo, settingsText, WORDS } from './words';
+import { failure, kept, layoutInfo, settingsText, WORDS } from './words';
 
 /** Connects the session with what is on the page. */
 export class App implements SessionEvents {
@@ -35,7 +36,8 @@ export class App implements SessionEvents {
   });
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
-  private readonly charts = new ChartsTab();
+  private readonly charts: ChartsTab;
+  private readonly seams: SeamPanel;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
@@ -65,12 +67,19 @@ export class App implements SessionEvents {
   private delaunay = false;
   /** The last result. */
   private outcome: Outcome | null = null;
+  /** That of the last result; null without WebGL. */
+  private picture: FlatPicture | null = null;
 
   constructor(
     abflat: Promise<Abflat>,
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings);
+    this.charts = new ChartsTab(views);
+    this.seams = new SeamPanel(views?.mesh ?? null, {
+      changed: () => this.session.refresh(),
+      say: (text) => this.run.say(text),
+    });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     bindOpen((source) => void this.session.open(source));
     this.exportButton.addEventListener('click', () => this.export());
@@ -84,7 +93,8 @@ export class App implements SessionEvents {
   }
 
   private get settings(): Settings {
-    return this.mode.mode === 'unwrap' ? this.atlas.settings : this.diskSettings;
+    if (this.mode.mode === 'flatten') return this.diskSettings;
+    return { ...this.atlas.settings, ...this.seams.options };
   }
 
   private get diskSettings(): FlattenSettings {
@@ -97,6 +107,7 @@ export class App implements SessionEvents {
     this.methods.leave();
     this.methods.stop();
     this.sweep.stop();
+    this.seams.hide();
     this.details.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
     this.session.refresh();
@@ -117,9 +128,10 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened({ source, mesh, disk }: Opened): void {
+  opened({ source, mesh, summary }: Opened): void {
     hideAlert();
-    this.mode.setDisk(disk);
+    this.mode.setDisk(summary.disk);
+    this.seams.open({ mesh, summary, name: source.name });
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
@@ -143,12 +155,13 @@ export class App implements SessionEvents {
     this.markStale(outcome.settings);
     const verdict = report.valid ? '' : ', not valid';
     const { done } = WORDS[outcome.mode];
-    this.finish(`${done} in ${duration(report.timings.total)}${verdict}`, false);
+    this.finish(`${done} in ${duration(report.timings.total)}${verdict}${kept(outcome)}`, false);
   }
 
   private showDetails(outcome: Outcome): void {
     if (outcome.mode === 'unwrap') {
-      this.charts.show(outcome.result.report);
+      this.charts.show(outcome.result.report, this.picture);
+      this.seams.show(outcome);
       return;
     }
     const [chart] = outcome.result.report.charts;
@@ -195,7 +208,7 @@ export class App implements SessionEvents {
   }
 
   private showResult(outcome: Outcome): void {
-    this.views?.showOutcome(outcome);
+    this.picture = this.views?.showOutcome(outcome) ?? null;
     element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
   }
 

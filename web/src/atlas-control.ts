@@ -53,7 +53,7 @@ export class AtlasControl {
     );
   }
 
-  get settings(): UnwrapSettings {
+  get settings(): Omit<UnwrapSettings, 'seams' | 'seamEdges'> {
     return {
       mode: 'unwrap',
       maxStretch: STRETCHES[this.slider.valueAsNumber],

@@ -1,3 +1,4 @@
+import { download } from './download';
 import type { Outcome } from './lay-out';
 import { isGltf, type Source } from './session';
 
@@ -14,15 +15,7 @@ export async function exportMesh(outcome: Outcome): Promise<{ name: string; size
   const bytes = await bytesOf(outcome, format);
   if (!bytes) throw new Error(`The result came without ${format.toUpperCase()}.`);
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
-  const url = URL.createObjectURL(
-    new Blob([bytes as Uint8Array<ArrayBuffer>], { type: TYPES[format] }),
-  );
-  const link = document.createElement('a');
-  link.href = url;
-  link.download = name;
-  link.click();
-  // The browser reads the blob after click() returns.
-  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+  download(name, TYPES[format], bytes);
   return { name, size: bytes.length };
 }
 

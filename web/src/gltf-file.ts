@@ -4,11 +4,11 @@ import { type Document, type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import type { Layout } from 'abflat';
 import { documentMesh, type SetTexcoordsOptions, setTexcoords } from 'abflat/gltf';
-import type { DisplayMesh } from './mesh';
+import type { ArrayMesh } from './mesh';
 import type { FileSource } from './session';
 
 export interface GltfFile {
-  mesh: DisplayMesh;
+  mesh: ArrayMesh;
   /** The file as GLB, with the coordinates of a layout of `mesh`. */
   write(layout: Layout<unknown>, options: SetTexcoordsOptions): Promise<Uint8Array>;
 }
@@ -16,10 +16,10 @@ export interface GltfFile {
 export async function readGltf({ file, name, others }: FileSource): Promise<GltfFile> {
   const source = await open(name, file, others);
   refuseCompressed(name, source);
-  const { positions, indices } = documentMesh(await io().readJSON(source));
+  const { positions, indices, texcoords, materials } = documentMesh(await io().readJSON(source));
   if (indices.length === 0) throw new Error(`${name} has no triangles.`);
   return {
-    mesh: { positions, indices },
+    mesh: { positions, indices, texcoords, materials },
     async write(layout, options) {
       // What was read is not kept: it would take several times the memory of the file.
       const document = await io().readJSON(source);

@@ -34,11 +34,12 @@ interface Watch {
   onProgress: (progress: AnyProgress) => void;
 }
 
-/** One run of abflat, in the way the settings ask for. */
+/** One run of abflat, in the way the settings ask for; `earlier`: the last outcome, of whatever mesh. */
 export async function layOut(
   abflat: Abflat,
   { source, input, mesh, gltf }: Opened,
   settings: Settings,
+  earlier: Outcome | null,
   watch: Watch,
 ): Promise<Outcome> {
   const format = exportFormat(source);
@@ -49,6 +50,8 @@ export async function layOut(
     return { mode, source, mesh, gltf, settings, result };
   }
   const { mode, ...options } = settings;
-  const result = await abflat.unwrap(input, { ...options, ...file, ...watch });
+  // Charts that an edit leaves as they were are not flattened again.
+  const known = earlier?.mode === mode && earlier.source === source ? earlier.result : undefined;
+  const result = await abflat.unwrap(input, { ...options, known, ...file, ...watch });
   return { mode, source, mesh, gltf, settings, result };
 }

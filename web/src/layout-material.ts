@@ -3,18 +3,20 @@ import { CHART_COLORS } from './chart-colors';
 import type { Palette } from './palette';
 import { RAMP_SIZE } from './palette';
 import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+import { NONE_LIT } from './surface-material';
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   attribute float error;
-  attribute float chart;
+  attribute float chart, piece;
   varying vec3 vCorner;
   flat varying float vError;
-  flat varying float vChart;
+  flat varying float vChart, vPiece;
   void main() {
     vCorner = cornerOf(gl_VertexID);
     vError = error;
     vChart = chart;
+    vPiece = piece;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }
 `;
@@ -25,24 +27,25 @@ const FRAGMENT = /* glsl */ `
   ${RAMP_GLSL}
   ${CHART_GLSL}
   uniform bool showsError, showsCharts;
-  uniform float pixelRatio;
+  uniform float pixelRatio, lit;
   uniform vec3 fill, edge, flipped;
   varying vec3 vCorner;
   flat varying float vError;
-  flat varying float vChart;
+  flat varying float vChart, vPiece;
   void main() {
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
     if (showsError) base = rampColor(vError);
     float alpha = showsError || showsCharts ? 0.9 : 0.75;
     if (!gl_FrontFacing) base = flipped;
+    if (lit >= 0.0 && vPiece != lit) alpha = 0.25;
     float line = edgeCoverage(vCorner, pixelRatio) * (showsError || showsCharts ? 0.45 : 0.85);
-    gl_FragColor = vec4(mix(base, lines, line), mix(alpha, 1.0, line));
+    gl_FragColor = vec4(mix(base, lines, line), mix(alpha, min(1.0, 2.0 * alpha), line));
     #include <colorspace_fragment>
   }
 `;
 
-/** Material of the uv layout. Its geometry has no index and the attributes error (angle error) and chart (number of its colour). */
+/** Material of the uv layout. Its geometry has no index and the attributes error (angle error), chart (number of its colour) and piece (number of the chart itself). */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,
@@ -55,6 +58,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       showsError: { value: false },
       showsCharts: { value: false },
       pixelRatio: { value: 1 },
+      lit: { value: NONE_LIT },
       fill: { value: new Color() },
       edge: { value: new Color() },
       flipped: { value: new Color() },

@@ -8,6 +8,7 @@ import { PanZoom } from './pan-zoom';
 import type { FlatPicture } from './picture';
 import { DOT, PointMarks, RING } from './point-marks';
 import { Stage } from './stage';
+import { NONE_LIT } from './surface-material';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
@@ -39,6 +40,8 @@ export class LayoutView {
   private size: [number, number] = [1, 1];
   /** Until the user pans or zooms, the layout stays fitted whatever happens to it or to the pane. */
   private isFitted = true;
+  /** The chart of each shown triangle. */
+  private pieces = new Float32Array();
 
   constructor(canvas: HTMLCanvasElement) {
     this.panZoom = new PanZoom(canvas, {
@@ -67,7 +70,7 @@ export class LayoutView {
 
   /** Shows a layout. Keeps the point of view unless `isNew`. */
   show(picture: FlatPicture, isNew: boolean): void {
-    const { mesh, edges, errors, tightened, resisting, chartColors } = picture;
+    const { mesh, edges, errors, tightened, resisting, chartColors, charts: pieces } = picture;
     const { min, max } = chartColors ? UNIT_SQUARE : boundingBox(mesh.uv, 2, mesh.indices);
     const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
     this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
@@ -85,6 +88,8 @@ export class LayoutView {
     geometry.setAttribute('error', new BufferAttribute(toCorners(errors), 1));
     const charts = chartColors ?? new Float32Array(errors.length);
     geometry.setAttribute('chart', new BufferAttribute(toCorners(charts), 1));
+    this.pieces = Float32Array.from(pieces ?? charts);
+    geometry.setAttribute('piece', new BufferAttribute(toCorners(this.pieces), 1));
     this.material.uniforms.showsCharts.value = chartColors !== undefined;
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
@@ -116,12 +121,40 @@ export class LayoutView {
     this.stage.invalidate();
   }
 
+  /** Shows one chart clearer than the others; null: all alike. */
+  light(chart: number | null): void {
+    this.material.uniforms.lit.value = chart ?? NONE_LIT;
+    this.stage.invalidate();
+  }
+
+  /** Goes to one chart. */
+  goTo(chart: number): void {
+    const corners = this.surface.geometry.getAttribute('position').array;
+    const low = [Infinity, Infinity];
+    const high = [-Infinity, -Infinity];
+    this.pieces.forEach((piece, f) => {
+      if (piece !== chart) return;
+      for (let c = 3 * f; c < 3 * f + 3; ++c)
+        for (const d of [0, 1]) {
+          low[d] = Math.min(low[d], corners[3 * c + d]);
+          high[d] = Math.max(high[d], corners[3 * c + d]);
+        }
+    });
+    if (low[0] > high[0]) return;
+    this.look((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, [high[0] - low[0], high[1] - low[1]]);
+    this.isFitted = false;
+  }
+
   fit(): void {
-    const margin = Math.min(MARGIN, this.stage.width / 8, this.stage.height / 8);
-    const across = (this.stage.width - 2 * margin) / (this.size[0] || 1);
-    const down = (this.stage.height - 2 * margin) / (this.size[1] || 1);
-    this.panZoom.set(0, 0, Math.min(across, down));
+    this.look(0, 0, this.size);
     this.isFitted = true;
+  }
+
+  private look(x: number, y: number, size: [number, number]): void {
+    const margin = Math.min(MARGIN, this.stage.width / 8, this.stage.height / 8);
+    const across = (this.stage.width - 2 * margin) / (size[0] || 1);
+    const down = (this.stage.height - 2 * margin) / (size[1] || 1);
+    this.panZoom.set(x, y, Math.min(across, down));
     this.stage.invalidate();
   }
 

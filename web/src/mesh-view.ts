@@ -12,12 +12,15 @@ import { checkerCells } from './checker';
 import { EdgeLines } from './edge-lines';
 import { fitInView } from './fit-in-view';
 import type { DisplayMesh } from './mesh';
-import { boundingBox, facing, perCorner, toCorners, vertexNormals } from './mesh';
+import { facing, perCorner, toCorners, vertexNormals } from './mesh';
 import type { Palette } from './palette';
 import type { FlatPicture, Picture } from './picture';
 import { DOT, PointMarks } from './point-marks';
+import { type SeamMarks, SeamOverlay } from './seams/seam-overlay';
+import { Sight } from './seams/sight';
 import { Stage } from './stage';
-import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
+import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
+import { toUnitSphere } from './unit-sphere';
 
 const FIELD_OF_VIEW = 32;
 /** Share of the view's width or height that a fitted mesh takes. */
@@ -41,6 +44,9 @@ export class MeshView {
   private readonly surface = new Mesh(new BufferGeometry(), this.material);
   private readonly boundary = new EdgeLines(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
+  private readonly seams = new SeamOverlay();
+  /** The chart of each shown triangle. */
+  private pieces = new Float32Array();
   private front = new Vector3(0, 0, 1);
   /** Corners of the shown triangles, within the unit sphere. */
   private corners: Float32Array = new Float32Array();
@@ -52,14 +58,17 @@ export class MeshView {
   private wireOpacity = 0.5;
   private showsWireframe = false;
 
-  constructor(canvas: HTMLCanvasElement, reducedMotion: boolean) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    reducedMotion: boolean,
+  ) {
     this.stage = new Stage(
       canvas,
       () => this.draw(),
       () => this.resized(),
     );
     this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object, this.dots.object);
+    this.scene.add(this.surface, this.boundary.object, this.dots.object, this.seams.object);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -88,6 +97,8 @@ export class MeshView {
     geometry.setAttribute('error', new BufferAttribute(toCorners(perTriangle), 1));
     const charts = flat?.chartColors ?? new Float32Array(perTriangle.length);
     geometry.setAttribute('chart', new BufferAttribute(toCorners(charts), 1));
+    this.pieces = Float32Array.from(flat?.charts ?? charts);
+    geometry.setAttribute('piece', new BufferAttribute(toCorners(this.pieces), 1));
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
     this.boundary.show(unit, edges);
@@ -96,8 +107,24 @@ export class MeshView {
     this.isFlat = flat !== null;
     this.paint();
     if (!isNew) return;
-    this.front = frontOf(mesh);
+    this.front = frontOf(mesh, USUAL_FRONT);
     this.reset();
+  }
+
+  /** What the camera sees now. */
+  get sight(): Sight {
+    return new Sight(this.camera, this.stage.width, this.stage.height);
+  }
+
+  /** `turned` is called when the point of view has changed. */
+  onTurn(turned: () => void): void {
+    this.controls.addEventListener('change', turned);
+  }
+
+  /** `points` has xyz per vertex, in the unit sphere. */
+  markSeams(points: Float32Array, marks: SeamMarks): void {
+    this.seams.show(points, marks);
+    this.stage.invalidate();
   }
 
   setPalette(palette: Palette): void {
@@ -105,6 +132,7 @@ export class MeshView {
     paintSurface(this.material, palette);
     this.boundary.setColor(palette.boundary);
     this.dots.setColor(palette.tightened);
+    this.seams.setPalette(palette);
     this.wireOpacity = palette.wireOpacity;
     this.paint();
   }
@@ -119,14 +147,35 @@ export class MeshView {
     this.paint();
   }
 
+  /** Shows one chart clearer than the others; null: all alike. */
+  light(chart: number | null): void {
+    this.material.uniforms.lit.value = chart ?? NONE_LIT;
+    this.stage.invalidate();
+  }
+
+  /** Looks at one chart. */
+  goTo(chart: number): void {
+    const part = partOf(this.corners, this.pieces, chart);
+    const positions = Float64Array.from(part);
+    const indices = Uint32Array.from({ length: part.length / 3 }, (_, v) => v);
+    const now = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.look(part, frontOf({ positions, indices }, now));
+    this.isFitted = false;
+  }
+
   reset(): void {
+    this.look(this.corners, this.front);
+    this.isFitted = true;
+  }
+
+  /** `front`: from the points (xyz each) to the eye. */
+  private look(points: Float32Array, front: Vector3): void {
     this.stopDamping();
     const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
-    const { target, distance } = fitInView(this.corners, this.front, up * this.camera.aspect, up);
+    const { target, distance } = fitInView(points, front, up * this.camera.aspect, up);
     this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(this.front, distance);
+    this.camera.position.copy(target).addScaledVector(front, distance);
     this.controls.update();
-    this.isFitted = true;
     this.stage.invalidate();
   }
 
@@ -151,6 +200,7 @@ export class MeshView {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     this.dots.setPixelRatio(this.stage.pixelRatio);
     this.boundary.setResolution(this.stage.width, this.stage.height);
+    this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
     if (this.isFitted) this.reset();
   }
 
@@ -193,10 +243,10 @@ export class MeshView {
   }
 }
 
-/** Unit vector from the mesh to the point from which it is first seen; y is up. */
-function frontOf(mesh: DisplayMesh): Vector3 {
+/** Unit vector from the mesh to the point from which it is first seen, `otherwise` where it faces nowhere; y is up. */
+function frontOf(mesh: DisplayMesh, otherwise: Vector3): Vector3 {
   const { direction, clarity } = facing(mesh);
-  if (clarity < CLEAR_FACING) return USUAL_FRONT;
+  if (clarity < CLEAR_FACING) return otherwise;
   const [x, y, z] = direction;
   const elevation = Math.asin(Math.min(1, Math.max(-1, y)));
   const around = Math.hypot(x, z) > 0.2 ? Math.atan2(x, z) : Math.PI / 7;
@@ -204,14 +254,11 @@ function frontOf(mesh: DisplayMesh): Vector3 {
   return new Vector3().setFromSphericalCoords(1, polar, around);
 }
 
-/** Positions moved and scaled so that the triangles lie in the unit sphere round their box's centre: float32 keeps its digits. */
-function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
-  const { min, max } = boundingBox(positions, 3, indices);
-  const center = min.map((low, d) => (low + max[d]) / 2);
-  let radius = 0;
-  for (const v of indices) {
-    const [x, y, z] = center.map((c, d) => positions[3 * v + d] - c);
-    radius = Math.max(radius, Math.hypot(x, y, z));
-  }
-  return Float32Array.from(positions, (x, i) => (x - center[i % 3]) / (radius || 1));
+/** The corners (xyz each) of one chart's triangles. */
+function partOf(corners: Float32Array, pieces: Float32Array, chart: number): Float32Array {
+  const part: number[] = [];
+  pieces.forEach((piece, f) => {
+    if (piece === chart) for (let i = 9 * f; i < 9 * f + 9; ++i) part.push(corners[i]);
+  });
+  return Float32Array.from(part);
 }

@@ -2,6 +2,14 @@
 export interface DisplayMesh {
   positions: Float64Array;
   indices: Uint32Array;
+  /** The face that each triangle is of, where that is not itself. */
+  faces?: Uint32Array;
+}
+
+/** With what seams may follow: 2 texcoords per vertex, a material per triangle. */
+export interface ArrayMesh extends DisplayMesh {
+  texcoords?: Float64Array;
+  materials?: Uint32Array;
 }
 
 /** A flattened mesh as it is drawn: `uv` has 2 per vertex of `indices`. */

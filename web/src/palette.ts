@@ -17,6 +17,8 @@ export interface Palette {
   tightened: Color;
   /** Round the unit square. */
   frame: Color;
+  /** Of what a click on the surface would cut. */
+  cut: Color;
   charts: Color[];
   /** Low to high. */
   ramp: Color[];
@@ -42,6 +44,7 @@ export function readPalette(): Palette {
     flipped: color('flipped'),
     tightened: color('tightened'),
     frame: color('frame'),
+    cut: color('cut'),
     charts: Array.from({ length: CHART_COLORS }, (_, i) => color(`chart-${i}`)),
     ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),
   };

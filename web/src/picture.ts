@@ -26,6 +26,8 @@ export interface FlatPicture extends Picture {
   resisting: Uint32Array;
   /** The number of each triangle's colour when it is an atlas of charts in the unit square. */
   chartColors?: Float32Array;
+  /** The chart of each triangle of an atlas. */
+  charts?: Uint32Array;
 }
 
 /** The arrays of a result, as abflat gives them. */
@@ -62,6 +64,7 @@ function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
     errors: angleErrors(mesh),
     tightened: none,
     resisting: none,
+    charts: chartOfTriangle,
     chartColors: chartColors(indices, chartOfTriangle, weld(positions, 3)),
   };
 }

@@ -35,8 +35,7 @@ export interface Opened {
   source: Source;
   input: MeshInput;
   mesh: DisplayMesh;
-  /** Whether it is a disk, and why not. */
-  disk: MeshSummary['disk'];
+  summary: MeshSummary;
   /** Of a glTF, which abflat knows as arrays. */
   gltf?: GltfFile;
 }
@@ -50,6 +49,8 @@ const SAMPLE_DETAIL = 2;
 /** One mesh at a time, one run at a time; the latest wish wins. Wishes are heard while abflat still starts. */
 export class Session {
   private opened: Opened | null = null;
+  /** The last one. */
+  private outcome: Outcome | null = null;
   private running: AbortController | null = null;
   /** Whether to lay out once more as soon as the run in flight ends. */
   private isWanted = false;
@@ -125,12 +126,13 @@ export class Session {
     const controller = this.begin();
     this.events.started(opened.source, settings);
     try {
-      const outcome = await layOut(await this.abflat, opened, settings, {
+      const outcome = await layOut(await this.abflat, opened, settings, this.outcome, {
         signal: controller.signal,
         onProgress: (progress) => {
           if (controller === this.running) this.events.progress(progress);
         },
       });
+      if (controller === this.running) this.outcome = outcome;
       this.end(controller, () => this.events.laidOut(outcome));
     } catch (error) {
       this.end(controller, () => this.events.failed(opened.source, settings, toError(error)));
@@ -168,22 +170,22 @@ export class Session {
     const abflat = await this.abflat;
     if (source.kind === 'sample') {
       const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
-      const { disk } = await abflat.inspect(mesh, { signal });
-      return { source, input: mesh, mesh, disk };
+      const summary = await abflat.inspect(mesh, { signal });
+      return { source, input: mesh, mesh, summary };
     }
     if (isGltf(source)) {
       const { readGltf } = await import('./gltf-file');
       const gltf = await readGltf(source);
-      const { mesh, disk } = await asDisk(abflat, gltf.mesh, signal);
-      return { source, input: mesh, mesh, disk, gltf };
+      const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal);
+      return { source, input: mesh, mesh, summary, gltf };
     }
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
     };
     const mesh = await abflat.load(input, { signal });
-    const { disk } = await abflat.inspect(input, { signal });
-    return { source, input, mesh, disk };
+    const summary = await abflat.inspect(input, { signal });
+    return { source, input, mesh, summary };
   }
 }
 

@@ -18,6 +18,10 @@ export interface UnwrapSettings {
   resolution: number;
   /** Texels between charts. */
   padding: number;
+  /** As the command line takes it. */
+  seams: string;
+  /** Cut as well, two vertices each. */
+  seamEdges?: Uint32Array;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;
@@ -28,6 +32,8 @@ export function sameSettings(a: Settings, b: Settings): boolean {
     b.mode === 'unwrap' &&
     a.maxStretch === b.maxStretch &&
     a.resolution === b.resolution &&
-    a.padding === b.padding
+    a.padding === b.padding &&
+    a.seams === b.seams &&
+    a.seamEdges === b.seamEdges
   );
 }

@@ -8,16 +8,19 @@ import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './s
 export const SurfacePaint = { Clay: 0, Checker: 1, Distortion: 2, Charts: 3 } as const;
 export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
 
+/** In place of the chart that is shown alone. */
+export const NONE_LIT = -1;
+
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   attribute float error;
-  attribute float chart;
+  attribute float chart, piece;
   varying vec3 vNormal;
   varying vec3 vCorner;
   varying vec3 vView;
   varying vec2 vUv;
   flat varying float vError;
-  flat varying float vChart;
+  flat varying float vChart, vPiece;
   void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
     vNormal = normalMatrix * normal;
@@ -26,6 +29,7 @@ const VERTEX = /* glsl */ `
     vUv = uv;
     vError = error;
     vChart = chart;
+    vPiece = piece;
     gl_Position = projectionMatrix * view;
   }
 `;
@@ -39,13 +43,14 @@ const FRAGMENT = /* glsl */ `
   uniform int paint;
   uniform float wire;
   uniform float pixelRatio;
-  uniform vec3 clay, checkA, checkB, back, wireColor;
+  uniform float lit;
+  uniform vec3 clay, checkA, checkB, back, wireColor, background;
   varying vec3 vNormal;
   varying vec3 vCorner;
   varying vec3 vView;
   varying vec2 vUv;
   flat varying float vError;
-  flat varying float vChart;
+  flat varying float vChart, vPiece;
 
   vec3 shade(vec3 base, vec3 n, vec3 v) {
     vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
@@ -63,6 +68,7 @@ const FRAGMENT = /* glsl */ `
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
     if (paint == 2) base = rampColor(vError);
     if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
+    if (lit >= 0.0 && vPiece != lit) base = mix(base, background, 0.75);
     vec3 n = normalize(vNormal);
     if (!gl_FrontFacing) {
       n = -n;
@@ -75,7 +81,7 @@ const FRAGMENT = /* glsl */ `
   }
 `;
 
-/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells), error (angle error) and chart (number of its colour). */
+/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells), error (angle error), chart (number of its colour) and piece (number of the chart itself). */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,
@@ -88,6 +94,8 @@ export function createSurfaceMaterial(): ShaderMaterial {
     uniforms: {
       paint: { value: SurfacePaint.Clay },
       wire: { value: 0 },
+      lit: { value: NONE_LIT },
+      background: { value: new Color() },
       pixelRatio: { value: 1 },
       clay: { value: new Color() },
       checkA: { value: new Color() },
@@ -102,6 +110,7 @@ export function createSurfaceMaterial(): ShaderMaterial {
 
 export function paintSurface(material: ShaderMaterial, palette: Palette): void {
   const { uniforms } = material;
+  uniforms.background.value = palette.background;
   uniforms.clay.value = palette.clay;
   uniforms.checkA.value = palette.checkA;
   uniforms.checkB.value = palette.checkB;

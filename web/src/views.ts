@@ -11,7 +11,7 @@ import { RAMP_MOST } from './shader-parts';
 
 /** Both pictures and the buttons that belong to them. */
 export class Views {
-  private readonly mesh: MeshView;
+  readonly mesh: MeshView;
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
   private isDisk = true;
@@ -43,7 +43,19 @@ export class Views {
     this.mesh.show(meshPicture(mesh), true);
   }
 
-  showOutcome(outcome: Outcome): void {
+  /** Shows one chart clearer than the others; null: all alike. */
+  lightChart(chart: number | null): void {
+    this.mesh.light(chart);
+    this.layout.light(chart);
+  }
+
+  goToChart(chart: number): void {
+    this.mesh.goTo(chart);
+    this.layout.goTo(chart);
+  }
+
+  /** Returns the picture. */
+  showOutcome(outcome: Outcome): FlatPicture {
     const picture = outcomePicture(outcome);
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
@@ -51,10 +63,12 @@ export class Views {
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;
     this.showFlat(picture, isDisk ? outcome.result.report.charts[0] : null, isNew);
+    return picture;
   }
 
   /** Another layout of the mesh that is shown; `marked` is null when nothing is. */
   showFlat(picture: FlatPicture, marked: Marked | null, isNew = false): void {
+    this.lightChart(null);
     // The point of view was chosen when the mesh was opened.
     this.mesh.show(picture, false);
     this.layout.show(picture, isNew);

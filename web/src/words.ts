@@ -1,4 +1,4 @@
-import { bound, counted } from './format';
+import { bound, count, counted } from './format';
 import type { Flattened, Outcome } from './lay-out';
 import { titleOf } from './open-mesh';
 import type { Source } from './session';
@@ -19,8 +19,9 @@ export const WORDS: Record<Mode, Words> = {
 /** "t = auto, Delaunay" */
 export function settingsText(settings: Settings): string {
   if (settings.mode === 'unwrap') {
-    const { maxStretch, resolution, padding } = settings;
-    return `stretch up to ${maxStretch}, ${resolution}\u202fpx, padding ${padding}`;
+    const { maxStretch, resolution, padding, seams, seamEdges } = settings;
+    const along = seamEdges ? `${counted(seamEdges.length / 2, 'seam edge')}` : `seams ${seams}`;
+    return `${along}, stretch up to ${maxStretch}, ${resolution}\u202fpx, padding ${padding}`;
   }
   return `t = ${bound(settings.t)}${settings.delaunay ? ', Delaunay' : ''}`;
 }
@@ -46,4 +47,12 @@ function boundInfo({ settings, result }: Flattened): string {
   const tightened = chart.bounds.length;
   const but = tightened > 0 ? ` but for ${counted(tightened, 'vertex', 'vertices')}` : '';
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
+}
+
+/** Of an atlas that was edited: the charts that did not change. */
+export function kept(outcome: Outcome): string {
+  if (outcome.mode === 'flatten') return '';
+  const { charts } = outcome.result.report;
+  const known = charts.filter(({ solver }) => solver === 'known').length;
+  return known > 0 ? `; ${count(known)} of ${counted(charts.length, 'chart')} kept` : '';
 }

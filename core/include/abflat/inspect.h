@@ -24,6 +24,8 @@ struct MeshSummary {
   std::int64_t eulerCharacteristic = 0;
   std::int64_t genus =
       0;  ///< summed over components; -1 when not defined (non-manifold or not orientable as given)
+  std::size_t texcoords = 0;  ///< that the file has
+  std::size_t materials = 0;  ///< that faces have
   Status disk;
 };
 

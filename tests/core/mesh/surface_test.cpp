@@ -34,6 +34,17 @@ TEST_CASE("a grid is a disk with the expected counts") {
   CHECK(m.degenerateFaces == 0);
 }
 
+TEST_CASE("texcoords and different materials are counted") {
+  PolygonMesh mesh = tetrahedron();
+  CHECK(inspect(mesh).texcoords == 0);
+  CHECK(inspect(mesh).materials == 0);
+  mesh.texcoords = {0, 0, 1, 0, 0, 1};
+  mesh.faceTexcoords.assign(mesh.faceVertices.size(), 2);
+  mesh.faceMaterials = {7, 0, 7, 0};
+  CHECK(inspect(mesh).texcoords == 3);
+  CHECK(inspect(mesh).materials == 2);
+}
+
 TEST_CASE("surfaces that are no disk say what they are") {
   CHECK(diskCode(PolygonMesh{}) == StatusCode::EmptyMesh);
 

@@ -1,0 +1,113 @@
+import type { UnwrapReport } from 'abflat';
+import { create, element } from '../dom';
+import { count, counted } from '../format';
+import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
+
+/** More rows than anybody reads would only be slow. */
+const MOST_ROWS = 200;
+/** What there is most of comes first. */
+const BY_NUMBER = 0;
+const BY_FACES = 1;
+
+export interface ChartTableEvents {
+  /** A chart is pointed at; null: none any more. */
+  pointed(chart: number | null): void;
+  chosen(chart: number): void;
+}
+
+/** The charts of an atlas, a row each: sorted by any column. */
+export class ChartTable {
+  private readonly place = element('charts', HTMLElement);
+  private readonly more = element('charts-more', HTMLElement);
+  private readonly headers: HTMLTableCellElement[] = [];
+  private readonly body = create('tbody', '');
+  private rows: ChartRow[] = [];
+  /** The number of each chart's colour. */
+  private colors: ArrayLike<number> | null = null;
+  private order: Order = { column: BY_FACES, descending: true };
+
+  constructor(private readonly events: ChartTableEvents) {
+    const table = create('table', 'method-table chart-table');
+    const head = create('thead', '');
+    head.append(this.headRow());
+    table.append(create('caption', 'visually-hidden', 'Charts'), head, this.body);
+    this.place.append(table);
+    for (const type of ['mouseleave', 'focusout'] as const)
+      this.body.addEventListener(type, () => events.pointed(null));
+  }
+
+  show(report: UnwrapReport, colors: ArrayLike<number> | null): void {
+    this.rows = chartRows(report);
+    this.colors = colors;
+    this.fill();
+  }
+
+  private fill(): void {
+    const sorted = sortedRows(this.rows, this.order);
+    this.body.replaceChildren(...sorted.slice(0, MOST_ROWS).map((row) => this.row(row)));
+    this.headers.forEach((header, i) => {
+      const isSorted = i === this.order.column;
+      header.ariaSort = isSorted ? (this.order.descending ? 'descending' : 'ascending') : 'none';
+    });
+    const left = sorted.length - MOST_ROWS;
+    this.more.hidden = left <= 0;
+    this.more.textContent = `${counted(left, 'more chart')}: sort by another column to see what ends there.`;
+  }
+
+  private headRow(): HTMLTableRowElement {
+    const row = create('tr', '');
+    COLUMNS.forEach(({ name, title }, column) => {
+      const cell = create('th', '');
+      cell.scope = 'col';
+      const button = create('button', 'sort', name);
+      button.type = 'button';
+      button.title = title;
+      button.addEventListener('click', () => this.sortBy(column));
+      cell.append(button);
+      this.headers.push(cell);
+      row.append(cell);
+    });
+    return row;
+  }
+
+  private sortBy(column: number): void {
+    const isSame = this.order.column === column;
+    const descending = isSame ? !this.order.descending : column !== BY_NUMBER;
+    this.order = { column, descending };
+    this.fill();
+  }
+
+  private row(row: ChartRow): HTMLTableRowElement {
+    const { index, chart } = row;
+    const made = create('tr', '');
+    made.dataset.chart = String(index);
+    COLUMNS.forEach(({ text }, column) => {
+      if (column === 0) made.append(this.nameCell(index));
+      else made.append(create('td', '', text(row)));
+    });
+    const verdict = made.lastElementChild as HTMLElement;
+    verdict.className = chart.valid ? 'good' : 'bad';
+    verdict.ariaLabel = chart.valid ? 'valid' : 'not valid';
+    verdict.title = chart.problem;
+    made.addEventListener('mouseenter', () => this.events.pointed(index));
+    made.addEventListener('focusin', () => this.events.pointed(index));
+    made.addEventListener('click', () => this.events.chosen(index));
+    return made;
+  }
+
+  private nameCell(index: number): HTMLElement {
+    const cell = create('th', '');
+    cell.scope = 'row';
+    const button = create('button', 'chart-name');
+    button.type = 'button';
+    button.setAttribute('aria-label', `Chart ${index}: show it`);
+    if (this.colors) {
+      const swatch = create('span', 'swatch');
+      swatch.style.background = `var(--chart-${this.colors[index]})`;
+      button.append(swatch);
+    }
+    button.append(count(index));
+    cell.append(button);
+    return cell;
+  }
+}

@@ -1,0 +1,86 @@
+import { Vector3 } from 'three';
+import { firstHit, type Solid } from './ray';
+import type { Pixel, Sight } from './sight';
+
+/** Css pixels to what is worth aiming at. */
+const REACH = 12;
+/** Candidates that are tested for being in sight; further ones would be hidden too. */
+const MOST_TRIES = 6;
+/** Share of the distance by which a point may lie behind the surface that it is on. */
+const SLACK = 2e-3;
+
+interface Candidate {
+  index: number;
+  pixels: number;
+  point: Vector3;
+}
+
+/** The vertex under a pixel: one of `wanted` in reach, otherwise the nearest of the triangle there; -1 where there is none. */
+export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable<number>): number {
+  const near: Candidate[] = [];
+  for (const v of wanted) {
+    const pixel = sight.pixel(solid.points, v);
+    const pixels = pixel ? distance(pixel, at) : Infinity;
+    if (pixels <= REACH) near.push({ index: v, pixels, point: pointOf(solid, v) });
+  }
+  const snapped = nearestInSight(solid, sight, near);
+  if (snapped >= 0) return snapped;
+  const hit = firstHit(solid, sight.ray(at));
+  if (!hit) return -1;
+  const corners = solid.indices.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
+  const pixels = (v: number) => distance(sight.pixel(solid.points, v) ?? at, at);
+  return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
+}
+
+/** The edge (two vertices each in `ends`) of `edges` that is nearest to a pixel, in reach and in sight; -1 where there is none. */
+export function edgeAt(
+  solid: Solid,
+  sight: Sight,
+  at: Pixel,
+  ends: Uint32Array,
+  edges: Iterable<number>,
+): number {
+  const near: Candidate[] = [];
+  for (const index of edges) {
+    const [a, b] = [ends[2 * index], ends[2 * index + 1]];
+    const [from, to] = [sight.pixel(solid.points, a), sight.pixel(solid.points, b)];
+    if (!from || !to) continue;
+    const share = nearestShare(from, to, at);
+    const pixel = { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
+    const pixels = distance(pixel, at);
+    if (pixels > REACH) continue;
+    near.push({ index, pixels, point: pointOf(solid, a).lerp(pointOf(solid, b), share) });
+  }
+  return nearestInSight(solid, sight, near);
+}
+
+function nearestInSight(solid: Solid, sight: Sight, candidates: Candidate[]): number {
+  candidates.sort((a, b) => a.pixels - b.pixels || a.index - b.index);
+  const found = candidates.slice(0, MOST_TRIES).find(({ point }) => isInSight(solid, sight, point));
+  return found ? found.index : -1;
+}
+
+function isInSight(solid: Solid, sight: Sight, point: Vector3): boolean {
+  const pixel = sight.pixel(point.toArray(), 0);
+  if (!pixel) return false;
+  const ray = sight.ray(pixel);
+  const hit = firstHit(solid, ray);
+  const distance = point.distanceTo(ray.origin) / ray.direction.length();
+  return !hit || hit.distance >= (1 - SLACK) * distance;
+}
+
+function pointOf({ points }: Solid, v: number): Vector3 {
+  return new Vector3().fromArray(points, 3 * v);
+}
+
+function distance(a: Pixel, b: Pixel): number {
+  return Math.hypot(a.x - b.x, a.y - b.y);
+}
+
+/** Where between two pixels a third one is nearest, 0 to 1. */
+function nearestShare(from: Pixel, to: Pixel, at: Pixel): number {
+  const [x, y] = [to.x - from.x, to.y - from.y];
+  const along = (at.x - from.x) * x + (at.y - from.y) * y;
+  const square = x * x + y * y;
+  return square > 0 ? Math.min(1, Math.max(0, along / square)) : 0;
+}

@@ -1,0 +1,39 @@
+/** Where seams come from, in the words of the command line. */
+export interface SeamSources {
+  auto: boolean;
+  uv: boolean;
+  material: boolean;
+  /** Degrees; null: not along sharp edges. */
+  sharp: number | null;
+}
+
+/** What the user wants cut. */
+export interface SeamChoice {
+  sources: SeamSources;
+  /** Two vertices per edge: these, and not those of the sources. */
+  edges: Uint32Array | null;
+}
+
+export const AUTOMATIC: SeamChoice = {
+  sources: { auto: true, uv: false, material: false, sharp: null },
+  edges: null,
+};
+
+/** The value of `--seams`. */
+export function seamWords({ auto, uv, material, sharp }: SeamSources): string {
+  const words = [
+    ...(auto ? ['auto'] : []),
+    ...(uv ? ['uv'] : []),
+    ...(material ? ['material'] : []),
+    ...(sharp !== null ? [`sharp=${sharp}`] : []),
+  ];
+  return words.join(',') || 'none';
+}
+
+/** As options of `unwrap`. */
+export function seamOptions({ sources, edges }: SeamChoice): {
+  seams: string;
+  seamEdges?: Uint32Array;
+} {
+  return edges ? { seams: 'none', seamEdges: edges } : { seams: seamWords(sources) };
+}

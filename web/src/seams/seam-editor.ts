@@ -1,0 +1,223 @@
+import { counted, measure } from '../format';
+import type { MeshView } from '../mesh-view';
+import { Aim, type Modifiers } from './aim';
+import { edgeAt, vertexAt } from './pick';
+import type { SeamModel } from './seam-model';
+import { NO_MARKS, type SeamMarks } from './seam-overlay';
+import { SeamTools, type Tool } from './seam-tools';
+import { ShortestPaths } from './shortest-paths';
+import type { Pixel } from './sight';
+
+export interface SeamEditorEvents {
+  /** The user wants other seams. */
+  changed(): void;
+  /** For people. */
+  say(text: string): void;
+}
+
+const INVITATIONS: Record<Tool, string> = {
+  cut: 'Click a vertex to begin a cut',
+  join: 'Click a seam to join its sides',
+};
+
+/** What a click wants to meet. */
+interface Targets {
+  /** Edges. */
+  seams: number[];
+  /** Those on seams and boundaries. */
+  places: number[];
+}
+
+/** Seams are cut and joined by clicks on the surface. */
+export class SeamEditor {
+  private readonly tools: SeamTools;
+  private readonly aim: Aim;
+  private model: SeamModel | null = null;
+  private paths: ShortestPaths | null = null;
+  /** Null until they are needed. */
+  private targets: Targets | null = null;
+
+  constructor(
+    private readonly view: MeshView,
+    private readonly events: SeamEditorEvents,
+  ) {
+    this.tools = new SeamTools({
+      toolChanged: () => this.clear(),
+      undo: () => this.step('undo'),
+      redo: () => this.step('redo'),
+    });
+    this.aim = new Aim(view.canvas, {
+      moved: (at, modifiers) => this.onMove(at, modifiers),
+      clicked: (at, modifiers) => this.onClick(at, modifiers),
+    });
+    view.onTurn(() => this.aim.refresh());
+    // Before the page takes Escape for the run in flight.
+    window.addEventListener('keydown', (event) => this.onEscape(event), { capture: true });
+  }
+
+  /** The seams to edit; null: none. */
+  edit(model: SeamModel | null): void {
+    if (model !== this.model) this.paths = null;
+    this.model = model;
+    this.tools.setVisible(model !== null);
+    this.update();
+  }
+
+  /** The model has changed, or the atlas. */
+  update(): void {
+    this.targets = null;
+    this.tools.setHistory(this.model?.canUndo ?? false, this.model?.canRedo ?? false);
+    this.aim.refresh();
+  }
+
+  private clear(): void {
+    this.paths = null;
+    this.mark(NO_MARKS, '');
+    this.aim.refresh();
+  }
+
+  private mark(marks: SeamMarks, hint: string): void {
+    if (this.model && marks !== NO_MARKS)
+      this.view.markSeams(this.model.surface.solid.points, marks);
+    else this.view.markSeams(new Float32Array(), NO_MARKS);
+    this.tools.setHint(hint);
+  }
+
+  private toolOf({ alt }: Modifiers): Tool | null {
+    const { tool } = this.tools;
+    if (!alt || tool === null) return tool;
+    return tool === 'cut' ? 'join' : 'cut';
+  }
+
+  private onMove(at: Pixel | null, modifiers: Modifiers): void {
+    const tool = this.toolOf(modifiers);
+    if (!this.model || tool === null) this.mark(NO_MARKS, '');
+    else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
+    else if (tool === 'cut') this.previewCut(this.model, at);
+    else this.previewJoin(this.model, at, modifiers);
+  }
+
+  private onClick(at: Pixel, modifiers: Modifiers): void {
+    const tool = this.toolOf(modifiers);
+    if (!this.model || tool === null) return;
+    if (tool === 'cut') this.cut(this.model, at, modifiers.shift);
+    else this.join(this.model, at, modifiers);
+    this.aim.refresh();
+  }
+
+  private previewCut(model: SeamModel, at: Pixel | null): void {
+    const place = this.placeAt(model, at);
+    const { paths } = this;
+    if (!paths) {
+      const text = place < 0 ? INVITATIONS.cut : `Vertex ${place}: begin a cut`;
+      this.mark({ ...NO_MARKS, vertices: listed(place) }, text);
+      return;
+    }
+    const path = place < 0 ? [] : paths.to(place);
+    const vertices = Uint32Array.from([paths.start, ...listed(place)]);
+    const length = measure(paths.distances[place] ?? 0);
+    const text =
+      path.length > 0
+        ? `Vertex ${paths.start} to ${place}: cut ${counted(path.length, 'edge')}, ${length} long`
+        : `From vertex ${paths.start}: click where the cut ends, Esc to let go`;
+    this.mark({ ...NO_MARKS, cut: this.pairs(model, path), vertices }, text);
+  }
+
+  private previewJoin(model: SeamModel, at: Pixel | null, { shift }: Modifiers): void {
+    const edges = this.seamAt(model, at, shift);
+    const vertices = this.paths ? Uint32Array.of(this.paths.start) : NO_MARKS.vertices;
+    const isOwn = edges.some((e) => model.own[e]);
+    const seam = `Seam of ${counted(edges.length, 'edge')}`;
+    if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, INVITATIONS.join);
+    else if (!isOwn) this.mark(NO_MARKS, `${seam}: needed, its chart is no disk without`);
+    else this.mark({ ...NO_MARKS, joined: this.pairs(model, edges), vertices }, `${seam}: join`);
+  }
+
+  /** The first click chooses where to begin, the second one cuts; `goesOn`: the next cut begins where this one ends. */
+  private cut(model: SeamModel, at: Pixel, goesOn: boolean): void {
+    const place = this.placeAt(model, at);
+    if (place < 0) return;
+    if (!this.paths) {
+      this.paths = new ShortestPaths(model.graph, place);
+      this.events.say(`A cut begins at vertex ${place}`);
+      return;
+    }
+    const path = this.paths.to(place);
+    const isSame = place === this.paths.start;
+    if (path.length === 0 && !isSame) {
+      this.events.say(`No edges lead from vertex ${this.paths.start} to vertex ${place}`);
+      return;
+    }
+    this.paths = goesOn && !isSame ? new ShortestPaths(model.graph, place) : null;
+    if (isSame) return;
+    const count = model.cut(path);
+    this.events.say(count > 0 ? `Cut ${counted(count, 'edge')}` : 'There are seams already');
+    if (count > 0) this.events.changed();
+  }
+
+  private join(model: SeamModel, at: Pixel, { shift }: Modifiers): void {
+    const edges = this.seamAt(model, at, shift);
+    if (edges.length === 0) return;
+    const count = model.join(edges);
+    this.events.say(
+      count > 0
+        ? `Joined ${counted(count, 'edge')}`
+        : 'This seam is needed: its chart is no disk without it',
+    );
+    if (count > 0) this.events.changed();
+  }
+
+  private placeAt(model: SeamModel, at: Pixel | null): number {
+    if (!at) return -1;
+    this.targets ??= targetsOf(model);
+    const vertex = vertexAt(model.surface.solid, this.view.sight, at, this.targets.places);
+    return vertex < 0 ? vertex : model.graph.places[vertex];
+  }
+
+  /** The edges of the seam that is aimed at, or only the one. */
+  private seamAt(model: SeamModel, at: Pixel | null, isOne: boolean): number[] {
+    if (!at) return [];
+    this.targets ??= targetsOf(model);
+    const edge = edgeAt(
+      model.surface.solid,
+      this.view.sight,
+      at,
+      model.graph.ends,
+      this.targets.seams,
+    );
+    if (edge < 0) return [];
+    return isOne ? [edge] : model.run(edge);
+  }
+
+  private pairs({ graph }: SeamModel, edges: number[]): Uint32Array {
+    return Uint32Array.from(edges.flatMap((e) => [graph.ends[2 * e], graph.ends[2 * e + 1]]));
+  }
+
+  private step(way: 'undo' | 'redo'): void {
+    if (!this.model?.[way]()) return;
+    this.paths = null;
+    this.events.say(way === 'undo' ? 'Undone' : 'Done again');
+    this.events.changed();
+  }
+
+  private onEscape(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || !this.paths) return;
+    event.stopPropagation();
+    this.clear();
+    this.events.say('No cut was made');
+  }
+}
+
+function listed(place: number): Uint32Array {
+  return place < 0 ? new Uint32Array() : Uint32Array.of(place);
+}
+
+function targetsOf({ graph, all }: SeamModel): Targets {
+  const seams: number[] = [];
+  const places = new Set<number>();
+  graph.isInner.forEach((isInner, edge) => {
+    if (all[edge]) seams.push(edge);
+    if (all[edge] || !isInner) places.add(graph.ends[2 * edge]).add(graph.ends[2 * edge + 1]);
+  });
+  return { seams, places: [...places] };
+}

@@ -1,0 +1,33 @@
+import { edgeBetween, type SurfaceGraph } from './surface-graph';
+
+/** Its message names file, line and what is wrong. */
+export class BadSeamFile extends Error {}
+
+/** Lines of two vertex numbers, from 0; what follows a # is a remark. As the command line reads and writes them. */
+export function seamText(pairs: Uint32Array): string {
+  const lines: string[] = [];
+  for (let i = 0; i + 1 < pairs.length; i += 2) lines.push(`${pairs[i]} ${pairs[i + 1]}\n`);
+  return lines.join('');
+}
+
+/** The edges of such a file, two vertices each. Throws where a line is none; `name` is that of the file. */
+export function readSeams(graph: SurfaceGraph, text: string, name: string): Uint32Array {
+  const pairs: number[] = [];
+  text.split(/\r?\n/).forEach((line, i) => {
+    const content = line.replace(/#.*/, '').trim();
+    if (content === '') return;
+    const where = `${name}:${i + 1}`;
+    const numbers = /^(\d+)\s+(\d+)$/.exec(content);
+    if (!numbers) throw new BadSeamFile(`${where}: expected two vertex numbers, such as '17 42'.`);
+    const [from, to] = [Number(numbers[1]), Number(numbers[2])];
+    const missing = [from, to].find((v) => v >= graph.places.length);
+    if (missing !== undefined)
+      throw new BadSeamFile(
+        `${where}: there is no vertex ${missing}, the last one is ${graph.places.length - 1}.`,
+      );
+    if (edgeBetween(graph, from, to) < 0)
+      throw new BadSeamFile(`${where}: ${from}-${to} is no edge of a face.`);
+    pairs.push(from, to);
+  });
+  return Uint32Array.from(pairs);
+}

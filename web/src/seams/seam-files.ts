@@ -1,0 +1,38 @@
+import { element } from '../dom';
+import { download } from '../download';
+
+export interface SeamFileEvents {
+  /** What is to be saved. */
+  text(): string;
+  /** The name of the mesh that it belongs to. */
+  meshName(): string;
+  opened(text: string, name: string): void;
+}
+
+/** The buttons that save seams to a file and open one. */
+export class SeamFiles {
+  private readonly buttons = [
+    element('seams-save', HTMLButtonElement),
+    element('seams-open', HTMLButtonElement),
+  ];
+
+  constructor(events: SeamFileEvents) {
+    const [save, open] = this.buttons;
+    const input = element('seams-file', HTMLInputElement);
+    save.addEventListener('click', () => {
+      const name = events.meshName().replace(/\.[^.]*$/, '');
+      download(`${name}-seams.txt`, 'text/plain', events.text());
+    });
+    open.addEventListener('click', () => input.click());
+    input.addEventListener('change', async () => {
+      const file = input.files?.[0];
+      if (file) events.opened(await file.text(), file.name);
+      // So that choosing the same file again is a change.
+      input.value = '';
+    });
+  }
+
+  setEnabled(isEnabled: boolean): void {
+    for (const button of this.buttons) button.disabled = !isEnabled;
+  }
+}

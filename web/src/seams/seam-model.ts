@@ -1,0 +1,124 @@
+import { History } from './history';
+import type { Solid } from './ray';
+import { AUTOMATIC, type SeamChoice, type SeamSources } from './seam-choice';
+import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
+import type { SurfaceGraph } from './surface-graph';
+
+/** What is cut, and where it is seen. */
+export interface Surface {
+  graph: SurfaceGraph;
+  solid: Solid;
+}
+
+/** The seams of one mesh: what the user wants, with undo, and what the atlas on screen has. */
+export class SeamModel {
+  private readonly history = new History(AUTOMATIC);
+  private made: Surface | null = null;
+  /** Those of the atlas, two vertices each; null until there is one. */
+  private shownPairs: Uint32Array | null = null;
+  private shownFlags: EdgeFlags | null = null;
+  private wanted: EdgeFlags | null = null;
+
+  /** `makeSurface` is called when somebody edits. */
+  constructor(private readonly makeSurface: () => Surface) {}
+
+  get surface(): Surface {
+    this.made ??= this.makeSurface();
+    return this.made;
+  }
+
+  get graph(): SurfaceGraph {
+    return this.surface.graph;
+  }
+
+  get choice(): SeamChoice {
+    return this.history.current;
+  }
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+
+  /** The seams to go on from: those asked for, or those that were found. */
+  get own(): EdgeFlags {
+    const { edges } = this.choice;
+    if (!edges) return this.shown ?? new Uint8Array(this.graph.lengths.length);
+    this.wanted ??= flagsOf(this.graph, edges);
+    return this.wanted;
+  }
+
+  /** Own ones, and those beside them that charts need to be disks. */
+  get all(): EdgeFlags {
+    const { own, shown } = this;
+    return shown ? own.map((isSeam, edge) => isSeam | shown[edge]) : own;
+  }
+
+  /** The seams of the atlas that is now on screen, two vertices each. */
+  show(pairs: Uint32Array): void {
+    this.shownPairs = pairs;
+    this.shownFlags = null;
+  }
+
+  /** Returns how many of these edges were no seams before. */
+  cut(edges: number[]): number {
+    const { own } = this;
+    return this.set(
+      edges.filter((e) => this.graph.isInner[e] && !own[e]),
+      1,
+    );
+  }
+
+  /** Returns how many of these edges were seams before. */
+  join(edges: number[]): number {
+    const { own } = this;
+    return this.set(
+      edges.filter((e) => own[e]),
+      0,
+    );
+  }
+
+  /** The seam through an edge from junction to junction; seams that are needed end no other. */
+  run(edge: number): number[] {
+    return seamRun(this.graph, this.own[edge] ? this.own : this.all, edge);
+  }
+
+  setSources(sources: SeamSources): void {
+    this.change({ sources, edges: null });
+  }
+
+  setEdges(edges: Uint32Array): void {
+    this.change({ ...this.choice, edges });
+  }
+
+  undo(): boolean {
+    this.wanted = null;
+    return this.history.undo();
+  }
+
+  redo(): boolean {
+    this.wanted = null;
+    return this.history.redo();
+  }
+
+  private get shown(): EdgeFlags | null {
+    if (this.shownPairs) this.shownFlags ??= flagsOf(this.graph, this.shownPairs);
+    return this.shownFlags;
+  }
+
+  private set(edges: number[], value: 0 | 1): number {
+    if (edges.length === 0) return 0;
+    const flags = this.own.slice();
+    for (const edge of edges) flags[edge] = value;
+    this.setEdges(pairsOf(this.graph, flags));
+    return edges.length;
+  }
+
+  private change(choice: SeamChoice): void {
+    this.wanted = null;
+    this.history.change(choice);
+  }
+}

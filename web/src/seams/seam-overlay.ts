@@ -1,0 +1,55 @@
+import { Group } from 'three';
+import { EdgeLines } from '../edge-lines';
+import { perCorner } from '../mesh';
+import type { Palette } from '../palette';
+import { DOT, PointMarks } from '../point-marks';
+
+/** What is marked on the surface: edges that are about to be cut or joined, and vertices. */
+export interface SeamMarks {
+  /** Pairs of vertices. */
+  cut: Uint32Array;
+  joined: Uint32Array;
+  vertices: Uint32Array;
+}
+
+export const NO_MARKS: SeamMarks = {
+  cut: new Uint32Array(),
+  joined: new Uint32Array(),
+  vertices: new Uint32Array(),
+};
+
+/** Css pixels. */
+const WIDTH = 4;
+const VERTEX = { ...DOT, size: 11 };
+
+/** The marks in the 3D view. */
+export class SeamOverlay {
+  readonly object = new Group();
+  private readonly cut = new EdgeLines(WIDTH, true);
+  private readonly joined = new EdgeLines(WIDTH, true);
+  private readonly vertices = new PointMarks({ ...VERTEX, depthTest: true });
+
+  constructor() {
+    this.object.add(this.cut.object, this.joined.object, this.vertices.object);
+    for (const { object } of [this.cut, this.joined]) object.renderOrder = 2;
+    this.vertices.object.renderOrder = 3;
+  }
+
+  /** `points` has xyz per vertex. */
+  show(points: Float32Array, { cut, joined, vertices }: SeamMarks): void {
+    this.cut.show(points, cut);
+    this.joined.show(points, joined);
+    this.vertices.show(perCorner(points, 3, vertices));
+  }
+
+  setPalette({ cut, flipped }: Palette): void {
+    this.cut.setColor(cut);
+    this.joined.setColor(flipped);
+    this.vertices.setColor(cut);
+  }
+
+  setSize(width: number, height: number, pixelRatio: number): void {
+    for (const lines of [this.cut, this.joined]) lines.setResolution(width, height);
+    this.vertices.setPixelRatio(pixelRatio);
+  }
+}

@@ -1,0 +1,111 @@
+import type { MeshSummary } from 'abflat';
+import { showAlert } from '../alert';
+import type { Unwrapped } from '../lay-out';
+import type { DisplayMesh } from '../mesh';
+import type { MeshView } from '../mesh-view';
+import { toUnitSphere } from '../unit-sphere';
+import { weld } from '../weld';
+import { AUTOMATIC, type SeamChoice, seamOptions } from './seam-choice';
+import { pairsOf } from './seam-edges';
+import { SeamEditor, type SeamEditorEvents } from './seam-editor';
+import { BadSeamFile, readSeams, seamText } from './seam-file';
+import { SeamFiles } from './seam-files';
+import { SeamModel } from './seam-model';
+import { SourceControl } from './source-control';
+import { surfaceGraph } from './surface-graph';
+
+/** A mesh whose seams can be edited. */
+export interface Editable {
+  mesh: DisplayMesh;
+  summary: MeshSummary;
+  name: string;
+}
+
+/** All that the page has about seams: sources, editor, and what becomes of both. */
+export class SeamPanel {
+  private readonly sources: SourceControl;
+  private readonly editor: SeamEditor | null;
+  private model: SeamModel | null = null;
+  private isUnwrapped = false;
+  private readonly files: SeamFiles;
+  private meshName = '';
+
+  /** Without a `view` there are the sources only. */
+  constructor(
+    view: MeshView | null,
+    private readonly events: SeamEditorEvents,
+  ) {
+    this.sources = new SourceControl((sources) => {
+      this.model?.setSources(sources);
+      this.changed();
+    });
+    this.files = new SeamFiles({
+      text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
+      meshName: () => this.meshName,
+      opened: (text, name) => this.openFile(text, name),
+    });
+    const editorEvents = { changed: () => this.changed(), say: events.say };
+    this.editor = view ? new SeamEditor(view, editorEvents) : null;
+  }
+
+  /** Takes the seams that a file lists, which says where it is wrong. */
+  private openFile(text: string, name: string): void {
+    if (!this.model) return;
+    try {
+      this.model.setEdges(readSeams(this.model.graph, text, name));
+    } catch (error) {
+      if (!(error instanceof BadSeamFile)) throw error;
+      showAlert(error.message);
+      return;
+    }
+    this.changed();
+  }
+
+  get choice(): SeamChoice {
+    return this.model?.choice ?? AUTOMATIC;
+  }
+
+  get options(): ReturnType<typeof seamOptions> {
+    return seamOptions(this.choice);
+  }
+
+  /** Another mesh, with automatic seams. */
+  open({ mesh, summary, name }: Editable): void {
+    this.meshName = name;
+    this.model = new SeamModel(() => ({
+      graph: surfaceGraph(mesh, placesOf(mesh, summary.disk.ok), mesh.faces),
+      solid: { points: toUnitSphere(mesh), indices: mesh.indices },
+    }));
+    this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
+    this.sources.show(this.choice);
+    this.hide();
+  }
+
+  /** There is nothing to edit until the open mesh has an atlas. */
+  hide(): void {
+    this.isUnwrapped = false;
+    this.files.setEnabled(false);
+    this.editor?.edit(null);
+  }
+
+  show({ result }: Unwrapped): void {
+    if (!this.model) return;
+    this.model.show(result.seams);
+    if (this.isUnwrapped) this.editor?.update();
+    else this.editor?.edit(this.model);
+    this.isUnwrapped = true;
+    this.files.setEnabled(true);
+  }
+
+  private changed(): void {
+    this.sources.show(this.choice);
+    this.editor?.update();
+    this.events.changed();
+  }
+}
+
+/** A disk is cut where its vertices are apart, also where they are at one place. */
+function placesOf({ positions }: DisplayMesh, isDisk: boolean): Uint32Array {
+  if (isDisk) return Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
+  return weld(positions, 3);
+}

@@ -1,0 +1,71 @@
+import { element } from '../dom';
+
+export type Tool = 'cut' | 'join';
+
+export interface ToolEvents {
+  toolChanged(): void;
+  undo(): void;
+  redo(): void;
+}
+
+const TOOLS: Tool[] = ['cut', 'join'];
+
+/** The bar below the 3D view: what a click does, and the way back. */
+export class SeamTools {
+  private readonly bar = element('seam-tools', HTMLElement);
+  private readonly buttons = TOOLS.map((tool) => element(`seam-${tool}`, HTMLButtonElement));
+  private readonly undo = element('seam-undo', HTMLButtonElement);
+  private readonly redo = element('seam-redo', HTMLButtonElement);
+  private readonly hint = element('seam-hint', HTMLElement);
+  private chosen: Tool | null = 'cut';
+
+  constructor(events: ToolEvents) {
+    this.buttons.forEach((button, i) => {
+      button.addEventListener('click', () => {
+        this.chosen = this.chosen === TOOLS[i] ? null : TOOLS[i];
+        this.showTool();
+        events.toolChanged();
+      });
+    });
+    this.undo.addEventListener('click', () => events.undo());
+    this.redo.addEventListener('click', () => events.redo());
+    document.addEventListener('keydown', (event) => {
+      if (this.bar.hidden || !(event.ctrlKey || event.metaKey) || isTyping(event.target)) return;
+      const key = event.key.toLowerCase();
+      if (key !== 'z' && key !== 'y') return;
+      event.preventDefault();
+      if (key === 'y' || event.shiftKey) events.redo();
+      else events.undo();
+    });
+    this.showTool();
+  }
+
+  /** What a click does; null: nothing. */
+  get tool(): Tool | null {
+    return this.bar.hidden ? null : this.chosen;
+  }
+
+  setVisible(isVisible: boolean): void {
+    this.bar.hidden = !isVisible;
+  }
+
+  setHistory(canUndo: boolean, canRedo: boolean): void {
+    this.undo.disabled = !canUndo;
+    this.redo.disabled = !canRedo;
+  }
+
+  setHint(text: string): void {
+    this.hint.textContent = text;
+    this.hint.hidden = text === '';
+  }
+
+  private showTool(): void {
+    this.buttons.forEach((button, i) => {
+      button.setAttribute('aria-pressed', String(this.chosen === TOOLS[i]));
+    });
+  }
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement && target.type !== 'range';
+}

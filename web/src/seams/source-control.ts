@@ -1,0 +1,78 @@
+import { element } from '../dom';
+import { counted } from '../format';
+import type { SeamChoice, SeamSources } from './seam-choice';
+
+/** What the open mesh has to cut along. */
+export interface Offered {
+  uv: boolean;
+  material: boolean;
+}
+
+const NO_SOURCES: SeamSources = { auto: false, uv: false, material: false, sharp: null };
+const USUAL_SHARP = 60;
+const SWITCHES = ['auto', 'uv', 'material'] as const;
+
+/** Where seams come from: switches that can be combined. */
+export class SourceControl {
+  private readonly switches = SWITCHES.map((name) => element(`seams-${name}`, HTMLButtonElement));
+  private readonly sharp = element('seams-sharp', HTMLButtonElement);
+  private readonly degrees = element('sharp-degrees', HTMLInputElement);
+  private readonly degreesBox = element('sharp-box', HTMLElement);
+  private readonly state = element('seams-state', HTMLElement);
+  private sources: SeamSources = NO_SOURCES;
+  private angle = USUAL_SHARP;
+
+  constructor(private readonly changed: (sources: SeamSources) => void) {
+    this.switches.forEach((button, i) => {
+      const name = SWITCHES[i];
+      button.addEventListener('click', () =>
+        changed({ ...this.sources, [name]: !this.sources[name] }),
+      );
+    });
+    this.sharp.addEventListener('click', () =>
+      changed({ ...this.sources, sharp: this.sources.sharp === null ? this.angle : null }),
+    );
+    this.degrees.valueAsNumber = this.angle;
+    this.degrees.addEventListener('input', () => this.readDegrees());
+    this.degrees.addEventListener('change', () => {
+      this.degrees.valueAsNumber = this.angle;
+      this.degrees.setAttribute('aria-invalid', 'false');
+    });
+  }
+
+  offer({ uv, material }: Offered): void {
+    this.switches[SWITCHES.indexOf('uv')].hidden = !uv;
+    this.switches[SWITCHES.indexOf('material')].hidden = !material;
+  }
+
+  /** While edges are listed none of the sources counts: a press on one begins anew with it. */
+  show({ sources, edges }: SeamChoice): void {
+    this.sources = edges ? NO_SOURCES : sources;
+    this.switches.forEach((button, i) => {
+      button.setAttribute('aria-pressed', String(this.sources[SWITCHES[i]]));
+    });
+    const { sharp } = this.sources;
+    this.sharp.setAttribute('aria-pressed', String(sharp !== null));
+    this.degreesBox.hidden = sharp === null;
+    if (sharp !== null && document.activeElement !== this.degrees) {
+      this.angle = sharp;
+      this.degrees.valueAsNumber = sharp;
+    }
+    this.state.textContent = stateText(this.sources, edges);
+  }
+
+  private readDegrees(): void {
+    const angle = this.degrees.valueAsNumber;
+    const isUsable = angle > 0 && angle <= 180;
+    this.degrees.setAttribute('aria-invalid', String(!isUsable));
+    if (!isUsable || angle === this.angle) return;
+    this.angle = angle;
+    this.changed({ ...this.sources, sharp: angle });
+  }
+}
+
+function stateText(sources: SeamSources, edges: Uint32Array | null): string {
+  if (edges) return `edited: ${counted(edges.length / 2, 'edge')}`;
+  const { auto, uv, material, sharp } = sources;
+  return auto || uv || material || sharp !== null ? '' : 'only what disks need';
+}

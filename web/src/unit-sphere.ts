@@ -1,0 +1,23 @@
+import { boundingBox, type DisplayMesh } from './mesh';
+
+/** Positions moved and scaled so that the triangles lie in the unit sphere round their box's centre: float32 keeps its digits. */
+export function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
+  const { min, max } = boundingBox(positions, 3, indices);
+  const [x, y, z] = min.map((low, d) => (low + max[d]) / 2);
+  let radius = 0;
+  for (const v of indices) {
+    const away = Math.hypot(
+      positions[3 * v] - x,
+      positions[3 * v + 1] - y,
+      positions[3 * v + 2] - z,
+    );
+    if (away > radius) radius = away;
+  }
+  const points = new Float32Array(positions.length);
+  for (let i = 0; i < points.length; i += 3) {
+    points[i] = (positions[i] - x) / (radius || 1);
+    points[i + 1] = (positions[i + 1] - y) / (radius || 1);
+    points[i + 2] = (positions[i + 2] - z) / (radius || 1);
+  }
+  return points;
+}
