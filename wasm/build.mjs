@@ -1,10 +1,18 @@
 // Compiles the TypeScript into dist/ and puts the WebAssembly modules of build/wasm* and the licences beside it.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync,
+  existsSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { transformSync } from 'esbuild';
 import { writeLicenses } from '../scripts/lib/licenses.mjs';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
@@ -34,6 +42,14 @@ function withoutImport(text, file) {
   process.exit(1);
 }
 
+/** Smaller, with the names that errors and users see; those of Emscripten's script say nothing anyway. */
+function minify(name) {
+  const path = join(DIST, name);
+  const isGlue = name.endsWith('.mjs');
+  const options = { minifyWhitespace: true, minifySyntax: true, minifyIdentifiers: isGlue };
+  writeFileSync(path, transformSync(readFileSync(path, 'utf8'), options).code);
+}
+
 const pathOf = (folder, file) => join(HERE, '../build', folder, file);
 const missing = Object.values(MODULES)
   .flatMap(({ folder, built }) =>
@@ -58,4 +74,5 @@ for (const [build, { folder, built, name }] of Object.entries(MODULES)) {
     writeFileSync(join(DIST, `${name}.worker.js`), text);
   }
 }
+for (const name of readdirSync(DIST)) if (/\.m?js$/.test(name)) minify(name);
 writeLicenses(DIST, 'wasm');

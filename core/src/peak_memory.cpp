@@ -1,4 +1,4 @@
-#include "peak_memory.h"
+#include "abflat/peak_memory.h"
 
 #include <cmath>
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 #include "abflat/io.h"
+#include "abflat/peak_memory.h"
 #include "chart/chart_set.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_geometry.h"
@@ -29,9 +32,12 @@ namespace {
 struct Stage {
   const char* name;
   double from, to;
+  double UnwrapStages::*field;
 };
-constexpr Stage kSurface{"surface", 0, 0.05}, kSeams{"seams", 0.05, 0.2},
-    kSolve{"solve", 0.2, 0.85}, kPack{"pack", 0.85, 0.97}, kCheck{"check", 0.97, 1};
+constexpr Stage kSurface{"surface", 0, 0.05, &UnwrapStages::surface},
+    kSeams{"seams", 0.05, 0.2, &UnwrapStages::seams},
+    kSolve{"solve", 0.2, 0.85, &UnwrapStages::solve},
+    kPack{"pack", 0.85, 0.97, &UnwrapStages::pack}, kCheck{"check", 0.97, 1, &UnwrapStages::check};
 
 /// Coordinates below 16, which is what packing allows for.
 constexpr int kMostTilesInSingle = 160;
@@ -191,72 +197,118 @@ void orderCharts(const std::vector<std::uint32_t>& place, std::vector<DiskChart>
     for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(place[v]);
 }
 
+/// One run, stage by stage.
+class Unwrapping {
+ public:
+  Unwrapping(const PolygonMesh& mesh, const UnwrapOptions& options)
+      : mesh_(mesh), options_(options), monitor_(options.progress) {}
+
+  Result<UnwrapResult> run() {
+    if (Status s = checkInput(); !s.ok()) return s;
+    report_.options = options_;
+    const std::pair<const Stage&, Status (Unwrapping::*)()> stages[] = {
+        {kSurface, &Unwrapping::seeSurface}, {kSeams, &Unwrapping::cut},
+        {kSolve, &Unwrapping::flatten},      {kPack, &Unwrapping::packCharts},
+        {kCheck, &Unwrapping::finish},
+    };
+    for (const auto& [stage, work] : stages) {
+      if (monitor_.tell(stage))
+        if (Status s = (this->*work)(); !s.ok()) return s;
+      if (monitor_.stopped()) return Status{StatusCode::Aborted, "cancelled"};
+      report_.timings.*stage.field = watch_.lap();
+      report_.peakMemory.*stage.field = peakMemory();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  CutMesh cutMesh() const { return {mesh_, welded_, surface_, set_}; }
+
+  Status checkInput() const {
+    if (Status s = validateArrays(mesh_); !s.ok()) return s;
+    if (options_.udim && options_.texelDensity == kAutoTexelDensity)
+      return {StatusCode::InvalidOption,
+              "several tiles (udim) are for a texel density, which is auto: give a number"};
+    if (mesh_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
+    return {};
+  }
+
+  Status seeSurface() {
+    report_.input = inspect(mesh_);
+    // A mesh that is a disk may be one because it has been cut: it is taken as it is.
+    welded_ = weld(mesh_, !report_.input.disk.ok());
+    surface_ = buildSurface(welded_.mesh);
+    if (surface_.table.vertex.empty())
+      return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
+    report_.repair = repairReport(welded_, surface_);
+    pool_ = std::make_unique<ThreadPool>(
+        usefulThreads(options_.threads, surface_.table.triangleCount()));
+    report_.threads = pool_->threads();
+    return {};
+  }
+
+  Status cut() {
+    const Result<Seams> given = givenSeams(mesh_, welded_, surface_, options_.seams);
+    if (!given.ok()) return given.status;
+    Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_.fixedFaces);
+    if (!fixed.ok()) return fixed.status;
+    fixed_ = std::move(fixed.value);
+    CutOpen open = cutOpen(
+        welded_, surface_, given.value, fixed_, options_, *pool_,
+        [&] { return monitor_.tell(kSeams); }, report_.seams);
+    if (monitor_.stopped()) return {};
+    seams_ = std::move(open.seams);
+    set_ = makeCharts(welded_.mesh, open.disks);
+    orderCharts(open.place, set_.charts);
+    return {};
+  }
+
+  Status flatten() {
+    texcoords_ = numberTexcoords(welded_, surface_, set_);
+    const Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, options_);
+    if (!wishes.ok()) return wishes.status;
+    Result<std::vector<FlatChart>> known = knownCharts(cutMesh(), options_, *pool_);
+    if (!known.ok()) return known.status;
+    flat_ = std::move(known.value);
+    if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
+    if (Status s = checkUnpinned(set_.charts, wishes.value, flat_); !s.ok()) return s;
+    flattenAll(set_.charts, wishes.value, options_, *pool_, monitor_, flat_);
+    return {};
+  }
+
+  Status packCharts() {
+    if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
+    return packAll(set_.charts, options_, *pool_, monitor_, flat_, report_.atlas);
+  }
+
+  Status finish() {
+    checkAll(set_.charts, options_, *pool_, flat_, report_);
+    fillOutput(mesh_, welded_, surface_, set_, texcoords_, flat_, out_);
+    out_.seams = seamEdges(mesh_, welded_, surface_, seams_);
+    fillReport(set_, flat_, surface_, welded_, report_);
+    return {};
+  }
+
+  const PolygonMesh& mesh_;
+  const UnwrapOptions& options_;
+  Stopwatch watch_;
+  Monitor monitor_;
+  UnwrapResult out_;
+  UnwrapReport& report_ = out_.report;
+  WeldedMesh welded_;
+  Surface surface_;
+  std::unique_ptr<ThreadPool> pool_;
+  FixedTriangles fixed_;
+  Seams seams_;
+  ChartSet set_;
+  Texcoords texcoords_;
+  std::vector<FlatChart> flat_;
+};
+
 }  // namespace
 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  Stopwatch watch;
-  Monitor monitor(options.progress);
-  const Status aborted{StatusCode::Aborted, "cancelled"};
-  if (Status s = validateArrays(mesh); !s.ok()) return s;
-  if (options.udim && options.texelDensity == kAutoTexelDensity)
-    return Status{StatusCode::InvalidOption,
-                  "several tiles (udim) are for a texel density, which is auto: give a number"};
-  if (mesh.faceCount() == 0) return Status{StatusCode::EmptyMesh, "the mesh has no faces"};
-  if (!monitor.tell(kSurface)) return aborted;
-  UnwrapResult out;
-  UnwrapReport& report = out.report;
-  report.options = options;
-  report.input = inspect(mesh);
-  // A mesh that is a disk may be one because it has been cut: it is taken as it is.
-  const WeldedMesh welded = weld(mesh, !report.input.disk.ok());
-  const Surface surface = buildSurface(welded.mesh);
-  if (surface.table.vertex.empty())
-    return Status{StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
-  report.repair = repairReport(welded, surface);
-  report.timings.surface = watch.lap();
-
-  if (!monitor.tell(kSeams)) return aborted;
-  ThreadPool pool(usefulThreads(options.threads, surface.table.triangleCount()));
-  report.threads = pool.threads();
-  const Result<Seams> given = givenSeams(mesh, welded, surface, options.seams);
-  if (!given.ok()) return given.status;
-  const Result<FixedTriangles> fixed = fixedTriangles(mesh, welded, surface, options.fixedFaces);
-  if (!fixed.ok()) return fixed.status;
-  const CutOpen open = cutOpen(
-      welded, surface, given.value, fixed.value, options, pool,
-      [&] { return monitor.tell(kSeams); }, report.seams);
-  if (monitor.stopped()) return aborted;
-  ChartSet set = makeCharts(welded.mesh, open.disks);
-  orderCharts(open.place, set.charts);
-  const Texcoords texcoords = numberTexcoords(welded, surface, set);
-  Result<std::vector<ChartWishes>> wishes =
-      chartWishes({mesh, welded, surface, set}, texcoords, options);
-  if (!wishes.ok()) return wishes.status;
-  report.timings.seams = watch.lap();
-
-  if (!monitor.tell(kSolve)) return aborted;
-  const CutMesh cut{mesh, welded, surface, set};
-  Result<std::vector<FlatChart>> known = knownCharts(cut, options, pool);
-  if (!known.ok()) return known.status;
-  std::vector<FlatChart>& flat = known.value;
-  if (Status s = layOutFixed(cut, fixed.value, options.udim, flat); !s.ok()) return s;
-  if (Status s = checkUnpinned(set.charts, wishes.value, flat); !s.ok()) return s;
-  flattenAll(set.charts, wishes.value, options, pool, monitor, flat);
-  if (monitor.stopped()) return aborted;
-  report.timings.solve = watch.lap();
-
-  if (!monitor.tell(kPack)) return aborted;
-  if (Status s = checkPinned(cut, flat); !s.ok()) return s;
-  if (Status s = packAll(set.charts, options, pool, monitor, flat, report.atlas); !s.ok()) return s;
-  report.timings.pack = watch.lap();
-
-  if (!monitor.tell(kCheck)) return aborted;
-  checkAll(set.charts, options, pool, flat, report);
-  fillOutput(mesh, welded, surface, set, texcoords, flat, out);
-  out.seams = seamEdges(mesh, welded, surface, open.seams);
-  fillReport(set, flat, surface, welded, report);
-  report.timings.check = watch.lap();
-  return out;
+  return Unwrapping(mesh, options).run();
 }
 
 }  // namespace abflat

@@ -43,9 +43,15 @@ Json chartJson(const UnwrapChart& c) {
           {"valid", c.valid}};
 }
 
+Json stagesJson(const UnwrapStages& s) {
+  return {{"read", s.read}, {"surface", s.surface}, {"seams", s.seams}, {"solve", s.solve},
+          {"pack", s.pack}, {"check", s.check},     {"write", s.write}};
+}
+
 Json timingsJson(const UnwrapTimings& t) {
-  return {{"read", t.read}, {"surface", t.surface}, {"seams", t.seams}, {"solve", t.solve},
-          {"pack", t.pack}, {"check", t.check},     {"write", t.write}, {"total", t.total}};
+  Json out = stagesJson(t);
+  out["total"] = t.total;
+  return out;
 }
 
 }  // namespace
@@ -73,6 +79,7 @@ std::string unwrapReportJson(const UnwrapReport& report) {
         {"texelDensity", report.atlas.texelDensity}}},
       {"valid", report.valid},
       {"timings", timingsJson(report.timings)},
+      {"peakMemory", stagesJson(report.peakMemory)},
   };
   if (!report.error.ok()) out["error"] = errorJson(report.error);
   return jsonText(out);

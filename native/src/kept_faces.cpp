@@ -37,7 +37,8 @@ Result<KeptFaces> parseKept(const std::string& text) {
   return out;
 }
 
-Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const PolygonMesh& mesh) {
+Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const PolygonMesh& mesh,
+                                               const std::string& name) {
   std::vector<std::uint32_t> faces;
   if (!kept.file.empty()) {
     Result<std::vector<std::uint32_t>> listed =
@@ -46,7 +47,7 @@ Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const Poly
     faces = std::move(listed.value);
   }
   if (kept.hasUv && mesh.faceTexcoords.empty())
-    return Status{StatusCode::InvalidOption, "the mesh has no texcoords to keep"};
+    return Status{StatusCode::InvalidOption, name + ": the mesh has no texcoords to keep"};
   for (std::uint32_t f = 0; f < mesh.faceCount() && kept.hasUv; ++f)
     if (hasTexcoords(mesh, f)) faces.push_back(f);
   std::sort(faces.begin(), faces.end());

@@ -22,6 +22,7 @@ Result<KeptFaces> parseKept(const std::string& text);
 
 /// Their numbers, ascending. Errors: those of readRows; InvalidOption when there are no
 /// texcoords to keep.
-Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const PolygonMesh& mesh);
+Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const PolygonMesh& mesh,
+                                               const std::string& name);
 
 }  // namespace abflat::cli

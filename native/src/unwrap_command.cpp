@@ -1,4 +1,5 @@
 #include "abflat/draw.h"
+#include "abflat/peak_memory.h"
 #include "abflat/unwrap.h"
 #include "commands.h"
 #include "mesh_run.h"
@@ -31,7 +32,8 @@ struct UnwrapJob {
       if (!edges.ok()) return edges.status;
       options.seams.edges = std::move(edges.value);
     }
-    Result<std::vector<std::uint32_t>> kept = facesToKeep(command.keep, mesh);
+    Result<std::vector<std::uint32_t>> kept =
+        facesToKeep(command.keep, mesh, inputName(command.input));
     if (!kept.ok()) return kept.status;
     options.fixedFaces = std::move(kept.value);
     if (!command.pins.empty()) {
@@ -42,7 +44,11 @@ struct UnwrapJob {
     options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
     options.roundsForGltf = writtenFormat(command.output) == FileFormat::Gltf;
     options.progress = std::move(progress);
-    return placed(inputName(command.input), [&] { return unwrap(mesh, options); });
+    const double afterReading = peakMemory();
+    Result<UnwrapResult> result =
+        placed(inputName(command.input), [&] { return unwrap(mesh, options); });
+    result.value.report.peakMemory.read = afterReading;
+    return result;
   }
 
   static std::vector<ExtraFile<UnwrapResult>> extraFiles(const UnwrapCommand& command) {
@@ -62,7 +68,11 @@ struct UnwrapJob {
     return out;
   }
 
-  static std::string json(const UnwrapReport& report) { return unwrapReportJson(report); }
+  /// Written last.
+  static std::string json(UnwrapReport report) {
+    report.peakMemory.write = peakMemory();
+    return unwrapReportJson(report);
+  }
   static std::string summary(const UnwrapReport& report, const std::string& input,
                              const std::string& output) {
     return unwrapText(report, input, output);

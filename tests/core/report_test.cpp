@@ -60,6 +60,8 @@ TEST_CASE("the report has its keys in their order") {
                               "boundaryCrossings",
                               "maxBoundaryAngle",
                               "delaunay",
+                              "pins",
+                              "straight",
                               "fallbacks",
                               "problem",
                               "valid"});

@@ -6,6 +6,7 @@
 
 #include "abflat/inspect.h"
 #include "abflat/io.h"
+#include "abflat/peak_memory.h"
 #include "abflat/samples.h"
 #include "mesh/triangulate.h"
 
@@ -163,7 +164,12 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   job.unwrapOptions.seams = std::move(seams.value);
   job.unwrapOptions.progress = progress;
   job.unwrapOptions.roundsToSingle = wanted.ply || !wanted.obj;
-  const auto compute = [&] { return unwrap(job.mesh, job.unwrapOptions); };
+  const auto compute = [&] {
+    const double afterReading = peakMemory();
+    Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);
+    atlas.value.report.peakMemory.read = afterReading;
+    return atlas;
+  };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);
     job.layout.unpacked = gather(atlas.unpacked, 2, atlas.vertexUv);
@@ -172,7 +178,11 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
     job.layout.chartOfTriangle = std::move(atlas.chartOfTriangle);
     job.layout.seams = std::move(atlas.seams);
   };
-  return layoutJob(job, wanted, progress, compute, arrays, unwrapReportJson);
+  const auto json = [](UnwrapReport& report) {
+    report.peakMemory.write = peakMemory();
+    return unwrapReportJson(report);
+  };
+  return layoutJob(job, wanted, progress, compute, arrays, json);
 }
 
 Status compareJob(Job& job, const ProgressCallback& progress) {

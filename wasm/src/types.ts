@@ -335,6 +335,11 @@ export interface UnwrapReport {
     pack: number;
     check: number;
   };
+  /** MB that were held at most by the end of each stage: of the module's heap, which never shrinks; natively of the process. */
+  peakMemory: Record<
+    'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write',
+    number | null
+  >;
 }
 
 /**

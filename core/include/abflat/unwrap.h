@@ -117,9 +117,14 @@ struct AtlasReport {
   int rows() const { return (tiles + 9) / 10; }
 };
 
+/// One number for each stage.
+struct UnwrapStages {
+  double read = 0, surface = 0, seams = 0, solve = 0, pack = 0, check = 0, write = 0;
+};
+
 /// Seconds.
-struct UnwrapTimings {
-  double read = 0, surface = 0, seams = 0, solve = 0, pack = 0, check = 0, write = 0, total = 0;
+struct UnwrapTimings : UnwrapStages {
+  double total = 0;
 };
 
 struct UnwrapReport {
@@ -136,7 +141,9 @@ struct UnwrapReport {
   unsigned threads = 1;
   bool valid = false;
   UnwrapTimings timings;
-  Status error;  ///< why there is no result; ok when there is one
+  UnwrapStages
+      peakMemory;  ///< by the end of each stage, see peakMemory(); 0 where a run ended before
+  Status error;    ///< why there is no result; ok when there is one
 };
 
 /// Of a face without area that no other one touches.
@@ -160,7 +167,7 @@ struct UnwrapResult {
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<EdgeVertices> seams;  ///< edges that were cut, each once
-  UnwrapReport report;              ///< path and timings.read/write/total are the caller's to fill
+  UnwrapReport report;  ///< path, read and write, and the total are the caller's to fill
 };
 
 /// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square, or

@@ -176,11 +176,26 @@ class Packer {
     if (options_.udim)
       return invalid("at " + density + " chart " + text(movable_[placed_.missing]) +
                      " does not fit a tile of " + text(options_.resolution) +
-                     " texels; lower the density or raise the resolution");
+                     " texels; raise the resolution to " + text(resolutionForLargest()) +
+                     ", or lower the density");
     if (Status s = placeInOneTile(); !s.ok()) return s;
     return invalid("at " + density + " the charts do not fit one tile of " +
                    text(options_.resolution) + " texels; lower the density to " +
                    roundedDown(density_) + ", raise the resolution, or allow several tiles");
+  }
+
+  /// Of a tile that has room for every chart in some pose.
+  int resolutionForLargest() const {
+    double most = 0;
+    for (const PackItem& item : items_) {
+      double least = HUGE_VAL;
+      for (const Pose& pose : item.poses)
+        least = std::min(least, std::max(pose.width, pose.height));
+      most = std::max(most, least);
+    }
+    // Charts take all cells that they touch, and keep off the border.
+    return static_cast<int>(std::ceil(most * options_.texelDensity)) + options_.padding + 1 +
+           4 * grid_.cell;
   }
 
   Packing placements() const {
