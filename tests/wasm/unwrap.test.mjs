@@ -61,7 +61,7 @@ async function assertSameAsNative(path, options = {}, args = []) {
   const { obj, report } = await abflat.unwrap(file, { ...options, obj: true });
   assertSameText(decode(obj), native.obj);
   assertSameShape(report, native.report, 'report');
-  const untimed = ({ timings, threads, ...rest }) => rest;
+  const untimed = ({ timings, peakMemory, threads, ...rest }) => rest;
   assert.deepEqual(untimed(report), untimed(native.report));
   return report;
 }
@@ -343,15 +343,15 @@ test('fixedFaces: islands stay as they are, of arrays and of files', async () =>
 });
 
 test('texelDensity and udim: tiles beside each other at the scale that was asked for', async () => {
-  const mesh = arraysOf(SURFACES.torus);
+  const mesh = arraysOf(together([0, 4, 8].map((x) => [torus(24, 12), [x, 0, 0]])));
   const { report, uv } = await abflat.unwrap(mesh, {
-    texelDensity: 700,
+    texelDensity: 120,
     udim: true,
     rotate: false,
   });
   assert.equal(report.valid, true);
-  assert.equal(report.atlas.texelDensity, 700);
-  assert.equal(report.options.texelDensity, 700);
+  assert.equal(report.atlas.texelDensity, 120);
+  assert.equal(report.options.texelDensity, 120);
   assert.ok(report.atlas.tiles > 1 && report.atlas.tiles <= 10);
   const us = uv.filter((_, i) => i % 2 === 0);
   assert.equal(Math.ceil(us.reduce((a, b) => Math.max(a, b))), report.atlas.tiles);
