@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
@@ -112,19 +113,19 @@ void addOutput(CLI::App& app, std::string& output) {
 
 void addPins(CLI::App& app, std::string& pins, const std::string& where) {
   app.add_option("--pins", pins,
-                 wrapped("text file with vertices that are to lie at given uv" + where +
-                         ", two or more: a line 'VERTEX U V' each, counted from 0, and a face "
-                         "after that where the vertex is on a seam; - for standard input"))
+                 wrapped("text file with two or more vertices that are to lie at given uv" + where +
+                         ": a line 'VERTEX U V' each, counted from 0, and a face after that where "
+                         "the vertex is on a seam; - for standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
 }
 
 void addTexcoordSet(CLI::App& app, std::size_t& set) {
-  constexpr std::size_t kMostSets = 7;
+  const auto isSet = [](double n) { return n >= 0 && n <= 7 && n == std::floor(n); };
   app.add_option("--texcoord", set,
                  wrapped("set of a glTF that gets the texcoords, from 0 on; others stay, so that 1 "
                          "is for a lightmap beside the textures"))
-      ->check(CLI::Range(std::size_t{0}, kMostSets))
+      ->check(numberCheck("from 0 to 7, whole", isSet))
       ->default_str("0")
       ->type_name("NUMBER");
 }

@@ -120,7 +120,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
                           "- for standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
-  addPins(*sub, c.pins, " in the atlas, of a chart none or");
+  addPins(*sub, c.pins, " in the atlas, none or several of a chart");
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addTexcoordSet(*sub, c.texcoord);
