@@ -61,7 +61,11 @@ const WRONG = [
     /--pins: standard input is the file of --bounds already/,
   ],
   [['unwrap', 'in.obj', '-o', 'p.obj', '--pins', 'p.obj'], /would replace the file of --pins/],
-  [['unwrap', '-', '-o', 'o.obj', '--pins', '-'], /--pins: standard input is used already/],
+  [['unwrap', '-', '-o', 'o.obj', '--pins', '-'], /--pins: standard input is the mesh already/],
+  [
+    ['unwrap', 'in.obj', '-o', 'o.obj', '--keep', 'file=-', '--pins', '-'],
+    /--pins: standard input is the file of --keep already/,
+  ],
   [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ, PLY or glTF/],
   [['sweep', 'in.obj', '--csv', './in.obj'], /--csv: would replace the input/],
   [['inspect'], /IN/],

@@ -78,16 +78,15 @@ void checkPictures(const UnwrapCommand& c) {
 
 /// It can be read once.
 void checkStandardInput(const UnwrapCommand& c) {
-  const char* reader = c.input == kStandardStream ? "the mesh" : nullptr;
+  std::string reader = c.input == kStandardStream ? "the mesh" : "";
   for (const auto& [option, path] :
        {std::pair<const char*, const std::string&>{"--seams", c.seamFile},
         {"--keep", c.keep.file},
         {"--pins", c.pins}}) {
     if (path != kStandardStream) continue;
-    if (reader != nullptr)
-      throw CLI::ValidationError(
-          option, std::string("standard input is ") + reader + " already; name a file");
-    reader = "the list of seams";
+    if (!reader.empty())
+      throw CLI::ValidationError(option, "standard input is " + reader + " already; name a file");
+    reader = std::string("the file of ") + option;
   }
 }
 
