@@ -45,7 +45,7 @@ export function methodTable(
   methods: MethodResult[],
   select: (method: MethodResult) => void,
 ): HTMLTableElement {
-  const table = create('table', 'method-table');
+  const table = create('table', 'data-table method-table');
   const head = create('thead', '');
   head.append(headRow());
   const body = create('tbody', '');

@@ -88,7 +88,8 @@ Result<Container> openContainer(std::string_view bytes, const std::string& fileN
   return out;
 }
 
-Result<std::string> binaryFile(std::string json, std::string_view buffer, std::string_view others) {
+Result<std::string> binaryFile(std::string_view json, std::string_view buffer,
+                               std::string_view others) {
   const std::size_t size = kHeaderSize + 2 * (kChunkHeaderSize + kAlignment) + json.size() +
                            buffer.size() + others.size();
   if (size > std::numeric_limits<std::uint32_t>::max())

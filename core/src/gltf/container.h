@@ -23,6 +23,7 @@ bool looksLikeGltf(std::string_view bytes);
 Result<Container> openContainer(std::string_view bytes, const std::string& fileName);
 
 /// A .glb file. Errors: CannotWrite when it would have 4 GB or more.
-Result<std::string> binaryFile(std::string json, std::string_view buffer, std::string_view others);
+Result<std::string> binaryFile(std::string_view json, std::string_view buffer,
+                               std::string_view others);
 
 }  // namespace abflat::gltf

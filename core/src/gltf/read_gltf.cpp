@@ -126,7 +126,7 @@ class ModelReader {
     for (const Attributes* list : allAttributes(primitive))
       for (const auto& [name, accessor] : *list)
         if (const std::string s = problemOf(accessor, positions.count); !s.empty())
-          return failure(m, p, ": " + name + s);
+          return failure(m, p, std::string(": ").append(name).append(s));
     VertexGroup group{m, p, static_cast<std::uint32_t>(mesh.vertexCount()),
                       static_cast<std::uint32_t>(positions.count)};
     const std::vector<double> local = numbersOf(document_, positions);

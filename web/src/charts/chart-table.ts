@@ -27,7 +27,7 @@ export class ChartTable {
   private order: Order = { column: BY_FACES, descending: true };
 
   constructor(private readonly events: ChartTableEvents) {
-    const table = create('table', 'method-table chart-table');
+    const table = create('table', 'data-table chart-table');
     const head = create('thead', '');
     head.append(this.headRow());
     table.append(create('caption', 'visually-hidden', 'Charts'), head, this.body);
