@@ -11,14 +11,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#endif
 
 #include "abflat/flatten.h"
 #include "abflat/io.h"
+#include "abflat/peak_memory.h"
 #include "bench_matrices.h"
 #include "factor_rows.h"
 #include "stopwatch.h"
@@ -30,20 +26,8 @@ namespace {
 /// Relative, in the norm of the right-hand side: far above rounding, far below a wrong answer.
 constexpr double kYardstickResidual = 1e-8;
 
-/// Of this process so far, MB; NaN where the system does not tell.
-double peakMemory() {
-#if defined(__APPLE__)
-  constexpr double kUnit = 1;
-#elif defined(__unix__)
-  constexpr double kUnit = 1024;
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) == 0)
-    return kUnit * static_cast<double>(usage.ru_maxrss) / 1e6;
-#endif
-  return std::numeric_limits<double>::quiet_NaN();
-}
+/// The recorded rows count in MB of 10^6 bytes.
+constexpr double kMegabytes = 1.048576;
 
 bool readObj(const std::string& path, std::string& bytes, PolygonMesh& mesh) {
   std::ifstream in(path, std::ios::binary | std::ios::ate);
@@ -133,7 +117,7 @@ bool run(const std::string& path, double t, int repeat, bool isPlain) {
   for (Report& report : runs) {
     std::string text, textOfTwo;
     if (!runOnce(path, t, 1, report, mesh, text)) return false;
-    if (memory == 0) memory = peakMemory();
+    if (memory == 0) memory = kMegabytes * peakMemory();
     if (isPlain) continue;
     runsOnTwo.emplace_back();
     if (!runOnce(path, t, 2, runsOnTwo.back(), mesh, textOfTwo)) return false;

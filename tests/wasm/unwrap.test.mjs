@@ -6,7 +6,7 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { AbflatError, createAbflat, UNWRAP_DEFAULTS } from 'abflat';
+import { createAbflat, UNWRAP_DEFAULTS } from 'abflat';
 import { CUBE_OF_PARTS, CUBE as CUBE_TEXT } from '../support/small-meshes.mjs';
 import {
   boxArray,
@@ -25,6 +25,7 @@ import {
 import { bytesOf, grid, objNumbers } from './support/meshes.mjs';
 import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
 import { assertSameShape, assertSameText } from './support/same.mjs';
+import { arraysOf, assertFails, CUBE } from './support/unwrapping.mjs';
 
 let abflat;
 let folder;
@@ -65,24 +66,6 @@ async function assertSameAsNative(path, options = {}, args = []) {
   assert.deepEqual(untimed(report), untimed(native.report));
   return report;
 }
-
-/** Triangles as arrays; of a polygon those round its first corner. */
-function arraysOf({ positions, faces }) {
-  const fans = faces.flatMap((face) => face.slice(2).flatMap((c, k) => [face[0], face[k + 1], c]));
-  return { positions: Float64Array.from(positions.flat()), indices: Uint32Array.from(fans) };
-}
-
-const CUBE = {
-  positions: [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]),
-  faces: [
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-  ],
-};
 
 const SURFACES = {
   sphere: sphere(6),
@@ -253,9 +236,6 @@ test('seams: none keeps as few charts as topology allows, edges are cut as asked
   assert.ok(sharp.seams.length > 0, 'the edges that were passed stay');
 });
 
-const solvers = ({ report }) => report.charts.map(({ solver }) => solver);
-const ARRAYS = ['uv', 'unpacked', 'indices', 'vertexMap', 'chartOfTriangle', 'seams'];
-
 test('unpacked: charts as large as on the surface, at the scale of the atlas in uv', async () => {
   const { uv, unpacked, indices, chartOfTriangle, report } = await abflat.unwrap(
     arraysOf(SURFACES['sphere-and-torus']),
@@ -272,94 +252,6 @@ test('unpacked: charts as large as on the surface, at the scale of the atlas in 
     assert.ok(Math.abs(area / report.charts[i].area - 1) < 1e-9);
     assert.ok(Math.abs(inUv[i] / (area * scale) - 1) < 1e-4);
   }
-});
-
-test('known: charts that an edit of the seams leaves alone are not solved, and the result is that of solving', async () => {
-  const mesh = arraysOf(CUBE);
-  const file = { bytes: bytesOf(objText(CUBE)), name: 'cube.obj' };
-  for (const input of [mesh, file]) {
-    const first = await abflat.unwrap(input, { seams: 'sharp=45' });
-    const edit = { seams: 'none', seamEdges: first.seams.slice(2) };
-    const solved = await abflat.unwrap(input, edit);
-    const quick = await abflat.unwrap(input, { ...edit, known: first });
-    assert.equal(solved.report.charts.length, 5);
-    assert.ok(!solvers(solved).includes('known'));
-    assert.equal(solvers(quick).filter((solver) => solver === 'known').length, 4);
-    for (const key of ARRAYS) assert.deepEqual(quick[key], solved[key], key);
-    const again = await abflat.unwrap(input, { ...edit, known: quick });
-    assert.deepEqual(new Set(solvers(again)), new Set(['known']));
-    for (const key of ARRAYS) assert.deepEqual(again[key], solved[key], key);
-    const other = await abflat.unwrap(input, { ...edit, t: 1, known: quick });
-    assert.ok(!solvers(other).includes('known'), 'other angles were asked for');
-    assert.ok(quick.unpacked.length > 0, 'what was passed stays');
-  }
-});
-
-test('known: what is no result, or that of another mesh, is refused', async () => {
-  const cube = await abflat.unwrap(arraysOf(CUBE));
-  const { uv, ...rest } = cube;
-  assert.equal((await abflat.unwrap(arraysOf(CUBE), { known: rest })).report.valid, true);
-  for (const [known, pattern] of [
-    [null, /result of unwrap; its unpacked/],
-    [{ ...cube, indices: [0, 1, 2] }, /its indices is no Uint32Array/],
-    [{ ...cube, report: {} }, /report\.options\.t/],
-    [{ ...cube, vertexMap: cube.vertexMap.slice(1) }, /not of this mesh.*coordinates/],
-    [await abflat.unwrap(arraysOf(SURFACES.sphere)), /not of this mesh.*triangles/],
-  ])
-    await assertFails(abflat.unwrap(arraysOf(CUBE), { known }), 'InvalidOption', pattern);
-});
-
-test('fixedFaces: islands stay as they are, of arrays and of files', async () => {
-  const mesh = arraysOf(SURFACES['sphere-and-torus']);
-  const { uv, indices, vertexMap, chartOfTriangle, report, obj } = await abflat.unwrap(mesh, {
-    obj: true,
-  });
-  const positions = Float64Array.from(
-    [...vertexMap].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]),
-  );
-  const fixedFaces = Uint32Array.of(report.charts[0].firstFace);
-  const isKept = (f) => chartOfTriangle[f] === 0;
-  for (const input of [
-    { positions, indices, texcoords: uv },
-    { bytes: obj, name: 'before.obj' },
-  ]) {
-    const after = await abflat.unwrap(input, { fixedFaces, seams: 'auto,sharp=50' });
-    assert.equal(after.report.valid, true);
-    assert.deepEqual(
-      after.report.charts.map(({ fixed }) => fixed),
-      after.report.charts.map((_, i) => i === after.chartOfTriangle[fixedFaces[0]]),
-    );
-    for (let h = 0; h < indices.length; ++h) {
-      const f = Math.floor(h / 3);
-      assert.equal(after.report.charts[after.chartOfTriangle[f]].fixed, isKept(f));
-      if (!isKept(f)) continue;
-      const [v, w] = [after.indices[h], indices[h]];
-      assert.deepEqual([...after.uv.slice(2 * v, 2 * v + 2)], [...uv.slice(2 * w, 2 * w + 2)]);
-      assert.ok(Number.isNaN(after.unpacked[2 * v]));
-    }
-    const again = await abflat.unwrap(input, { known: after, seams: 'auto,sharp=50' });
-    assert.equal(solvers(again).includes('given'), false);
-  }
-});
-
-test('texelDensity and udim: tiles beside each other at the scale that was asked for', async () => {
-  const mesh = arraysOf(together([0, 4, 8].map((x) => [torus(24, 12), [x, 0, 0]])));
-  const { report, uv } = await abflat.unwrap(mesh, {
-    texelDensity: 120,
-    udim: true,
-    rotate: false,
-  });
-  assert.equal(report.valid, true);
-  assert.equal(report.atlas.texelDensity, 120);
-  assert.equal(report.options.texelDensity, 120);
-  assert.ok(report.atlas.tiles > 1 && report.atlas.tiles <= 10);
-  const us = uv.filter((_, i) => i % 2 === 0);
-  assert.equal(Math.ceil(us.reduce((a, b) => Math.max(a, b))), report.atlas.tiles);
-  await assertFails(
-    abflat.unwrap(mesh, { texelDensity: 7e4 }),
-    'InvalidOption',
-    /lower the density/,
-  );
 });
 
 test('a disk becomes one chart with the angles of flatten', async () => {
@@ -415,16 +307,6 @@ test('an abort ends the run, and the next one works', async () => {
   assert.equal((await abflat.unwrap(arraysOf(CUBE))).report.valid, true);
 });
 
-async function assertFails(call, code, pattern) {
-  await assert.rejects(call, (error) => {
-    assert.ok(error instanceof AbflatError, `${error}`);
-    assert.equal(error.code, code, error.message);
-    assert.match(error.message, pattern);
-    return true;
-  });
-  assert.equal((await abflat.unwrap(arraysOf(CUBE))).report.valid, true);
-}
-
 const REFUSED = [
   [{ untangle: 'best' }, /untangle.*maxStretch/],
   [{ maxStretch: 1 }, /maxStretch must be a number above 1/],
@@ -447,18 +329,23 @@ const REFUSED = [
 
 for (const [options, pattern] of REFUSED) {
   test(`the options ${JSON.stringify(options)}: InvalidOption`, async () => {
-    await assertFails(abflat.unwrap(arraysOf(CUBE), options), 'InvalidOption', pattern);
+    await assertFails(abflat, abflat.unwrap(arraysOf(CUBE), options), 'InvalidOption', pattern);
   });
 }
 
 test('what is no mesh is refused as elsewhere', async () => {
   const mesh = arraysOf(CUBE);
   const noNumber = { ...mesh, positions: mesh.positions.map((x, i) => (i === 7 ? Number.NaN : x)) };
-  await assertFails(abflat.unwrap(noNumber), 'InvalidMesh', /2/);
-  await assertFails(abflat.unwrap({ ...mesh, indices: new Uint32Array() }), 'EmptyMesh', /face/);
+  await assertFails(abflat, abflat.unwrap(noNumber), 'InvalidMesh', /2/);
+  await assertFails(
+    abflat,
+    abflat.unwrap({ ...mesh, indices: new Uint32Array() }),
+    'EmptyMesh',
+    /face/,
+  );
   const bytes = bytesOf('f 1 2 3\n');
-  await assertFails(abflat.unwrap({ bytes, name: 'a.obj' }), 'ParseError', /a\.obj/);
-  await assertFails(abflat.unwrap(undefined), 'InvalidMesh', /positions/);
+  await assertFails(abflat, abflat.unwrap({ bytes, name: 'a.obj' }), 'ParseError', /a\.obj/);
+  await assertFails(abflat, abflat.unwrap(undefined), 'InvalidMesh', /positions/);
 });
 
 test('lack of memory is said', async () => {

@@ -1,0 +1,111 @@
+// Atlases that are there already, kept as a whole or in part, and atlases that are to match others.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { createAbflat } from 'abflat';
+import { objText, sphere, together, torus } from '../support/surfaces.mjs';
+import { bytesOf } from './support/meshes.mjs';
+import { arraysOf, assertFails, CUBE } from './support/unwrapping.mjs';
+
+let abflat;
+before(async () => {
+  abflat = await createAbflat();
+});
+after(() => abflat?.terminate());
+
+const SPHERE_AND_TORUS = together([
+  [sphere(4), [0, 0, 0]],
+  [torus(16, 8), [5, 0, 0]],
+]);
+
+const solvers = ({ report }) => report.charts.map(({ solver }) => solver);
+const ARRAYS = ['uv', 'unpacked', 'indices', 'vertexMap', 'chartOfTriangle', 'seams'];
+
+test('known: charts that an edit of the seams leaves alone are not solved, and the result is that of solving', async () => {
+  const mesh = arraysOf(CUBE);
+  const file = { bytes: bytesOf(objText(CUBE)), name: 'cube.obj' };
+  for (const input of [mesh, file]) {
+    const first = await abflat.unwrap(input, { seams: 'sharp=45' });
+    const edit = { seams: 'none', seamEdges: first.seams.slice(2) };
+    const solved = await abflat.unwrap(input, edit);
+    const quick = await abflat.unwrap(input, { ...edit, known: first });
+    assert.equal(solved.report.charts.length, 5);
+    assert.ok(!solvers(solved).includes('known'));
+    assert.equal(solvers(quick).filter((solver) => solver === 'known').length, 4);
+    for (const key of ARRAYS) assert.deepEqual(quick[key], solved[key], key);
+    const again = await abflat.unwrap(input, { ...edit, known: quick });
+    assert.deepEqual(new Set(solvers(again)), new Set(['known']));
+    for (const key of ARRAYS) assert.deepEqual(again[key], solved[key], key);
+    const other = await abflat.unwrap(input, { ...edit, t: 1, known: quick });
+    assert.ok(!solvers(other).includes('known'), 'other angles were asked for');
+    assert.ok(quick.unpacked.length > 0, 'what was passed stays');
+  }
+});
+
+test('known: what is no result, or that of another mesh, is refused', async () => {
+  const cube = await abflat.unwrap(arraysOf(CUBE));
+  const { uv, ...rest } = cube;
+  assert.equal((await abflat.unwrap(arraysOf(CUBE), { known: rest })).report.valid, true);
+  for (const [known, pattern] of [
+    [null, /result of unwrap; its unpacked/],
+    [{ ...cube, indices: [0, 1, 2] }, /its indices is no Uint32Array/],
+    [{ ...cube, report: {} }, /report\.options\.t/],
+    [{ ...cube, vertexMap: cube.vertexMap.slice(1) }, /not of this mesh.*coordinates/],
+    [await abflat.unwrap(arraysOf(sphere(6))), /not of this mesh.*triangles/],
+  ])
+    await assertFails(abflat, abflat.unwrap(arraysOf(CUBE), { known }), 'InvalidOption', pattern);
+});
+
+test('fixedFaces: islands stay as they are, of arrays and of files', async () => {
+  const mesh = arraysOf(SPHERE_AND_TORUS);
+  const { uv, indices, vertexMap, chartOfTriangle, report, obj } = await abflat.unwrap(mesh, {
+    obj: true,
+  });
+  const positions = Float64Array.from(
+    [...vertexMap].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]),
+  );
+  const fixedFaces = Uint32Array.of(report.charts[0].firstFace);
+  const isKept = (f) => chartOfTriangle[f] === 0;
+  for (const input of [
+    { positions, indices, texcoords: uv },
+    { bytes: obj, name: 'before.obj' },
+  ]) {
+    const after = await abflat.unwrap(input, { fixedFaces, seams: 'auto,sharp=50' });
+    assert.equal(after.report.valid, true);
+    assert.deepEqual(
+      after.report.charts.map(({ fixed }) => fixed),
+      after.report.charts.map((_, i) => i === after.chartOfTriangle[fixedFaces[0]]),
+    );
+    for (let h = 0; h < indices.length; ++h) {
+      const f = Math.floor(h / 3);
+      assert.equal(after.report.charts[after.chartOfTriangle[f]].fixed, isKept(f));
+      if (!isKept(f)) continue;
+      const [v, w] = [after.indices[h], indices[h]];
+      assert.deepEqual([...after.uv.slice(2 * v, 2 * v + 2)], [...uv.slice(2 * w, 2 * w + 2)]);
+      assert.ok(Number.isNaN(after.unpacked[2 * v]));
+    }
+    const again = await abflat.unwrap(input, { known: after, seams: 'auto,sharp=50' });
+    assert.equal(solvers(again).includes('given'), false);
+  }
+});
+
+test('texelDensity and udim: tiles beside each other at the scale that was asked for', async () => {
+  const mesh = arraysOf(together([0, 4, 8].map((x) => [torus(24, 12), [x, 0, 0]])));
+  const { report, uv } = await abflat.unwrap(mesh, {
+    texelDensity: 120,
+    udim: true,
+    rotate: false,
+  });
+  assert.equal(report.valid, true);
+  assert.equal(report.atlas.texelDensity, 120);
+  assert.equal(report.options.texelDensity, 120);
+  assert.ok(report.atlas.tiles > 1 && report.atlas.tiles <= 10);
+  const us = uv.filter((_, i) => i % 2 === 0);
+  assert.equal(Math.ceil(us.reduce((a, b) => Math.max(a, b))), report.atlas.tiles);
+  await assertFails(
+    abflat,
+    abflat.unwrap(mesh, { texelDensity: 7e4 }),
+    'InvalidOption',
+    /lower the density/,
+  );
+});
