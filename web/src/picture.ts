@@ -28,6 +28,8 @@ export interface FlatPicture extends Picture {
   chartColors?: Float32Array;
   /** The chart of each triangle of an atlas. */
   charts?: Uint32Array;
+  /** Unit squares that the atlas fills. */
+  tiles?: number;
 }
 
 /** The arrays of a result, as abflat gives them. */
@@ -65,6 +67,7 @@ function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
+    tiles: result.report.atlas.tiles,
     chartColors: chartColors(indices, chartOfTriangle, weld(positions, 3)),
   };
 }

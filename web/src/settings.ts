@@ -1,4 +1,5 @@
 import type { Bound } from './format';
+import type { MoreOptions } from './more-options';
 
 /** A disk in one piece, or any mesh in charts. */
 export type Mode = 'flatten' | 'unwrap';
@@ -11,7 +12,7 @@ export interface FlattenSettings {
 }
 
 /** What the user can ask of an atlas. */
-export interface UnwrapSettings {
+export interface UnwrapSettings extends MoreOptions {
   mode: 'unwrap';
   maxStretch: number;
   /** Texels along a side. */
@@ -27,13 +28,6 @@ export interface UnwrapSettings {
 export type Settings = FlattenSettings | UnwrapSettings;
 
 export function sameSettings(a: Settings, b: Settings): boolean {
-  if (a.mode === 'flatten') return b.mode === 'flatten' && a.t === b.t && a.delaunay === b.delaunay;
-  return (
-    b.mode === 'unwrap' &&
-    a.maxStretch === b.maxStretch &&
-    a.resolution === b.resolution &&
-    a.padding === b.padding &&
-    a.seams === b.seams &&
-    a.seamEdges === b.seamEdges
-  );
+  const [x, y] = [a, b].map((settings) => new Map<string, unknown>(Object.entries(settings)));
+  return x.size === y.size && [...x].every(([name, value]) => y.get(name) === value);
 }
