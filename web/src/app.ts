@@ -8,6 +8,7 @@ import { bindToggle, element } from './dom';
 import { exportFormat, exportMesh } from './export-mesh';
 import { count, counted, duration } from './format';
 import type { AnyProgress, Outcome } from './lay-out';
+import { LayoutBar } from './layout-bar';
 import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
@@ -59,6 +60,10 @@ export class App implements SessionEvents {
     () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
     () => this.session.refresh(),
   );
+  private readonly layoutBar = new LayoutBar({
+    say: (text) => this.run.say(text),
+    failed: (error) => this.notSaved(error),
+  });
   private readonly exportButton = element('export', HTMLButtonElement);
   private readonly exportText = element('export-text', HTMLSpanElement);
   private readonly layoutNote = element('layout-note', HTMLElement);
@@ -109,6 +114,7 @@ export class App implements SessionEvents {
     this.sweep.stop();
     this.seams.hide();
     this.details.setMode(mode);
+    this.layoutBar.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
     this.session.refresh();
   }
@@ -253,16 +259,24 @@ export class App implements SessionEvents {
     this.exportButton.disabled = this.outcome === null || this.outcome.source !== this.shown;
     const format = this.shown ? exportFormat(this.shown) : 'obj';
     this.exportText.textContent = `Export ${format.toUpperCase()}`;
+    const { outcome, picture } = this;
+    const isAtlas = outcome?.mode === 'unwrap' && outcome.source === this.shown;
+    this.layoutBar.show(isAtlas ? { outcome, picture } : null);
   }
 
   private export(): void {
     if (!this.outcome) return;
-    const { source, settings } = this.outcome;
     exportMesh(this.outcome).then(
       ({ name, size }) =>
         this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`),
-      (error: Error) =>
-        showAlert(`${titleOf(source)} was not exported: ${error.message}`, settingsText(settings)),
+      (error: Error) => this.notSaved(error),
     );
+  }
+
+  private notSaved({ message }: Error): void {
+    if (!this.outcome) return;
+    const { source, settings } = this.outcome;
+    const text = `${titleOf(source)} was not saved: ${message.replace(/\.$/, '')}.`;
+    showAlert(text, settingsText(settings));
   }
 }

@@ -3,7 +3,7 @@ import { atlasNotes } from './atlas-notes';
 import { ChartTable } from './charts/chart-table';
 import { create, element } from './dom';
 import { counted, measure } from './format';
-import type { FlatPicture } from './picture';
+import { colorOfCharts, type FlatPicture } from './picture';
 import type { Views } from './views';
 
 /** What an atlas consists of and what was done to get it. */
@@ -25,7 +25,7 @@ export class ChartsTab {
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
-    this.table.show(report, picture && colorsOf(picture, report.charts.length));
+    this.table.show(report, picture && colorOfCharts(picture, report.charts.length));
   }
 }
 
@@ -34,13 +34,4 @@ function summary({ charts, seams, quasiConformalMean }: UnwrapReport): string {
   const sizes = `${counted(charts.length, 'chart')}, the largest of ${counted(largest, 'triangle')}`;
   const cuts = seams.edges > 0 ? `cut along ${counted(seams.edges, 'edge')}` : 'nothing was cut';
   return `${sizes}; ${cuts}; mean ratio of stretches ${measure(quasiConformalMean)}`;
-}
-
-/** The number of each chart's colour. */
-function colorsOf({ charts, chartColors }: FlatPicture, chartCount: number): Float32Array {
-  const colors = new Float32Array(chartCount);
-  charts?.forEach((chart, f) => {
-    if (chart < chartCount) colors[chart] = chartColors?.[f] ?? 0;
-  });
-  return colors;
 }

@@ -72,6 +72,18 @@ function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
   };
 }
 
+/** The number of each chart's colour. */
+export function colorOfCharts(
+  { charts, chartColors }: FlatPicture,
+  chartCount: number,
+): Float32Array {
+  const colors = new Float32Array(chartCount);
+  charts?.forEach((chart, f) => {
+    if (chart < chartCount) colors[chart] = chartColors?.[f] ?? 0;
+  });
+  return colors;
+}
+
 /** Boundary edges where some vertices are one: `same` names the one for each. */
 function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
   const joined = new Uint32Array(indices.length);
