@@ -129,12 +129,21 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count
   return job->unwrapOptions.fixedFaces.data();
 }
 
+/// Room for charts of a known layout that stay where they are.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
+  job->unwrapOptions.fixedCharts.resize(count);
+  return job->unwrapOptions.fixedCharts.data();
+}
+
 /// Room for an array of a known layout, `size` numbers; Field says which.
 EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);
 }
 
-EMSCRIPTEN_KEEPALIVE void abflatKnownT(Job* job, double t) { job->unwrapOptions.known.t = t; }
+EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, bool straightSeams) {
+  job->unwrapOptions.known.t = t;
+  job->unwrapOptions.known.straightSeams = straightSeams;
+}
 
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});

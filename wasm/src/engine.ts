@@ -184,13 +184,14 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, known } = request;
+    const { values, seams, seamEdges, fixedFaces, fixedCharts, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
         if (seams !== undefined) this.#writeText(seams, (bytes) => native._abflatSeams(job, bytes));
         this.#writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
         this.#writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
+        this.#writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (known !== undefined) this.#writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,
@@ -323,7 +324,7 @@ export class Engine {
     mesh.indices = new Uint32Array();
   }
 
-  #writeKnown(job: number, { t, arrays }: KnownArrays): void {
+  #writeKnown(job: number, { t, straightSeams, arrays }: KnownArrays): void {
     const entries = Object.entries(arrays);
     this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
     for (const [name, array] of entries) {
@@ -335,7 +336,7 @@ export class Engine {
       if (array instanceof Float64Array) this.#writeReals(start, array);
       else this.#writeNumbers(start, array);
     }
-    this.#native._abflatKnownT(job, t);
+    this.#native._abflatKnownOptions(job, t, straightSeams);
   }
 
   #checkSize(mesh: OwnedMesh): void {

@@ -47,7 +47,10 @@ export interface FlattenRequest extends LayoutRequest {
 export interface KnownArrays {
   /** As in `values` of a request. */
   t: number;
-  arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'>;
+  straightSeams: boolean;
+  /** `uv` where charts are fixed. */
+  arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'> &
+    Partial<Pick<UnwrapResult, 'uv'>>;
 }
 
 export interface UnwrapRequest extends LayoutRequest {
@@ -59,6 +62,8 @@ export interface UnwrapRequest extends LayoutRequest {
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
   fixedFaces: Uint32Array;
+  /** Of `known`. */
+  fixedCharts: Uint32Array;
   known?: KnownArrays;
 }
 
