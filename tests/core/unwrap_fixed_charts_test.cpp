@@ -3,26 +3,12 @@
 #include "abflat/unwrap.h"
 #include "catch.h"
 #include "support/meshes.h"
+#include "support/unwrapped.h"
 
 using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-UnwrapOptions small() {
-  UnwrapOptions out;
-  out.resolution = 256;
-  out.maxStretch = 1.002;  // so that there are several charts
-  return out;
-}
-
-UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  Result<UnwrapResult> result = unwrap(mesh, options);
-  INFO(result.status.message);
-  REQUIRE(result.ok());
-  CHECK(result.value.report.valid);
-  return std::move(result.value);
-}
 
 /// Triangles of these charts have the uv that they had, all others are in charts that are not
 /// fixed.
@@ -56,9 +42,9 @@ PolygonMesh withOwnUv(PolygonMesh mesh) {
 
 TEST_CASE("known charts stay bit by bit, whatever the options are then", "[fixed]") {
   for (const PolygonMesh& mesh : {torus(24, 16), withOwnUv(torus(24, 16))}) {
-    const UnwrapResult first = unwrapped(mesh, small());
+    const UnwrapResult first = unwrapped(mesh, severalCharts());
     REQUIRE(first.report.charts.size() > 3);
-    std::vector<UnwrapOptions> others(5, small());
+    std::vector<UnwrapOptions> others(5, severalCharts());
     others[0].maxStretch = 1.3;
     others[1].seams.sharpDegrees = 10;
     others[2].straightSeams = true;
@@ -85,11 +71,11 @@ TEST_CASE("known charts stay bit by bit, whatever the options are then", "[fixed
 
 TEST_CASE("charts and faces can be fixed at once", "[fixed]") {
   const PolygonMesh plain = torus(24, 16);
-  const UnwrapResult first = unwrapped(plain, small());
+  const UnwrapResult first = unwrapped(plain, severalCharts());
   PolygonMesh mesh = plain;
   mesh.texcoords = first.uv;
   mesh.faceTexcoords = first.cornerUv;
-  UnwrapOptions options = small();
+  UnwrapOptions options = severalCharts();
   options.known = knownLayout(first);
   options.fixedFaces = {first.report.charts[1].firstFace};
   options.fixedCharts = {0};
@@ -106,8 +92,8 @@ TEST_CASE("polygons and separate triangles can stay as charts", "[fixed]") {
   }
   soup = makeTriangleMesh(soup.positions, corners);
   for (const PolygonMesh& m : {soup, star(7)}) {
-    const UnwrapResult first = unwrapped(m, small());
-    UnwrapOptions options = small();
+    const UnwrapResult first = unwrapped(m, severalCharts());
+    UnwrapOptions options = severalCharts();
     options.maxStretch = 1.5;
     options.known = knownLayout(first);
     options.fixedCharts = {0};
@@ -117,8 +103,8 @@ TEST_CASE("polygons and separate triangles can stay as charts", "[fixed]") {
 
 TEST_CASE("charts that cannot stay are named", "[fixed]") {
   const PolygonMesh mesh = torus(12, 8);
-  const UnwrapResult first = unwrapped(mesh, small());
-  UnwrapOptions options = small();
+  const UnwrapResult first = unwrapped(mesh, severalCharts());
+  UnwrapOptions options = severalCharts();
   const auto messageOf = [&] {
     const Status s = unwrap(mesh, options).status;
     CHECK(s.code == StatusCode::InvalidOption);

@@ -2,6 +2,7 @@ import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './alert';
 import { AtlasControl } from './atlas-control';
 import { BoundControl } from './bound-control';
+import { Locks } from './charts/locks';
 import { ChartsTab } from './charts-tab';
 import { Details } from './details';
 import { bindToggle, element } from './dom';
@@ -38,6 +39,7 @@ export class App implements SessionEvents {
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
+  private readonly locks = new Locks();
   private readonly seams: SeamPanel;
   private readonly sweep = new SweepTab(
     (t, signal) =>
@@ -80,7 +82,11 @@ export class App implements SessionEvents {
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings);
-    this.charts = new ChartsTab(views);
+    this.charts = new ChartsTab(views, this.locks, {
+      // What is under way would move what has just been locked.
+      locked: () => this.session.isBusy && this.session.refresh(),
+      packAgain: () => this.session.refresh(),
+    });
     this.seams = new SeamPanel(views?.mesh ?? null, {
       changed: () => this.session.refresh(),
       say: (text) => this.run.say(text),
@@ -99,7 +105,7 @@ export class App implements SessionEvents {
 
   private get settings(): Settings {
     if (this.mode.mode === 'flatten') return this.diskSettings;
-    return { ...this.atlas.settings, ...this.seams.options };
+    return { ...this.atlas.settings, ...this.seams.options, kept: this.locks.kept };
   }
 
   private get diskSettings(): FlattenSettings {
@@ -138,6 +144,7 @@ export class App implements SessionEvents {
     hideAlert();
     this.mode.setDisk(summary.disk);
     this.seams.open({ mesh, summary, name: source.name });
+    this.locks.clear();
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
@@ -166,6 +173,7 @@ export class App implements SessionEvents {
 
   private showDetails(outcome: Outcome): void {
     if (outcome.mode === 'unwrap') {
+      this.locks.show(outcome);
       this.charts.show(outcome.result.report, this.picture);
       this.seams.show(outcome);
       return;

@@ -1,23 +1,42 @@
 import type { UnwrapReport } from 'abflat';
 import { atlasNotes } from './atlas-notes';
 import { ChartTable } from './charts/chart-table';
+import type { Locks } from './charts/locks';
 import { create, element } from './dom';
 import { counted, measure } from './format';
 import { colorOfCharts, type FlatPicture } from './picture';
 import type { Views } from './views';
 
+export interface ChartsTabEvents {
+  /** Another chart is locked, or one is no more. */
+  locked(): void;
+  packAgain(): void;
+}
+
 /** What an atlas consists of and what was done to get it. */
 export class ChartsTab {
   private readonly notes = element('atlas-notes', HTMLUListElement);
   private readonly table: ChartTable;
+  private readonly lockSummary = element('locks-summary', HTMLElement);
+  private readonly pack = element('pack-again', HTMLButtonElement);
   private readonly summary = element('charts-summary', HTMLElement);
 
   /** `views` show the chart that is pointed at. */
-  constructor(views: Views | null) {
+  constructor(
+    views: Views | null,
+    private readonly locks: Locks,
+    events: ChartsTabEvents,
+  ) {
     this.table = new ChartTable({
       pointed: (chart) => views?.lightChart(chart),
       chosen: (chart) => views?.goToChart(chart),
+      locked: (chart) => {
+        locks.toggle(chart);
+        this.showLocks();
+        events.locked();
+      },
     });
+    this.pack.addEventListener('click', () => events.packAgain());
   }
 
   show(report: UnwrapReport, picture: FlatPicture | null): void {
@@ -26,6 +45,15 @@ export class ChartsTab {
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
     this.table.show(report, picture && colorOfCharts(picture, report.charts.length));
+    this.showLocks();
+    this.pack.disabled = false;
+  }
+
+  private showLocks(): void {
+    const { charts } = this.locks;
+    this.table.showLocks(charts);
+    this.lockSummary.textContent =
+      charts.size > 0 ? `${counted(charts.size, 'chart')} locked` : 'A locked chart stays';
   }
 }
 

@@ -1,3 +1,4 @@
+import type { Kept } from './charts/locks';
 import type { Bound } from './format';
 import type { MoreOptions } from './more-options';
 
@@ -23,11 +24,17 @@ export interface UnwrapSettings extends MoreOptions {
   seams: string;
   /** Cut as well, two vertices each. */
   seamEdges?: Uint32Array;
+  /** Where they are already: no reason to lay out anew. */
+  kept?: Kept;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;
 
 export function sameSettings(a: Settings, b: Settings): boolean {
-  const [x, y] = [a, b].map((settings) => new Map<string, unknown>(Object.entries(settings)));
+  const [x, y] = [a, b].map((settings) => {
+    const values = new Map<string, unknown>(Object.entries(settings));
+    values.delete('kept');
+    return values;
+  });
   return x.size === y.size && [...x].every(([name, value]) => y.get(name) === value);
 }

@@ -52,10 +52,16 @@ function boundInfo({ settings, result }: Flattened): string {
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 
-/** Of an atlas that was edited: the charts that did not change. */
+/** Of an atlas that was edited: the charts that did not change, and those that were to stay. */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return '';
   const { charts } = outcome.result.report;
   const known = charts.filter(({ solver }) => solver === 'known').length;
-  return known > 0 ? `; ${count(known)} of ${counted(charts.length, 'chart')} kept` : '';
+  const locked = charts.filter(({ fixed }) => fixed).length;
+  const of = `of ${counted(charts.length, 'chart')}`;
+  const parts = [
+    ...(known > 0 ? [`${count(known)} ${of} kept`] : []),
+    ...(locked > 0 ? [`${count(locked)} ${known > 0 ? '' : `${of} `}locked`] : []),
+  ];
+  return parts.length > 0 ? `; ${parts.join(', ')}` : '';
 }
