@@ -68,6 +68,34 @@ test('text has contrast in both themes', async (t) => {
   }
 });
 
+test('text of an atlas has contrast in both themes', async (t) => {
+  const page = await openPage(t, { reducedMotion: 'reduce' });
+  await page.click('#mode-unwrap');
+  await settled(page);
+  await page.click('#more-toggle');
+  await page.click('#more-straight-seams');
+  await settled(page);
+  await page.click('#details-toggle');
+  await page.locator('.lock').first().click();
+  await page.mouse.move(0, 0);
+  for (const theme of ['dark', 'light']) {
+    for (const selector of [
+      '#more-state',
+      '.more-row label',
+      '#more-rotate',
+      '#layout-png',
+      '#layout-tools label',
+      '#locks-summary',
+      '.lock[aria-pressed="true"]',
+    ])
+      assert.ok(
+        (await contrast(page, `${selector} >> nth=0`)) >= 4.5,
+        `${selector} in the ${theme} theme`,
+      );
+    await page.click('#theme');
+  }
+});
+
 test('Tab reaches every control, in the order of the page', async (t) => {
   const page = await openPage(t);
   // By script, so that Tab begins at the beginning.
