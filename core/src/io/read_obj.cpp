@@ -112,10 +112,13 @@ class ObjReader {
     if (materials_.empty() && mesh_.faceCount() > 0) {
       mesh_.faceMaterials.assign(mesh_.faceCount(), 0);
       materials_.emplace("", 0);
+      mesh_.materialNames.emplace_back();
     }
     mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
-    const auto number = static_cast<std::uint32_t>(materials_.size());
-    material_ = materials_.emplace(name, number).first->second;
+    const auto [known, isNew] =
+        materials_.emplace(name, static_cast<std::uint32_t>(materials_.size()));
+    material_ = known->second;
+    if (isNew) mesh_.materialNames.emplace_back(name);
   }
 
   Status vertex(const ObjLine& line) {
