@@ -101,10 +101,13 @@ test('material: faces of materials keep their uv, those of others are made new',
   writeFileSync(at('painted.obj'), painted);
   const one = await unwrapped(at, 'painted.obj', '--keep', 'material=old wood#2');
   assertKept(before, one, (face) => face < faces);
+  const { code } = await runAbflat(['unwrap', 'painted.obj', '-o', 'painted.glb'], { cwd: at() });
+  assert.equal(code, 0);
   const list = 'material=old wood#2,material=new,material=metal';
   assertKept(before, await unwrapped(at, 'painted.obj', '--keep', list), () => true);
   for (const [input, known] of [
     ['painted.obj', /no material 'gold' to keep; the mesh has 'old wood#2', 'new', 'metal'\n/],
+    ['painted.glb', /no material 'gold' to keep; the mesh has 'old wood#2', 'new', 'metal'\n/],
     ['before.obj', /no material 'gold' to keep; no material of the mesh has a name\n/],
   ]) {
     const none = await unwrapped(at, input, '--keep', 'uv,material=gold');

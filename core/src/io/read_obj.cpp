@@ -104,11 +104,7 @@ class ObjReader {
   /// Names may hold blanks and #. Faces before the first have a material of their own.
   void material(std::string_view line) {
     if (takeWord(line) != "usemtl") return;
-    const std::size_t begin = line.find_first_not_of(" \t\r\n");
-    const std::string_view name =
-        begin == std::string_view::npos
-            ? std::string_view()
-            : line.substr(begin, line.find_last_not_of(" \t\r\n") + 1 - begin);
+    const std::string_view name = restOfLine(line);
     if (materials_.empty() && mesh_.faceCount() > 0) {
       mesh_.faceMaterials.assign(mesh_.faceCount(), 0);
       materials_.emplace("", 0);
