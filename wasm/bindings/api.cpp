@@ -136,6 +136,9 @@ EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
 
 EMSCRIPTEN_KEEPALIVE void abflatKnownT(Job* job, double t) { job->unwrapOptions.known.t = t; }
 
+/// Texcoords become what a glTF holds of them.
+EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) { job->unwrapOptions.roundsForGltf = true; }
+
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});
 }
