@@ -105,7 +105,7 @@ test('texelDensity and udim: tiles beside each other at the scale that was asked
   await assertFails(
     abflat,
     abflat.unwrap(mesh, { texelDensity: 7e4 }),
-    'InvalidOption',
+    'AtlasTooSmall',
     /lower the density/,
   );
 });

@@ -333,6 +333,20 @@ for (const [options, pattern] of REFUSED) {
   });
 }
 
+test('an atlas that is too small: AtlasTooSmall with what suffices', async () => {
+  const mesh = arraysOf(CUBE);
+  const options = { texelDensity: 1000, resolution: 256 };
+  const error = await abflat.unwrap(mesh, options).catch((e) => e);
+  assert.equal(error.code, 'AtlasTooSmall');
+  const [, density] = error.message.match(/lower the density to (\S+), raise/);
+  const [, side] = error.message.match(/raise the resolution to (\d+), or/);
+  for (const changes of [{ texelDensity: Number(density) }, { resolution: Number(side) }]) {
+    const { report } = await abflat.unwrap(mesh, { ...options, ...changes });
+    assert.equal(report.valid, true);
+    assert.equal(report.atlas.tiles, 1);
+  }
+});
+
 test('what is no mesh is refused as elsewhere', async () => {
   const mesh = arraysOf(CUBE);
   const noNumber = { ...mesh, positions: mesh.positions.map((x, i) => (i === 7 ? Number.NaN : x)) };

@@ -172,7 +172,7 @@ struct UnwrapResult {
 
 /// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square, or
 /// into as many as it takes. The result is valid when every chart is and none overlap.
-/// Errors: InvalidOption, InvalidMesh, EmptyMesh, Aborted.
+/// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
 
 /// What a later run may know of this one; rows of the table of vertices, not that of texcoords.
