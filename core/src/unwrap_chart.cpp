@@ -27,7 +27,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   if (out.attempt.solution.cancelled) return out;
   out.unpacked = inMeshUnit(chart, out.attempt);
   if (!wishes.pins.empty()) {
-    pin(flattener, wishes.pins, out.attempt);
+    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, out.attempt);
     out.uv = inMeshUnit(chart, out.attempt);
     out.isFixed = true;
   }
