@@ -267,7 +267,7 @@ class Unwrapping {
     texcoords_ = numberTexcoords(welded_, surface_, set_);
     const Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, options_);
     if (!wishes.ok()) return wishes.status;
-    Result<std::vector<FlatChart>> known = knownCharts(cutMesh(), options_, *pool_);
+    Result<std::vector<FlatChart>> known = knownCharts(cutMesh(), wishes.value, options_, *pool_);
     if (!known.ok()) return known.status;
     flat_ = std::move(known.value);
     if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;

@@ -323,7 +323,7 @@ export class Engine {
     mesh.indices = new Uint32Array();
   }
 
-  #writeKnown(job: number, { t, arrays }: KnownArrays): void {
+  #writeKnown(job: number, { t, straightSeams, arrays }: KnownArrays): void {
     const entries = Object.entries(arrays);
     this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
     for (const [name, array] of entries) {
@@ -335,7 +335,7 @@ export class Engine {
       if (array instanceof Float64Array) this.#writeReals(start, array);
       else this.#writeNumbers(start, array);
     }
-    this.#native._abflatKnownT(job, t);
+    this.#native._abflatKnownOptions(job, t, straightSeams);
   }
 
   #checkSize(mesh: OwnedMesh): void {

@@ -237,7 +237,7 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   seamEdges?: Uint32Array;
   /** Faces of the input whose uv islands stay exactly as they are; all others are packed around them. */
   fixedFaces?: Uint32Array;
-  /** Charts that have the triangles and the outline of one of these, and the same `t`, are not flattened again; all are with `straightSeams`. */
+  /** Charts that have the triangles and the outline of one of these, and the same `t` and `straightSeams`, are not flattened again. */
   known?: KnownLayout;
   onProgress?: (progress: UnwrapProgress) => void;
 }
