@@ -6,6 +6,22 @@
 
 namespace abflat {
 
+namespace {
+
+/// What no report needs: several times the memory of the layout.
+void dropUnknowns(Attempt& attempt) {
+  attempt.t = {};
+  attempt.uv = {};
+  AngleSolution& s = attempt.solution;
+  s.angles = {};
+  s.multipliers = {};
+  s.weight = {};
+  s.active = {};
+  s.activeEdge = {};
+}
+
+}  // namespace
+
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartWishes& wishes, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
@@ -33,7 +49,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   }
   if (out.attempt.straight) out.attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, out.attempt);
-  out.attempt.uv = {};
+  dropUnknowns(out.attempt);
   return out;
 }
 
