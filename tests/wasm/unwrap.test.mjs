@@ -23,8 +23,9 @@ import {
   unwelded,
 } from '../support/surfaces.mjs';
 import { bytesOf, grid, objNumbers } from './support/meshes.mjs';
-import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
+import { MESHES, NATIVE, NEEDS_MESHES, SOURCES } from './support/paths.mjs';
 import { assertSameShape, assertSameText } from './support/same.mjs';
+import { typesText } from './support/types-text.mjs';
 import { arraysOf, assertFails, CUBE } from './support/unwrapping.mjs';
 
 let abflat;
@@ -371,7 +372,7 @@ test('lack of memory is said', async () => {
 
 test('the names of results are those of the types', async () => {
   const { report } = await abflat.unwrap(arraysOf(defects()), { obj: true });
-  const types = readFileSync(new URL('../../wasm/src/types.ts', import.meta.url), 'utf8');
+  const types = typesText(SOURCES, '.ts');
   /** Names of an interface's fields, also of the objects within, in their order. */
   const fields = (name) => {
     const [, body] = types.match(new RegExp(`interface ${name}[^{]*\\{\\n(.*?)\\n\\}`, 's'));
