@@ -131,10 +131,10 @@ int run(int argc, char** argv) {
       const CutSurface s = cutAlong(seamMesh, seams);
       std::printf(
           "%-24s F %7u charts %5u seam %7.2f (topology %6.2f) predicted %.4f slits %5u splits %5u "
-          "rounds %2d  s %.3f cpu %.3f (mesh %.3f analysis %.3f solve %.3f)",
+          "merges %4u rounds %2d  s %.3f cpu %.3f (mesh %.3f analysis %.3f solve %.3f merge %.3f)",
           a.substr(a.rfind('/') + 1).c_str(), seamMesh.triangleCount(), r.charts, r.seamLength,
-          r.handleLength, r.stretch, r.slits, r.splits, r.rounds, prepared + r.seconds, cpu,
-          prepared, r.analysisSeconds, r.solveSeconds);
+          r.handleLength, r.stretch, r.slits, r.splits, r.merges, r.rounds, prepared + r.seconds,
+          cpu, prepared, r.analysisSeconds, r.solveSeconds, r.mergeSeconds);
       if (flattens) {
         const Flattened f = flattenCharts(mesh, surface, s, t);
         std::printf(

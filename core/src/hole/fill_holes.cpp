@@ -1,6 +1,7 @@
 #include "hole/fill_holes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "angle/constants.h"
@@ -128,9 +129,22 @@ double lengthOf(const SeamMesh& mesh, const std::vector<std::uint32_t>& loop) {
   return sum;
 }
 
-/// All loops but the longest one of each chart.
+/// What a hole is curved in all: 0 where it is cut into a plane, 2 pi where it is an end of a tube.
+double curvatureOf(const SeamMesh& mesh, const CutSurface& s,
+                   const std::vector<std::uint32_t>& loop) {
+  double sum = 2 * kPi;
+  for (const std::uint32_t first : loop) {
+    sum += kPi;
+    for (std::uint32_t h = first; h != kNone; h = s.twin[prevCorner(h)]) sum -= mesh.angle[h];
+  }
+  return sum;
+}
+
+/// All loops but the longest one of each chart; when that is to spare seams, without those that are
+/// both long and curved: filled they would bend the chart more than they spare.
 std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
-                                   const std::vector<std::uint8_t>& isFixed) {
+                                   const std::vector<std::uint8_t>& isFixed, FillHoles mode) {
+  constexpr double kSmall = 0.1, kFlat = kPi / 2;
   std::vector<std::uint32_t> out;
   for (const CutSurface::Chart& chart : s.charts) {
     if (!isFixed.empty() && isFixed[chart.firstTriangle]) continue;
@@ -143,8 +157,13 @@ std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
         length = own;
       }
     }
-    for (std::uint32_t i = chart.loopBegin; i < chart.loopBegin + chart.loops; ++i)
-      if (i != longest && s.loops[i].size() <= kMostEdges) out.push_back(i);
+    for (std::uint32_t i = chart.loopBegin; i < chart.loopBegin + chart.loops; ++i) {
+      const std::vector<std::uint32_t>& loop = s.loops[i];
+      if (i == longest || loop.size() > kMostEdges) continue;
+      if (mode == FillHoles::Always || lengthOf(mesh, loop) <= kSmall * length ||
+          std::abs(curvatureOf(mesh, s, loop)) <= kFlat)
+        out.push_back(i);
+    }
   }
   return out;
 }
@@ -155,7 +174,7 @@ void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMes
   const bool isOpen = std::find(mesh.twin.begin(), mesh.twin.end(), kNone) != mesh.twin.end();
   if (mode == FillHoles::Never || !isOpen) return;
   const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
-  const std::vector<std::uint32_t> holes = holesOf(mesh, s, isFixed);
+  const std::vector<std::uint32_t> holes = holesOf(mesh, s, isFixed, mode);
   if (holes.empty()) return;
   const double seamCost = mode == FillHoles::Always ? std::numeric_limits<double>::infinity() : 0;
   mesh.hole.assign(mesh.triangleCount(), kNone);

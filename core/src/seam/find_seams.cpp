@@ -8,6 +8,7 @@
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
 #include "seam/log_scale.h"
+#include "seam/merge_charts.h"
 #include "seam/prediction.h"
 #include "seam/slits.h"
 #include "seam/split_charts.h"
@@ -33,7 +34,12 @@ std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
 class Finder {
  public:
   Finder(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report)
-      : whole_(mesh), mesh_(&mesh), result_(std::move(given)), options_(options), report_(report) {}
+      : whole_(mesh),
+        mesh_(&mesh),
+        given_(std::move(given)),
+        result_(given_),
+        options_(options),
+        report_(report) {}
 
   Seams run();
 
@@ -66,14 +72,15 @@ class Finder {
   const SeamMesh& whole_;
   const SeamMesh* mesh_;  ///< what is still being cut: the whole or part_.mesh
   SeamPart part_;
-  Seams seams_;   ///< of *mesh_
-  Seams result_;  ///< of the whole; seams_ are added when their part is done
+  Seams seams_;           ///< of *mesh_
+  Seams given_, result_;  ///< of the whole; seams_ are added when their part is done
   std::vector<CutSurface::Chart> givenCharts_;
   std::vector<std::uint32_t> givenChartOf_;
   const SeamOptions& options_;
   SeamReport& report_;
   std::unique_ptr<LogScale> scale_;
   Prediction prediction_;
+  std::vector<double> u_;                ///< per vertex of the whole, as it was last told
   std::vector<std::uint8_t> isChanged_;  ///< per chart, in the round at work
 };
 
@@ -145,6 +152,7 @@ bool Finder::improve() {
     handBack();
     return false;
   }
+  for (std::uint32_t v = 0; v < u.size(); ++v) u_[isWhole() ? v : part_.vertex[v]] = u[v];
   prediction_ = predictStretch(*mesh_, s, u);
   isChanged_.assign(s.charts.size(), 0);
   const PathForest forest = findPaths(*mesh_, s, {});
@@ -161,8 +169,6 @@ bool Finder::finishUnchanged(const CutSurface& s) {
     if (isChanged_[c]) changed += s.charts[c].triangles;
   constexpr std::size_t kMuchSmaller = 2;
   if (changed > 0 && changed * kMuchSmaller > mesh_->triangleCount()) return true;
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
-    if (!isChanged_[c]) report_.stretch += s.charts[c].area * (prediction_.stretch[c] - 1);
   handBack();
   if (changed == 0) return false;
   SeamPart rest = extractCharts(*mesh_, s, isChanged_);
@@ -190,6 +196,7 @@ Seams Finder::run() {
   analyse();
   open();
   seams_ = result_;
+  u_.assign(whole_.vertexCount(), 0);
   constexpr int kMostRounds = 40;
   const bool opensHoles = !whole_.hole.empty() && options_.fillHoles == FillHoles::Auto;
   bool isDone = !options_.isAuto && !opensHoles;
@@ -200,6 +207,15 @@ Seams Finder::run() {
   handBack();
   if (!whole_.hole.empty())
     openTouchedHoles(whole_, cutAlong(whole_, result_), options_.fillHoles, result_);
+  Stopwatch watch;
+  // Slits and splits are made where each is needed; together they may be more than that.
+  if (options_.isAuto && goesOn())
+    report_.merges = mergeCharts(whole_, given_, options_, report_.place, u_, result_);
+  report_.mergeSeconds = watch.lap();
+  const CutSurface s = cutAlong(whole_, result_);
+  report_.stretch = predictStretch(whole_, s, u_).total;
+  for (const CutSurface::Chart& chart : s.charts)
+    report_.charts += !whole_.isFilling(chart.firstTriangle);
   return std::move(result_);
 }
 
@@ -215,13 +231,10 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
     if (seams[h]) seams[mesh.twin[h]] = seams[h] = 1;
   }
   if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
-  for (const CutSurface::Chart& chart : cutAlong(mesh, seams).charts)
-    own.charts += !mesh.isFilling(chart.firstTriangle);
   for (std::uint32_t h = 0; h < seams.size(); ++h)
     if (seams[h] && mesh.isOnSurface(h)) own.seamLength += mesh.length[h] / 2;
   const double size = std::sqrt(mesh.totalArea());
   if (size > 0) {
-    own.stretch = 1 + own.stretch / (size * size);
     own.seamLength /= size;
     own.handleLength /= size;
   }

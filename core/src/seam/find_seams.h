@@ -27,15 +27,15 @@ struct SeamOptions {
 struct SeamReport {
   std::uint32_t charts = 0;
   double seamLength = 0;  ///< in 3D, over sqrt(surface area)
-  std::uint32_t slits = 0, splits = 0;
+  std::uint32_t slits = 0, splits = 0, merges = 0;
   std::uint32_t handleLoops = 0;
   double handleLength = 0;  ///< of the seams that topology needs, over sqrt(surface area)
-  double stretch = 0;       ///< predicted, mean by area
+  double stretch = 1;       ///< predicted, mean by area
   int rounds = 0;
   /// Per vertex of the mesh, its place in an elimination order that was found for the whole and is
   /// good for any part of it.
   std::vector<std::uint32_t> place;
-  double seconds = 0, analysisSeconds = 0, solveSeconds = 0;
+  double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
 };
 

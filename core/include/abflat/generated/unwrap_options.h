@@ -11,7 +11,7 @@ namespace abflat {
 
 /// Whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam.
 enum class FillHoles : int {
-  Auto = 0,  ///< where that keeps the chart within maxStretch and no seam comes to the hole
+  Auto = 0,  ///< where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole
   Never = 1,  ///< a seam joins every hole to the outer boundary
   Always = 2,  ///< whatever it stretches
 };
@@ -35,7 +35,7 @@ constexpr double kAutoTexelDensity = 0;
 struct UnwrapOptionValues {
   /// how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts
   double maxStretch = 1.04;
-  /// whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches
+  /// whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches
   FillHoles fillHoles = FillHoles::Auto;
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
   double t = 0;
@@ -60,7 +60,7 @@ struct UnwrapOptionValues {
 inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"maxStretch", "--max-stretch", "1.04", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
-    {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
+    {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is", true, false},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "texels along a side of the texture that charts are packed for", false, false},

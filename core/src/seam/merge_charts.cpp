@@ -1,0 +1,216 @@
+#include "seam/merge_charts.h"
+
+#include <algorithm>
+
+#include "seam/extract_charts.h"
+#include "seam/log_scale.h"
+#include "seam/prediction.h"
+#include "seam/room.h"
+
+namespace abflat {
+namespace {
+
+/// How much larger the convex hull of a union may be than those of its charts together: hulls tell
+/// what packing needs.
+constexpr double kMostRoom = 1.05;
+
+/// A path along which two charts touch. Opening it joins two disks to one.
+struct Run {
+  std::uint32_t a, b;                ///< the charts, a < b
+  std::vector<std::uint32_t> edges;  ///< half-edges of a, in order
+  std::size_t place = 0;             ///< of the first one in the loop of a
+  double length = 0;
+};
+
+/// What would be joined, on a surface of its own.
+struct Trial {
+  SeamPart part;
+  CutSurface joined, apart;
+  std::vector<double> u;  ///< of the joined surface
+  Prediction prediction;
+};
+
+class Merger {
+ public:
+  Merger(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
+         const std::vector<std::uint32_t>& place, std::vector<double>& u, Seams& seams)
+      : mesh_(mesh),
+        kept_(kept),
+        options_(options),
+        place_(place),
+        u_(u),
+        seams_(seams),
+        isRefused_(seams.size(), 0) {}
+
+  std::uint32_t run() {
+    std::uint32_t done = 0;
+    while (!options_.keepsOn || options_.keepsOn()) {
+      const std::vector<Run> runs = matching(cutAlong(mesh_, seams_));
+      const std::uint32_t now = runs.empty() ? 0 : joinWherePossible(runs);
+      if (now == 0) break;
+      done += now;
+    }
+    return done;
+  }
+
+ private:
+  /// The chart behind an edge that may be opened.
+  std::uint32_t behind(const CutSurface& s, std::uint32_t h) const {
+    const std::uint32_t o = mesh_.twin[h];
+    if (o == kNone || kept_[h] || mesh_.isFilling(h / 3) || mesh_.isFilling(o / 3)) return kNone;
+    return s.chartOfTriangle[o / 3];
+  }
+
+  void addRuns(const CutSurface& s, std::uint32_t chart, std::vector<Run>& out) const {
+    const std::vector<std::uint32_t>& loop = s.loops[s.charts[chart].loopBegin];
+    const std::size_t n = loop.size();
+    std::size_t start = 0;  // of a run
+    while (start < n && behind(s, loop[start]) == behind(s, loop[(start + n - 1) % n])) ++start;
+    if (start == n) return;  // one chart goes all the way round
+    std::uint32_t last = kNone;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t h = loop[(start + i) % n], other = behind(s, h);
+      const bool isNew = other != last;
+      last = other;
+      if (other == kNone || other <= chart || !s.charts[other].isDisk()) continue;
+      if (isNew) out.push_back({chart, other, {}, (start + i) % n});
+      out.back().edges.push_back(h);
+      out.back().length += mesh_.length[h];
+    }
+  }
+
+  /// Whether the charts, as they would lie by themselves, fit together.
+  bool isPromising(const CutSurface& s, const std::vector<std::vector<Point2>>& outlines,
+                   const Run& run) const {
+    const std::vector<std::uint32_t>& loop = s.loops[s.charts[run.b].loopBegin];
+    const std::size_t n = outlines[run.a].size(), m = loop.size();
+    const auto first = std::find(loop.begin(), loop.end(), mesh_.twin[run.edges.front()]);
+    const auto place = static_cast<std::size_t>(first - loop.begin());
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i <= run.edges.size(); ++i)
+      pairs.emplace_back((run.place + i) % n, (place + 1 + m - i) % m);
+    return roomTogether(outlines[run.a], outlines[run.b], pairs) <= kMostRoom;
+  }
+
+  bool isRefused(const Run& run) const {
+    return std::any_of(run.edges.begin(), run.edges.end(),
+                       [&](std::uint32_t h) { return isRefused_[h]; });
+  }
+
+  /// The longest ones that promise something, no two with a chart in common.
+  std::vector<Run> matching(const CutSurface& s) const {
+    std::vector<Run> runs;
+    std::vector<std::vector<Point2>> outlines(s.charts.size());
+    for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+      if (!s.charts[c].isDisk()) continue;
+      addRuns(s, c, runs);
+      outlines[c] = predictOutline(mesh_, s, s.charts[c].loopBegin, u_);
+    }
+    std::sort(runs.begin(), runs.end(), [](const Run& x, const Run& y) {
+      return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
+    });
+    std::vector<std::uint8_t> isUsed(s.charts.size(), 0);
+    std::vector<Run> out;
+    for (Run& run : runs) {
+      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !isPromising(s, outlines, run))
+        continue;
+      isUsed[run.a] = isUsed[run.b] = 1;
+      out.push_back(std::move(run));
+    }
+    return out;
+  }
+
+  void mark(const Run& run, bool isSeam) {
+    for (const std::uint32_t h : run.edges) seams_[h] = seams_[mesh_.twin[h]] = isSeam;
+  }
+
+  void refuse(const Run& run) {
+    for (const std::uint32_t h : run.edges) isRefused_[h] = isRefused_[mesh_.twin[h]] = 1;
+  }
+
+  /// The unions of what the runs, which are open, are between.
+  Trial tryOut(const std::vector<Run>& runs) const {
+    Trial out;
+    const CutSurface s = cutAlong(mesh_, seams_);
+    std::vector<std::uint8_t> isUnion(s.charts.size(), 0), isRun(mesh_.twin.size(), 0);
+    for (const Run& run : runs) {
+      isUnion[s.chartOfTriangle[run.edges.front() / 3]] = 1;
+      for (const std::uint32_t h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
+    }
+    out.part = extractCharts(mesh_, s, isUnion);
+    Seams between;
+    for (const std::uint32_t h : out.part.halfEdge) between.push_back(isRun[h]);
+    std::vector<std::uint32_t> place;
+    for (const std::uint32_t v : out.part.vertex) place.push_back(place_[v]);
+    out.joined = cutAlong(out.part.mesh, Seams(between.size(), 0));
+    out.apart = cutAlong(out.part.mesh, between);
+    out.u = LogScale(out.part.mesh, options_.pool, std::move(place)).solve(out.joined, {});
+    if (!out.u.empty()) out.prediction = predictStretch(out.part.mesh, out.joined, out.u);
+    return out;
+  }
+
+  bool keepsBounds(const Trial& trial, std::uint32_t run) const {
+    // What is cut, is cut for good reasons: no union is to come near the bound.
+    constexpr double kOfBound = 0.7;
+    const CutSurface& s = trial.joined;
+    const std::uint32_t chart = s.chartOfTriangle[run / 3];
+    if (!s.charts[chart].isDisk() ||
+        trial.prediction.stretch[chart] > 1 + kOfBound * (options_.maxStretch - 1))
+      return false;
+    const auto outline = [&](const CutSurface& surface, std::uint32_t c) {
+      return predictOutline(trial.part.mesh, surface, surface.charts[c].loopBegin, trial.u);
+    };
+    const std::vector<Point2> whole = outline(s, chart);
+    const Shape shape = measureShape(whole);
+    if (!shape.crossings.empty() || shape.overlap > options_.mostOverlap ||
+        shape.fill < options_.leastFill)
+      return false;
+    double room = 0;
+    for (const std::uint32_t h : {run, trial.part.mesh.twin[run]})
+      room += hullArea(outline(trial.apart, trial.apart.chartOfTriangle[h / 3]));
+    return hullArea(whole) <= kMostRoom * room;
+  }
+
+  std::uint32_t joinWherePossible(const std::vector<Run>& runs) {
+    for (const Run& run : runs) mark(run, false);
+    const Trial trial = tryOut(runs);
+    const auto& all = trial.part.halfEdge;
+    std::vector<std::uint8_t> isDone(trial.joined.charts.size(), 0);
+    std::uint32_t done = 0;
+    for (const Run& run : runs) {
+      const auto place = static_cast<std::uint32_t>(
+          std::lower_bound(all.begin(), all.end(), run.edges.front()) - all.begin());
+      if (!trial.u.empty() && keepsBounds(trial, place)) {
+        ++done;
+        isDone[trial.joined.chartOfTriangle[place / 3]] = 1;
+        continue;
+      }
+      mark(run, true);
+      refuse(run);
+    }
+    for (std::size_t h = 0; h < all.size(); ++h) {
+      if (!isDone[trial.joined.chartOfTriangle[h / 3]]) continue;
+      const std::uint32_t v = trial.part.mesh.vertexOfCorner[h];
+      u_[trial.part.vertex[v]] = trial.u[v];
+    }
+    return done;
+  }
+
+  const SeamMesh& mesh_;
+  const Seams& kept_;
+  const SeamOptions& options_;
+  const std::vector<std::uint32_t>& place_;
+  std::vector<double>& u_;  ///< per vertex, of the charts as they are
+  Seams& seams_;
+  std::vector<std::uint8_t> isRefused_;  ///< per half-edge
+};
+
+}  // namespace
+
+std::uint32_t mergeCharts(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
+                          const std::vector<std::uint32_t>& place, std::vector<double>& u,
+                          Seams& seams) {
+  return Merger(mesh, kept, options, place, u, seams).run();
+}
+
+}  // namespace abflat

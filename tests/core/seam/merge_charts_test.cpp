@@ -1,0 +1,108 @@
+#include "seam/merge_charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "catch.h"
+#include "seam/log_scale.h"
+#include "seam/prediction.h"
+#include "seam/room.h"
+#include "support/cut_meshes.h"
+#include "support/isosurface.h"
+#include "support/squares.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// The inner edges of a grid that lie along some of its columns.
+Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t v = 0; v < m.vertexCount(); ++v) {
+    low = std::min(low, m.positions[3 * v]);
+    high = std::max(high, m.positions[3 * v]);
+  }
+  const auto columnOf = [&](std::uint32_t v) {
+    return static_cast<int>(std::lround(count * (m.positions[3 * v] - low) / (high - low)));
+  };
+  Seams seams(m.twin.size(), 0);
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    if (m.twin[h] == kNone) continue;
+    const int a = columnOf(m.vertexOfCorner[h]), b = columnOf(m.vertexOfCorner[nextCorner(h)]);
+    for (const int x : columns) seams[h] |= a == x && b == x;
+  }
+  return seams;
+}
+
+std::uint32_t merged(const SeamMesh& mesh, const Seams& kept, Seams& seams) {
+  LogScale scale(mesh, nullptr);
+  std::vector<double> u = scale.solve(cutAlong(mesh, seams), {});
+  return mergeCharts(mesh, kept, {}, scale.place(), u, seams);
+}
+
+std::vector<Point2> box(double x, double y, double w, double h) {
+  return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
+}
+
+}  // namespace
+
+TEST_CASE("strips of a flat sheet become one chart again, but for seams that are kept", "[merge]") {
+  const Cuttable c(squares(12, 6, [](auto, auto) { return true; }));
+  const SeamMesh& m = c.seamMesh;
+  Seams seams = alongColumns(m, 12, {3, 6, 9});
+  REQUIRE(cutAlong(m, seams).charts.size() == 4);
+  SECTION("none") {
+    CHECK(merged(m, Seams(seams.size(), 0), seams) == 3);
+    CHECK(cutAlong(m, seams).charts.size() == 1);
+    CHECK(seams == Seams(seams.size(), 0));
+  }
+  SECTION("one") {
+    const Seams kept = alongColumns(m, 12, {6});
+    CHECK(merged(m, kept, seams) == 2);
+    CHECK(seams == kept);
+  }
+}
+
+TEST_CASE("charts stay apart where together they would take more room", "[merge]") {
+  const Cuttable c(squares(12, 12, [](auto i, auto j) { return i < 2 || j < 2; }));
+  const Seams seams = alongColumns(c.seamMesh, 12, {2});
+  Seams after = seams;
+  CHECK(merged(c.seamMesh, Seams(seams.size(), 0), after) == 0);
+  CHECK(after == seams);
+}
+
+TEST_CASE("joined charts keep the bounds, and no seam is added", "[merge]") {
+  for (const PolygonMesh& mesh : {isosurface(24, rings(2)), isosurface(28, noise(2, 4))}) {
+    const Cuttable c(mesh);
+    SeamOptions tight;
+    tight.maxStretch = 1.01;
+    const Seams before = findSeams(c.seamMesh, {}, tight, nullptr);
+    Seams seams = before;
+    const std::uint32_t done = merged(c.seamMesh, Seams(before.size(), 0), seams);
+    const CutSurface s = cutAlong(c.seamMesh, seams);
+    CHECK(done > 0);
+    CHECK(s.charts.size() == cutAlong(c.seamMesh, before).charts.size() - done);
+    for (const CutSurface::Chart& chart : s.charts) CHECK(chart.isDisk());
+    for (std::size_t h = 0; h < seams.size(); ++h) REQUIRE(seams[h] <= before[h]);
+    const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+    for (const double stretch : predictStretch(c.seamMesh, s, u).stretch)
+      CHECK(stretch <= SeamOptions().maxStretch);
+  }
+}
+
+TEST_CASE("the room of two outlines does not depend on how they lie", "[merge]") {
+  const std::vector<Point2> a = box(0, 0, 2, 1);
+  const std::vector<std::pair<std::size_t, std::size_t>> side{{1, 0}, {2, 3}};
+  CHECK(roomTogether(a, box(2, 0, 3, 1), side) == Approx(1));
+  std::vector<Point2> turned;
+  for (const Point2& p : box(2, 0, 3, 1))
+    turned.push_back({5 + 0.6 * p[0] - 0.8 * p[1], -7 + 0.8 * p[0] + 0.6 * p[1]});
+  CHECK(roomTogether(a, turned, side) == Approx(1));
+  // A unit square on the left half of the upper side.
+  CHECK(roomTogether(a, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}, {{3, 0}, {3, 0}}) ==
+        std::numeric_limits<double>::infinity());
+  const std::vector<Point2> wide = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
+  CHECK(roomTogether(wide, box(0, 1, 1, 1), {{4, 0}, {3, 1}}) == Approx(3.5 / 3));
+}

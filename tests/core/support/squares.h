@@ -1,0 +1,23 @@
+#pragma once
+
+#include "support/meshes.h"
+
+namespace abflat::test {
+
+/// Unit squares of a grid of columns x rows where `isThere`, each cut in two.
+template <typename IsThere>
+PolygonMesh squares(std::uint32_t columns, std::uint32_t rows, IsThere isThere) {
+  std::vector<double> p;
+  std::vector<std::uint32_t> t;
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i) p.insert(p.end(), {double(i), double(j), 0});
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      if (!isThere(i, j)) continue;
+      const std::uint32_t a = j * (columns + 1) + i, b = a + columns + 1;
+      t.insert(t.end(), {a, a + 1, b + 1, a, b + 1, b});
+    }
+  return makeTriangleMesh(p, t);
+}
+
+}  // namespace abflat::test
