@@ -221,16 +221,26 @@ test('a texel density that does not fit says which would', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), surfaces.objText(surfaces.torus(24, 12)));
   const run = await unwrapped(at, 'in.obj', '--texel-density', '1000', '--resolution', '256');
-  assert.equal(run.code, 2);
+  assert.equal(run.code, 4);
   const [, density] = run.stderr.match(/do not fit one tile .* lower the density to (\S+), /);
   const again = await unwrapped(at, 'in.obj', '--texel-density', density, '--resolution', '256');
   assert.equal(again.code, 0);
   assert.deepEqual(complaints(again.text), []);
-  const huge = await unwrapped(at, 'in.obj', '--texel-density', '9999', '--udim');
-  assert.equal(huge.code, 2);
-  const [, side] = huge.stderr.match(/does not fit a tile .* raise the resolution to (\d+), /);
-  const larger = ['--texel-density', '9999', '--udim', '--resolution', side];
-  assert.equal((await unwrapped(at, 'in.obj', ...larger)).code, Number(side) > 32768 ? 2 : 0);
+  // At the second density no resolution that is allowed has room.
+  for (const [density, isAllowed] of [
+    ['300', true],
+    ['9999', false],
+  ]) {
+    const huge = await unwrapped(at, 'in.obj', '--texel-density', density, '--udim');
+    assert.equal(huge.code, 4);
+    const [, less] = huge.stderr.match(/does not fit a tile .*lower the density to ([^\s,]+)/);
+    const coarser = ['--texel-density', less, '--udim'];
+    assert.equal((await unwrapped(at, 'in.obj', ...coarser)).code, 0);
+    const side = huge.stderr.match(/raise the resolution to (\d+)/)?.[1];
+    assert.equal(side !== undefined, isAllowed, huge.stderr);
+    const finer = ['--texel-density', density, '--udim', '--resolution', side ?? '32768'];
+    assert.equal((await unwrapped(at, 'in.obj', ...finer)).code, isAllowed ? 0 : 4);
+  }
   const none = await unwrapped(at, 'in.obj', '--udim');
   assert.deepEqual([none.code, /texel density/.test(none.stderr)], [2, true], none.stderr);
 });

@@ -23,8 +23,9 @@ import {
   unwelded,
 } from '../support/surfaces.mjs';
 import { bytesOf, grid, objNumbers } from './support/meshes.mjs';
-import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
+import { MESHES, NATIVE, NEEDS_MESHES, SOURCES } from './support/paths.mjs';
 import { assertSameShape, assertSameText } from './support/same.mjs';
+import { typesText } from './support/types-text.mjs';
 import { arraysOf, assertFails, CUBE } from './support/unwrapping.mjs';
 
 let abflat;
@@ -334,6 +335,20 @@ for (const [options, pattern] of REFUSED) {
   });
 }
 
+test('an atlas that is too small: AtlasTooSmall with what suffices', async () => {
+  const mesh = arraysOf(CUBE);
+  const options = { texelDensity: 1000, resolution: 256 };
+  const error = await abflat.unwrap(mesh, options).catch((e) => e);
+  assert.equal(error.code, 'AtlasTooSmall');
+  const [, density] = error.message.match(/lower the density to (\S+), raise/);
+  const [, side] = error.message.match(/raise the resolution to (\d+), or/);
+  for (const changes of [{ texelDensity: Number(density) }, { resolution: Number(side) }]) {
+    const { report } = await abflat.unwrap(mesh, { ...options, ...changes });
+    assert.equal(report.valid, true);
+    assert.equal(report.atlas.tiles, 1);
+  }
+});
+
 test('what is no mesh is refused as elsewhere', async () => {
   const mesh = arraysOf(CUBE);
   const noNumber = { ...mesh, positions: mesh.positions.map((x, i) => (i === 7 ? Number.NaN : x)) };
@@ -358,7 +373,7 @@ test('lack of memory is said', async () => {
 
 test('the names of results are those of the types', async () => {
   const { report } = await abflat.unwrap(arraysOf(defects()), { obj: true });
-  const types = readFileSync(new URL('../../wasm/src/types.ts', import.meta.url), 'utf8');
+  const types = typesText(SOURCES, '.ts');
   /** Names of an interface's fields, also of the objects within, in their order. */
   const fields = (name) => {
     const [, body] = types.match(new RegExp(`interface ${name}[^{]*\\{\\n(.*?)\\n\\}`, 's'));

@@ -47,6 +47,7 @@ export interface FlattenRequest extends LayoutRequest {
 export interface KnownArrays {
   /** As in `values` of a request. */
   t: number;
+  straightSeams: boolean;
   arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'>;
 }
 

@@ -159,10 +159,9 @@ export function knownArrays(known: unknown): KnownArrays | undefined {
   check('vertexMap', 'Uint32Array');
   check('chartOfTriangle', 'Uint32Array');
   const { unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
-  // What is straight depends on the charts around as well.
-  if (report?.options?.straightSeams === true) return undefined;
   return {
     t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
+    straightSeams: report?.options?.straightSeams === true,
     arrays: {
       unpacked: new Float64Array(unpacked),
       indices: new Uint32Array(indices),

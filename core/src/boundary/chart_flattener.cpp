@@ -35,6 +35,16 @@ std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solu
          " more, to stay away from 0 and pi";
 }
 
+std::string reasonWithoutFactor(const FactorMemory& memory) {
+  if (memory.fits()) return {};
+  constexpr double kMegabyte = 1048576;
+  char out[120];
+  std::snprintf(out, sizeof out, "a factor of the matrix needs %.4g MB, allowed are %.4g MB",
+                static_cast<double>(memory.needed) / kMegabyte,
+                static_cast<double>(memory.allowed) / kMegabyte);
+  return out;
+}
+
 /// The boundary on a grid of a millionth of its extent: single precision keeps more. What is
 /// smaller than a few cells is left out, so that places near each other are those of different
 /// parts of the boundary.
@@ -80,11 +90,18 @@ Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
   return v;
 }
 
+std::string withoutFactorNote(const FactorMemory& memory) {
+  if (memory.fits()) return {};
+  return reasonWithoutFactor(memory) + (memory.fitsInSingle()
+                                            ? "; single precision and conjugate gradients instead"
+                                            : "; conjugate gradients with multigrid instead");
+}
+
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
       problem_(buildAngleProblem(chart, options.pool)),
-      solver_(problem_, std::move(options), linear),
+      solver_(std::in_place, problem_, std::move(options), linear),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
 
 Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {
@@ -93,14 +110,12 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   setAllBounds(a.t);
   Stopwatch watch;
   const bool isDelaunay = !problem_.edgeCorners.empty();
-  a.solution = isDelaunay ? solver_.solveDelaunay(warm->solution)
-                          : solver_.solve(warm ? &warm->solution : nullptr);
+  a.solution = isDelaunay ? solver_->solveDelaunay(warm->solution)
+                          : solver_->solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
   if (a.solution.cancelled) return a;
-  if (const std::string note = memoryNote(); !note.empty() && !isDelaunay)
-    a.fallbacks.push_back(note + (solver_.memory().fitsInSingle()
-                                      ? "; single precision and conjugate gradients instead"
-                                      : "; conjugate gradients with multigrid instead"));
+  if (std::string note = withoutFactorNote(solver_->memory()); !note.empty() && !isDelaunay)
+    a.fallbacks.push_back(std::move(note));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
     a.fallbacks.push_back(
@@ -112,7 +127,7 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
       continue;
     Attempt b = a;
     watch.lap();
-    b.solution = solver_.solveWithFloor(floor);
+    b.solution = solver_->solveWithFloor(floor);
     timings_.solve += watch.lap();
     if (b.solution.cancelled) return b;
     b.fallbacks.push_back(withFloor(
@@ -128,16 +143,7 @@ void ChartFlattener::setAllBounds(const std::vector<double>& t) {
   setStraight(problem_, chart_, straight_);
 }
 
-std::string ChartFlattener::memoryNote() const {
-  const FactorMemory& memory = solver_.memory();
-  if (memory.fits()) return {};
-  constexpr double kMegabyte = 1048576;
-  char out[120];
-  std::snprintf(out, sizeof out, "a factor of the matrix needs %.4g MB, allowed are %.4g MB",
-                static_cast<double>(memory.needed) / kMegabyte,
-                static_cast<double>(memory.allowed) / kMegabyte);
-  return out;
-}
+std::string ChartFlattener::memoryNote() const { return reasonWithoutFactor(solver_->memory()); }
 
 void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, chart_, margin); }
 
@@ -148,7 +154,7 @@ std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
   AngleSolution best = from.solution;
   for (const double compliance : kCompliances) {
     problem_.edgeCompliance = compliance;
-    AngleSolution s = solver_.solveDelaunay(best);
+    AngleSolution s = solver_->solveDelaunay(best);
     if (s.cancelled) return {};
     if (!s.converged) break;
     best = std::move(s);
