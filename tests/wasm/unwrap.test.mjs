@@ -321,6 +321,7 @@ const REFUSED = [
   [{ seamEdges: Uint32Array.of(0, 1, 2) }, /multiple of 2/],
   [{ seamEdges: Uint32Array.of(0, 99) }, /0-99.*99/],
   [{ seamEdges: Uint32Array.of(0, 7) }, /0-7 is no edge/],
+  [{ roundsForGltf: 1 }, /roundsForGltf must be true or false/],
   [{ fixedFaces: [0] }, /fixedFaces must be a Uint32Array/],
   [{ fixedFaces: Uint32Array.of(0) }, /the mesh has none/],
   [{ udim: true }, /texel density/],

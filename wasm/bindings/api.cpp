@@ -140,6 +140,9 @@ EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, bool straightSe
   job->unwrapOptions.known.straightSeams = straightSeams;
 }
 
+/// Texcoords become what a glTF holds of them.
+EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) { job->unwrapOptions.roundsForGltf = true; }
+
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});
 }

@@ -17,6 +17,7 @@ export interface NativeModule {
   _abflatFixedFaces(job: number, count: number): number;
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatKnownOptions(job: number, t: number, straightSeams: boolean): void;
+  _abflatRoundsForGltf(job: number): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatAddStraight(job: number, from: number, to: number): void;
   _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;

@@ -121,8 +121,9 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
 
 function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promise<UnwrapResult> {
   checkKeys(options, KEYS.unwrap);
-  const { seams } = options;
+  const { seams, roundsForGltf } = options;
   if (seams !== undefined) checkString('seams', seams);
+  checkBoolean('roundsForGltf', roundsForGltf);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
@@ -130,6 +131,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: faceNumbers(options.fixedFaces),
     known: knownArrays(options.known),
+    roundsForGltf: roundsForGltf === true,
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }

@@ -159,7 +159,7 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, known } = request;
+    const { values, seams, seamEdges, fixedFaces, known, roundsForGltf } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
@@ -168,6 +168,7 @@ export class Engine {
         this.#heap.writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
         this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         if (known !== undefined) this.#heap.writeKnown(job, known);
+        if (roundsForGltf) native._abflatRoundsForGltf(job);
       },
       run: this.#native._abflatUnwrap,
       complete: (layout, job) => ({

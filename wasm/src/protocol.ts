@@ -61,6 +61,7 @@ export interface UnwrapRequest extends LayoutRequest {
   seamEdges: Uint32Array;
   fixedFaces: Uint32Array;
   known?: KnownArrays;
+  roundsForGltf: boolean;
 }
 
 export type Request =

@@ -25,6 +25,7 @@ export const KEYS = {
     'seamEdges',
     'fixedFaces',
     'known',
+    'roundsForGltf',
     ...OF_LAYOUT,
   ],
   compare: ['onProgress', ...OF_CALL],

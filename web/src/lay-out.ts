@@ -52,6 +52,12 @@ export async function layOut(
   const { mode, ...options } = settings;
   // Charts that an edit leaves as they were are not flattened again.
   const known = earlier?.mode === mode && earlier.source === source ? earlier.result : undefined;
-  const result = await abflat.unwrap(input, { ...options, known, ...file, ...watch });
+  const result = await abflat.unwrap(input, {
+    ...options,
+    known,
+    ...file,
+    roundsForGltf: format === 'glb',
+    ...watch,
+  });
   return { mode, source, mesh, gltf, settings, result };
 }

@@ -45,26 +45,48 @@ std::string reasonWithoutFactor(const FactorMemory& memory) {
   return out;
 }
 
-/// Points of the boundary on a grid of a millionth of their extent: single precision keeps more.
-std::vector<double> roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
+/// The boundary on a grid of a millionth of its extent: single precision keeps more. What is
+/// smaller than a few cells is left out, so that places near each other are those of different
+/// parts of the boundary.
+struct RoundedOutline {
   std::vector<double> points;
+  std::vector<std::uint32_t> place;  ///< of each point along the boundary
+};
+
+RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
+  const auto at = [&](std::size_t i, std::size_t d) {
+    return uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[chart.boundary[i]]) + d];
+  };
+  const std::size_t n = chart.boundary.size();
   double size = 0;
-  for (const std::uint32_t h : chart.boundary)
-    for (std::size_t d = 0; d < 2; ++d) {
-      points.push_back(uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[h]) + d]);
-      size = std::max(size, std::abs(points.back() - points[d]));
-    }
-  if (!(size > 0) || !std::isfinite(size)) return points;
-  const double grid = std::ldexp(1.0, std::ilogb(size) - 20);
-  for (double& x : points) x = std::round(x / grid) * grid;
-  return points;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(at(i, d) - at(0, d)));
+  const bool isRounded = size > 0 && std::isfinite(size);
+  const double grid = isRounded ? std::ldexp(1.0, std::ilogb(size) - 20) : 1;
+  constexpr double kFewCells = 2;
+  const auto isNear = [&](std::size_t i, std::size_t j) {
+    const double x = (at(i, 0) - at(j, 0)) / grid, y = (at(i, 1) - at(j, 1)) / grid;
+    return x * x + y * y < kFewCells * kFewCells;
+  };
+  RoundedOutline out;
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (i == 0 || !isRounded || !isNear(i, out.place.back())) out.place.push_back(i);
+  while (isRounded && out.place.size() > 1 && isNear(out.place.back(), 0)) out.place.pop_back();
+  for (const std::uint32_t i : out.place)
+    for (std::size_t d = 0; d < 2; ++d)
+      out.points.push_back(isRounded ? std::round(at(i, d) / grid) * grid : at(i, d));
+  return out;
 }
 
 }  // namespace
 
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
   Validity v = checkValidity(chart, uv);
-  if (v.valid()) v.crossings = findCrossings(roundedOutline(chart, uv));
+  if (!v.valid()) return v;
+  const RoundedOutline rounded = roundedOutline(chart, uv);
+  v.crossings = findCrossings(rounded.points);
+  for (auto& pair : v.crossings.first)
+    for (std::uint32_t& edge : pair) edge = rounded.place[edge];
   return v;
 }
 
