@@ -25,6 +25,7 @@ import type {
 } from './types.js';
 import {
   boundNumbers,
+  chartNumbers,
   checkBoolean,
   checkBuild,
   checkFunction,
@@ -123,13 +124,15 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
   checkKeys(options, KEYS.unwrap);
   const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
+  const fixedCharts = chartNumbers(options.fixedCharts);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
     seams,
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: faceNumbers(options.fixedFaces),
-    known: knownArrays(options.known),
+    fixedCharts,
+    known: knownArrays(options.known, fixedCharts.length > 0),
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }
