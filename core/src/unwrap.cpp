@@ -285,7 +285,7 @@ class Unwrapping {
   Status cut() {
     const Result<Seams> given = givenSeams(mesh_, welded_, surface_, options_.seams);
     if (!given.ok()) return given.status;
-    Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_.fixedFaces);
+    Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     CutOpen open = cutOpen(

@@ -20,48 +20,100 @@ std::uint32_t inputFace(const WeldedMesh& welded, const Surface& surface, std::u
   return welded.inputFace[surface.triangulation.face[triangle]];
 }
 
+/// Corners of the input's faces, for a corner of the surface.
+std::uint32_t inputCorner(const WeldedMesh& welded, const Surface& surface, std::size_t corner) {
+  return welded.inputCorner[surface.triangulation.corner[corner]];
+}
+
+/// The faces that are named, with the texcoords of the input.
+Status addFaces(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                const std::vector<std::uint32_t>& faces, FixedTriangles& out) {
+  if (faces.empty()) return {};
+  if (input.faceTexcoords.empty())
+    return invalid("faces are to keep their texcoords, but the mesh has none");
+  std::vector<std::uint8_t> isNamed(input.faceCount(), 0);
+  for (const std::uint32_t f : faces) {
+    if (f >= input.faceCount())
+      return invalid(nameOf(f) + " is to keep its texcoords, but there are only " +
+                     std::to_string(input.faceCount()) + " faces");
+    isNamed[f] = 1;
+  }
+  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t)
+    out.isFixed[t] = isNamed[inputFace(welded, surface, t)];
+  return {};
+}
+
+/// Charts of an earlier run, with the texcoords that they have there.
+Status addCharts(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+                 const UnwrapOptions& options, FixedTriangles& out) {
+  if (options.fixedCharts.empty()) return {};
+  const KnownLayout& known = options.known;
+  const Result<TriangleOrder> order = knownTriangles(known, input, welded, surface);
+  if (!order.ok()) return order.status;
+  if (known.uv.size() != 2 * known.vertexMap.size())
+    return invalid("charts are to stay, but the known layout has no uv for them");
+  std::vector<std::uint8_t> exists(known.chartOfTriangle.size(), 0), stays(exists);
+  for (const std::uint32_t chart : known.chartOfTriangle)
+    if (chart < exists.size()) exists[chart] = 1;
+  for (const std::uint32_t chart : options.fixedCharts) {
+    if (chart >= exists.size() || !exists[chart])
+      return invalid("chart " + std::to_string(chart) +
+                     " is to stay, but the known layout has no such chart");
+    stays[chart] = 1;
+  }
+  const auto first = static_cast<std::uint32_t>(out.texcoords.size() / 2);
+  out.texcoords.insert(out.texcoords.end(), known.uv.begin(), known.uv.end());
+  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t) {
+    const std::size_t i = order.value.ofTriangle[t];
+    if (!stays[known.chartOfTriangle[i]]) continue;
+    out.isFixed[t] = 1;
+    for (std::size_t k = 0; k < 3; ++k)
+      out.ofCorner[inputCorner(welded, surface, 3 * std::size_t{t} + k)] =
+          first + known.triangles[3 * i + k];
+  }
+  return {};
+}
+
 /// Grows what is fixed over edges with the same texcoords on both sides.
-void growIslands(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                 std::vector<std::uint8_t>& isFixed) {
+void growIslands(const WeldedMesh& welded, const Surface& surface, FixedTriangles& out) {
   std::vector<std::uint32_t> front;
-  for (std::uint32_t t = 0; t < isFixed.size(); ++t)
-    if (isFixed[t]) front.push_back(t);
+  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t)
+    if (out.isFixed[t]) front.push_back(t);
   while (!front.empty()) {
     const std::uint32_t t = front.back();
     front.pop_back();
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       const std::uint32_t twin = surface.table.twin[h];
-      if (twin == kNone || isFixed[twin / 3] || !hasSameTexcoords(input, welded, surface, h))
+      if (twin == kNone || out.isFixed[twin / 3] ||
+          !hasSameTexcoords({out.texcoords, out.ofCorner}, welded, surface, h))
         continue;
-      isFixed[twin / 3] = 1;
+      out.isFixed[twin / 3] = 1;
       front.push_back(twin / 3);
     }
   }
 }
 
-Status checkTexcoords(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                      const std::vector<std::uint8_t>& isFixed) {
-  for (std::uint32_t t = 0; t < isFixed.size(); ++t) {
-    if (!isFixed[t]) continue;
+Status checkTexcoords(const WeldedMesh& welded, const Surface& surface, const FixedTriangles& out) {
+  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t) {
+    if (!out.isFixed[t]) continue;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-      if (input.faceTexcoords[welded.inputCorner[surface.triangulation.corner[h]]] == kNoTexcoord)
+      if (out.ofCorner[inputCorner(welded, surface, h)] == kNoTexcoord)
         return invalid(nameOf(inputFace(welded, surface, t)) +
                        " is to keep its texcoords, but has none at a corner; leave it out");
   }
   return {};
 }
 
-/// Coordinates of the chart's vertices in the input.
-std::vector<double> givenUv(const CutMesh& mesh, std::size_t i) {
+/// Given coordinates of the chart's vertices.
+std::vector<double> givenUv(const CutMesh& mesh, const FixedTriangles& fixed, std::size_t i) {
   const DiskChart& chart = mesh.set.charts[i];
   std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()));
   for (std::size_t c = 0; c < chart.vertexOfCorner.size(); ++c) {
     const std::size_t h = 3 * static_cast<std::size_t>(mesh.set.triangles[i][c / 3]) + c % 3;
-    const std::size_t texcoord =
-        mesh.input.faceTexcoords[mesh.welded.inputCorner[mesh.surface.triangulation.corner[h]]];
+    const std::size_t texcoord = fixed.ofCorner[inputCorner(mesh.welded, mesh.surface, h)];
     for (std::size_t d = 0; d < 2; ++d)
       uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[c]) + d] =
-          mesh.input.texcoords[2 * texcoord + d];
+          fixed.texcoords[2 * texcoord + d];
   }
   return uv;
 }
@@ -120,28 +172,23 @@ Status checkTile(const FixedChart& c, bool hasTiles) {
 }  // namespace
 
 Result<FixedTriangles> fixedTriangles(const PolygonMesh& input, const WeldedMesh& welded,
-                                      const Surface& surface,
-                                      const std::vector<std::uint32_t>& faces) {
+                                      const Surface& surface, const UnwrapOptions& options) {
   FixedTriangles out;
-  if (faces.empty()) return out;
-  if (input.faceTexcoords.empty())
-    return invalid("faces are to keep their texcoords, but the mesh has none");
-  std::vector<std::uint8_t> isNamed(input.faceCount(), 0);
-  for (const std::uint32_t f : faces) {
-    if (f >= input.faceCount())
-      return invalid(nameOf(f) + " is to keep its texcoords, but there are only " +
-                     std::to_string(input.faceCount()) + " faces");
-    isNamed[f] = 1;
-  }
-  for (std::uint32_t t = 0; t < surface.table.triangleCount(); ++t)
-    out.isFixed.push_back(isNamed[inputFace(welded, surface, t)]);
-  growIslands(input, welded, surface, out.isFixed);
-  if (Status s = checkTexcoords(input, welded, surface, out.isFixed); !s.ok()) return s;
+  if (options.fixedFaces.empty() && options.fixedCharts.empty()) return out;
+  out.isFixed.assign(surface.table.triangleCount(), 0);
+  out.texcoords = input.texcoords;
+  out.ofCorner = input.faceTexcoords;
+  out.ofCorner.resize(input.faceVertices.size(), kNoTexcoord);
+  if (Status s = addFaces(input, welded, surface, options.fixedFaces, out); !s.ok()) return s;
+  if (Status s = addCharts(input, welded, surface, options, out); !s.ok()) return s;
+  growIslands(welded, surface, out);
+  if (Status s = checkTexcoords(welded, surface, out); !s.ok()) return s;
   out.borders.assign(surface.table.twin.size(), 0);
   for (std::uint32_t h = 0; h < out.borders.size(); ++h) {
     const std::uint32_t twin = surface.table.twin[h];
     if (twin == kNone || !(out.isFixed[h / 3] || out.isFixed[twin / 3])) continue;
-    if (out.isFixed[h / 3] != out.isFixed[twin / 3] || !hasSameTexcoords(input, welded, surface, h))
+    if (out.isFixed[h / 3] != out.isFixed[twin / 3] ||
+        !hasSameTexcoords({out.texcoords, out.ofCorner}, welded, surface, h))
       out.borders[h] = out.borders[twin] = 1;
   }
   return out;
@@ -159,7 +206,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
     FlatChart& out = flat[i];
     out = {};
     out.isFixed = out.isGiven = true;
-    out.uv = givenUv(mesh, i);
+    out.uv = givenUv(mesh, fixed, i);
     out.unpacked.assign(out.uv.size(), NAN);
     const FixedChart c{chart, out.uv,
                        [&](std::size_t f) { return inputFace(mesh.welded, mesh.surface, own[f]); }};

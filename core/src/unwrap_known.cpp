@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "straight_seams.h"
-#include "unwrap_output.h"
 
 namespace abflat {
 namespace {
@@ -39,15 +38,15 @@ Status checkSizes(const KnownLayout& known, std::size_t triangles) {
 }
 
 /// Every triangle has the vertices of the mesh, and a chart.
-Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, const CutMesh& mesh) {
+Status checkTriangles(const KnownLayout& known, const TriangleOrder& order,
+                      const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface) {
   for (std::uint32_t t = 0; t < order.ofTriangle.size(); ++t) {
     const std::uint32_t i = order.ofTriangle[t];
     bool isSame = known.chartOfTriangle[i] < known.chartOfTriangle.size();
     for (std::size_t k = 0; k < 3 && isSame; ++k) {
       const std::uint32_t v = known.triangles[3 * static_cast<std::size_t>(i) + k];
-      const std::uint32_t corner =
-          mesh.welded.inputCorner[mesh.surface.triangulation.corner[3 * t + k]];
-      isSame = v < known.vertexMap.size() && known.vertexMap[v] == mesh.input.faceVertices[corner];
+      const std::uint32_t corner = welded.inputCorner[surface.triangulation.corner[3 * t + k]];
+      isSame = v < known.vertexMap.size() && known.vertexMap[v] == input.faceVertices[corner];
     }
     if (!isSame) return isOfOther("triangle " + std::to_string(i) + " has other vertices");
   }
@@ -114,6 +113,14 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
 
 }  // namespace
 
+Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh& input,
+                                     const WeldedMesh& welded, const Surface& surface) {
+  TriangleOrder order = triangleOrder(input, welded, surface);
+  if (Status s = checkSizes(known, order.firstOfFace.back()); !s.ok()) return s;
+  if (Status s = checkTriangles(known, order, input, welded, surface); !s.ok()) return s;
+  return order;
+}
+
 Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh,
                                            const std::vector<ChartWishes>& wishes,
                                            const UnwrapOptions& options, ThreadPool& pool) {
@@ -121,9 +128,9 @@ Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh,
   std::vector<FlatChart> out(charts.size());
   const KnownLayout& layout = options.known;
   if (layout.triangles.empty()) return out;
-  Known known{layout, triangleOrder(mesh.input, mesh.welded, mesh.surface), {}};
-  if (Status s = checkSizes(layout, known.order.firstOfFace.back()); !s.ok()) return s;
-  if (Status s = checkTriangles(layout, known.order, mesh); !s.ok()) return s;
+  Result<TriangleOrder> order = knownTriangles(layout, mesh.input, mesh.welded, mesh.surface);
+  if (!order.ok()) return order.status;
+  Known known{layout, std::move(order.value), {}};
   // Other angles were wanted then.
   if (layout.t != options.t || layout.straightSeams != options.straightSeams) return out;
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
@@ -152,8 +159,11 @@ KnownLayout knownLayout(const UnwrapResult& earlier) {
   out.triangles = earlier.triangles;
   out.chartOfTriangle = earlier.chartOfTriangle;
   out.unpacked.reserve(2 * earlier.vertexUv.size());
-  for (const std::size_t i : earlier.vertexUv)
+  out.uv.reserve(2 * earlier.vertexUv.size());
+  for (const std::size_t i : earlier.vertexUv) {
     out.unpacked.insert(out.unpacked.end(), {earlier.unpacked[2 * i], earlier.unpacked[2 * i + 1]});
+    out.uv.insert(out.uv.end(), {earlier.uv[2 * i], earlier.uv[2 * i + 1]});
+  }
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/welded_mesh.h"
 #include "parallel.h"
 #include "unwrap_chart.h"
+#include "unwrap_output.h"
 
 namespace abflat {
 
@@ -17,6 +18,11 @@ struct CutMesh {
   const Surface& surface;
   const ChartSet& set;
 };
+
+/// Where triangles of the surface are in what is known. Errors: InvalidOption where that is not
+/// about this mesh.
+Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh& input,
+                                     const WeldedMesh& welded, const Surface& surface);
 
 /// Per chart the layout that `options.known` has for it; empty where it has none that is valid and
 /// as wished, pins aside. Errors: InvalidOption where what is known is not about this mesh.

@@ -5,26 +5,12 @@
 #include "catch.h"
 #include "pack/texels.h"
 #include "support/meshes.h"
+#include "support/unwrapped.h"
 
 using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-UnwrapOptions small() {
-  UnwrapOptions out;
-  out.resolution = 256;
-  out.maxStretch = 1.002;  // so that there are several charts
-  return out;
-}
-
-UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  Result<UnwrapResult> result = unwrap(mesh, options);
-  INFO(result.status.message);
-  REQUIRE(result.ok());
-  CHECK(result.value.report.valid);
-  return std::move(result.value);
-}
 
 /// The mesh with the texcoords of a result.
 PolygonMesh withUv(PolygonMesh mesh, const UnwrapResult& r) {
@@ -81,10 +67,10 @@ void checkKept(const PolygonMesh& mesh, const UnwrapResult& r, std::size_t count
 
 TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[fixed]") {
   const PolygonMesh plain = torus(24, 16);
-  const UnwrapResult first = unwrapped(plain, small());
+  const UnwrapResult first = unwrapped(plain, severalCharts());
   REQUIRE(first.report.charts.size() > 2);
   const PolygonMesh mesh = withUv(plain, first);
-  UnwrapOptions options = small();
+  UnwrapOptions options = severalCharts();
   options.seams.isAuto = false;
   options.seams.sharpDegrees = 10;  // would cut everything to pieces
   options.fixedFaces = {first.report.charts[1].firstFace};
@@ -99,7 +85,7 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
   CHECK(kept(one) == first.report.charts[1].faces);
   CHECK(one.report.charts.size() > first.report.charts.size());
   for (const bool rounds : {false, true}) {
-    UnwrapOptions two = small();
+    UnwrapOptions two = severalCharts();
     two.fixedFaces = {first.report.charts[0].firstFace, first.report.charts[1].firstFace};
     two.roundsToSingle = rounds;
     const UnwrapResult r = unwrapped(mesh, two);
@@ -113,9 +99,9 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
 
 TEST_CASE("all of an atlas can be fixed", "[fixed]") {
   for (const PolygonMesh& plain : {torus(24, 16), cylinder(12, 6), tetrahedron()}) {
-    const UnwrapResult first = unwrapped(plain, small());
+    const UnwrapResult first = unwrapped(plain, severalCharts());
     const PolygonMesh mesh = withUv(plain, first);
-    UnwrapOptions options = small();
+    UnwrapOptions options = severalCharts();
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) options.fixedFaces.push_back(f);
     const UnwrapResult again = unwrapped(mesh, options);
     checkKept(mesh, again, first.report.charts.size());
@@ -142,7 +128,7 @@ TEST_CASE("an island need not be a disk", "[fixed]") {
     if (mesh.faceVertices.size() % 3 == 0)
       mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
   }
-  UnwrapOptions options = small();
+  UnwrapOptions options = severalCharts();
   options.fixedFaces = {0};
   const UnwrapResult r = unwrapped(mesh, options);
   checkKept(mesh, r, 1);
@@ -154,10 +140,10 @@ TEST_CASE("an island need not be a disk", "[fixed]") {
 
 TEST_CASE("fixed charts are in tiles of their own where there are several", "[fixed]") {
   const PolygonMesh plain = torus(24, 16);
-  const UnwrapResult first = unwrapped(plain, small());
+  const UnwrapResult first = unwrapped(plain, severalCharts());
   PolygonMesh mesh = withUv(plain, first);
   for (std::size_t i = 0; i < mesh.texcoords.size(); i += 2) mesh.texcoords[i] += 2;
-  UnwrapOptions options = small();
+  UnwrapOptions options = severalCharts();
   options.fixedFaces = {0};
   CHECK(unwrap(mesh, options).status.message.find("not within the unit square") !=
         std::string::npos);
@@ -172,9 +158,9 @@ TEST_CASE("fixed charts are in tiles of their own where there are several", "[fi
 
 TEST_CASE("what cannot be fixed is named", "[fixed]") {
   const PolygonMesh plain = torus(12, 8);
-  const UnwrapResult first = unwrapped(plain, small());
+  const UnwrapResult first = unwrapped(plain, severalCharts());
   const PolygonMesh good = withUv(plain, first);
-  UnwrapOptions options = small();
+  UnwrapOptions options = severalCharts();
   options.fixedFaces = {5};
   const auto message = [&](const PolygonMesh& mesh) {
     const Result<UnwrapResult> result = unwrap(mesh, options);
@@ -222,8 +208,8 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
 
 TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
   const PolygonMesh mesh = torus(24, 16);
-  const double most = unwrapped(mesh, small()).report.atlas.texelDensity;
-  UnwrapOptions options = small();
+  const double most = unwrapped(mesh, severalCharts()).report.atlas.texelDensity;
+  UnwrapOptions options = severalCharts();
   options.texelDensity = most / 2;
   UnwrapResult r = unwrapped(mesh, options);
   CHECK(r.report.atlas.tiles == 1);

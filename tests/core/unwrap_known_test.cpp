@@ -5,6 +5,7 @@
 #include "abflat/unwrap.h"
 #include "catch.h"
 #include "support/meshes.h"
+#include "support/unwrapped.h"
 
 using namespace abflat;
 using namespace abflat::test;
@@ -27,13 +28,6 @@ UnwrapOptions alongSeams(std::vector<EdgeVertices> edges) {
   out.seams.isAuto = false;
   out.seams.edges = std::move(edges);
   return out;
-}
-
-UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  Result<UnwrapResult> result = unwrap(mesh, options);
-  REQUIRE(result.ok());
-  CHECK(result.value.report.valid);
-  return std::move(result.value);
 }
 
 std::size_t known(const UnwrapResult& r) {

@@ -104,6 +104,46 @@ test('fixedFaces: islands stay as they are, of arrays and of files', async () =>
   }
 });
 
+test('fixedCharts: charts of an earlier result stay, of arrays and of files', async () => {
+  const mesh = arraysOf(SPHERE_AND_TORUS);
+  const file = { bytes: bytesOf(objText(SPHERE_AND_TORUS)), name: 'both.obj' };
+  for (const [input, options] of [
+    [mesh, {}],
+    [file, { obj: true }],
+    [mesh, { straightSeams: true }],
+  ]) {
+    const first = await abflat.unwrap(input, options);
+    const change = { ...options, maxStretch: 1.01, straightSeams: false, seams: 'auto,sharp=50' };
+    const fixedCharts = Uint32Array.of(1);
+    const second = await abflat.unwrap(input, { ...change, known: first, fixedCharts });
+    assert.equal(second.report.valid, true);
+    for (let h = 0; h < first.indices.length; ++h) {
+      const f = Math.floor(h / 3);
+      const stays = first.chartOfTriangle[f] === 1;
+      assert.equal(second.report.charts[second.chartOfTriangle[f]].fixed, stays);
+      if (!stays) continue;
+      const [v, w] = [second.indices[h], first.indices[h]];
+      assert.deepEqual(
+        [...second.uv.slice(2 * v, 2 * v + 2)],
+        [...first.uv.slice(2 * w, 2 * w + 2)],
+      );
+    }
+  }
+});
+
+test('fixedCharts: what is missing is said', async () => {
+  const mesh = arraysOf(CUBE);
+  const { uv, ...known } = await abflat.unwrap(mesh);
+  const fixedCharts = Uint32Array.of(0);
+  for (const [options, pattern] of [
+    [{ fixedCharts }, /fixedCharts are charts of known/],
+    [{ fixedCharts, known }, /its uv is no Float64Array/],
+    [{ fixedCharts: [0], known: { ...known, uv } }, /must be a Uint32Array of chart numbers/],
+    [{ fixedCharts: Uint32Array.of(9999), known: { ...known, uv } }, /has no such chart/],
+  ])
+    await assertFails(abflat, abflat.unwrap(mesh, options), 'InvalidOption', pattern);
+});
+
 test('texelDensity and udim: tiles beside each other at the scale that was asked for', async () => {
   const mesh = arraysOf(together([0, 4, 8].map((x) => [torus(24, 12), [x, 0, 0]])));
   const { report, uv } = await abflat.unwrap(mesh, {

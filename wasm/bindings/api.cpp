@@ -129,6 +129,12 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count
   return job->unwrapOptions.fixedFaces.data();
 }
 
+/// Room for charts of a known layout that stay where they are.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
+  job->unwrapOptions.fixedCharts.resize(count);
+  return job->unwrapOptions.fixedCharts.data();
+}
+
 /// Room for an array of a known layout, `size` numbers; Field says which.
 EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);

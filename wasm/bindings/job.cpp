@@ -68,9 +68,10 @@ Bytes methodUvOf(const Job& job, std::size_t method) { return bytesOf(job.method
 
 void* knownRoom(Job& job, Field field, std::size_t size) {
   KnownLayout& known = job.unwrapOptions.known;
-  if (field == Field::Unpacked) {
-    known.unpacked.resize(size);
-    return known.unpacked.data();
+  if (field == Field::Unpacked || field == Field::Uv) {
+    std::vector<double>& reals = field == Field::Uv ? known.uv : known.unpacked;
+    reals.resize(size);
+    return reals.data();
   }
   std::vector<std::uint32_t>& numbers = field == Field::Indices     ? known.triangles
                                         : field == Field::VertexMap ? known.vertexMap

@@ -67,7 +67,7 @@ Bytes resultOf(const Job& job, Field field);
 /// The layout by one method of a comparison, in the order of its JSON; empty where there is none.
 Bytes methodUvOf(const Job& job, std::size_t method);
 
-/// Room for one of the arrays of a known layout, which are Unpacked, Indices, VertexMap and
+/// Room for one of the arrays of a known layout, which are Uv, Unpacked, Indices, VertexMap and
 /// ChartOfTriangle.
 void* knownRoom(Job& job, Field field, std::size_t size);
 

@@ -15,6 +15,7 @@ export interface NativeModule {
   _abflatSeams(job: number, bytes: number): number;
   _abflatSeamEdges(job: number, count: number): number;
   _abflatFixedFaces(job: number, count: number): number;
+  _abflatFixedCharts(job: number, count: number): number;
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatRoundsForGltf(job: number): void;
   _abflatKnownOptions(job: number, t: number, straightSeams: boolean): void;

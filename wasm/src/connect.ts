@@ -25,6 +25,7 @@ import type {
 } from './types.js';
 import {
   boundNumbers,
+  chartNumbers,
   checkBoolean,
   checkBuild,
   checkFunction,
@@ -123,6 +124,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
   checkKeys(options, KEYS.unwrap);
   const { seams, roundsForGltf } = options;
   if (seams !== undefined) checkString('seams', seams);
+  const fixedCharts = chartNumbers(options.fixedCharts);
   checkBoolean('roundsForGltf', roundsForGltf);
   const settings = {
     kind: 'unwrap',
@@ -130,7 +132,8 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     seams,
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: faceNumbers(options.fixedFaces),
-    known: knownArrays(options.known),
+    fixedCharts,
+    known: knownArrays(options.known, fixedCharts.length > 0),
     roundsForGltf: roundsForGltf === true,
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));

@@ -159,7 +159,7 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, known, roundsForGltf } = request;
+    const { values, seams, seamEdges, fixedFaces, fixedCharts, known, roundsForGltf } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
@@ -167,6 +167,7 @@ export class Engine {
           this.#heap.writeText(seams, (bytes) => native._abflatSeams(job, bytes));
         this.#heap.writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
         this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
+        this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (known !== undefined) this.#heap.writeKnown(job, known);
         if (roundsForGltf) native._abflatRoundsForGltf(job);
       },

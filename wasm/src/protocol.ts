@@ -48,7 +48,9 @@ export interface KnownArrays {
   /** As in `values` of a request. */
   t: number;
   straightSeams: boolean;
-  arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'>;
+  /** `uv` where charts are fixed. */
+  arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'> &
+    Partial<Pick<UnwrapResult, 'uv'>>;
 }
 
 export interface UnwrapRequest extends LayoutRequest {
@@ -60,6 +62,8 @@ export interface UnwrapRequest extends LayoutRequest {
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
   fixedFaces: Uint32Array;
+  /** Of `known`. */
+  fixedCharts: Uint32Array;
   known?: KnownArrays;
   roundsForGltf: boolean;
 }

@@ -24,6 +24,7 @@ export const KEYS = {
     'seams',
     'seamEdges',
     'fixedFaces',
+    'fixedCharts',
     'known',
     'roundsForGltf',
     ...OF_LAYOUT,
@@ -147,10 +148,16 @@ function optionNumbers<T extends object>(
 }
 
 /** Copies. What is wrong with the numbers within is for the module to see. */
-export function knownArrays(known: unknown): KnownArrays | undefined {
-  if (known === undefined) return undefined;
+export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | undefined {
+  if (known === undefined) {
+    if (needsUv) throw invalid('fixedCharts are charts of known, which is missing.');
+    return undefined;
+  }
   const found = (known ?? {}) as Partial<KnownLayout>;
-  const check = (name: 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle', tag: string) => {
+  const check = (
+    name: 'uv' | 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle',
+    tag: string,
+  ) => {
     if (tagOf(found[name]) !== tag)
       throw invalid(`known must be a result of unwrap; its ${name} is no ${tag}.`);
   };
@@ -158,11 +165,13 @@ export function knownArrays(known: unknown): KnownArrays | undefined {
   check('indices', 'Uint32Array');
   check('vertexMap', 'Uint32Array');
   check('chartOfTriangle', 'Uint32Array');
-  const { unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
+  if (needsUv) check('uv', 'Float64Array');
+  const { uv, unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
   return {
     t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
     straightSeams: report?.options?.straightSeams === true,
     arrays: {
+      ...(needsUv && uv ? { uv: new Float64Array(uv) } : {}),
       unpacked: new Float64Array(unpacked),
       indices: new Uint32Array(indices),
       vertexMap: new Uint32Array(vertexMap),
@@ -188,6 +197,10 @@ export function seamVertices(edges: unknown): Uint32Array {
 
 export function faceNumbers(faces: unknown): Uint32Array {
   return numbers('fixedFaces', 'face numbers', faces);
+}
+
+export function chartNumbers(charts: unknown): Uint32Array {
+  return numbers('fixedCharts', 'chart numbers', charts);
 }
 
 function checkIndex(name: string, kind: string, value: unknown): void {

@@ -2,12 +2,14 @@ import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './alert';
 import { AtlasControl } from './atlas-control';
 import { BoundControl } from './bound-control';
+import { Locks } from './charts/locks';
 import { ChartsTab } from './charts-tab';
 import { Details } from './details';
 import { bindToggle, element } from './dom';
 import { exportFormat, exportMesh } from './export-mesh';
 import { count, counted, duration } from './format';
 import type { AnyProgress, Outcome } from './lay-out';
+import { LayoutBar } from './layout-bar';
 import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
@@ -37,6 +39,7 @@ export class App implements SessionEvents {
   private readonly metrics = new MetricsPanel(() => this.showNotes());
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
+  private readonly locks = new Locks();
   private readonly seams: SeamPanel;
   private readonly sweep = new SweepTab(
     (t, signal) =>
@@ -59,6 +62,10 @@ export class App implements SessionEvents {
     () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
     () => this.session.refresh(),
   );
+  private readonly layoutBar = new LayoutBar({
+    say: (text) => this.run.say(text),
+    failed: (error) => this.notSaved(error),
+  });
   private readonly exportButton = element('export', HTMLButtonElement);
   private readonly exportText = element('export-text', HTMLSpanElement);
   private readonly layoutNote = element('layout-note', HTMLElement);
@@ -75,7 +82,11 @@ export class App implements SessionEvents {
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings);
-    this.charts = new ChartsTab(views);
+    this.charts = new ChartsTab(views, this.locks, {
+      // What is under way would move what has just been locked.
+      locked: () => this.session.isBusy && this.session.refresh(),
+      packAgain: () => this.session.refresh(),
+    });
     this.seams = new SeamPanel(views?.mesh ?? null, {
       changed: () => this.session.refresh(),
       say: (text) => this.run.say(text),
@@ -94,7 +105,7 @@ export class App implements SessionEvents {
 
   private get settings(): Settings {
     if (this.mode.mode === 'flatten') return this.diskSettings;
-    return { ...this.atlas.settings, ...this.seams.options };
+    return { ...this.atlas.settings, ...this.seams.options, kept: this.locks.kept };
   }
 
   private get diskSettings(): FlattenSettings {
@@ -109,6 +120,7 @@ export class App implements SessionEvents {
     this.sweep.stop();
     this.seams.hide();
     this.details.setMode(mode);
+    this.layoutBar.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
     this.session.refresh();
   }
@@ -132,6 +144,7 @@ export class App implements SessionEvents {
     hideAlert();
     this.mode.setDisk(summary.disk);
     this.seams.open({ mesh, summary, name: source.name });
+    this.locks.clear();
     this.shown = source;
     this.views?.showMesh(mesh);
     this.sweep.clear();
@@ -160,6 +173,7 @@ export class App implements SessionEvents {
 
   private showDetails(outcome: Outcome): void {
     if (outcome.mode === 'unwrap') {
+      this.locks.show(outcome);
       this.charts.show(outcome.result.report, this.picture);
       this.seams.show(outcome);
       return;
@@ -253,16 +267,24 @@ export class App implements SessionEvents {
     this.exportButton.disabled = this.outcome === null || this.outcome.source !== this.shown;
     const format = this.shown ? exportFormat(this.shown) : 'obj';
     this.exportText.textContent = `Export ${format.toUpperCase()}`;
+    const { outcome, picture } = this;
+    const isAtlas = outcome?.mode === 'unwrap' && outcome.source === this.shown;
+    this.layoutBar.show(isAtlas ? { outcome, picture } : null);
   }
 
   private export(): void {
     if (!this.outcome) return;
-    const { source, settings } = this.outcome;
     exportMesh(this.outcome).then(
       ({ name, size }) =>
         this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`),
-      (error: Error) =>
-        showAlert(`${titleOf(source)} was not exported: ${error.message}`, settingsText(settings)),
+      (error: Error) => this.notSaved(error),
     );
+  }
+
+  private notSaved({ message }: Error): void {
+    if (!this.outcome) return;
+    const { source, settings } = this.outcome;
+    const text = `${titleOf(source)} was not saved: ${message.replace(/\.$/, '')}.`;
+    showAlert(text, settingsText(settings));
   }
 }

@@ -1,6 +1,8 @@
 import { UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from './dom';
 import { count } from './format';
+import { MoreControl } from './more-control';
+import { NumberField } from './number-field';
 import type { UnwrapSettings } from './settings';
 
 /** From nearly no stretch to hardly any seams. */
@@ -15,16 +17,15 @@ const TICKS = [
   { stretch: 2, name: 'fewer seams' },
 ];
 const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
-const MOST_PADDING = 64;
 
-/** Stretch, resolution and padding of an atlas. */
+/** Stretch, resolution, padding and what is seldom changed of an atlas. */
 export class AtlasControl {
   private readonly slider = element('stretch', HTMLInputElement);
   private readonly value = element('stretch-value', HTMLOutputElement);
   private readonly hint = element('stretch-hint', HTMLElement);
   private readonly resolution = element('resolution', HTMLSelectElement);
-  private readonly padding = element('padding', HTMLInputElement);
-  private usedPadding = UNWRAP_DEFAULTS.padding;
+  private readonly padding: NumberField<number>;
+  private readonly more: MoreControl;
 
   constructor(private readonly changed: () => void) {
     this.slider.max = String(STRETCHES.length - 1);
@@ -33,9 +34,13 @@ export class AtlasControl {
       ...RESOLUTIONS.map((texels) => new Option(`${count(texels)}\u202fpx`, String(texels))),
     );
     this.resolution.value = String(UNWRAP_DEFAULTS.resolution);
-    this.padding.min = String(UNWRAP_OPTIONS.padding.atLeast);
-    this.padding.max = String(MOST_PADDING);
-    this.padding.valueAsNumber = this.usedPadding;
+    this.padding = new NumberField<number>(
+      element('padding', HTMLInputElement),
+      UNWRAP_OPTIONS.padding,
+      UNWRAP_DEFAULTS.padding,
+      changed,
+    );
+    this.more = new MoreControl(changed);
     this.addTicks();
     this.showStretch();
     this.slider.addEventListener('input', () => {
@@ -43,11 +48,6 @@ export class AtlasControl {
       this.changed();
     });
     this.resolution.addEventListener('change', () => this.changed());
-    this.padding.addEventListener('input', () => this.readPadding());
-    this.padding.addEventListener('change', () => {
-      this.padding.valueAsNumber = this.usedPadding;
-      this.padding.setAttribute('aria-invalid', 'false');
-    });
     element('unwrap-options', HTMLFormElement).addEventListener('submit', (event) =>
       event.preventDefault(),
     );
@@ -58,17 +58,9 @@ export class AtlasControl {
       mode: 'unwrap',
       maxStretch: STRETCHES[this.slider.valueAsNumber],
       resolution: Number(this.resolution.value),
-      padding: this.usedPadding,
+      padding: this.padding.value,
+      ...this.more.settings,
     };
-  }
-
-  private readPadding(): void {
-    const texels = this.padding.valueAsNumber;
-    const isUsable = Number.isInteger(texels) && texels >= 0 && texels <= MOST_PADDING;
-    this.padding.setAttribute('aria-invalid', String(!isUsable));
-    if (!isUsable || texels === this.usedPadding) return;
-    this.usedPadding = texels;
-    this.changed();
   }
 
   private showStretch(): void {

@@ -1,23 +1,42 @@
 import type { UnwrapReport } from 'abflat';
 import { atlasNotes } from './atlas-notes';
 import { ChartTable } from './charts/chart-table';
+import type { Locks } from './charts/locks';
 import { create, element } from './dom';
 import { counted, measure } from './format';
-import type { FlatPicture } from './picture';
+import { colorOfCharts, type FlatPicture } from './picture';
 import type { Views } from './views';
+
+export interface ChartsTabEvents {
+  /** Another chart is locked, or one is no more. */
+  locked(): void;
+  packAgain(): void;
+}
 
 /** What an atlas consists of and what was done to get it. */
 export class ChartsTab {
   private readonly notes = element('atlas-notes', HTMLUListElement);
   private readonly table: ChartTable;
+  private readonly lockSummary = element('locks-summary', HTMLElement);
+  private readonly pack = element('pack-again', HTMLButtonElement);
   private readonly summary = element('charts-summary', HTMLElement);
 
   /** `views` show the chart that is pointed at. */
-  constructor(views: Views | null) {
+  constructor(
+    views: Views | null,
+    private readonly locks: Locks,
+    events: ChartsTabEvents,
+  ) {
     this.table = new ChartTable({
       pointed: (chart) => views?.lightChart(chart),
       chosen: (chart) => views?.goToChart(chart),
+      locked: (chart) => {
+        locks.toggle(chart);
+        this.showLocks();
+        events.locked();
+      },
     });
+    this.pack.addEventListener('click', () => events.packAgain());
   }
 
   show(report: UnwrapReport, picture: FlatPicture | null): void {
@@ -25,7 +44,16 @@ export class ChartsTab {
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
-    this.table.show(report, picture && colorsOf(picture, report.charts.length));
+    this.table.show(report, picture && colorOfCharts(picture, report.charts.length));
+    this.showLocks();
+    this.pack.disabled = false;
+  }
+
+  private showLocks(): void {
+    const { charts } = this.locks;
+    this.table.showLocks(charts);
+    this.lockSummary.textContent =
+      charts.size > 0 ? `${counted(charts.size, 'chart')} locked` : 'A locked chart stays';
   }
 }
 
@@ -34,13 +62,4 @@ function summary({ charts, seams, quasiConformalMean }: UnwrapReport): string {
   const sizes = `${counted(charts.length, 'chart')}, the largest of ${counted(largest, 'triangle')}`;
   const cuts = seams.edges > 0 ? `cut along ${counted(seams.edges, 'edge')}` : 'nothing was cut';
   return `${sizes}; ${cuts}; mean ratio of stretches ${measure(quasiConformalMean)}`;
-}
-
-/** The number of each chart's colour. */
-function colorsOf({ charts, chartColors }: FlatPicture, chartCount: number): Float32Array {
-  const colors = new Float32Array(chartCount);
-  charts?.forEach((chart, f) => {
-    if (chart < chartCount) colors[chart] = chartColors?.[f] ?? 0;
-  });
-  return colors;
 }

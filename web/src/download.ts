@@ -1,6 +1,6 @@
 /** Offers bytes as a file. */
-export function download(name: string, type: string, content: Uint8Array | string): void {
-  const url = URL.createObjectURL(new Blob([content as Uint8Array<ArrayBuffer>], { type }));
+export function download(name: string, type: string, content: Uint8Array | string | Blob): void {
+  const url = URL.createObjectURL(new Blob([content as Uint8Array<ArrayBuffer> | Blob], { type }));
   const link = document.createElement('a');
   link.href = url;
   link.download = name;

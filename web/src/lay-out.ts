@@ -1,4 +1,5 @@
 import type { Abflat, FlattenResult, Progress, UnwrapProgress, UnwrapResult } from 'abflat';
+import type { Kept } from './charts/locks';
 import { exportFormat } from './export-mesh';
 import type { GltfFile } from './gltf-file';
 import type { DisplayMesh } from './mesh';
@@ -34,6 +35,13 @@ interface Watch {
   onProgress: (progress: AnyProgress) => void;
 }
 
+/** Charts that an edit leaves as they were are not flattened again, locked ones stay where they are. */
+function fromEarlier(source: Source, kept: Kept | undefined, earlier: Outcome | null) {
+  if (kept && kept.charts.length > 0) return { known: kept.layout, fixedCharts: kept.charts };
+  const isKnown = earlier?.mode === 'unwrap' && earlier.source === source;
+  return { known: isKnown ? earlier.result : undefined };
+}
+
 /** One run of abflat, in the way the settings ask for; `earlier`: the last outcome, of whatever mesh. */
 export async function layOut(
   abflat: Abflat,
@@ -49,12 +57,10 @@ export async function layOut(
     const result = await abflat.flatten(input, { ...options, ...file, ...watch });
     return { mode, source, mesh, gltf, settings, result };
   }
-  const { mode, ...options } = settings;
-  // Charts that an edit leaves as they were are not flattened again.
-  const known = earlier?.mode === mode && earlier.source === source ? earlier.result : undefined;
+  const { mode, kept, ...options } = settings;
   const result = await abflat.unwrap(input, {
     ...options,
-    known,
+    ...fromEarlier(source, kept, earlier),
     ...file,
     roundsForGltf: format === 'glb',
     ...watch,

@@ -9,6 +9,8 @@ import type { FlatPicture } from './picture';
 import { DOT, PointMarks, RING } from './point-marks';
 import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
+import { TileLabels } from './tile-labels';
+import { tileFrames, tileGrid } from './tiles';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
@@ -18,10 +20,6 @@ const MOST_MARKS = 500;
 /** Css pixels: charts may be many and small. */
 const OUTLINE = 2.25;
 const THIN_OUTLINE = 1.25;
-/** What an atlas fills; it is drawn round it. */
-const UNIT_SQUARE = { min: [0, 0], max: [1, 1] };
-const CORNERS = Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1);
-const SIDES = Uint32Array.of(0, 1, 1, 2, 2, 3, 3, 0);
 
 /** The uv layout in the plane. */
 export class LayoutView {
@@ -38,6 +36,10 @@ export class LayoutView {
   private readonly panZoom: PanZoom;
   /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
   private size: [number, number] = [1, 1];
+  /** In uv: what is at 0 of the plane, and the length of a unit of it. */
+  private middle = [0, 0];
+  private unit = 1;
+  private readonly labels = new TileLabels();
   /** Until the user pans or zooms, the layout stays fitted whatever happens to it or to the pane. */
   private isFitted = true;
   /** The chart of each shown triangle. */
@@ -71,18 +73,14 @@ export class LayoutView {
   /** Shows a layout. Keeps the point of view unless `isNew`. */
   show(picture: FlatPicture, isNew: boolean): void {
     const { mesh, edges, errors, tightened, resisting, chartColors, charts: pieces } = picture;
-    const { min, max } = chartColors ? UNIT_SQUARE : boundingBox(mesh.uv, 2, mesh.indices);
-    const size = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
-    this.size = [(max[0] - min[0]) / size, (max[1] - min[1]) / size];
-    const toPlane = (points: Float64Array) => {
-      const plane = new Float32Array((points.length / 2) * 3);
-      points.forEach((x, i) => {
-        const d = i % 2;
-        plane[3 * Math.floor(i / 2) + d] = (x - (min[d] + max[d]) / 2) / size;
-      });
-      return plane;
-    };
-    const plane = toPlane(mesh.uv);
+    const { tiles = 0 } = picture;
+    const { min, max } = tiles
+      ? { min: [0, 0], max: tileGrid(tiles) }
+      : boundingBox(mesh.uv, 2, mesh.indices);
+    this.unit = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
+    this.middle = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+    this.size = [(max[0] - min[0]) / this.unit, (max[1] - min[1]) / this.unit];
+    const plane = this.toPlane(mesh.uv);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(perCorner(plane, 3, mesh.indices), 3));
     geometry.setAttribute('error', new BufferAttribute(toCorners(errors), 1));
@@ -97,12 +95,24 @@ export class LayoutView {
     this.boundary.show(plane, edges);
     this.resisting.show(plane, resisting);
     this.dots.show(perCorner(plane, 3, tightened));
-    this.frame.show(toPlane(CORNERS), chartColors ? SIDES : new Uint32Array());
+    const frames = tileFrames(tiles);
+    this.frame.show(this.toPlane(frames.points), frames.sides);
+    this.labels.show(tiles);
     // Of an atlas the report says whether charts cross.
     const points = chartColors ? new Float64Array() : crossings(mesh.uv, edges, MOST_MARKS);
-    this.rings.show(toPlane(points));
+    this.rings.show(this.toPlane(points));
     if (isNew || this.isFitted) this.fit();
     else this.stage.invalidate();
+  }
+
+  /** From uv, 2 numbers per point, to what is drawn, 3 per point. */
+  private toPlane(uv: Float64Array): Float32Array {
+    const plane = new Float32Array((uv.length / 2) * 3);
+    uv.forEach((x, i) => {
+      const d = i % 2;
+      plane[3 * Math.floor(i / 2) + d] = (x - this.middle[d]) / this.unit;
+    });
+    return plane;
   }
 
   setPalette(palette: Palette): void {
@@ -175,5 +185,15 @@ export class LayoutView {
     this.camera.top = y + halfHeight;
     this.camera.updateProjectionMatrix();
     this.stage.renderer.render(this.scene, this.camera);
+    const { width, height } = this.stage;
+    const [u0, v0] = this.middle;
+    const side = scale / this.unit;
+    this.labels.move({
+      x: (u) => width / 2 + (u - u0) * side - x * scale,
+      y: (v) => height / 2 - (v - v0) * side + y * scale,
+      side,
+      width,
+      height,
+    });
   }
 }

@@ -74,6 +74,20 @@ function areaVectors({ positions: p, indices }: DisplayMesh): Float64Array {
   return areas;
 }
 
+/** Area of each triangle, of points of `size` coordinates, at most 3. */
+export function triangleAreas(p: Float64Array, size: number, indices: Uint32Array): Float64Array {
+  const areas = new Float64Array(indices.length / 3);
+  const along = (from: number, to: number, d: number) =>
+    d < size ? p[size * to + d] - p[size * from + d] : 0;
+  for (let f = 0; f < areas.length; ++f) {
+    const [i, j, k] = [indices[3 * f], indices[3 * f + 1], indices[3 * f + 2]];
+    const [ax, ay, az] = [along(i, j, 0), along(i, j, 1), along(i, j, 2)];
+    const [bx, by, bz] = [along(i, k, 0), along(i, k, 1), along(i, k, 2)];
+    areas[f] = Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / 2;
+  }
+  return areas;
+}
+
 /** Unit normals per vertex, weighted by area; 0 where there is no area. */
 export function vertexNormals(mesh: DisplayMesh): Float32Array {
   const areas = areaVectors(mesh);

@@ -79,7 +79,7 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
   },
   {
     label: 'Utilisation',
-    title: 'Share of the square that charts cover',
+    title: 'Share of the square, or of all tiles, that charts cover',
     value: ({ atlas }) => `${(100 * atlas.utilization).toFixed(1)}\u202f%`,
   },
   {

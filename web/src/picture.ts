@@ -28,6 +28,8 @@ export interface FlatPicture extends Picture {
   chartColors?: Float32Array;
   /** The chart of each triangle of an atlas. */
   charts?: Uint32Array;
+  /** Unit squares that the atlas fills. */
+  tiles?: number;
 }
 
 /** The arrays of a result, as abflat gives them. */
@@ -65,8 +67,21 @@ function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
+    tiles: result.report.atlas.tiles,
     chartColors: chartColors(indices, chartOfTriangle, weld(positions, 3)),
   };
+}
+
+/** The number of each chart's colour. */
+export function colorOfCharts(
+  { charts, chartColors }: FlatPicture,
+  chartCount: number,
+): Float32Array {
+  const colors = new Float32Array(chartCount);
+  charts?.forEach((chart, f) => {
+    if (chart < chartCount) colors[chart] = chartColors?.[f] ?? 0;
+  });
+  return colors;
 }
 
 /** Boundary edges where some vertices are one: `same` names the one for each. */

@@ -93,6 +93,10 @@ export class Session {
     this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
   }
 
+  get isBusy(): boolean {
+    return this.running !== null;
+  }
+
   /** Returns whether there was anything to cancel. */
   cancel(): boolean {
     if (!this.running) return false;

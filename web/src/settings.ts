@@ -1,4 +1,6 @@
+import type { Kept } from './charts/locks';
 import type { Bound } from './format';
+import type { MoreOptions } from './more-options';
 
 /** A disk in one piece, or any mesh in charts. */
 export type Mode = 'flatten' | 'unwrap';
@@ -11,7 +13,7 @@ export interface FlattenSettings {
 }
 
 /** What the user can ask of an atlas. */
-export interface UnwrapSettings {
+export interface UnwrapSettings extends MoreOptions {
   mode: 'unwrap';
   maxStretch: number;
   /** Texels along a side. */
@@ -22,18 +24,17 @@ export interface UnwrapSettings {
   seams: string;
   /** Cut as well, two vertices each. */
   seamEdges?: Uint32Array;
+  /** Where they are already: no reason to lay out anew. */
+  kept?: Kept;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;
 
 export function sameSettings(a: Settings, b: Settings): boolean {
-  if (a.mode === 'flatten') return b.mode === 'flatten' && a.t === b.t && a.delaunay === b.delaunay;
-  return (
-    b.mode === 'unwrap' &&
-    a.maxStretch === b.maxStretch &&
-    a.resolution === b.resolution &&
-    a.padding === b.padding &&
-    a.seams === b.seams &&
-    a.seamEdges === b.seamEdges
-  );
+  const [x, y] = [a, b].map((settings) => {
+    const values = new Map<string, unknown>(Object.entries(settings));
+    values.delete('kept');
+    return values;
+  });
+  return x.size === y.size && [...x].every(([name, value]) => y.get(name) === value);
 }

@@ -1,5 +1,6 @@
 import { bound, count, counted } from './format';
 import type { Flattened, Outcome } from './lay-out';
+import { changedOptions } from './more-options';
 import { titleOf } from './open-mesh';
 import type { Source } from './session';
 import type { Mode, Settings } from './settings';
@@ -21,7 +22,8 @@ export function settingsText(settings: Settings): string {
   if (settings.mode === 'unwrap') {
     const { maxStretch, resolution, padding, seams, seamEdges } = settings;
     const along = seamEdges ? `${counted(seamEdges.length / 2, 'seam edge')}` : `seams ${seams}`;
-    return `${along}, stretch up to ${maxStretch}, ${resolution}\u202fpx, padding ${padding}`;
+    const size = `${resolution}\u202fpx, padding ${padding}`;
+    return [along, `stretch up to ${maxStretch}`, size, ...changedOptions(settings)].join(', ');
   }
   return `t = ${bound(settings.t)}${settings.delaunay ? ', Delaunay' : ''}`;
 }
@@ -36,9 +38,10 @@ export function failure(source: Source, settings: Settings | null, message: stri
 
 /** The charts of an atlas; the t of a layout, and what the automatic choice came to. */
 export function layoutInfo(outcome: Outcome): string {
-  return outcome.mode === 'unwrap'
-    ? counted(outcome.result.report.charts.length, 'chart')
-    : boundInfo(outcome);
+  if (outcome.mode === 'flatten') return boundInfo(outcome);
+  const { charts, atlas } = outcome.result.report;
+  const tiles = atlas.tiles > 1 ? `, ${counted(atlas.tiles, 'tile')}` : '';
+  return counted(charts.length, 'chart') + tiles;
 }
 
 function boundInfo({ settings, result }: Flattened): string {
@@ -49,10 +52,16 @@ function boundInfo({ settings, result }: Flattened): string {
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 
-/** Of an atlas that was edited: the charts that did not change. */
+/** Of an atlas that was edited: the charts that did not change, and those that were to stay. */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return '';
   const { charts } = outcome.result.report;
   const known = charts.filter(({ solver }) => solver === 'known').length;
-  return known > 0 ? `; ${count(known)} of ${counted(charts.length, 'chart')} kept` : '';
+  const locked = charts.filter(({ fixed }) => fixed).length;
+  const of = `of ${counted(charts.length, 'chart')}`;
+  const parts = [
+    ...(known > 0 ? [`${count(known)} ${of} kept`] : []),
+    ...(locked > 0 ? [`${count(locked)} ${known > 0 ? '' : `${of} `}locked`] : []),
+  ];
+  return parts.length > 0 ? `; ${parts.join(', ')}` : '';
 }

@@ -34,6 +34,7 @@ struct KnownLayout {
   double t = 0;                          ///< its UnwrapOptionValues::t
   bool straightSeams = false;            ///< likewise
   std::vector<double> unpacked;          ///< 2 per vertex, where UnwrapResult has texcoords
+  std::vector<double> uv;                ///< likewise; only fixedCharts need it
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each vertex
   std::vector<std::uint32_t> triangles;  ///< 3 vertices per triangle
   std::vector<std::uint32_t> chartOfTriangle;
@@ -51,6 +52,8 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
   /// them. Islands are bounded by edges with different texcoords on their two sides.
   std::vector<std::uint32_t> fixedFaces;
+  /// Charts of `known` that stay exactly where they are, likewise.
+  std::vector<std::uint32_t> fixedCharts;
   /// Texcoords are rounded to single precision before they are checked, as files and graphics cards
   /// hold them, so that 1 - v is one as well; not where that would make a chart invalid.
   bool roundsToSingle = false;

@@ -50,11 +50,11 @@ void markSharp(const WeldedMesh& welded, const Surface& surface, double degrees,
 }
 
 /// By value: files may list a texcoord several times. No texcoord is a value of its own.
-bool hasSameTexcoord(const PolygonMesh& mesh, std::uint32_t cornerA, std::uint32_t cornerB) {
-  const std::size_t a = mesh.faceTexcoords[cornerA], b = mesh.faceTexcoords[cornerB];
+bool hasSameTexcoord(const CornerTexcoords& given, std::uint32_t cornerA, std::uint32_t cornerB) {
+  const std::size_t a = given.ofCorner[cornerA], b = given.ofCorner[cornerB];
   if (a == kNoTexcoord || b == kNoTexcoord || a == b) return a == b;
-  return mesh.texcoords[2 * a] == mesh.texcoords[2 * b] &&
-         mesh.texcoords[2 * a + 1] == mesh.texcoords[2 * b + 1];
+  return given.texcoords[2 * a] == given.texcoords[2 * b] &&
+         given.texcoords[2 * a + 1] == given.texcoords[2 * b + 1];
 }
 
 Status markIslands(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
@@ -63,10 +63,11 @@ Status markIslands(const PolygonMesh& input, const WeldedMesh& welded, const Sur
     return {StatusCode::InvalidOption,
             "the mesh has no texcoords, so there are no islands to cut round; leave uv out of the "
             "seams"};
+  const CornerTexcoords given{input.texcoords, input.faceTexcoords};
   for (std::uint32_t h = 0; h < seams.size(); ++h) {
     const std::uint32_t twin = surface.table.twin[h];
     if (twin == kNone || twin < h) continue;
-    if (!hasSameTexcoords(input, welded, surface, h)) mark(surface, h, seams);
+    if (!hasSameTexcoords(given, welded, surface, h)) mark(surface, h, seams);
   }
   return {};
 }
@@ -130,13 +131,13 @@ Status markEdges(const PolygonMesh& input, const WeldedMesh& welded, const Surfa
 
 }  // namespace
 
-bool hasSameTexcoords(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                      std::uint32_t h) {
+bool hasSameTexcoords(const CornerTexcoords& given, const WeldedMesh& welded,
+                      const Surface& surface, std::uint32_t h) {
   if (surface.triangulation.isDiagonal[h]) return true;
   const std::uint32_t twin = surface.table.twin[h];
   const auto corner = [&](std::uint32_t c) { return inputCorner(welded, surface, c); };
-  return hasSameTexcoord(input, corner(h), corner(nextCorner(twin))) &&
-         hasSameTexcoord(input, corner(nextCorner(h)), corner(twin));
+  return hasSameTexcoord(given, corner(h), corner(nextCorner(twin))) &&
+         hasSameTexcoord(given, corner(nextCorner(h)), corner(twin));
 }
 
 Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,

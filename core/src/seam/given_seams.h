@@ -12,9 +12,15 @@ namespace abflat {
 Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                          const SeamSources& sources);
 
-/// Whether the input's texcoords are the same on both sides of an edge, which has a twin.
-bool hasSameTexcoords(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                      std::uint32_t halfEdge);
+/// Texcoords of the corners of the input's faces.
+struct CornerTexcoords {
+  const std::vector<double>& texcoords;        ///< 2 numbers each
+  const std::vector<std::uint32_t>& ofCorner;  ///< kNoTexcoord where it has none
+};
+
+/// Whether texcoords are the same on both sides of an edge, which has a twin.
+bool hasSameTexcoords(const CornerTexcoords& given, const WeldedMesh& welded,
+                      const Surface& surface, std::uint32_t halfEdge);
 
 /// Seams as edges of the input, each once and with its smaller vertex first.
 std::vector<EdgeVertices> seamEdges(const PolygonMesh& input, const WeldedMesh& welded,

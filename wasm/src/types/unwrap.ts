@@ -19,6 +19,8 @@ export interface UnwrapProgress extends Omit<Progress, 'stage'> {
 /** What an earlier call gave for the same mesh: its result, or this much of it. */
 export interface KnownLayout {
   unpacked: Float64Array;
+  /** Only `fixedCharts` need it. */
+  uv?: Float64Array;
   indices: Uint32Array;
   vertexMap: Uint32Array;
   chartOfTriangle: Uint32Array;
@@ -33,6 +35,8 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   seamEdges?: Uint32Array;
   /** Faces of the input whose uv islands stay exactly as they are; all others are packed around them. */
   fixedFaces?: Uint32Array;
+  /** Charts of `known` that stay exactly where they are; all others are packed around them. */
+  fixedCharts?: Uint32Array;
   /** Charts that have the triangles and the outline of one of these, and the same `t` and `straightSeams`, are not flattened again. */
   known?: KnownLayout;
   /**

@@ -1,6 +1,7 @@
 import type { UnwrapReport } from 'abflat';
 import { create, element } from '../dom';
 import { count, counted } from '../format';
+import { svg } from '../plot/svg';
 import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
 
 /** More rows than anybody reads would only be slow. */
@@ -13,6 +14,8 @@ export interface ChartTableEvents {
   /** A chart is pointed at; null: none any more. */
   pointed(chart: number | null): void;
   chosen(chart: number): void;
+  /** Locked, or unlocked. */
+  locked(chart: number): void;
 }
 
 /** The charts of an atlas, a row each: sorted by any column. */
@@ -24,6 +27,7 @@ export class ChartTable {
   private rows: ChartRow[] = [];
   /** The number of each chart's colour. */
   private colors: ArrayLike<number> | null = null;
+  private locks = new Set<number>();
   private order: Order = { column: BY_FACES, descending: true };
 
   constructor(private readonly events: ChartTableEvents) {
@@ -40,6 +44,12 @@ export class ChartTable {
     this.rows = chartRows(report);
     this.colors = colors;
     this.fill();
+  }
+
+  showLocks(charts: Set<number>): void {
+    this.locks = charts;
+    for (const button of this.body.querySelectorAll<HTMLElement>('.lock'))
+      button.ariaPressed = String(charts.has(Number(button.dataset.chart)));
   }
 
   private fill(): void {
@@ -67,6 +77,10 @@ export class ChartTable {
       this.headers.push(cell);
       row.append(cell);
     });
+    const lock = create('th', '');
+    lock.scope = 'col';
+    lock.append(create('span', 'visually-hidden', 'Locked'));
+    row.append(lock);
     return row;
   }
 
@@ -89,10 +103,34 @@ export class ChartTable {
     verdict.className = chart.valid ? 'good' : 'bad';
     verdict.ariaLabel = chart.valid ? 'valid' : 'not valid';
     verdict.title = chart.problem;
+    made.append(this.lockCell(index));
     made.addEventListener('mouseenter', () => this.events.pointed(index));
     made.addEventListener('focusin', () => this.events.pointed(index));
     made.addEventListener('click', () => this.events.chosen(index));
     return made;
+  }
+
+  private lockCell(index: number): HTMLElement {
+    const cell = create('td', 'lock-cell');
+    const button = create('button', 'lock');
+    button.type = 'button';
+    button.dataset.chart = String(index);
+    button.ariaLabel = `Lock chart ${index}`;
+    button.ariaPressed = String(this.locks.has(index));
+    button.title = 'Locked: the chart stays as it is and where it is, whatever is changed';
+    const icon = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
+    icon.append(
+      svg('path', { class: 'lock-body', d: 'M3.500 7.500h9v6h-9z' }),
+      svg('path', { d: 'M5.500 7.500v-2.500a2.500 2.500 0 0 1 5 0' }),
+      svg('path', { class: 'lock-leg', d: 'M10.500 5v2.500' }),
+    );
+    button.append(icon);
+    button.addEventListener('click', (event) => {
+      event.stopPropagation();
+      this.events.locked(index);
+    });
+    cell.append(button);
+    return cell;
   }
 
   private nameCell(index: number): HTMLElement {

@@ -1,0 +1,128 @@
+// Locked charts stay where they are while all else changes.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { chartsOf, parseObj } from '../support/atlas.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { objText, sphere, together, torus } from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+import { loadModule } from './modules.mjs';
+import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+
+const BOTH = objText(
+  together([
+    [torus(24, 12), [0, 0, 0]],
+    [sphere(6), [3, 0, 0]],
+  ]),
+);
+
+/** Corners in uv of each face of what is exported. */
+async function atlas(page) {
+  const { path } = await exportMesh(page);
+  const text = readFileSync(path, 'utf8');
+  const obj = parseObj(text);
+  return { text, obj, uv: obj.faces.map((face) => face.map(([, t]) => obj.texcoords[t])) };
+}
+
+const lock = (page, row) => page.locator('#charts tbody tr').nth(row).locator('.lock');
+
+test('a locked chart stays bit by bit until it is unlocked', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'both.obj', BOTH);
+  await page.click('#details-toggle');
+  const before = await atlas(page);
+  // The first row is the chart with the most faces.
+  const { ofFace: chartOf } = chartsOf(before.obj);
+  const sizes = new Map();
+  for (const chart of chartOf) sizes.set(chart, (sizes.get(chart) ?? 0) + 1);
+  const [largest] = [...sizes].sort((a, b) => b[1] - a[1])[0];
+  await lock(page, 0).focus();
+  await page.keyboard.press('Enter');
+  assert.equal(await lock(page, 0).getAttribute('aria-pressed'), 'true');
+  assert.equal(await textOf(page, '#locks-summary'), '1 chart locked');
+  assert.equal((await atlas(page)).text, before.text, 'locking moves nothing');
+
+  const isSame = (after, f) => JSON.stringify(after.uv[f]) === JSON.stringify(before.uv[f]);
+  const checkStays = async (what) => {
+    const after = await atlas(page);
+    chartOf.forEach((chart, f) => {
+      if (chart === largest) assert.ok(isSame(after, f), `${what}: face ${f} stays`);
+    });
+    assert.ok(!after.uv.every((_, f) => isSame(after, f)), `${what}: others change`);
+    assert.equal(await textOf(page, '#badge'), 'Valid');
+    assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 1);
+  };
+  await page.focus('#stretch');
+  await page.keyboard.press('Home');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /1 (of \d+ charts )?locked$/);
+  await checkStays('less stretch');
+  await page.click('#seams-sharp');
+  await settled(page);
+  await checkStays('sharp seams');
+  await page.click('#more-toggle');
+  await page.click('#more-straight-seams');
+  await settled(page);
+  await checkStays('straight seams');
+
+  await page.locator('.lock[aria-pressed="true"]').click();
+  assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
+  await page.click('#pack-again');
+  await settled(page);
+  const path = tempFolder(t);
+  writeFileSync(path('in.obj'), BOTH);
+  const { code, stderr } = await runAbflat([
+    ...['unwrap', path('in.obj'), '-o', path('out.obj'), '--max-stretch', '1.005'],
+    ...['--seams', 'auto,sharp=60', '--straight-seams'],
+  ]);
+  assert.equal(code, 0, stderr);
+  assert.equal(
+    (await atlas(page)).text,
+    readFileSync(path('out.obj'), 'utf8'),
+    'as if never locked',
+  );
+});
+
+test('locks belong to one mesh', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'both.obj', BOTH);
+  await page.click('#details-toggle');
+  await lock(page, 0).click();
+  const charts = (await metrics(page)).Charts;
+  await dropAndWait(page, 'again.obj', BOTH);
+  assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
+  assert.equal((await metrics(page)).Charts, charts);
+  for (const button of await page.locator('.lock').all())
+    assert.match(await button.getAttribute('aria-label'), /^Lock chart \d+$/);
+});
+
+test('what is locked while a run is under way is kept by the next one', async () => {
+  const { Locks } = await loadModule('charts/locks');
+  const result = (...fixed) => ({ report: { charts: fixed.map((fixed) => ({ fixed })) } });
+  const locks = new Locks();
+  const first = result(false, false, false);
+  const shown = (result, kept) => locks.show({ result, settings: { kept } });
+  shown(first, locks.kept);
+  assert.deepEqual([...locks.kept.charts], []);
+  locks.toggle(2);
+  assert.deepEqual([...locks.charts], [2]);
+  const asked = locks.kept;
+  assert.equal(asked.layout, first);
+  // During a run with that another chart is locked; what comes of the run has only one of them.
+  locks.toggle(0);
+  const second = result(true, false, false, false);
+  shown(second, asked);
+  assert.deepEqual([...locks.charts], [0], 'of what is on screen');
+  assert.equal(locks.kept.layout, first);
+  assert.deepEqual([...locks.kept.charts].sort(), [0, 2]);
+  const third = result(false, true, true);
+  shown(third, locks.kept);
+  assert.equal(locks.kept.layout, third);
+  assert.deepEqual([...locks.kept.charts], [1, 2]);
+  locks.toggle(1);
+  locks.toggle(2);
+  assert.deepEqual([...locks.charts], []);
+  locks.clear();
+  assert.equal(locks.kept, undefined);
+});

@@ -1,0 +1,217 @@
+// The options of an atlas that are seldom changed: they reach abflat, stay in view, and several tiles are shown.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { objText, sphere, together, torus } from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+import { loadModule } from './modules.mjs';
+import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+
+const RINGS = objText(together([0, 1, 2].map((i) => [torus(16, 8), [2.6 * i, 0, 0]])));
+
+async function fill(page, id, text) {
+  await page.fill(id, text);
+  await settled(page);
+}
+
+async function click(page, id) {
+  await page.click(id);
+  await settled(page);
+}
+
+/** Exports what is shown, and compares with what the program makes of the same options. */
+async function assertAsProgram(t, page, text, options) {
+  const path = tempFolder(t);
+  const exported = await exportMesh(page);
+  writeFileSync(path('in.obj'), text);
+  const { code, stderr } = await runAbflat([
+    'unwrap',
+    path('in.obj'),
+    '-o',
+    path('out.obj'),
+    ...options,
+  ]);
+  assert.equal(code, 0, stderr);
+  assert.equal(readFileSync(exported.path, 'utf8'), readFileSync(path('out.obj'), 'utf8'));
+}
+
+test('more options change the atlas as those of the command line do, and are named when closed', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'rings.obj', RINGS);
+  assert.ok(await page.isHidden('#more'));
+  assert.equal(await textOf(page, '#more-state'), '');
+  await page.focus('#more-toggle');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.getAttribute('#more-toggle', 'aria-expanded'), 'true');
+  assert.deepEqual(await page.locator('#more-fill-holes option').allInnerTexts(), [
+    'Auto',
+    'Never',
+    'Always',
+  ]);
+  await page.selectOption('#more-fill-holes', 'never');
+  await settled(page);
+  await fill(page, '#more-t', '1');
+  await click(page, '#more-straight-seams');
+  await page.focus('#more-rotate');
+  await page.keyboard.press('Space');
+  await settled(page);
+  assert.equal(
+    await textOf(page, '#more-state'),
+    'fill holes never, boundary t 1, straight seams, no rotation',
+  );
+  await assertAsProgram(t, page, RINGS, [
+    ...['--fill-holes', 'never', '--t', '1'],
+    ...['--straight-seams', '--no-rotate'],
+  ]);
+  await page.click('#more-toggle');
+  assert.ok(await page.isHidden('#more'));
+  assert.match(await textOf(page, '#more-state'), /^fill holes never/);
+});
+
+test('a texel density may take several tiles, which are numbered', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'rings.obj', RINGS);
+  const density = Math.floor(1.2 * Number((await metrics(page))['Texel density']));
+  await page.click('#more-toggle');
+  assert.ok(await page.isDisabled('#more-udim'));
+  assert.equal(await page.locator('.tile').count(), 0);
+  await fill(page, '#more-texel-density', String(density));
+  assert.match(await textOf(page, '#alert'), /do not fit one tile/);
+  await click(page, '#more-udim');
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal((await metrics(page))['Texel density'], String(density));
+  const tiles = Number(/, (\d+) tiles$/.exec(await textOf(page, '#layout-info'))[1]);
+  assert.ok(tiles >= 2);
+  await page.waitForFunction((n) => document.querySelectorAll('.tile').length === n, tiles);
+  assert.deepEqual(
+    await page.locator('.tile').allInnerTexts(),
+    Array.from({ length: tiles }, (_, i) => String(1001 + i)),
+  );
+  const box = await page.locator('#layout-canvas').boundingBox();
+  const places = await Promise.all(
+    (await page.locator('.tile').all()).map((label) => label.boundingBox()),
+  );
+  places.forEach(({ x, y, width }, i) => {
+    assert.ok(x >= box.x && x + width <= box.x + box.width, `tile ${1001 + i} is in view`);
+    if (i > 0) assert.ok(x > places[i - 1].x && y === places[0].y, 'side by side');
+  });
+  await assertAsProgram(t, page, RINGS, ['--texel-density', String(density), '--udim']);
+  // Zoomed out there is no room for numbers.
+  await page.focus('#layout-canvas');
+  for (let i = 0; i < 16; i++) await page.keyboard.press('-');
+  await page.waitForFunction(() => document.querySelectorAll('.tile').length === 0);
+  // An empty field is auto, one tile again.
+  await fill(page, '#more-texel-density', '');
+  assert.ok(await page.isDisabled('#more-udim'));
+  assert.match(await textOf(page, '#layout-info'), /^\d+ charts$/);
+});
+
+test('what is no number is marked, and the last one stays', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'ball.obj', objText(sphere(8)));
+  await page.click('#more-toggle');
+  await fill(page, '#more-texel-density', '50');
+  const before = await metrics(page);
+  for (const text of ['0', '-3']) {
+    await page.fill('#more-texel-density', text);
+    assert.equal(await page.getAttribute('#more-texel-density', 'aria-invalid'), 'true', text);
+  }
+  await page.locator('#more-texel-density').blur();
+  await settled(page);
+  assert.equal(await page.inputValue('#more-texel-density'), '50');
+  assert.equal(await page.getAttribute('#more-texel-density', 'aria-invalid'), 'false');
+  assert.deepEqual(await metrics(page), before);
+});
+
+for (const [name, width, height] of [
+  ['a small screen', 1280, 720],
+  ['a tablet', 820, 1180],
+  ['a narrow phone', 360, 740],
+]) {
+  test(`${name}: more options fit, follow in the order of Tab, and leave the views alone where there is room`, async (t) => {
+    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
+    await dropAndWait(page, 'rings.obj', RINGS);
+    const views = () =>
+      page.evaluate(() =>
+        ['mesh-canvas', 'layout-canvas'].map((id) =>
+          JSON.stringify(document.getElementById(id).getBoundingClientRect()),
+        ),
+      );
+    const before = await views();
+    await page.focus('#more-toggle');
+    await page.keyboard.press('Enter');
+    if (width > 1020) assert.deepEqual(await views(), before);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    // Without a density there is nothing to press for tiles.
+    for (const id of ['fill-holes', 't', 'texel-density', 'straight-seams', 'rotate']) {
+      await page.keyboard.press('Tab');
+      assert.equal(await page.evaluate(() => document.activeElement.id), `more-${id}`);
+      const box = await page.locator(`#more-${id}`).boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= width, `${id} is inside`);
+    }
+    for (const role of ['button', 'combobox', 'spinbutton', 'group']) {
+      const all = await page.getByRole(role).all();
+      const named = await page.getByRole(role, { name: /\w/ }).all();
+      assert.equal(named.length, all.length, `each ${role} has a name`);
+    }
+  });
+}
+
+test('options are named only where they are not as usual; tiles need a density', async () => {
+  const { changedOptions, defaultOptions, usedOptions } = await loadModule('more-options');
+  const usual = defaultOptions();
+  assert.deepEqual(changedOptions(usual), []);
+  assert.deepEqual(changedOptions({ ...usual, udim: true, texelDensity: 7.5, rotate: false }), [
+    'texel density 7.5',
+    'no rotation',
+    'UDIM tiles',
+  ]);
+  assert.equal(usedOptions({ ...usual, udim: true }).udim, false);
+  assert.equal(usedOptions({ ...usual, udim: true, texelDensity: 1 }).udim, true);
+});
+
+test('numbers are taken within the bounds of their option only', async () => {
+  const { fits } = await loadModule('number-field');
+  const whole = { type: 'integer', atLeast: 0, atMost: 256 };
+  for (const [value, expected] of [
+    [0, true],
+    [256, true],
+    [257, false],
+    [-1, false],
+    [1.5, false],
+    [Number.NaN, false],
+  ])
+    assert.equal(fits(value, whole), expected, String(value));
+  assert.equal(fits(0, { type: 'number', above: 0 }), false);
+  assert.equal(fits(1e-9, { type: 'number', above: 0 }), true);
+});
+
+test('tiles lie ten in a row, from 1001 on', async () => {
+  const { tileAt, tileFrames, tileGrid } = await loadModule('tiles');
+  assert.deepEqual(tileAt(0), { u: 0, v: 0, number: 1001 });
+  assert.deepEqual(tileAt(23), { u: 3, v: 2, number: 1024 });
+  assert.deepEqual(tileGrid(1), [1, 1]);
+  assert.deepEqual(tileGrid(11), [10, 2]);
+  const { points, sides } = tileFrames(12);
+  assert.equal(points.length, 12 * 8);
+  for (let i = 0; i < sides.length; i += 2) {
+    const [a, b] = [sides[i], sides[i + 1]];
+    const length = Math.hypot(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1]);
+    assert.equal(length, 1);
+  }
+});
+
+test('settings are the same when every one of them is', async () => {
+  const { sameSettings } = await loadModule('settings');
+  const { defaultOptions } = await loadModule('more-options');
+  const seamEdges = Uint32Array.of(0, 1);
+  const a = { mode: 'unwrap', maxStretch: 1.1, seams: 'none', ...defaultOptions() };
+  assert.ok(sameSettings(a, { ...a }));
+  assert.ok(!sameSettings(a, { ...a, straightSeams: true }));
+  assert.ok(!sameSettings(a, { ...a, seamEdges }));
+  assert.ok(!sameSettings({ ...a, seamEdges }, a));
+  assert.ok(sameSettings({ ...a, seamEdges }, { ...a, seamEdges }));
+  assert.ok(!sameSettings(a, { mode: 'flatten', t: 1, delaunay: false }));
+});

@@ -1,0 +1,122 @@
+import { CHART_COLORS } from './chart-colors';
+import { element } from './dom';
+import { download } from './download';
+import { count } from './format';
+import type { Unwrapped } from './lay-out';
+import { atlasPng, heatMapPng, pictureSize } from './layout-file/png-file';
+import { type AtlasDrawing, atlasSvg } from './layout-file/svg-text';
+import { NumberField } from './number-field';
+import { colorOfCharts, type FlatPicture, outcomePicture } from './picture';
+import type { Mode } from './settings';
+
+export interface LayoutBarEvents {
+  say(text: string): void;
+  failed(error: Error): void;
+}
+
+/** An atlas that can be saved. */
+interface Shown {
+  outcome: Unwrapped;
+  /** Null without WebGL. */
+  picture: FlatPicture | null;
+}
+
+/** Millimetres for a unit of the mesh. */
+const SCALE = { type: 'number', above: 0, words: { auto: 0 } };
+
+/** The bar below the layout, which saves the atlas as a picture. */
+export class LayoutBar {
+  private readonly bar = element('layout-tools', HTMLElement);
+  private readonly scale: NumberField<number | 'auto'>;
+  private readonly buttons: HTMLButtonElement[];
+  private shown: Shown | null = null;
+
+  constructor(private readonly events: LayoutBarEvents) {
+    this.scale = new NumberField<number | 'auto'>(
+      element('layout-scale', HTMLInputElement),
+      SCALE,
+      'auto',
+      () => undefined,
+    );
+    this.buttons = [
+      this.bind('layout-png', (shown) => this.savePng(shown)),
+      this.bind('layout-heat', (shown) => this.saveHeatMap(shown)),
+      this.bind('layout-svg', (shown) => this.saveSvg(shown)),
+    ];
+  }
+
+  setMode(mode: Mode): void {
+    this.bar.hidden = mode === 'flatten';
+  }
+
+  /** Null: there is none of the mesh on screen. */
+  show(shown: Shown | null): void {
+    this.shown = shown;
+    for (const button of this.buttons) button.disabled = shown === null;
+  }
+
+  private bind(id: string, save: (shown: Shown) => Promise<void>): HTMLButtonElement {
+    const button = element(id, HTMLButtonElement);
+    button.addEventListener('click', () => {
+      if (this.shown) save(this.shown).catch((error: Error) => this.events.failed(error));
+    });
+    return button;
+  }
+
+  private async savePng(shown: Shown): Promise<void> {
+    const drawing = drawingOf(shown);
+    this.save(shown, 'layout.png', await atlasPng(drawing), sizeText(drawing));
+  }
+
+  private async saveHeatMap(shown: Shown): Promise<void> {
+    const drawing = drawingOf(shown);
+    const file = await heatMapPng(drawing, pictureOf(shown).mesh.positions);
+    this.save(shown, 'heat-map.png', file, sizeText(drawing));
+  }
+
+  private async saveSvg(shown: Shown): Promise<void> {
+    const file = new Blob([atlasSvg(drawingOf(shown), this.scale.value)], {
+      type: 'image/svg+xml',
+    });
+    this.save(shown, 'layout.svg', file, `${count(Math.ceil(file.size / 1024))}\u202fKB`);
+  }
+
+  private save({ outcome }: Shown, kind: string, file: Blob, size: string): void {
+    const name = `${outcome.source.name.replace(/\.[^.]*$/, '')}-${kind}`;
+    download(name, file.type, file);
+    this.events.say(`Saved ${name}, ${size}`);
+  }
+}
+
+const pictureOf = ({ outcome, picture }: Shown) => picture ?? outcomePicture(outcome);
+
+function drawingOf(shown: Shown): AtlasDrawing {
+  const { result, mesh } = shown.outcome;
+  const { charts, atlas } = result.report;
+  const { resolution, tiles, texelDensity } = atlas;
+  return {
+    uv: result.uv,
+    indices: result.indices,
+    charts: result.chartOfTriangle,
+    faces: mesh.faces,
+    chartCount: charts.length,
+    resolution,
+    tiles,
+    texelDensity,
+    colors: colorsOf(pictureOf(shown), charts.length),
+  };
+}
+
+/** As css has them, in the theme that is on. */
+function colorsOf(picture: FlatPicture, chartCount: number): string[] {
+  const style = getComputedStyle(document.documentElement);
+  const palette = Array.from({ length: CHART_COLORS }, (_, i) =>
+    style.getPropertyValue(`--chart-${i}`).trim(),
+  );
+  return Array.from(colorOfCharts(picture, chartCount), (color) => palette[color]);
+}
+
+function sizeText(drawing: AtlasDrawing): string {
+  const { width, height } = pictureSize(drawing);
+  return `${count(width)}\u202f×\u202f${count(height)}\u202fpx`;
+}

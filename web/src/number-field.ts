@@ -1,0 +1,58 @@
+/** What an option of abflat may be. */
+export interface NumberRule {
+  readonly type: string;
+  readonly above?: number;
+  readonly atLeast?: number;
+  readonly atMost?: number;
+  readonly words?: Readonly<Record<string, number>>;
+}
+
+/** A field for a number within its bounds; where the option has the word `auto`, an empty field is that. */
+export class NumberField<T extends number | 'auto'> {
+  constructor(
+    private readonly input: HTMLInputElement,
+    private readonly rule: NumberRule,
+    public value: T,
+    private readonly changed: (value: T) => void,
+  ) {
+    input.type = 'number';
+    input.step = rule.type === 'integer' ? '1' : 'any';
+    input.inputMode = rule.type === 'integer' ? 'numeric' : 'decimal';
+    if (rule.atLeast !== undefined) input.min = String(rule.atLeast);
+    if (rule.atMost !== undefined) input.max = String(rule.atMost);
+    if (this.takesAuto) input.placeholder = 'auto';
+    this.show();
+    input.addEventListener('input', () => this.read());
+    input.addEventListener('change', () => this.show());
+  }
+
+  private get takesAuto(): boolean {
+    return this.rule.words?.auto !== undefined;
+  }
+
+  private show(): void {
+    this.input.value = this.value === 'auto' ? '' : String(this.value);
+    this.input.setAttribute('aria-invalid', 'false');
+  }
+
+  private read(): void {
+    const isEmpty = this.input.value === '' && !this.input.validity.badInput;
+    const value = isEmpty && this.takesAuto ? 'auto' : this.input.valueAsNumber;
+    const isUsable = value === 'auto' || fits(value, this.rule);
+    this.input.setAttribute('aria-invalid', String(!isUsable));
+    if (!isUsable || value === this.value) return;
+    this.value = value as T;
+    this.changed(this.value);
+  }
+}
+
+export function fits(value: number, rule: NumberRule): boolean {
+  const { above = -Infinity, atLeast = -Infinity, atMost = Infinity } = rule;
+  return (
+    Number.isFinite(value) &&
+    value > above &&
+    value >= atLeast &&
+    value <= atMost &&
+    (rule.type !== 'integer' || Number.isInteger(value))
+  );
+}
