@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { runAbflat } from '../support/run-abflat.mjs';
+import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { loadModule } from './modules.mjs';
@@ -65,6 +66,13 @@ test('more options change the atlas as those of the command line do, and are nam
     ...['--fill-holes', 'never', '--t', '1'],
     ...['--straight-seams', '--no-rotate'],
   ]);
+  // A disk in one piece has other options.
+  await dropAndWait(page, 'waves.obj', grid(4));
+  assert.ok(await page.isHidden('#unwrap-options'));
+  assert.ok(await page.isHidden('#more'));
+  await page.click('#mode-unwrap');
+  await settled(page);
+  assert.ok(await page.isVisible('#more'));
   await page.click('#more-toggle');
   assert.ok(await page.isHidden('#more'));
   assert.match(await textOf(page, '#more-state'), /^fill holes never/);

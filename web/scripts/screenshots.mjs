@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Pictures of the page in both themes, for the README: with each mesh, and a sample with its distortion plotted against t.
-// Usage: screenshots.mjs FOLDER MESH...   writes FOLDER/NAME-THEME.png and FOLDER/details-THEME.png
+// Pictures of the page in both themes, for the README: with each mesh, the charts of the last one, and a sample with its distortion plotted against t.
+// Usage: screenshots.mjs FOLDER MESH...   writes FOLDER/NAME-THEME.png, FOLDER/charts-THEME.png and FOLDER/details-THEME.png
 
 import { existsSync, mkdirSync, renameSync, statSync } from 'node:fs';
 import { join, parse } from 'node:path';
@@ -23,11 +23,26 @@ async function save(page, output) {
   console.log(`${output}, ${Math.ceil(statSync(output).size / 1024)} KB`);
 }
 
+/** The list of charts with the largest one locked, and all options. */
+async function listCharts(page) {
+  await page.click('#mode-unwrap');
+  await page.waitForFunction(() => !document.body.ariaBusy);
+  await page.click('#more-toggle');
+  await page.click('#details-toggle');
+  await page.locator('.lock').first().click();
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => !document.body.ariaBusy);
+  await page.locator('#stretch').blur();
+  await page.mouse.move(0, 0);
+}
+
 /** A sample that crosses itself unless some vertices are tightened. */
 async function plotAgainstT(page) {
   await page.selectOption('#sample', 'alpha-band');
   await page.waitForFunction(() => !document.body.ariaBusy);
-  await page.click('#details-toggle');
+  await page.click('#mode-flatten');
+  await page.waitForFunction(() => !document.body.ariaBusy);
   await page.click('#tab-sweep');
   await page.click('#sweep');
   await page.waitForFunction(() => document.querySelector('#sweep').textContent !== 'Stop');
@@ -50,6 +65,8 @@ async function photograph(url, meshes, theme, output) {
       if (refusal) throw new Failure(refusal);
       await save(page, output(parse(mesh).name));
     }
+    await listCharts(page);
+    await save(page, output('charts'));
     await plotAgainstT(page);
     await save(page, output('details'));
   } finally {

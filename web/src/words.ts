@@ -58,10 +58,7 @@ export function kept(outcome: Outcome): string {
   const { charts } = outcome.result.report;
   const known = charts.filter(({ solver }) => solver === 'known').length;
   const locked = charts.filter(({ fixed }) => fixed).length;
-  const of = `of ${counted(charts.length, 'chart')}`;
-  const parts = [
-    ...(known > 0 ? [`${count(known)} ${of} kept`] : []),
-    ...(locked > 0 ? [`${count(locked)} ${known > 0 ? '' : `${of} `}locked`] : []),
-  ];
-  return parts.length > 0 ? `; ${parts.join(', ')}` : '';
+  if (known > 0 && locked > 0) return `; ${count(known)} kept, ${count(locked)} locked`;
+  const [number, what] = known > 0 ? [known, 'kept'] : [locked, 'locked'];
+  return number > 0 ? `; ${count(number)} of ${counted(charts.length, 'chart')} ${what}` : '';
 }
