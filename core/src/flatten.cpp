@@ -111,7 +111,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   flattener.requireStraight(std::move(straight.value));
   const double setUp = watch.lap();
   Attempt best = flattenChart(flattener, t.value, options);
-  pin(flattener, pins.value.front(), best);
+  pin(flattener, pins.value.front(), {solver.allowedBytes, &pool}, best);
   if (best.solution.cancelled || monitor.stopped()) return aborted;
   timings = flattener.timings();
   timings.solve += setUp;

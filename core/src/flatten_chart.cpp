@@ -57,7 +57,8 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
   return madeDelaunay(flattener, std::move(best), untangle);
 }
 
-void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, Attempt& attempt) {
+void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const PinOptions& options,
+         Attempt& attempt) {
   if (pins.empty() || attempt.solution.cancelled) return;
   const DiskChart& chart = flattener.chart();
   std::vector<ChartPin> inUnits = pins;
@@ -65,11 +66,15 @@ void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, Attempt& 
     p.u /= chart.unit;
     p.v /= chart.unit;
   }
-  PinnedLayout layout = pinLayout(chart, flatAngles(chart, attempt), attempt.uv, inUnits);
+  flattener.endSolving();  // so that one factor is held at a time
+  PinnedLayout layout = pinLayout(chart, flatAngles(chart, attempt), attempt.uv, inUnits, options);
+  if (const std::string note = withoutFactorNote(layout.memory); !note.empty())
+    attempt.fallbacks.push_back("pins: " + note);
   if (!layout.isSolved)
     attempt.fallbacks.push_back(
-        "the linear system that spreads the pins is singular to the precision of numbers; only "
-        "the pinned vertices are moved");
+        "the linear system that spreads the pins is singular to the precision of numbers" +
+        std::string(layout.memory.fits() ? "" : ", or needs a factor: allow more memory") +
+        "; only the pinned vertices are moved");
   attempt.wasValidUnpinned = attempt.valid();
   attempt.uv = std::move(layout.uv);
   attempt.pins = PinReport{pins.size(), layout.deviation * chart.unit};

@@ -20,7 +20,8 @@ Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
 
 /// Moves the attempt's layout to where its pins are, and checks and measures it anew. Without pins
 /// it stays.
-void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, Attempt& attempt);
+void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const PinOptions& options,
+         Attempt& attempt);
 
 /// The layout in the mesh's unit, a power of two. Where that costs digits, the attempt becomes the
 /// layout that is left, measured anew; elsewhere all that is known about it holds digit by digit.

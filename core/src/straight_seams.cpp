@@ -12,31 +12,26 @@ namespace {
 constexpr double kCorner = kPi / 4;
 constexpr double kMostTurn = kPi / 2;
 
-/// Half-edges of the surface that are boundaries of charts.
-struct Outlines {
-  std::vector<std::vector<std::uint32_t>> ofChart;  ///< in the order of the chart's own boundary
-  std::vector<std::uint32_t> next;                  ///< per half-edge; kNone where it is none
-};
-
-Outlines findOutlines(const Surface& surface, const ChartSet& set) {
-  Outlines out;
-  out.next.assign(surface.table.twin.size(), kNone);
-  out.ofChart.resize(set.charts.size());
-  for (std::size_t i = 0; i < set.charts.size(); ++i) {
-    std::vector<std::uint32_t>& own = out.ofChart[i];
-    for (const std::uint32_t h : set.charts[i].boundary)
-      own.push_back(3 * set.triangles[i][h / 3] + h % 3);
-    for (std::size_t k = 0; k < own.size(); ++k) out.next[own[k]] = own[(k + 1) % own.size()];
-  }
-  return out;
-}
-
 /// Whether the seam, or the boundary of the surface, goes on from one half-edge to the next.
 bool goesOn(const Surface& surface, const Outlines& outlines, std::uint32_t from,
             std::uint32_t to) {
   const std::uint32_t behind = surface.table.twin[from], ahead = surface.table.twin[to];
   if (behind == kNone || ahead == kNone) return behind == ahead;
-  return behind != to && outlines.next[ahead] == behind;
+  return behind != to && outlines[ahead] == behind;
+}
+
+/// Per place of the chart's boundary.
+std::vector<std::uint8_t> goOn(const Surface& surface, const ChartSet& set, std::size_t chart,
+                               const Outlines& outlines) {
+  const std::vector<std::uint32_t>& boundary = set.charts[chart].boundary;
+  const auto onSurface = [&](std::uint32_t h) { return 3 * set.triangles[chart][h / 3] + h % 3; };
+  std::vector<std::uint8_t> out;
+  std::uint32_t before = boundary.back();
+  for (const std::uint32_t h : boundary) {
+    out.push_back(goesOn(surface, outlines, onSurface(before), onSurface(h)));
+    before = h;
+  }
+  return out;
 }
 
 /// By how much the boundary turns on the surface at each place, to the left.
@@ -105,18 +100,42 @@ void releaseAtChords(const DiskChart& chart, const std::vector<double>& turn,
 
 }  // namespace
 
-std::vector<StraightSeams> straightSeams(const Surface& surface, const ChartSet& set) {
-  const Outlines outlines = findOutlines(surface, set);
+Outlines findOutlines(const Surface& surface, const std::vector<std::uint8_t>& isCut) {
+  Outlines out(isCut.size(), kNone);
+  for (std::uint32_t h = 0; h < isCut.size(); ++h) {
+    if (isCut[h] == 0) continue;
+    out[h] = nextCorner(h);
+    while (isCut[out[h]] == 0) out[h] = nextCorner(surface.table.twin[out[h]]);
+  }
+  return out;
+}
+
+Outlines findOutlines(const Surface& surface, const ChartSet& set) {
+  std::vector<std::uint8_t> isCut(surface.table.twin.size(), 0);
+  for (std::size_t i = 0; i < set.charts.size(); ++i) {
+    const DiskChart& chart = set.charts[i];
+    const std::uint32_t corners = 3 * chart.surfaceTriangles();
+    for (std::uint32_t h = 0; h < corners; ++h)
+      isCut[3 * set.triangles[i][h / 3] + h % 3] = chart.twin[h] >= corners;
+  }
+  return findOutlines(surface, isCut);
+}
+
+bool hasSameEnds(const Surface& surface, const ChartSet& set, std::size_t chart, const Outlines& a,
+                 const Outlines& b) {
+  return goOn(surface, set, chart, a) == goOn(surface, set, chart, b);
+}
+
+std::vector<StraightSeams> straightSeams(const Surface& surface, const ChartSet& set,
+                                         const Outlines& outlines) {
   std::vector<StraightSeams> out(set.charts.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
     const DiskChart& chart = set.charts[i];
-    const std::vector<std::uint32_t>& edges = outlines.ofChart[i];
-    const std::size_t n = edges.size();
     const std::vector<double> turn = turns(chart);
     StraightPlaces& places = out[i].places;
-    for (std::size_t k = 0; k < n; ++k)
-      places.push_back(goesOn(surface, outlines, edges[(k + n - 1) % n], edges[k]) &&
-                       std::abs(turn[k]) <= kCorner);
+    places = goOn(surface, set, i, outlines);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (std::abs(turn[k]) > kCorner) places[k] = 0;
     const std::size_t ends = placesThatTurn(chart, places);
     double most = releaseTurning(turn, kMostTurn, places);
     // The sharpest run first, all of it: a bend in its middle would be no better.

@@ -130,34 +130,71 @@ void place(const Packing& packing, std::vector<FlatChart>& flat) {
     if (flat[i].isFixed) continue;
     const Placement& p = packing.placements[i];
     const std::vector<double>& from = flat[i].unpacked;
-    flat[i].uv.clear();
-    for (std::size_t k = 0; k < from.size(); k += 2)
-      flat[i].uv.insert(flat[i].uv.end(), {p.u(&from[k]) + p.column(), p.v(&from[k]) + p.row()});
+    flat[i].uv.resize(from.size());
+    for (std::size_t k = 0; k < from.size(); k += 2) {
+      flat[i].uv[k] = p.u(&from[k]) + p.column();
+      flat[i].uv[k + 1] = p.v(&from[k]) + p.row();
+    }
   }
 }
 
 Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
-               ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat,
+               ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat, Packing& packing,
                AtlasReport& atlas) {
-  PackOptions packing;
-  packing.resolution = options.resolution;
-  packing.padding = options.padding;
-  packing.rotate = options.rotate;
-  packing.texelDensity = options.texelDensity;
-  packing.udim = options.udim;
-  packing.pool = &pool;
-  packing.progress = [&](double share) { return monitor.tell(kPack, share); };
-  const Result<Packing> packed = pack(shapesOf(charts, flat), packing);
+  PackOptions how;
+  how.resolution = options.resolution;
+  how.padding = options.padding;
+  how.rotate = options.rotate;
+  how.texelDensity = options.texelDensity;
+  how.udim = options.udim;
+  how.pool = &pool;
+  how.progress = [&](double share) { return monitor.tell(kPack, share); };
+  Result<Packing> packed = pack(shapesOf(charts, flat), how);
   if (!packed.ok()) return packed.status;
-  place(packed.value, flat);
-  atlas = {options.resolution, options.padding, static_cast<int>(packed.value.tiles),
-           packed.value.utilization, packed.value.texelDensity};
+  packing = std::move(packed.value);
+  place(packing, flat);
+  atlas = {options.resolution, options.padding, static_cast<int>(packing.tiles),
+           packing.utilization, packing.texelDensity};
   return {};
 }
 
+/// What is needed to undo rounding. Charts that were packed can be placed once more.
+class BeforeRounding {
+ public:
+  explicit BeforeRounding(const std::vector<FlatChart>& flat) {
+    for (const FlatChart& chart : flat) {
+      const bool isPinned = chart.isFixed && !chart.isGiven;
+      uvOfPinned_.push_back(isPinned ? chart.uv : std::vector<double>());
+      hadProblem_.push_back(!chart.problem.empty());
+    }
+  }
+
+  /// Charts that have a problem since.
+  std::size_t lost(const std::vector<FlatChart>& flat) const {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < flat.size(); ++i)
+      out += !flat[i].problem.empty() && !hadProblem_[i];
+    return out;
+  }
+
+  /// Validity of all without a problem has to be decided anew.
+  void restore(const Packing& packing, std::vector<FlatChart>& flat) const {
+    place(packing, flat);
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      if (!uvOfPinned_[i].empty()) flat[i].uv = uvOfPinned_[i];
+      if (!hadProblem_[i]) flat[i].problem.clear();
+    }
+  }
+
+ private:
+  std::vector<std::vector<double>> uvOfPinned_;  ///< empty for others
+  std::vector<bool> hadProblem_;
+};
+
 /// All charts in the atlas, rounded or as they are.
-void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, ThreadPool& pool,
-              std::vector<FlatChart>& flat, UnwrapReport& report) {
+void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options,
+              const Packing& packing, ThreadPool& pool, std::vector<FlatChart>& flat,
+              UnwrapReport& report) {
   const auto check = [&] {
     parallelFor(&pool, flat.size(), [&](std::size_t i) {
       if (!flat[i].isGiven) checkInPlace(charts[i], flat[i]);
@@ -168,7 +205,7 @@ void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options
     report.notes.push_back("texcoords are in double precision: single is too coarse for " +
                            std::to_string(report.atlas.tiles) + " tiles");
   if (!options.roundsForGltf && !(options.roundsToSingle && isFine)) return check();
-  const std::vector<FlatChart> asTheyAre = flat;
+  const BeforeRounding before(flat);
   for (FlatChart& chart : flat) {
     if (chart.isGiven) continue;
     if (!chart.isFixed)
@@ -180,11 +217,9 @@ void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options
   }
   check();
   if (options.roundsForGltf) return;  // which holds nothing else
-  std::size_t lost = 0;
-  for (std::size_t i = 0; i < flat.size(); ++i)
-    lost += !flat[i].problem.empty() && asTheyAre[i].problem.empty();
+  const std::size_t lost = before.lost(flat);
   if (lost == 0) return;
-  flat = asTheyAre;
+  before.restore(packing, flat);
   check();
   report.notes.push_back("texcoords are in double precision: rounded to single, " +
                          std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
@@ -267,7 +302,7 @@ class Unwrapping {
     texcoords_ = numberTexcoords(welded_, surface_, set_);
     const Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, options_);
     if (!wishes.ok()) return wishes.status;
-    Result<std::vector<FlatChart>> known = knownCharts(cutMesh(), options_, *pool_);
+    Result<std::vector<FlatChart>> known = knownCharts(cutMesh(), wishes.value, options_, *pool_);
     if (!known.ok()) return known.status;
     flat_ = std::move(known.value);
     if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
@@ -278,11 +313,11 @@ class Unwrapping {
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
-    return packAll(set_.charts, options_, *pool_, monitor_, flat_, report_.atlas);
+    return packAll(set_.charts, options_, *pool_, monitor_, flat_, packing_, report_.atlas);
   }
 
   Status finish() {
-    checkAll(set_.charts, options_, *pool_, flat_, report_);
+    checkAll(set_.charts, options_, packing_, *pool_, flat_, report_);
     fillOutput(mesh_, welded_, surface_, set_, texcoords_, flat_, out_);
     out_.seams = seamEdges(mesh_, welded_, surface_, seams_);
     fillReport(set_, flat_, surface_, welded_, report_);
@@ -303,6 +338,7 @@ class Unwrapping {
   ChartSet set_;
   Texcoords texcoords_;
   std::vector<FlatChart> flat_;
+  Packing packing_;
 };
 
 }  // namespace

@@ -6,6 +6,22 @@
 
 namespace abflat {
 
+namespace {
+
+/// What no report needs: several times the memory of the layout.
+void dropUnknowns(Attempt& attempt) {
+  attempt.t = {};
+  attempt.uv = {};
+  AngleSolution& s = attempt.solution;
+  s.angles = {};
+  s.multipliers = {};
+  s.weight = {};
+  s.active = {};
+  s.activeEdge = {};
+}
+
+}  // namespace
+
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartWishes& wishes, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
@@ -27,13 +43,13 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   if (out.attempt.solution.cancelled) return out;
   out.unpacked = inMeshUnit(chart, out.attempt);
   if (!wishes.pins.empty()) {
-    pin(flattener, wishes.pins, out.attempt);
+    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, out.attempt);
     out.uv = inMeshUnit(chart, out.attempt);
     out.isFixed = true;
   }
   if (out.attempt.straight) out.attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, out.attempt);
-  out.attempt.uv = {};
+  dropUnknowns(out.attempt);
   return out;
 }
 

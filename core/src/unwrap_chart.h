@@ -13,7 +13,7 @@ namespace abflat {
 struct FlatChart {
   std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
   std::vector<double> uv;        ///< in the atlas
-  Attempt attempt;               ///< its own uv is gone
+  Attempt attempt;               ///< what reports need of it: no uv, no angles
   std::string problem;           ///< why it is not valid, one sentence; empty when it is
   bool isFixed = false;          ///< uv are those in the atlas from the start: packing leaves them
   bool isGiven = false;          ///< those of the input, which have been checked

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "straight_seams.h"
+
 namespace abflat {
 namespace {
 
@@ -72,8 +74,25 @@ std::vector<double> knownUv(const Known& known, const DiskChart& chart,
   return uv;
 }
 
+/// Those that charts had then.
+Outlines knownOutlines(const Known& known, const Surface& surface) {
+  const std::vector<std::uint32_t>& twin = surface.table.twin;
+  std::vector<std::uint8_t> isCut(twin.size(), 1);
+  const auto isOnePlace = [&](std::uint32_t a, std::uint32_t b) {
+    const double *p = known.uv(a / 3, a % 3), *q = known.uv(b / 3, b % 3);
+    return p[0] == q[0] && p[1] == q[1];
+  };
+  for (std::uint32_t h = 0; h < twin.size(); ++h) {
+    const std::uint32_t o = twin[h];
+    if (o != kNone && known.chartOf(h / 3) == known.chartOf(o / 3))
+      isCut[h] = !isOnePlace(h, nextCorner(o)) || !isOnePlace(nextCorner(h), o);
+  }
+  return findOutlines(surface, isCut);
+}
+
 /// Checked and measured as if it had just been solved.
-FlatChart takeOver(const DiskChart& chart, std::vector<double> unpacked) {
+FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
+                   std::vector<double> unpacked) {
   FlatChart out;
   Attempt& a = out.attempt;
   a.solver = "known";
@@ -83,6 +102,10 @@ FlatChart takeOver(const DiskChart& chart, std::vector<double> unpacked) {
   a.validity = checkSeparated(chart, a.uv);
   if (!a.validity.valid()) return {};
   a.distortion = measureDistortion(chart, a.uv);
+  if (!wishes.straight.empty()) {
+    a.straight = reportStraight(chart, wishes.straight, a.uv);
+    a.straight->released = wishes.released;
+  }
   a.uv = {};
   out.unpacked = std::move(unpacked);
   return out;
@@ -98,8 +121,9 @@ Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh
   return order;
 }
 
-Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh, const UnwrapOptions& options,
-                                           ThreadPool& pool) {
+Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh,
+                                           const std::vector<ChartWishes>& wishes,
+                                           const UnwrapOptions& options, ThreadPool& pool) {
   const std::vector<DiskChart>& charts = mesh.set.charts;
   std::vector<FlatChart> out(charts.size());
   const KnownLayout& layout = options.known;
@@ -107,14 +131,22 @@ Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh, const UnwrapOpti
   Result<TriangleOrder> order = knownTriangles(layout, mesh.input, mesh.welded, mesh.surface);
   if (!order.ok()) return order.status;
   Known known{layout, std::move(order.value), {}};
-  // Other angles were wanted then. What is straight depends on the charts around, too.
-  if (layout.t != options.t || layout.straightSeams || options.straightSeams) return out;
+  // Other angles were wanted then.
+  if (layout.t != options.t || layout.straightSeams != options.straightSeams) return out;
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
   for (std::uint32_t t = 0; t < known.order.ofTriangle.size(); ++t)
     ++known.trianglesOfChart[known.chartOf(t)];
+  // Where a seam ends, and with it what is straight, depends on the charts around.
+  Outlines before, now;
+  if (options.straightSeams) {
+    before = knownOutlines(known, mesh.surface);
+    now = findOutlines(mesh.surface, mesh.set);
+  }
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
     std::vector<double> uv = knownUv(known, charts[i], mesh.set.triangles[i]);
-    if (!uv.empty()) out[i] = takeOver(charts[i], std::move(uv));
+    if (uv.empty()) return;
+    if (options.straightSeams && !hasSameEnds(mesh.surface, mesh.set, i, before, now)) return;
+    out[i] = takeOver(charts[i], wishes[i], std::move(uv));
   });
   return out;
 }

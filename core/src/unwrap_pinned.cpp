@@ -28,7 +28,8 @@ Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoord
   if (!pins.ok()) return pins.status;
   for (std::size_t i = 0; i < out.size(); ++i) out[i].pins = std::move(pins.value[i]);
   if (!options.straightSeams) return out;
-  std::vector<StraightSeams> straight = straightSeams(mesh.surface, mesh.set);
+  std::vector<StraightSeams> straight =
+      straightSeams(mesh.surface, mesh.set, findOutlines(mesh.surface, mesh.set));
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i].straight = std::move(straight[i].places);
     out[i].released = straight[i].released;

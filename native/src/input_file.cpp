@@ -55,6 +55,14 @@ FileFormat fileFormat(MeshFormat format) {
   return FileFormat::Obj;
 }
 
+/// Of a file that is no glTF.
+MeshFormat meshFormat(FileFormat format) {
+  for (const MeshFormat known :
+       {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply, MeshFormat::Stl})
+    if (fileFormat(known) == format) return known;
+  return MeshFormat::Obj;
+}
+
 /// By its ending, or by its first bytes where that says nothing.
 bool isGltf(const std::string& path, std::string_view bytes) {
   const std::string ending = endingOf(path);
@@ -63,12 +71,21 @@ bool isGltf(const std::string& path, std::string_view bytes) {
   return !isOther && looksLikeGltf(bytes);
 }
 
-Status readGltfInput(const std::string& path, InputMesh& input) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const auto readBeside = [&](const std::string& name) {
-    return readBytes((folder / name).string());
+/// Files that are named relative to the one at `path`.
+ReadResource readBeside(const std::string& path) {
+  namespace fs = std::filesystem;
+  return [folder = fs::path(path).parent_path()](const std::string& name) -> Result<std::string> {
+    const std::string file = (folder / name).string();
+    std::error_code ignored;  // readBytes says what is wrong
+    if (fs::is_other(file, ignored))
+      return Status{StatusCode::UnreadableFile,
+                    "cannot read " + file + ": it is a device or a pipe"};
+    return readBytes(file);
   };
-  Result<GltfModel> model = readGltf(input.bytes, inputName(path), readBeside);
+}
+
+Status readGltfInput(const std::string& path, InputMesh& input) {
+  Result<GltfModel> model = readGltf(input.bytes, inputName(path), readBeside(path));
   if (!model.ok()) return model.status;
   std::string().swap(input.bytes);
   input.format = FileFormat::Gltf;
@@ -125,6 +142,12 @@ Result<InputMesh> readInput(const std::string& path, Repeated repeated) {
     if (out.gltf && repeated == Repeated::Join) joinRepeated(out);
     return out;
   });
+}
+
+void readLook(InputMesh& input) {
+  if (!input.gltf)
+    input.look =
+        readAppearance(input.bytes, meshFormat(input.format), input.mesh, readBeside(input.path));
 }
 
 }  // namespace abflat::cli

@@ -16,6 +16,7 @@ struct InputMesh {
   PolygonMesh mesh;
   std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
   std::shared_ptr<const gltf::Source> gltf;
+  Appearance look;  ///< of other formats, once readLook has been called
   std::string path;
 };
 
@@ -32,5 +33,9 @@ enum class Repeated {
 /// Reads a mesh from a file with the files that it refers to, or from standard input when `path` is
 /// "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
 Result<InputMesh> readInput(const std::string& path, Repeated repeated = Repeated::Join);
+
+/// Reads what a glTF can say of the mesh beyond its shape, also from files that the input refers
+/// to. A glTF has that already.
+void readLook(InputMesh& input);
 
 }  // namespace abflat::cli

@@ -19,21 +19,47 @@ bool hasTexcoords(const PolygonMesh& mesh, std::uint32_t face) {
   return true;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names)
+    if (!name.empty()) out += (out.empty() ? "'" : ", '") + name + "'";
+  return out;
+}
+
+/// Adds the faces of a material; several may have the same name.
+Status addMaterial(const std::string& name, const PolygonMesh& mesh,
+                   std::vector<std::uint32_t>& faces) {
+  const std::vector<std::string>& names = mesh.materialNames;
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const std::string known = listed(names);
+    return {StatusCode::InvalidOption,
+            "there is no material '" + name + "' to keep; " +
+                (known.empty() ? "no material of the mesh has a name" : "the mesh has " + known)};
+  }
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    if (names[mesh.faceMaterials[f]] == name) faces.push_back(f);
+  return {};
+}
+
 }  // namespace
 
 Result<KeptFaces> parseKept(const std::string& text) {
   KeptFaces out;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
-    const std::string file = valueOf(word, "file=");
+    const std::string file = valueOf(word, "file="), material = valueOf(word, "material=");
     if (word == "uv")
       out.hasUv = true;
     else if (!file.empty() && out.file.empty())
       out.file = file;
+    else if (!material.empty())
+      out.materials.push_back(material);
     else
-      return Status{StatusCode::InvalidOption, "'" + word + "' is not uv or one file=PATH"};
+      return Status{StatusCode::InvalidOption,
+                    "'" + word + "' is not uv, material=NAME or one file=PATH"};
   }
-  if (!out.any()) return Status{StatusCode::InvalidOption, "name what to keep: uv or file=PATH"};
+  if (!out.any())
+    return Status{StatusCode::InvalidOption, "name what to keep: uv, material=NAME or file=PATH"};
   return out;
 }
 
@@ -46,8 +72,11 @@ Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const Poly
     if (!listed.ok()) return listed;
     faces = std::move(listed.value);
   }
-  if (kept.hasUv && mesh.faceTexcoords.empty())
+  if ((kept.hasUv || !kept.materials.empty()) && mesh.faceTexcoords.empty())
     return Status{StatusCode::InvalidOption, name + ": the mesh has no texcoords to keep"};
+  for (const std::string& material : kept.materials)
+    if (Status s = addMaterial(material, mesh, faces); !s.ok())
+      return Status{s.code, name + ": " + s.message};
   for (std::uint32_t f = 0; f < mesh.faceCount() && kept.hasUv; ++f)
     if (hasTexcoords(mesh, f)) faces.push_back(f);
   std::sort(faces.begin(), faces.end());

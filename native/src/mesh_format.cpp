@@ -58,7 +58,7 @@ Result<std::string> layoutText(const InputMesh& input, const std::string& path, 
   if (format == FileFormat::Ply) return writePly(input.mesh, uv, cornerUv, source);
   if (format == FileFormat::Obj) return writeObj(input.mesh, uv, cornerUv, source);
   const bool isBinary = endingOf(path) == ".glb";
-  if (!input.gltf) return makeGltf(input.mesh, uv, cornerUv, isBinary);
+  if (!input.gltf) return makeGltf(input.mesh, uv, cornerUv, input.look, {isBinary, set});
   GltfWriteOptions options;
   options.isBinary = isBinary;
   options.texcoord = set;

@@ -20,7 +20,7 @@ bool isWritableName(const std::string& path);
 FileFormat writtenFormat(const std::string& path);
 
 /// The file to write as `path`: the input with these texcoords, see writeObj, writePly and
-/// writeGltf. `set` is the number of the texcoords in a glTF.
+/// writeGltf, makeGltf. `set` is the number of the texcoords in a glTF.
 /// Errors: CannotWrite.
 Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
                                const std::vector<double>& uv,

@@ -135,9 +135,11 @@ class MeshRun {
     const Clock::time_point begin = Clock::now();
     const std::string name = inputName(command_.input);
     const Result<std::string> layout = placed(name, [&] {
+      if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
       return layoutText(input_, command_.output, command_.texcoord, result.uv, result.cornerUv);
     });
     if (!layout.ok()) return layout.status;
+    notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());
     if (Status s = layout_.write(layout.value); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       const Result<std::string> text =

@@ -216,7 +216,7 @@ TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
   CHECK(r.report.atlas.texelDensity == most / 2);
   options.texelDensity = 2 * most;
   const Status s = unwrap(mesh, options).status;
-  CHECK(s.code == StatusCode::InvalidOption);
+  CHECK(s.code == StatusCode::AtlasTooSmall);
   CHECK(s.message.find("lower the density") != std::string::npos);
   options.udim = true;
   for (const bool rounds : {false, true}) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "abflat/unwrap.h"
 #include "catch.h"
@@ -100,6 +101,75 @@ TEST_CASE("only charts whose outline changes are solved", "[known]") {
                  edited.end());
     checkEdit(edited, 7, 6, 6);
   }
+}
+
+TEST_CASE("with straight seams charts whose seams end elsewhere are solved as well", "[known]") {
+  const PolygonMesh mesh = torus(24, 16);
+  const std::vector<EdgeVertices> edges = torusSeams(24, 16);
+  UnwrapOptions options = alongSeams(edges);
+  options.straightSeams = true;
+  const UnwrapResult before = unwrapped(mesh, options);
+  options.known = knownLayout(before);
+  const UnwrapResult again = unwrapped(mesh, options);
+  CHECK(known(again) == 8);
+  checkSameLayout(before, again);
+  for (std::size_t i = 0; i < 8; ++i) {
+    REQUIRE(again.report.charts[i].straight);
+    const StraightReport &a = *before.report.charts[i].straight,
+                         &b = *again.report.charts[i].straight;
+    CHECK(a.runs > 0);
+    CHECK(a.vertices > 0);
+    CHECK(std::tie(a.runs, a.vertices, a.released, a.deviation) ==
+          std::tie(b.runs, b.vertices, b.released, b.deviation));
+  }
+  const auto checkEdit = [&](const std::vector<EdgeVertices>& more, std::size_t kept) {
+    UnwrapOptions edit = options;
+    edit.known = {};
+    edit.seams.edges.insert(edit.seams.edges.end(), more.begin(), more.end());
+    const UnwrapResult solved = unwrapped(mesh, edit);
+    edit.known = knownLayout(before);
+    const UnwrapResult quick = unwrapped(mesh, edit);
+    CHECK(known(quick) == kept);
+    checkSameLayout(solved, quick);
+    options.known = knownLayout(quick);
+    const UnwrapResult back = unwrapped(mesh, options);
+    CHECK(known(back) == kept);
+    checkSameLayout(before, back);
+  };
+  SECTION("a slit from the middle of a seam ends it for the chart behind, too") {
+    checkEdit({{3, 27}, {27, 51}}, 6);
+  }
+  SECTION("a slit from a junction is no end for others") { checkEdit({{0, 25}, {25, 50}}, 7); }
+  SECTION("a chart is cut in two: one that lies behind both ends of the cut is solved, too") {
+    std::vector<EdgeVertices> across;
+    for (unsigned j = 0; j < 8; ++j) across.push_back({j * 24 + 3, (j + 1) * 24 + 3});
+    checkEdit(across, 6);
+  }
+  SECTION("with seams that are not straight nothing is known") {
+    options.straightSeams = false;
+    CHECK(known(unwrapped(mesh, options)) == 0);
+  }
+}
+
+TEST_CASE("straight seams after other automatic ones are those that solving gives", "[known]") {
+  std::vector<PolygonMesh> meshes = {torus(24, 16), cylinder(20, 14), bumpyGrid(24, 20, 0.9, 3)};
+  for (const char* file : {"spot-uv.obj", "beetle-nonmanifold.obj", "teapot-5parts.obj"})
+    if (PolygonMesh mesh = sharedMesh(file); mesh.faceCount() > 0) meshes.push_back(mesh);
+  std::size_t taken = 0;
+  for (const PolygonMesh& mesh : meshes) {
+    UnwrapOptions options, quick;
+    options.straightSeams = quick.straightSeams = true;
+    for (const double stretch : {1.1, 1.04, 1.05}) {
+      options.maxStretch = quick.maxStretch = stretch;
+      const Result<UnwrapResult> solved = unwrap(mesh, options), fast = unwrap(mesh, quick);
+      REQUIRE(solved.ok());
+      REQUIRE(fast.ok());
+      checkSameLayout(solved.value, fast.value);
+      taken += known(fast.value);
+      quick.known = knownLayout(fast.value);
+    }
+  }
+  CHECK(taken > 0);
 }
 
 TEST_CASE("what cannot be taken over is solved", "[known]") {

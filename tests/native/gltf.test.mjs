@@ -3,24 +3,14 @@
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import validator from 'gltf-validator';
 import { complaints } from '../support/atlas.mjs';
 import { elementsOf, GlbMaker, objOf, parseGltf, trianglesOf } from '../support/glb.mjs';
+import { errorsIn } from '../support/gltf-errors.mjs';
 import { richGltf, richTransform } from '../support/rich-gltf.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { sphere, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-
-/** What Khronos' validator calls errors in a file. */
-async function errorsIn(path, folder) {
-  const externalResourceFunction = async (uri) =>
-    new Uint8Array(readFileSync(folder(decodeURIComponent(uri))));
-  const report = await validator.validateBytes(new Uint8Array(readFileSync(path)), {
-    externalResourceFunction,
-  });
-  return report.issues.messages.filter((m) => m.severity === 0);
-}
 
 /** Runs unwrap on a file of a folder and reads what it wrote. */
 async function unwrapped(at, input, output, ...options) {

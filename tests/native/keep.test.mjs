@@ -89,6 +89,32 @@ test('uv: what has texcoords keeps them, what is new finds room', async (t) => {
   assertKept(before, await unwrapped(at, 'half.obj', '--keep', 'uv'), (face) => face < faces);
 });
 
+test('material: faces of materials keep their uv, those of others are made new', async (t) => {
+  const at = tempFolder(t);
+  const faces = await severalObjects(at);
+  const before = readFileSync(at('before.obj'), 'utf8');
+  let f = 0;
+  const painted = before.replaceAll(/^f .*/gm, (line) => {
+    const material = { 0: 'old wood#2', [faces]: 'new', [faces + 20]: 'metal' }[f++];
+    return material ? `usemtl ${material}\n${line}` : line;
+  });
+  writeFileSync(at('painted.obj'), painted);
+  const one = await unwrapped(at, 'painted.obj', '--keep', 'material=old wood#2');
+  assertKept(before, one, (face) => face < faces);
+  const { code } = await runAbflat(['unwrap', 'painted.obj', '-o', 'painted.glb'], { cwd: at() });
+  assert.equal(code, 0);
+  const list = 'material=old wood#2,material=new,material=metal';
+  assertKept(before, await unwrapped(at, 'painted.obj', '--keep', list), () => true);
+  for (const [input, known] of [
+    ['painted.obj', /no material 'gold' to keep; the mesh has 'old wood#2', 'new', 'metal'\n/],
+    ['painted.glb', /no material 'gold' to keep; the mesh has 'old wood#2', 'new', 'metal'\n/],
+    ['before.obj', /no material 'gold' to keep; no material of the mesh has a name\n/],
+  ]) {
+    const none = await unwrapped(at, input, '--keep', 'uv,material=gold');
+    assert.deepEqual([none.code, known.test(none.stderr)], [2, true], none.stderr);
+  }
+});
+
 test('PLY keeps the texcoords that it has, in single precision', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), surfaces.objText(surfaces.torus(20, 10)));
@@ -132,7 +158,7 @@ test('what cannot be kept is one sentence, and nothing is written', async (t) =>
   writeFileSync(at('many.txt'), '99999\n');
   for (const [input, keep, code, wanted] of [
     ['in.obj', 'uv', 2, /in\.obj: the mesh has no texcoords to keep/],
-    ['before.obj', 'all', 2, /--keep: 'all' is not uv or one file=PATH/],
+    ['before.obj', 'all', 2, /--keep: 'all' is not uv, material=NAME or one file=PATH/],
     ['before.obj', 'file=none.txt', 3, /none\.txt/],
     ['before.obj', 'file=bad.txt', 3, /bad\.txt:1: expected a face number, such as '17'/],
     ['before.obj', 'file=many.txt', 2, /face 99999 .* there are only/],
@@ -195,16 +221,26 @@ test('a texel density that does not fit says which would', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), surfaces.objText(surfaces.torus(24, 12)));
   const run = await unwrapped(at, 'in.obj', '--texel-density', '1000', '--resolution', '256');
-  assert.equal(run.code, 2);
+  assert.equal(run.code, 4);
   const [, density] = run.stderr.match(/do not fit one tile .* lower the density to (\S+), /);
   const again = await unwrapped(at, 'in.obj', '--texel-density', density, '--resolution', '256');
   assert.equal(again.code, 0);
   assert.deepEqual(complaints(again.text), []);
-  const huge = await unwrapped(at, 'in.obj', '--texel-density', '9999', '--udim');
-  assert.equal(huge.code, 2);
-  const [, side] = huge.stderr.match(/does not fit a tile .* raise the resolution to (\d+), /);
-  const larger = ['--texel-density', '9999', '--udim', '--resolution', side];
-  assert.equal((await unwrapped(at, 'in.obj', ...larger)).code, Number(side) > 32768 ? 2 : 0);
+  // At the second density no resolution that is allowed has room.
+  for (const [density, isAllowed] of [
+    ['300', true],
+    ['9999', false],
+  ]) {
+    const huge = await unwrapped(at, 'in.obj', '--texel-density', density, '--udim');
+    assert.equal(huge.code, 4);
+    const [, less] = huge.stderr.match(/does not fit a tile .*lower the density to ([^\s,]+)/);
+    const coarser = ['--texel-density', less, '--udim'];
+    assert.equal((await unwrapped(at, 'in.obj', ...coarser)).code, 0);
+    const side = huge.stderr.match(/raise the resolution to (\d+)/)?.[1];
+    assert.equal(side !== undefined, isAllowed, huge.stderr);
+    const finer = ['--texel-density', density, '--udim', '--resolution', side ?? '32768'];
+    assert.equal((await unwrapped(at, 'in.obj', ...finer)).code, isAllowed ? 0 : 4);
+  }
   const none = await unwrapped(at, 'in.obj', '--udim');
   assert.deepEqual([none.code, /texel density/.test(none.stderr)], [2, true], none.stderr);
 });

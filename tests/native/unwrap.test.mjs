@@ -56,6 +56,7 @@ const GENERATED = {
     ),
   'every defect': () => surfaces.defects(),
   isosurface: () => surfaces.isosurface(20),
+  'isosurface with tiny triangles': () => surfaces.withTinyTriangles(surfaces.isosurface(12)),
 };
 
 for (const [name, make] of Object.entries(GENERATED))

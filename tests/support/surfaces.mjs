@@ -214,6 +214,25 @@ export function unwelded({ positions, faces }) {
   return out;
 }
 
+/** A triangle of that share of the face amid every tenth one, and six between both. */
+export function withTinyTriangles({ positions, faces }, size = 5e-7) {
+  const out = { positions: [...positions], faces: [] };
+  for (const [f, face] of faces.entries()) {
+    if (f % 10 > 0 || face.length !== 3) {
+      out.faces.push(face);
+      continue;
+    }
+    const corners = face.map((v) => positions[v]);
+    const middle = [0, 1, 2].map((d) => corners.reduce((sum, p) => sum + p[d] / 3, 0));
+    const [a, b, c] = face;
+    const [p, q, r] = corners.map(
+      (x) => out.positions.push(middle.map((m, d) => m + size * (x[d] - m))) - 1,
+    );
+    out.faces.push([p, q, r], [a, b, q], [a, q, p], [b, c, r], [b, r, q], [c, a, p], [c, p, r]);
+  }
+  return out;
+}
+
 /** All that can be wrong with a mesh that has finite coordinates, at once. */
 export function defects() {
   const body = sphere(6);

@@ -20,6 +20,7 @@ import { addMesh, emptyDocument, io, primitiveOf, primitivesOf } from '../suppor
 import { sphere } from '../support/surfaces.mjs';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
+import { typesText } from './support/types-text.mjs';
 
 const MAX_BYTES = 400 * 1024;
 const BUILDS = { plain: 'abflat', simd: 'abflat-simd', threads: 'abflat-threads' };
@@ -189,7 +190,7 @@ test('the example of a comparison in the README runs', async () => {
 
 test('the README names every status, option and setting', () => {
   const text = readFileSync(join(ROOT, 'wasm/README.md'), 'utf8');
-  const types = readFileSync(join(DIST, 'types.d.ts'), 'utf8');
+  const types = typesText(DIST, '.d.ts');
   const fields = (name) =>
     [
       ...types

@@ -42,6 +42,21 @@ test('known: charts that an edit of the seams leaves alone are not solved, and t
   }
 });
 
+test('known: straight seams are kept where they end at the same places', async () => {
+  const mesh = arraysOf(torus(16, 8));
+  const straight = { seams: 'auto', straightSeams: true };
+  const first = await abflat.unwrap(mesh, straight);
+  const again = await abflat.unwrap(mesh, { ...straight, known: first });
+  assert.deepEqual(new Set(solvers(again)), new Set(['known']));
+  for (const key of ARRAYS) assert.deepEqual(again[key], first[key], key);
+  assert.deepEqual(
+    again.report.charts.map((chart) => chart.straight),
+    first.report.charts.map((chart) => chart.straight),
+  );
+  const bent = await abflat.unwrap(mesh, { seams: 'auto', known: first });
+  assert.ok(!solvers(bent).includes('known'), 'seams were straight then');
+});
+
 test('known: what is no result, or that of another mesh, is refused', async () => {
   const cube = await abflat.unwrap(arraysOf(CUBE));
   const { uv, ...rest } = cube;
@@ -145,7 +160,7 @@ test('texelDensity and udim: tiles beside each other at the scale that was asked
   await assertFails(
     abflat,
     abflat.unwrap(mesh, { texelDensity: 7e4 }),
-    'InvalidOption',
+    'AtlasTooSmall',
     /lower the density/,
   );
 });

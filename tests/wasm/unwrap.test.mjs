@@ -23,8 +23,9 @@ import {
   unwelded,
 } from '../support/surfaces.mjs';
 import { bytesOf, grid, objNumbers } from './support/meshes.mjs';
-import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
+import { MESHES, NATIVE, NEEDS_MESHES, SOURCES } from './support/paths.mjs';
 import { assertSameShape, assertSameText } from './support/same.mjs';
+import { typesText } from './support/types-text.mjs';
 import { arraysOf, assertFails, CUBE } from './support/unwrapping.mjs';
 
 let abflat;
@@ -320,6 +321,7 @@ const REFUSED = [
   [{ seamEdges: Uint32Array.of(0, 1, 2) }, /multiple of 2/],
   [{ seamEdges: Uint32Array.of(0, 99) }, /0-99.*99/],
   [{ seamEdges: Uint32Array.of(0, 7) }, /0-7 is no edge/],
+  [{ roundsForGltf: 1 }, /roundsForGltf must be true or false/],
   [{ fixedFaces: [0] }, /fixedFaces must be a Uint32Array/],
   [{ fixedFaces: Uint32Array.of(0) }, /the mesh has none/],
   [{ udim: true }, /texel density/],
@@ -332,6 +334,20 @@ for (const [options, pattern] of REFUSED) {
     await assertFails(abflat, abflat.unwrap(arraysOf(CUBE), options), 'InvalidOption', pattern);
   });
 }
+
+test('an atlas that is too small: AtlasTooSmall with what suffices', async () => {
+  const mesh = arraysOf(CUBE);
+  const options = { texelDensity: 1000, resolution: 256 };
+  const error = await abflat.unwrap(mesh, options).catch((e) => e);
+  assert.equal(error.code, 'AtlasTooSmall');
+  const [, density] = error.message.match(/lower the density to (\S+), raise/);
+  const [, side] = error.message.match(/raise the resolution to (\d+), or/);
+  for (const changes of [{ texelDensity: Number(density) }, { resolution: Number(side) }]) {
+    const { report } = await abflat.unwrap(mesh, { ...options, ...changes });
+    assert.equal(report.valid, true);
+    assert.equal(report.atlas.tiles, 1);
+  }
+});
 
 test('what is no mesh is refused as elsewhere', async () => {
   const mesh = arraysOf(CUBE);
@@ -357,7 +373,7 @@ test('lack of memory is said', async () => {
 
 test('the names of results are those of the types', async () => {
   const { report } = await abflat.unwrap(arraysOf(defects()), { obj: true });
-  const types = readFileSync(new URL('../../wasm/src/types.ts', import.meta.url), 'utf8');
+  const types = typesText(SOURCES, '.ts');
   /** Names of an interface's fields, also of the objects within, in their order. */
   const fields = (name) => {
     const [, body] = types.match(new RegExp(`interface ${name}[^{]*\\{\\n(.*?)\\n\\}`, 's'));

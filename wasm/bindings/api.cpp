@@ -140,10 +140,14 @@ EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);
 }
 
+/// What that layout was asked for.
 EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, bool straightSeams) {
   job->unwrapOptions.known.t = t;
   job->unwrapOptions.known.straightSeams = straightSeams;
 }
+
+/// Texcoords become what a glTF holds of them.
+EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) { job->unwrapOptions.roundsForGltf = true; }
 
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});

@@ -164,7 +164,8 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   seams.value.edges = std::move(job.unwrapOptions.seams.edges);
   job.unwrapOptions.seams = std::move(seams.value);
   job.unwrapOptions.progress = progress;
-  job.unwrapOptions.roundsToSingle = wanted.ply || !wanted.obj;
+  job.unwrapOptions.roundsToSingle =
+      !job.unwrapOptions.roundsForGltf && (wanted.ply || !wanted.obj);
   const auto compute = [&] {
     const double afterReading = peakMemory();
     Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);

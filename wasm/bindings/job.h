@@ -85,7 +85,7 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
 
 /// The same, `progress` as in UnwrapOptions. Texcoords are rounded to single precision, which is
 /// what graphics cards and PLY hold, unless OBJ alone is wanted, which is written as it is by the
-/// program.
+/// program, or to what a glTF holds where the options say so.
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// Fills what resultOf() returns but uv, and job.methods. `progress` as in CompareOptions, with the

@@ -122,9 +122,10 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
 
 function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promise<UnwrapResult> {
   checkKeys(options, KEYS.unwrap);
-  const { seams } = options;
+  const { seams, roundsForGltf } = options;
   if (seams !== undefined) checkString('seams', seams);
   const fixedCharts = chartNumbers(options.fixedCharts);
+  checkBoolean('roundsForGltf', roundsForGltf);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
@@ -133,6 +134,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     fixedFaces: faceNumbers(options.fixedFaces),
     fixedCharts,
     known: knownArrays(options.known, fixedCharts.length > 0),
+    roundsForGltf: roundsForGltf === true,
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }

@@ -5,13 +5,13 @@ import { type Build, buildOf } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import type { Glues } from './glue.js';
+import { FIELD, Heap, OutOfMemory, readString } from './heap.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
 import type {
   Answer,
   AnyProgress,
   Description,
   FlattenRequest,
-  KnownArrays,
   LayoutRequest,
   OwnedMesh,
   Request,
@@ -30,24 +30,6 @@ import type {
   UnwrapResult,
 } from './types.js';
 
-/** The numbers are those of `Field` in wasm/bindings/job.h. */
-const FIELD = {
-  uv: 0,
-  indices: 1,
-  vertexMap: 2,
-  positions: 3,
-  obj: 4,
-  ply: 5,
-  text: 6,
-  chartOfTriangle: 7,
-  seams: 8,
-  unpacked: 9,
-  faces: 10,
-} as const;
-
-/** Thrown through the module by its allocator. */
-class OutOfMemory extends Error {}
-
 interface Hooks {
   onProgress(progress: AnyProgress): void;
 }
@@ -63,19 +45,12 @@ export class Engine {
   /** After a trap the module's memory is in no defined state: this engine must not be used again. */
   isBroken = false;
   readonly #native: NativeModule;
-  readonly #memory: WebAssembly.Memory;
-  readonly #maxMemory: number;
+  readonly #heap: Heap;
   readonly #hooks: Hooks;
 
-  private constructor(
-    native: NativeModule,
-    memory: WebAssembly.Memory,
-    maxMemory: number,
-    hooks: Hooks,
-  ) {
+  private constructor(native: NativeModule, heap: Heap, hooks: Hooks) {
     this.#native = native;
-    this.#memory = memory;
-    this.#maxMemory = maxMemory;
+    this.#heap = heap;
     this.#hooks = hooks;
   }
 
@@ -120,11 +95,11 @@ export class Engine {
         },
       }).then(resolve, reject);
     });
-    return new Engine(native, memory, maxMemory, hooks);
+    return new Engine(native, new Heap(native, memory, maxMemory), hooks);
   }
 
   get heapBytes(): number {
-    return this.#memory.buffer.byteLength;
+    return this.#heap.bytes;
   }
 
   /** Throws AbflatError; when the module trapped or ran out of memory, `isBroken` is set then. */
@@ -161,9 +136,9 @@ export class Engine {
   #describe(): Description {
     const native = this.#native;
     const list = (count: number, name: (index: number) => number) =>
-      Array.from({ length: count }, (_, index) => readString(this.#memory, name(index)));
+      Array.from({ length: count }, (_, index) => this.#heap.readString(name(index)));
     return {
-      build: readString(this.#memory, native._abflatBuild()) as Build,
+      build: this.#heap.readString(native._abflatBuild()) as Build,
       statuses: list(native._abflatStatusCount(), native._abflatStatusName),
       samples: list(native._abflatSampleCount(), native._abflatSampleName),
     };
@@ -184,22 +159,24 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, fixedCharts, known } = request;
+    const { values, seams, seamEdges, fixedFaces, fixedCharts, known, roundsForGltf } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
-        if (seams !== undefined) this.#writeText(seams, (bytes) => native._abflatSeams(job, bytes));
-        this.#writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
-        this.#writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
-        this.#writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
-        if (known !== undefined) this.#writeKnown(job, known);
+        if (seams !== undefined)
+          this.#heap.writeText(seams, (bytes) => native._abflatSeams(job, bytes));
+        this.#heap.writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
+        this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
+        this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
+        if (known !== undefined) this.#heap.writeKnown(job, known);
+        if (roundsForGltf) native._abflatRoundsForGltf(job);
       },
       run: this.#native._abflatUnwrap,
       complete: (layout, job) => ({
         ...layout,
-        chartOfTriangle: new Uint32Array(this.#read(job, FIELD.chartOfTriangle)),
-        seams: new Uint32Array(this.#read(job, FIELD.seams)),
-        unpacked: new Float64Array(this.#read(job, FIELD.unpacked)),
+        chartOfTriangle: new Uint32Array(this.#heap.read(job, FIELD.chartOfTriangle)),
+        seams: new Uint32Array(this.#heap.read(job, FIELD.seams)),
+        unpacked: new Float64Array(this.#heap.read(job, FIELD.unpacked)),
       }),
     });
   }
@@ -210,21 +187,22 @@ export class Engine {
   ): T {
     const started = performance.now();
     return this.#withJob((job) => {
-      this.#writeMesh(job, mesh);
+      this.#heap.writeMesh(job, mesh);
       const written = performance.now();
       set(job, this.#native);
       for (const [vertex, u, v, face] of pins) this.#native._abflatAddPin(job, vertex, u, v, face);
       this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
       const layout: Layout<R> = {
-        uv: new Float64Array(this.#read(job, FIELD.uv)),
-        indices: new Uint32Array(this.#read(job, FIELD.indices)),
-        vertexMap: new Uint32Array(this.#read(job, FIELD.vertexMap)),
-        report: JSON.parse(this.#readText(job)) as R,
+        uv: new Float64Array(this.#heap.read(job, FIELD.uv)),
+        indices: new Uint32Array(this.#heap.read(job, FIELD.indices)),
+        vertexMap: new Uint32Array(this.#heap.read(job, FIELD.vertexMap)),
+        report: JSON.parse(this.#heap.readText(job)) as R,
       };
-      if ('bytes' in mesh) layout.positions = new Float64Array(this.#read(job, FIELD.positions));
-      if (wantsObj) layout.obj = new Uint8Array(this.#read(job, FIELD.obj));
-      if (wantsPly) layout.ply = new Uint8Array(this.#read(job, FIELD.ply));
+      if ('bytes' in mesh)
+        layout.positions = new Float64Array(this.#heap.read(job, FIELD.positions));
+      if (wantsObj) layout.obj = new Uint8Array(this.#heap.read(job, FIELD.obj));
+      if (wantsPly) layout.ply = new Uint8Array(this.#heap.read(job, FIELD.ply));
       const result = complete(layout, job);
       const { timings } = result.report;
       const now = performance.now();
@@ -242,51 +220,51 @@ export class Engine {
   }
 
   #compare(job: number, mesh: OwnedMesh): Comparison {
-    this.#writeMesh(job, mesh);
+    this.#heap.writeMesh(job, mesh);
     const native = this.#native;
     this.#check(job, native._abflatCompare(job));
-    const found = JSON.parse(this.#readText(job)) as Pick<
+    const found = JSON.parse(this.#heap.readText(job)) as Pick<
       Comparison,
       'version' | 'input' | 'methods'
     >;
     for (const [i, method] of found.methods.entries()) {
       const start = native._abflatMethodUvData(job, i);
-      method.uv = new Float64Array(this.#copy(start, native._abflatMethodUvSize(job, i)));
+      method.uv = new Float64Array(this.#heap.copy(start, native._abflatMethodUvSize(job, i)));
     }
     const result: Comparison = {
       ...found,
-      indices: new Uint32Array(this.#read(job, FIELD.indices)),
-      vertexMap: new Uint32Array(this.#read(job, FIELD.vertexMap)),
+      indices: new Uint32Array(this.#heap.read(job, FIELD.indices)),
+      vertexMap: new Uint32Array(this.#heap.read(job, FIELD.vertexMap)),
     };
-    if ('bytes' in mesh) result.positions = new Float64Array(this.#read(job, FIELD.positions));
+    if ('bytes' in mesh) result.positions = new Float64Array(this.#heap.read(job, FIELD.positions));
     return result;
   }
 
   #inspect(job: number, mesh: OwnedMesh): MeshSummary {
-    this.#writeMesh(job, mesh);
+    this.#heap.writeMesh(job, mesh);
     this.#check(job, this.#native._abflatInspect(job));
-    return JSON.parse(this.#readText(job)) as MeshSummary;
+    return JSON.parse(this.#heap.readText(job)) as MeshSummary;
   }
 
   #load(job: number, file: OwnedMesh): LoadedMesh {
-    this.#writeMesh(job, file);
+    this.#heap.writeMesh(job, file);
     this.#check(job, this.#native._abflatLoad(job));
     return {
       ...this.#readTriangles(job),
-      faces: new Uint32Array(this.#read(job, FIELD.faces)),
+      faces: new Uint32Array(this.#heap.read(job, FIELD.faces)),
     };
   }
 
   #sample(job: number, name: string, detail: number): TriangleMesh {
-    this.#writeName(job, name);
+    this.#heap.writeName(job, name);
     this.#check(job, this.#native._abflatSample(job, detail));
     return this.#readTriangles(job);
   }
 
   #readTriangles(job: number): TriangleMesh {
     return {
-      positions: new Float64Array(this.#read(job, FIELD.positions)),
-      indices: new Uint32Array(this.#read(job, FIELD.indices)),
+      positions: new Float64Array(this.#heap.read(job, FIELD.positions)),
+      indices: new Uint32Array(this.#heap.read(job, FIELD.indices)),
     };
   }
 
@@ -303,106 +281,16 @@ export class Engine {
     }
   }
 
-  /** Takes the mesh: its own buffers may go while the module works. */
-  #writeMesh(job: number, mesh: OwnedMesh): void {
-    this.#checkSize(mesh);
-    if ('bytes' in mesh) {
-      this.#writeName(job, mesh.name);
-      const source = this.#native._abflatSource(job, mesh.bytes.length) >>> 0;
-      new Uint8Array(this.#memory.buffer, source, mesh.bytes.length).set(mesh.bytes);
-      mesh.bytes = new Uint8Array();
-      return;
-    }
-    const native = this.#native;
-    const { positions, indices, texcoords, materials } = mesh;
-    this.#writeName(job, 'arrays');
-    this.#writeReals(native._abflatPositions(job, positions.length), positions);
-    this.#writeNumbers(native._abflatIndices(job, indices.length), indices);
-    if (texcoords) this.#writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
-    if (materials) this.#writeNumbers(native._abflatMaterials(job, materials.length), materials);
-    mesh.positions = new Float64Array();
-    mesh.indices = new Uint32Array();
-  }
-
-  #writeKnown(job: number, { t, straightSeams, arrays }: KnownArrays): void {
-    const entries = Object.entries(arrays);
-    this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
-    for (const [name, array] of entries) {
-      const start = this.#native._abflatKnown(
-        job,
-        FIELD[name as keyof typeof arrays],
-        array.length,
-      );
-      if (array instanceof Float64Array) this.#writeReals(start, array);
-      else this.#writeNumbers(start, array);
-    }
-    this.#native._abflatKnownOptions(job, t, straightSeams);
-  }
-
-  #checkSize(mesh: OwnedMesh): void {
-    const numbers = (array?: { length: number }) => array?.length ?? 0;
-    const bytes =
-      'bytes' in mesh
-        ? mesh.bytes.length
-        : 8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
-          4 * (numbers(mesh.indices) + numbers(mesh.materials));
-    this.#checkBytes(bytes);
-  }
-
-  /** Sizes beyond 32 bits must not reach the module. */
-  #checkBytes(bytes: number): void {
-    if (bytes >= this.#maxMemory) throw new OutOfMemory();
-  }
-
-  /** At an address as the module returns it. */
-  #writeReals(address: number, values: Float32Array | Float64Array): void {
-    new Float64Array(this.#memory.buffer, address >>> 0, values.length).set(values);
-  }
-
-  #writeNumbers(address: number, values: Uint32Array | Uint16Array): void {
-    new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
-  }
-
-  #writeName(job: number, name: string): void {
-    this.#writeText(name, (bytes) => this.#native._abflatName(job, bytes));
-  }
-
-  /** `room` gives the address for so many bytes. */
-  #writeText(text: string, room: (bytes: number) => number): void {
-    const bytes = new TextEncoder().encode(text);
-    const start = room(bytes.length) >>> 0;
-    new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
-  }
-
-  /** A copy of a result. */
-  #read(job: number, field: number): ArrayBuffer {
-    const start = this.#native._abflatResultData(job, field);
-    return this.#copy(start, this.#native._abflatResultSize(job, field));
-  }
-
-  /** Address and bytes as the module returns them. What is shared is neither transferred nor decoded, but its copy is. */
-  #copy(address: number, bytes: number): ArrayBuffer {
-    try {
-      return new Uint8Array(this.#memory.buffer, address >>> 0, bytes >>> 0).slice().buffer;
-    } catch (error) {
-      throw error instanceof RangeError ? new OutOfMemory() : error;
-    }
-  }
-
-  #readText(job: number): string {
-    return new TextDecoder().decode(this.#read(job, FIELD.text));
-  }
-
   #check(job: number, code: number): void {
     if (code === 0) return;
-    throw new AbflatError(STATUS_NAMES[code] ?? 'Internal', this.#readText(job));
+    throw new AbflatError(STATUS_NAMES[code] ?? 'Internal', this.#heap.readText(job));
   }
 
   #explain(error: unknown): AbflatError {
     if (error instanceof OutOfMemory) {
       return new AbflatError(
         'OutOfMemory',
-        `The mesh needs more memory than there is: abflat may use ${megabytes(this.#maxMemory)}` +
+        `The mesh needs more memory than there is: abflat may use ${megabytes(this.#heap.maxBytes)}` +
           ` and has ${megabytes(this.heapBytes)}. Use a mesh with fewer faces, or a larger maxMemory.`,
       );
     }
@@ -415,10 +303,4 @@ export class Engine {
 
 function ignore(): void {
   // Nobody listens.
-}
-
-/** A zero-terminated string. */
-function readString(memory: WebAssembly.Memory, pointer: number): string {
-  const bytes = new Uint8Array(memory.buffer, pointer >>> 0);
-  return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
 }

@@ -20,6 +20,7 @@ export const STATUS_NAMES = [
   'Aborted',
   'CannotWrite',
   'Internal',
+  'AtlasTooSmall',
 ] as const;
 
 export type StatusName = (typeof STATUS_NAMES)[number];
@@ -44,6 +45,7 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   Aborted: { exit: 4, text: 'the caller cancelled the run' },
   CannotWrite: { exit: 5, text: 'the output cannot be written' },
   Internal: { exit: 4, text: 'a defect of abflat; please report it with the mesh' },
+  AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message says which resolution or texel density they fit at' },
 };
 
 /** Exit codes of the command line program. */
@@ -52,7 +54,7 @@ export const EXIT_CODES = [
   { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says which' },
   { code: 2, name: 'Usage', text: 'the command line cannot be understood' },
   { code: 3, name: 'Unreadable', text: 'the input cannot be read: the message names file, place and what is wrong' },
-  { code: 4, name: 'NotFlattenable', text: 'the mesh was read but cannot be flattened: the message says why' },
+  { code: 4, name: 'NotFlattenable', text: 'the mesh was read but cannot be flattened, or not packed as asked: the message says why' },
   { code: 5, name: 'CannotWrite', text: 'the output cannot be written; an existing file is left as it was' },
 ] as const;
 

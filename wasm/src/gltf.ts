@@ -24,7 +24,7 @@ export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
 
 /** Those of `unwrap`, for all that is unwrapped, and */
 export interface UnwrapDocumentOptions
-  extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply' | 'seamEdges'> {
+  extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply' | 'seamEdges' | 'roundsForGltf'> {
   /** The new coordinates become TEXCOORD_`texcoord`. Default: 0. */
   texcoord?: number;
   /** Whether primitives that have that set get a new one; otherwise they stay as they are. Default: true. */
@@ -101,6 +101,7 @@ async function unwrapGroups(
       ...options,
       ...(onProgress && { onProgress: tell }),
       transfer: true,
+      roundsForGltf: true,
     });
     atlases.push({ parts: mesh.parts, result });
   }

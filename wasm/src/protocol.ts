@@ -65,6 +65,7 @@ export interface UnwrapRequest extends LayoutRequest {
   /** Of `known`. */
   fixedCharts: Uint32Array;
   known?: KnownArrays;
+  roundsForGltf: boolean;
 }
 
 export type Request =

@@ -26,6 +26,7 @@ export const KEYS = {
     'fixedFaces',
     'fixedCharts',
     'known',
+    'roundsForGltf',
     ...OF_LAYOUT,
   ],
   compare: ['onProgress', ...OF_CALL],
@@ -166,12 +167,9 @@ export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | und
   check('chartOfTriangle', 'Uint32Array');
   if (needsUv) check('uv', 'Float64Array');
   const { uv, unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
-  const straightSeams = report?.options?.straightSeams === true;
-  // What is straight depends on the charts around as well: nothing is taken over.
-  if (straightSeams && !needsUv) return undefined;
   return {
-    straightSeams,
     t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
+    straightSeams: report?.options?.straightSeams === true,
     arrays: {
       ...(needsUv && uv ? { uv: new Float64Array(uv) } : {}),
       unpacked: new Float64Array(unpacked),

@@ -62,6 +62,7 @@ export async function layOut(
     ...options,
     ...fromEarlier(source, kept, earlier),
     ...file,
+    roundsForGltf: format === 'glb',
     ...watch,
   });
   return { mode, source, mesh, gltf, settings, result };

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "abflat/appearance.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 
@@ -15,10 +15,6 @@ namespace abflat {
 namespace gltf {
 struct Source;  // the file, and how the mesh was made from it
 }
-
-/// Bytes of a file that a glTF refers to, by its path relative to the glTF.
-/// The message of an error says why it cannot be read.
-using ReadResource = std::function<Result<std::string>(const std::string& path)>;
 
 /// A glTF 2.0 file as one mesh: the triangles of all primitives of the scene, in the order of the
 /// file, each mesh where the first node that uses it puts it. Texcoords are those of TEXCOORD_0,
@@ -60,11 +56,19 @@ Result<std::string> writeGltf(const gltf::Source& source, const std::vector<doub
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options);
 
-/// A new .glb, or .gltf with its buffer in a data URI: the mesh as triangles with texcoords, a
-/// primitive for each material. `uv` may be empty: without texcoords. Errors: CannotWrite (a .glb
-/// of 4 GB).
+struct GltfMakeOptions {
+  bool isBinary = true;      ///< as in GltfWriteOptions
+  std::size_t texcoord = 0;  ///< likewise
+};
+
+/// A new .glb, or .gltf with its buffer in a data URI: the mesh as triangles with texcoords and
+/// what is known of its look, images included. A mesh and a node for each object, a primitive for
+/// each material of it, triangles in the order of the faces. Texcoords that the mesh has become set
+/// 0 where another one is written, and set 1 where set 0 is written and an image needs them. `uv`
+/// may be empty: without texcoords. Errors: CannotWrite (a .glb of 4 GB).
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
-                             const std::vector<std::uint32_t>& cornerUv, bool isBinary);
+                             const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
+                             const GltfMakeOptions& options);
 
 /// What new texcoords make stale, one sentence each.
 std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace abflat {
@@ -21,6 +22,7 @@ struct PolygonMesh {
   std::vector<double> texcoords;             ///< uv per texcoord, in no certain range
   std::vector<std::uint32_t> faceTexcoords;  ///< texcoord of each face corner, or kNoTexcoord
   std::vector<std::uint32_t> faceMaterials;  ///< per face; numbers by first appearance
+  std::vector<std::string> materialNames;    ///< by these numbers; empty for one without a name
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }

@@ -46,7 +46,8 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// where they put it, and the others go around it.
   std::vector<Pin> pins;
   /// Charts that have the triangles and the outline of one of these are not flattened again, which
-  /// is for changing seams little by little. No triangles: nothing is known.
+  /// is for changing seams little by little; with straight seams the ends of seams along it must be
+  /// the same, too. No triangles: nothing is known.
   KnownLayout known;
   /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
   /// them. Islands are bounded by edges with different texcoords on their two sides.
@@ -175,7 +176,7 @@ struct UnwrapResult {
 
 /// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square, or
 /// into as many as it takes. The result is valid when every chart is and none overlap.
-/// Errors: InvalidOption, InvalidMesh, EmptyMesh, Aborted.
+/// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
 
 /// What a later run may know of this one; rows of the table of vertices, not that of texcoords.

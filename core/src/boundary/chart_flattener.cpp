@@ -35,34 +35,73 @@ std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solu
          " more, to stay away from 0 and pi";
 }
 
-/// Points of the boundary on a grid of a millionth of their extent: single precision keeps more.
-std::vector<double> roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
+std::string reasonWithoutFactor(const FactorMemory& memory) {
+  if (memory.fits()) return {};
+  constexpr double kMegabyte = 1048576;
+  char out[120];
+  std::snprintf(out, sizeof out, "a factor of the matrix needs %.4g MB, allowed are %.4g MB",
+                static_cast<double>(memory.needed) / kMegabyte,
+                static_cast<double>(memory.allowed) / kMegabyte);
+  return out;
+}
+
+/// The boundary on a grid of a millionth of its extent: single precision keeps more. What is
+/// smaller than a few cells is left out, so that places near each other are those of different
+/// parts of the boundary.
+struct RoundedOutline {
   std::vector<double> points;
+  std::vector<std::uint32_t> place;  ///< of each point along the boundary
+};
+
+RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
+  const auto at = [&](std::size_t i, std::size_t d) {
+    return uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[chart.boundary[i]]) + d];
+  };
+  const std::size_t n = chart.boundary.size();
   double size = 0;
-  for (const std::uint32_t h : chart.boundary)
-    for (std::size_t d = 0; d < 2; ++d) {
-      points.push_back(uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[h]) + d]);
-      size = std::max(size, std::abs(points.back() - points[d]));
-    }
-  if (!(size > 0) || !std::isfinite(size)) return points;
-  const double grid = std::ldexp(1.0, std::ilogb(size) - 20);
-  for (double& x : points) x = std::round(x / grid) * grid;
-  return points;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(at(i, d) - at(0, d)));
+  const bool isRounded = size > 0 && std::isfinite(size);
+  const double grid = isRounded ? std::ldexp(1.0, std::ilogb(size) - 20) : 1;
+  constexpr double kFewCells = 2;
+  const auto isNear = [&](std::size_t i, std::size_t j) {
+    const double x = (at(i, 0) - at(j, 0)) / grid, y = (at(i, 1) - at(j, 1)) / grid;
+    return x * x + y * y < kFewCells * kFewCells;
+  };
+  RoundedOutline out;
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (i == 0 || !isRounded || !isNear(i, out.place.back())) out.place.push_back(i);
+  while (isRounded && out.place.size() > 1 && isNear(out.place.back(), 0)) out.place.pop_back();
+  for (const std::uint32_t i : out.place)
+    for (std::size_t d = 0; d < 2; ++d)
+      out.points.push_back(isRounded ? std::round(at(i, d) / grid) * grid : at(i, d));
+  return out;
 }
 
 }  // namespace
 
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
   Validity v = checkValidity(chart, uv);
-  if (v.valid()) v.crossings = findCrossings(roundedOutline(chart, uv));
+  if (!v.valid()) return v;
+  const RoundedOutline rounded = roundedOutline(chart, uv);
+  v.crossings = findCrossings(rounded.points);
+  for (auto& pair : v.crossings.first)
+    for (std::uint32_t& edge : pair) edge = rounded.place[edge];
   return v;
+}
+
+std::string withoutFactorNote(const FactorMemory& memory) {
+  if (memory.fits()) return {};
+  return reasonWithoutFactor(memory) + (memory.fitsInSingle()
+                                            ? "; single precision and conjugate gradients instead"
+                                            : "; conjugate gradients with multigrid instead");
 }
 
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
       problem_(buildAngleProblem(chart, options.pool)),
-      solver_(problem_, std::move(options), linear),
+      solver_(std::in_place, problem_, std::move(options), linear),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
 
 Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {
@@ -71,14 +110,12 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   setAllBounds(a.t);
   Stopwatch watch;
   const bool isDelaunay = !problem_.edgeCorners.empty();
-  a.solution = isDelaunay ? solver_.solveDelaunay(warm->solution)
-                          : solver_.solve(warm ? &warm->solution : nullptr);
+  a.solution = isDelaunay ? solver_->solveDelaunay(warm->solution)
+                          : solver_->solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
   if (a.solution.cancelled) return a;
-  if (const std::string note = memoryNote(); !note.empty() && !isDelaunay)
-    a.fallbacks.push_back(note + (solver_.memory().fitsInSingle()
-                                      ? "; single precision and conjugate gradients instead"
-                                      : "; conjugate gradients with multigrid instead"));
+  if (std::string note = withoutFactorNote(solver_->memory()); !note.empty() && !isDelaunay)
+    a.fallbacks.push_back(std::move(note));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
     a.fallbacks.push_back(
@@ -90,7 +127,7 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
       continue;
     Attempt b = a;
     watch.lap();
-    b.solution = solver_.solveWithFloor(floor);
+    b.solution = solver_->solveWithFloor(floor);
     timings_.solve += watch.lap();
     if (b.solution.cancelled) return b;
     b.fallbacks.push_back(withFloor(
@@ -106,16 +143,7 @@ void ChartFlattener::setAllBounds(const std::vector<double>& t) {
   setStraight(problem_, chart_, straight_);
 }
 
-std::string ChartFlattener::memoryNote() const {
-  const FactorMemory& memory = solver_.memory();
-  if (memory.fits()) return {};
-  constexpr double kMegabyte = 1048576;
-  char out[120];
-  std::snprintf(out, sizeof out, "a factor of the matrix needs %.4g MB, allowed are %.4g MB",
-                static_cast<double>(memory.needed) / kMegabyte,
-                static_cast<double>(memory.allowed) / kMegabyte);
-  return out;
-}
+std::string ChartFlattener::memoryNote() const { return reasonWithoutFactor(solver_->memory()); }
 
 void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, chart_, margin); }
 
@@ -126,7 +154,7 @@ std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
   AngleSolution best = from.solution;
   for (const double compliance : kCompliances) {
     problem_.edgeCompliance = compliance;
-    AngleSolution s = solver_.solveDelaunay(best);
+    AngleSolution s = solver_->solveDelaunay(best);
     if (s.cancelled) return {};
     if (!s.converged) break;
     best = std::move(s);

@@ -35,6 +35,9 @@ struct Attempt {
 /// that a valid layout stays so when it is moved and rounded.
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv);
 
+/// What is done without a factor, and why, one sentence; empty where it fits.
+std::string withoutFactorNote(const FactorMemory& memory);
+
 /// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
 class ChartFlattener {
  public:
@@ -65,6 +68,9 @@ class ChartFlattener {
   /// angle is respected.
   Attempt tutte(const std::string& reason);
 
+  /// Frees factors. There are to be no more attempts, but for Tutte's.
+  void endSolving() { solver_.reset(); }
+
   /// Checks and measures the layout of an attempt, whoever made it.
   void measure(Attempt& a);
 
@@ -83,7 +89,7 @@ class ChartFlattener {
 
   const DiskChart& chart_;
   AngleProblem problem_;
-  AngleSolver solver_;
+  std::optional<AngleSolver> solver_;  ///< until solving has ended
   std::function<void(const char*)> onStage_;
   Timings timings_;
   bool requiresSeparation_ = false;

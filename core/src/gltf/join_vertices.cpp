@@ -6,7 +6,7 @@ namespace abflat {
 
 std::size_t joinVertices(PolygonMesh& mesh) {
   if (inspect(mesh).disk.ok()) return 0;
-  const Welding welding = weldVertices(mesh.positions);
+  const Welding welding = weldSurface(mesh);
   for (std::uint32_t& v : mesh.faceVertices) v = welding.ofVertex[v];
   return welding.merged;
 }

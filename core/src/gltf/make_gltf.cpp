@@ -1,199 +1,196 @@
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
+#include <map>
+#include <utility>
 
 #include "abflat/gltf.h"
-#include "gltf/container.h"
-#include "gltf/json.h"
-#include "gltf/uri.h"
+#include "gltf/corner_table.h"
+#include "gltf/fresh_file.h"
 #include "mesh/triangulate.h"
 
 namespace abflat {
 namespace gltf {
 namespace {
 
-constexpr std::uint32_t kNoNumber = 0xffffffff;
+/// Faces of one object and material.
+struct PrimitiveKey {
+  std::uint32_t object = 0, material = 0;
 
-/// A buffer and the lists that describe it.
-class FreshFile {
+  bool operator<(const PrimitiveKey& o) const {
+    return std::pair(object, material) < std::pair(o.object, o.material);
+  }
+};
+
+class ModelMaker {
  public:
-  FreshFile() {
-    json_["asset"] = {{"generator", "abflat " ABFLAT_VERSION}, {"version", "2.0"}};
-    json_["scene"] = 0;
-    json_["scenes"] = Json::array({{{"nodes", {0}}}});
-    json_["nodes"] = Json::array({{{"mesh", 0}}});
-    json_["meshes"] = Json::array({{{"primitives", Json::array()}}});
-  }
+  ModelMaker(const PolygonMesh& mesh, const std::vector<double>& uv,
+             const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
+             const GltfMakeOptions& options)
+      : mesh_(mesh), uv_(uv), cornerUv_(cornerUv), look_(look), options_(options) {}
 
-  /// Returns the number of the accessor.
-  std::size_t add(const std::vector<float>& values, const char* type, std::size_t components) {
-    Json accessor = {
-        {"componentType", 5126}, {"count", values.size() / components}, {"type", type}};
-    return put(values.data(), values.size() * sizeof(float), 34962, std::move(accessor));
-  }
-
-  /// With the box that POSITION must have.
-  std::size_t addPositions(const std::vector<float>& values) {
-    Json least = Json::array(), most = Json::array();
-    for (std::size_t d = 0; d < 3; ++d) {
-      float lo = std::numeric_limits<float>::infinity(), hi = -lo;
-      for (std::size_t i = d; i < values.size(); i += 3) {
-        lo = std::min(lo, values[i]);
-        hi = std::max(hi, values[i]);
-      }
-      least.push_back(lo);
-      most.push_back(hi);
+  Result<std::string> make() {
+    findPrimitives();
+    CornerTable table(mesh_.vertexCount(), keys_.size());
+    const Triangulation triangles = triangulate(mesh_);
+    for (std::size_t i = 0; i < triangles.corner.size(); ++i) {
+      const std::uint32_t primitive = primitiveOfFace_[triangles.face[i / 3]];
+      table.add(cornerOf(triangles.vertex[i], triangles.corner[i], primitive), primitive);
     }
-    const std::size_t accessor = add(values, "VEC3", 3);
-    json_["accessors"][accessor]["min"] = std::move(least);
-    json_["accessors"][accessor]["max"] = std::move(most);
-    return accessor;
+    // Primitives of an object are together, in the order in which objects and materials appear.
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      if (i == 0 || keys_[i].object != keys_[i - 1].object) file_.addMesh(nameOf(keys_[i].object));
+      addPrimitive(table.primitives()[i], keys_[i].material);
+    }
+    return file_.finish(options_.isBinary);
   }
 
-  std::size_t addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
-    Json accessor = {{"componentType", 5125}, {"count", indices.size()}, {"type", "SCALAR"}};
-    if (vertices > std::numeric_limits<std::uint16_t>::max())
-      return put(indices.data(), indices.size() * sizeof(std::uint32_t), 34963, accessor);
-    const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-    accessor["componentType"] = 5123;
-    return put(narrow.data(), narrow.size() * sizeof(std::uint16_t), 34963, accessor);
-  }
-
-  void addPrimitive(Json primitive) {
-    json_["meshes"][0]["primitives"].push_back(std::move(primitive));
-  }
-
-  std::size_t addMaterial(const std::string& name) {
-    json_["materials"].push_back(name.empty() ? Json::object() : Json{{"name", name}});
-    return json_["materials"].size() - 1;
-  }
-
-  Result<std::string> finish(bool isBinary) {
-    json_["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
-    const auto text = [&](int indent) {
-      return json_.dump(indent, ' ', false, Json::error_handler_t::replace);
+ private:
+  void findPrimitives() {
+    const auto keyOf = [&](std::size_t face) {
+      return PrimitiveKey{look_.faceObjects.empty() ? 0 : look_.faceObjects[face],
+                          mesh_.faceMaterials.empty() ? 0 : mesh_.faceMaterials[face]};
     };
-    if (isBinary) return binaryFile(text(-1), buffer_, {});
-    json_["buffers"][0]["uri"] = dataUri(buffer_);
-    return text(2) + "\n";
-  }
-
- private:
-  std::size_t put(const void* values, std::size_t size, int target, Json accessor) {
-    buffer_.resize((buffer_.size() + 3) / 4 * 4);
-    const std::size_t begin = buffer_.size();
-    buffer_.append(static_cast<const char*>(values), size);
-    accessor["bufferView"] = json_["bufferViews"].size();
-    json_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", size}, {"target", target}});
-    json_["accessors"].push_back(std::move(accessor));
-    return json_["accessors"].size() - 1;
-  }
-
-  Json json_;
-  std::string buffer_;
-};
-
-/// Vertices of the primitives, each once for all that a corner refers to.
-class CornerTable {
- public:
-  struct Corner {
-    std::uint32_t vertex, texcoord, normal;
-  };
-  struct PrimitiveVertices {
-    std::vector<Corner> corners;  ///< by vertex of the primitive
-    std::vector<std::uint32_t> indices;
-  };
-
-  CornerTable(std::size_t vertices, std::size_t primitives)
-      : newest_(vertices, kNoNumber), primitives_(primitives) {}
-
-  void add(const Corner& corner, std::uint32_t primitive) {
-    PrimitiveVertices& out = primitives_[primitive];
-    std::uint32_t at = newest_[corner.vertex];
-    while (at != kNoNumber && !entries_[at].is(corner, primitive)) at = entries_[at].older;
-    if (at == kNoNumber) {
-      at = static_cast<std::uint32_t>(entries_.size());
-      entries_.push_back({corner, primitive, static_cast<std::uint32_t>(out.corners.size()),
-                          newest_[corner.vertex]});
-      newest_[corner.vertex] = at;
-      out.corners.push_back(corner);
+    std::map<PrimitiveKey, std::uint32_t> numbers;
+    for (std::size_t f = 0; f < mesh_.faceCount(); ++f) numbers.emplace(keyOf(f), 0);
+    for (auto& [key, number] : numbers) {
+      number = static_cast<std::uint32_t>(keys_.size());
+      keys_.push_back(key);
     }
-    out.indices.push_back(entries_[at].number);
+    for (std::size_t f = 0; f < mesh_.faceCount(); ++f)
+      primitiveOfFace_.push_back(numbers[keyOf(f)]);
   }
 
-  const std::vector<PrimitiveVertices>& primitives() const { return primitives_; }
+  std::string nameOf(std::uint32_t object) const {
+    return object < look_.objectNames.size() ? look_.objectNames[object] : std::string();
+  }
 
- private:
-  struct Entry {
-    Corner corner;
-    std::uint32_t primitive, number, older;  ///< older: entry of the same vertex of the mesh
+  /// Texcoords that the mesh had are of use beside the new ones, or where an image is painted on
+  /// them.
+  bool keepsOld(std::uint32_t material) const {
+    const bool hasImage =
+        material < look_.materials.size() && look_.materials[material].image != kNoImage;
+    return !mesh_.faceTexcoords.empty() && (options_.texcoord > 0 || hasImage);
+  }
 
-    bool is(const Corner& c, std::uint32_t p) const {
-      return primitive == p && corner.texcoord == c.texcoord && corner.normal == c.normal;
+  Corner cornerOf(std::uint32_t vertex, std::uint32_t corner, std::uint32_t primitive) const {
+    Corner out;
+    out.vertex = vertex;
+    if (!uv_.empty()) out.texcoord = cornerUv_[corner];
+    if (keepsOld(keys_[primitive].material)) out.oldTexcoord = mesh_.faceTexcoords[corner];
+    if (!look_.faceNormals.empty()) out.normal = look_.faceNormals[corner];
+    return out;
+  }
+
+  void addPrimitive(const CornerTable::PrimitiveVertices& vertices, std::uint32_t material) {
+    Json primitive;
+    primitive["attributes"] = attributesOf(vertices.corners, keepsOld(material));
+    primitive["indices"] = file_.addIndices(vertices.indices, vertices.corners.size());
+    primitive["material"] = materialNumber(material);
+    file_.addPrimitive(std::move(primitive));
+  }
+
+  /// Values of the corners, three each.
+  static std::vector<float> triples(const std::vector<double>& values,
+                                    const std::vector<Corner>& corners,
+                                    std::uint32_t Corner::*number) {
+    std::vector<float> out;
+    out.reserve(3 * corners.size());
+    for (const Corner& corner : corners)
+      for (std::size_t d = 0; d < 3; ++d)
+        out.push_back(static_cast<float>(values[3 * std::size_t{corner.*number} + d]));
+    return out;
+  }
+
+  /// With v downwards; 0 where a corner has none.
+  std::size_t addTexcoords(const std::vector<double>& uv, const std::vector<Corner>& corners,
+                           std::uint32_t Corner::*number) {
+    std::vector<float> out;
+    out.reserve(2 * corners.size());
+    for (const Corner& corner : corners) {
+      const std::size_t at = 2 * std::size_t{corner.*number};
+      const bool hasOne = corner.*number != kNoNumber;
+      out.push_back(hasOne ? static_cast<float>(uv[at]) : 0);
+      out.push_back(hasOne ? static_cast<float>(1 - uv[at + 1]) : 0);
     }
-  };
-
-  std::vector<std::uint32_t> newest_;  ///< entry by vertex of the mesh
-  std::vector<Entry> entries_;
-  std::vector<PrimitiveVertices> primitives_;
-};
-
-/// The values of the corners, `size` numbers each; where a corner has none: 0.
-std::vector<float> gathered(const std::vector<double>& values, std::size_t size,
-                            const std::vector<CornerTable::Corner>& corners,
-                            std::uint32_t CornerTable::Corner::*number) {
-  std::vector<float> out;
-  out.reserve(size * corners.size());
-  for (const CornerTable::Corner& corner : corners)
-    for (std::size_t d = 0; d < size; ++d)
-      out.push_back(static_cast<float>(values[size * (corner.*number) + d]));
-  return out;
-}
-
-Json attributesOf(const CornerTable::PrimitiveVertices& vertices, const PolygonMesh& mesh,
-                  const std::vector<double>& uv, FreshFile& file) {
-  using Corner = CornerTable::Corner;
-  Json out = Json::object();
-  out["POSITION"] =
-      file.addPositions(gathered(mesh.positions, 3, vertices.corners, &Corner::vertex));
-  if (uv.empty()) return out;
-  std::vector<float> texcoords;
-  for (const Corner& corner : vertices.corners) {
-    texcoords.push_back(static_cast<float>(uv[2 * std::size_t{corner.texcoord}]));
-    texcoords.push_back(static_cast<float>(1 - uv[2 * std::size_t{corner.texcoord} + 1]));
+    return file_.addFloats(out, "VEC2", 2);
   }
-  out["TEXCOORD_0"] = file.add(texcoords, "VEC2", 2);
-  return out;
-}
+
+  std::size_t addColors(const std::vector<Corner>& corners) {
+    std::vector<std::uint16_t> out;
+    out.reserve(4 * corners.size());
+    for (const Corner& corner : corners)
+      for (std::size_t d = 0; d < 4; ++d)
+        out.push_back(static_cast<std::uint16_t>(
+            std::lround(65535 * look_.colors[4 * std::size_t{corner.vertex} + d])));
+    return file_.addColors(out);
+  }
+
+  Json attributesOf(const std::vector<Corner>& corners, bool hasOld) {
+    Json out = Json::object();
+    out["POSITION"] = file_.addPositions(triples(mesh_.positions, corners, &Corner::vertex));
+    if (!look_.faceNormals.empty())
+      out["NORMAL"] = file_.addFloats(triples(look_.normals, corners, &Corner::normal), "VEC3", 3);
+    if (!look_.colors.empty()) out["COLOR_0"] = addColors(corners);
+    if (uv_.empty()) return out;
+    const std::size_t fresh = addTexcoords(uv_, corners, &Corner::texcoord);
+    const std::size_t last = std::max(options_.texcoord, hasOld ? oldSet() : 0);
+    for (std::size_t set = 0; set <= last; ++set)
+      out["TEXCOORD_" + std::to_string(set)] =
+          hasOld && set == oldSet() ? addTexcoords(mesh_.texcoords, corners, &Corner::oldTexcoord)
+                                    : fresh;
+    return out;
+  }
+
+  std::size_t oldSet() const { return options_.texcoord == 0 ? 1 : 0; }
+
+  /// Of a material of the mesh, which is added when it is first used.
+  std::size_t materialNumber(std::uint32_t material) {
+    const auto known = materials_.find(material);
+    if (known != materials_.end()) return known->second;
+    const MaterialLook look =
+        material < look_.materials.size() ? look_.materials[material] : MaterialLook();
+    Json json = Json::object();
+    if (material < mesh_.materialNames.size() && !mesh_.materialNames[material].empty())
+      json["name"] = mesh_.materialNames[material];
+    Json& surface = json["pbrMetallicRoughness"];
+    if (look.baseColor != MaterialLook().baseColor) surface["baseColorFactor"] = look.baseColor;
+    if (look.image != kNoImage) {
+      surface["baseColorTexture"]["index"] = textureNumber(look.image);
+      if (keepsOld(material) && oldSet() > 0) surface["baseColorTexture"]["texCoord"] = oldSet();
+    }
+    surface["metallicFactor"] = look.metallic;
+    if (look.roughness != 1) surface["roughnessFactor"] = look.roughness;
+    if (look.emission != MaterialLook().emission) json["emissiveFactor"] = look.emission;
+    if (look.baseColor[3] < 1) json["alphaMode"] = "BLEND";
+    return materials_[material] = file_.addMaterial(std::move(json));
+  }
+
+  std::size_t textureNumber(std::size_t image) {
+    const auto known = textures_.find(image);
+    if (known != textures_.end()) return known->second;
+    const ImageFile& file = look_.images[image];
+    return textures_[image] = file_.addTexture(file.name, file.mimeType, file.bytes);
+  }
+
+  const PolygonMesh& mesh_;
+  const std::vector<double>& uv_;
+  const std::vector<std::uint32_t>& cornerUv_;
+  const Appearance& look_;
+  const GltfMakeOptions& options_;
+  FreshFile file_;
+  std::vector<PrimitiveKey> keys_;              ///< by primitive
+  std::vector<std::uint32_t> primitiveOfFace_;  ///< of the mesh
+  std::map<std::uint32_t, std::size_t> materials_;
+  std::map<std::size_t, std::size_t> textures_;
+};
 
 }  // namespace
 }  // namespace gltf
 
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
-                             const std::vector<std::uint32_t>& cornerUv, bool isBinary) {
-  const auto materialOf = [&](std::uint32_t face) {
-    return mesh.faceMaterials.empty() ? 0u : mesh.faceMaterials[face];
-  };
-  std::uint32_t materials = 1;
-  for (const std::uint32_t m : mesh.faceMaterials) materials = std::max(materials, m + 1);
-  gltf::CornerTable table(mesh.vertexCount(), materials);
-  const Triangulation triangles = triangulate(mesh);
-  for (std::size_t i = 0; i < triangles.corner.size(); ++i) {
-    const std::uint32_t corner = triangles.corner[i];
-    table.add({triangles.vertex[i], uv.empty() ? 0 : cornerUv[corner], gltf::kNoNumber},
-              materialOf(triangles.face[i / 3]));
-  }
-  gltf::FreshFile file;
-  for (const gltf::CornerTable::PrimitiveVertices& vertices : table.primitives()) {
-    if (vertices.indices.empty()) continue;
-    gltf::Json primitive;
-    primitive["attributes"] = gltf::attributesOf(vertices, mesh, uv, file);
-    primitive["indices"] = file.addIndices(vertices.indices, vertices.corners.size());
-    primitive["material"] = file.addMaterial("");
-    file.addPrimitive(std::move(primitive));
-  }
-  return file.finish(isBinary);
+                             const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
+                             const GltfMakeOptions& options) {
+  return gltf::ModelMaker(mesh, uv, cornerUv, look, options).make();
 }
 
 }  // namespace abflat

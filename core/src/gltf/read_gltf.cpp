@@ -49,7 +49,10 @@ class ModelReader {
     settleTexcoords(model_.mesh);
     source_.vertexCount = static_cast<std::uint32_t>(model_.mesh.vertexCount());
     source_.faceVertices = model_.mesh.faceVertices;
-    if (materials_.size() < 2) model_.mesh.faceMaterials = {};
+    if (materials_.size() < 2 && materials_.count(kNone) == materials_.size())
+      model_.mesh.faceMaterials = {};
+    else
+      nameMaterials();
     addNotes();
     return {};
   }
@@ -189,6 +192,17 @@ class ModelReader {
       mesh.faceMaterials.push_back(number);
     }
     part.faceCount = static_cast<std::uint32_t>(triangles.size() / 3);
+  }
+
+  void nameMaterials() {
+    model_.mesh.materialNames.resize(materials_.size());
+    for (const auto& [material, number] : materials_) {
+      if (material == kNone) continue;
+      const Json& json = document_.json["materials"][material];
+      const auto name = json.is_object() ? json.find("name") : json.end();
+      if (name != json.end() && name->is_string())
+        model_.mesh.materialNames[number] = name->get<std::string>();
+    }
   }
 
   void addNotes() {

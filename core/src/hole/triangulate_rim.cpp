@@ -10,21 +10,6 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Sum of the cross products of neighbours, seen from the first point: twice the area vector.
-Vec3 areaVector(const std::vector<Vec3>& p) {
-  Vec3 sum{};
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-    Vec3 a, b;
-    for (std::size_t d = 0; d < 3; ++d) {
-      a[d] = p[i][d] - p[0][d];
-      b[d] = p[i + 1][d] - p[0][d];
-    }
-    const Vec3 n = cross(a, b);
-    for (std::size_t d = 0; d < 3; ++d) sum[d] += n[d];
-  }
-  return sum;
-}
-
 /// Onto the plane across `normal`; empty where there is none.
 std::vector<std::array<double, 2>> project(const std::vector<Vec3>& points, Vec3 normal) {
   const double length = norm(normal);

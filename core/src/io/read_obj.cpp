@@ -104,18 +104,17 @@ class ObjReader {
   /// Names may hold blanks and #. Faces before the first have a material of their own.
   void material(std::string_view line) {
     if (takeWord(line) != "usemtl") return;
-    const std::size_t begin = line.find_first_not_of(" \t\r\n");
-    const std::string_view name =
-        begin == std::string_view::npos
-            ? std::string_view()
-            : line.substr(begin, line.find_last_not_of(" \t\r\n") + 1 - begin);
+    const std::string_view name = restOfLine(line);
     if (materials_.empty() && mesh_.faceCount() > 0) {
       mesh_.faceMaterials.assign(mesh_.faceCount(), 0);
       materials_.emplace("", 0);
+      mesh_.materialNames.emplace_back();
     }
     mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
-    const auto number = static_cast<std::uint32_t>(materials_.size());
-    material_ = materials_.emplace(name, number).first->second;
+    const auto [known, isNew] =
+        materials_.emplace(name, static_cast<std::uint32_t>(materials_.size()));
+    material_ = known->second;
+    if (isNew) mesh_.materialNames.emplace_back(name);
   }
 
   Status vertex(const ObjLine& line) {

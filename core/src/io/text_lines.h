@@ -34,4 +34,12 @@ inline std::string_view lineEnd(std::string_view line) {
   return line.substr(line.size() - (isPair ? 2 : 1));
 }
 
+/// What stands behind a keyword, without blanks around it: a name may hold some.
+inline std::string_view restOfLine(std::string_view line) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::size_t begin = line.find_first_not_of(kBlank);
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(kBlank) + 1 - begin);
+}
+
 }  // namespace abflat

@@ -34,6 +34,21 @@ inline double norm(double x, double y) {
   return square > 1e-280 && square < 1e280 ? std::sqrt(square) : portable::hypot(x, y);
 }
 
+/// Sum of the cross products of neighbours, seen from the first point: twice the area vector.
+inline Vec3 areaVector(const std::vector<Vec3>& p) {
+  Vec3 sum{};
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+    Vec3 a, b;
+    for (std::size_t d = 0; d < 3; ++d) {
+      a[d] = p[i][d] - p[0][d];
+      b[d] = p[i + 1][d] - p[0][d];
+    }
+    const Vec3 n = cross(a, b);
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += n[d];
+  }
+  return sum;
+}
+
 /// Unit vectors from corner k to the next, for coordinates of any magnitude; false when two corners
 /// coincide.
 inline bool unitEdges(const std::vector<double>& positions, const std::uint32_t* v,

@@ -54,6 +54,16 @@ class Places {
     slot.first = v;
   }
 
+  bool isWithin(std::uint32_t u, std::uint32_t v, double reach) const {
+    double square = 0;
+    if (reach == 0) return at(u, 0) == at(v, 0) && at(u, 1) == at(v, 1) && at(u, 2) == at(v, 2);
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double x = (at(u, d) - at(v, d)) / reach;
+      square += x * x;
+    }
+    return square <= 1;
+  }
+
  private:
   struct Slot {
     Cell cell;
@@ -67,15 +77,6 @@ class Places {
   std::int64_t cellOf(std::uint32_t v, std::size_t d, double shift) const {
     const double from = at(v, d) / 2 - low_[d] / 2 + shift / 2;
     return cellSize_ > 0 ? static_cast<std::int64_t>(std::floor(from / (cellSize_ / 2))) : 0;
-  }
-  bool isWithin(std::uint32_t u, std::uint32_t v, double reach) const {
-    double square = 0;
-    if (reach == 0) return at(u, 0) == at(v, 0) && at(u, 1) == at(v, 1) && at(u, 2) == at(v, 2);
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double x = (at(u, d) - at(v, d)) / reach;
-      square += x * x;
-    }
-    return square <= 1;
   }
   std::size_t slotOf(const Cell& cell) const {
     std::uint64_t hash = 0;
@@ -114,21 +115,36 @@ double halfDiagonal(const std::vector<double>& positions) {
 
 }  // namespace
 
-Welding weldVertices(const std::vector<double>& positions, double tolerance) {
+namespace {
+
+Welding weldWithin(const std::vector<double>& positions, double reach, double cellSize) {
   const auto n = static_cast<std::uint32_t>(positions.size() / 3);
-  const double reach = 2 * tolerance * halfDiagonal(positions);
   Welding out;
+  out.reach = reach;
   out.ofVertex.resize(n);
-  Places places(positions, kCellPerTolerance * reach);
+  Places places(positions, cellSize);
   for (std::uint32_t v = 0; v < n; ++v) {
     const std::uint32_t found = places.find(v, reach);
     out.ofVertex[v] = found == kNone ? v : found;
-    if (found == kNone)
+    if (found == kNone) {
       places.add(v);
-    else
-      ++out.merged;
+      continue;
+    }
+    ++out.merged;
+    out.isExact = out.isExact && places.isWithin(found, v, 0);
   }
   return out;
+}
+
+}  // namespace
+
+Welding weldVertices(const std::vector<double>& positions, double tolerance) {
+  const double reach = 2 * tolerance * halfDiagonal(positions);
+  return weldWithin(positions, reach, kCellPerTolerance * reach);
+}
+
+Welding weldEqualVertices(const std::vector<double>& positions) {
+  return weldWithin(positions, 0, 2 * kCellPerTolerance * kWeldTolerance * halfDiagonal(positions));
 }
 
 }  // namespace abflat

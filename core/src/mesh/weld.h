@@ -3,12 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "abflat/mesh.h"
+
 namespace abflat {
 
 /// Vertices at one place, so that split normals, triangle soups and STL are the surfaces they show.
 struct Welding {
   std::vector<std::uint32_t> ofVertex;  ///< first vertex at the same place, per vertex
   std::size_t merged = 0;               ///< vertices that are at the place of an earlier one
+  double reach = 0;                     ///< how far apart places may be
+  bool isExact = true;                  ///< all that were merged have the same coordinates
 };
 
 /// Relative to the diagonal of the bounding box: far below any edge, above the rounding of float32.
@@ -18,5 +22,12 @@ constexpr double kWeldTolerance = 1e-7;
 /// joins the first one that stands for others, so places never grow beyond the tolerance.
 /// `positions` are xyz and finite.
 Welding weldVertices(const std::vector<double>& positions, double tolerance = kWeldTolerance);
+
+/// Those of the same coordinates.
+Welding weldEqualVertices(const std::vector<double>& positions);
+
+/// Those of the same coordinates, and others within the tolerance where the surface would be open
+/// between them; no two different places of one face, so detail below the tolerance stays.
+Welding weldSurface(const PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -153,7 +153,7 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
 WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
   Welding welding;
   if (byPosition) {
-    welding = weldVertices(mesh.positions);
+    welding = weldSurface(mesh);
   } else {
     welding.ofVertex.resize(mesh.vertexCount());
     std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "io/number_text.h"
 #include "pack/scale_search.h"
@@ -18,19 +19,33 @@ constexpr std::uint32_t kMostTiles = 8999;
 constexpr double kLastRow = 898;  // that has all ten
 
 Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
+Status tooSmall(std::string text) { return {StatusCode::AtlasTooSmall, std::move(text)}; }
 
 template <typename T>
 std::string text(T integer) {
+  static_assert(std::is_integral_v<T>);
   return std::to_string(integer);
 }
 
 /// A positive number, rounded down to three digits.
-std::string roundedDown(double x) {
+double roundedDown(double x) {
   double whole = x, up = 1, down = 1;
   for (; whole < 100 && up < 1e300; up *= 10) whole = x * (up * 10);
   for (; whole >= 1000; down *= 10) whole = x / (down * 10);
+  return std::floor(whole) / up * down;
+}
+
+std::string text(double number) {
   char digits[kMostDoubleChars];
-  return {digits, writeDouble(digits, std::floor(whole) / up * down)};
+  return {digits, writeDouble(digits, number)};
+}
+
+/// "; this, that, or the other".
+std::string choiceOf(const std::vector<std::string>& ways) {
+  std::string out;
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    out += (i == 0 ? "; " : i + 1 < ways.size() ? ", " : ", or ") + ways[i];
+  return out;
 }
 
 Status checkOptions(const PackOptions& o) {
@@ -72,11 +87,7 @@ class Packer {
     Stopwatch watch;
     if (Status s = checkOptions(options_); !s.ok()) return s;
     if (Status s = checkShapes(shapes_); !s.ok()) return s;
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
-      if (!shapes_[i].isFixed) movable_.push_back(i);
-    makeItems();
-    grid_ = makePackGrid(options_.resolution, options_.padding, itemsOfTile());
-    if (Status s = takeFixed(); !s.ok()) return s;
+    if (Status s = begin(); !s.ok()) return s;
     if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeInOneTile(); !s.ok())
       return s;
     Packing out = placements();
@@ -85,6 +96,14 @@ class Packer {
   }
 
  private:
+  Status begin() {
+    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
+      if (!shapes_[i].isFixed) movable_.push_back(i);
+    makeItems();
+    grid_ = makePackGrid(options_.resolution, options_.padding, itemsOfTile());
+    return takeFixed();
+  }
+
   /// Tiles with what stays where it is.
   Status takeFixed() {
     tiles_.assign(1, FreeMap(grid_.cells(), grid_.cells()));
@@ -148,44 +167,102 @@ class Packer {
       if (Status s = takeFixed(); !s.ok()) return s;
       return placeInOneTile();
     }
-    const std::size_t count = movable_.size();
-    const int least = leastResolution(count, options_.padding);
-    const std::string begin = text(count) + " charts, one texel each with a padding of " +
-                              text(options_.padding) + ", do not fit a tile of " +
-                              text(options_.resolution);
-    if (options_.resolution >= least)
-      return invalid(begin + " beside the fixed ones; raise the resolution");
-    return invalid(begin + "; raise the resolution to " + text(least) +
-                   " or more, or lower the padding");
+    return tooSmall(text(movable_.size()) + " charts, one texel each with a padding of " +
+                    text(options_.padding) + ", do not fit a tile of " + text(options_.resolution) +
+                    waysForTexels());
+  }
+
+  std::string waysForTexels() const {
+    const int least = leastResolution(movable_.size(), options_.padding);
+    if (options_.resolution >= least) return " beside the fixed ones; raise the resolution";
+    std::vector<std::string> ways;
+    if (least <= kMostResolution)
+      ways.push_back("raise the resolution to " + text(least) + " or more");
+    if (options_.padding > 0) ways.push_back("lower the padding");
+    return choiceOf(ways);
   }
 
   Status placeAtDensity() {
+    density_ = options_.texelDensity;
+    tryAt(density_);
+    if (placed_.fit == Fit::TooMany)
+      return options_.udim ? largestIsTooLarge() : doesNotFitOneTile();
+    return placed_.fit == Fit::All ? Status{} : Status{StatusCode::Aborted, "cancelled"};
+  }
+
+  /// Sets `placed_`. In one tile every strategy has its turn.
+  void tryAt(double density) {
     PlaceOptions options;
-    options.texelsPerUnit = density_ = options_.texelDensity;
+    options.texelsPerUnit = density;
     options.mostTiles = options_.udim ? kMostTiles : 1;
     if (options_.progress)
       options.onPlaced = [this](std::size_t placed) {
         return placed % 64 != 0 ||
                options_.progress(static_cast<double>(placed) / static_cast<double>(items_.size()));
       };
-    placed_ = place(items_, strategiesFor(items_)[0], grid_, tiles_, options);
-    tries_ = 1;
-    if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
-    if (placed_.fit == Fit::All) return {};
-    const std::string density = roundedDown(options_.texelDensity) + " texels per unit";
-    if (options_.udim)
-      return invalid("at " + density + " chart " + text(movable_[placed_.missing]) +
-                     " does not fit a tile of " + text(options_.resolution) +
-                     " texels; raise the resolution to " + text(resolutionForLargest()) +
-                     ", or lower the density");
-    if (Status s = placeInOneTile(); !s.ok()) return s;
-    return invalid("at " + density + " the charts do not fit one tile of " +
-                   text(options_.resolution) + " texels; lower the density to " +
-                   roundedDown(density_) + ", raise the resolution, or allow several tiles");
+    for (const PlaceStrategy& strategy : strategiesFor(items_)) {
+      placed_ = place(items_, strategy, grid_, tiles_, options);
+      ++tries_;
+      if (placed_.fit != Fit::TooMany || options_.udim) return;
+    }
   }
 
-  /// Of a tile that has room for every chart in some pose.
-  int resolutionForLargest() const {
+  Status largestIsTooLarge() const {
+    const double most = largestExtent();
+    const double room = std::max(options_.resolution - options_.padding, 1);
+    return doesNotFit("chart " + text(movable_[placed_.missing]) + " does not fit a tile",
+                      most * options_.texelDensity + options_.padding, room / most);
+  }
+
+  Status doesNotFitOneTile() {
+    if (Status s = placeInOneTile(); !s.ok()) return s;
+    return doesNotFit("the charts do not fit one tile",
+                      options_.resolution * (options_.texelDensity / density_), density_);
+  }
+
+  /// Names what has been tried and does fit; `side` and `density` are about that.
+  Status doesNotFit(const std::string& what, double side, double density) const {
+    const double coarser = densityThatFits(density);
+    if (coarser == 0) return {StatusCode::Aborted, "cancelled"};
+    const int finer = resolutionThatFits(side);
+    std::vector<std::string> ways = {"lower the density to " + text(coarser)};
+    if (finer > 0) ways.push_back("raise the resolution to " + text(finer));
+    if (!options_.udim) ways.emplace_back("allow several tiles");
+    return tooSmall("at " + text(options_.texelDensity) + " texels per unit " + what + " of " +
+                    text(options_.resolution) + " texels" + choiceOf(ways));
+  }
+
+  /// The first from this one down; 0 when cancelled.
+  double densityThatFits(double from) const {
+    PackOptions coarser = options_;
+    for (double density = roundedDown(std::min(from, options_.texelDensity));;
+         density = roundedDown(0.99 * density)) {
+      coarser.texelDensity = density;
+      const Fit fit = fitOf(coarser);
+      if (fit != Fit::TooMany) return fit == Fit::All ? density : 0;
+    }
+  }
+
+  /// The first from this one up; 0 when there is none, or when cancelled.
+  int resolutionThatFits(double from) const {
+    PackOptions finer = options_;
+    for (double side = from; side <= kMostResolution; side *= 1.02) {
+      finer.resolution = static_cast<int>(std::ceil(side));
+      const Fit fit = fitOf(finer);
+      if (fit != Fit::TooMany) return fit == Fit::All ? finer.resolution : 0;
+    }
+    return 0;
+  }
+
+  Fit fitOf(const PackOptions& options) const {
+    Packer other(shapes_, options);
+    if (!other.begin().ok()) return Fit::TooMany;
+    other.tryAt(options.texelDensity);
+    return other.placed_.fit;
+  }
+
+  /// Least side of a square that has room for every chart in some pose.
+  double largestExtent() const {
     double most = 0;
     for (const PackItem& item : items_) {
       double least = HUGE_VAL;
@@ -193,9 +270,7 @@ class Packer {
         least = std::min(least, std::max(pose.width, pose.height));
       most = std::max(most, least);
     }
-    // Charts take all cells that they touch, and keep off the border.
-    return static_cast<int>(std::ceil(most * options_.texelDensity)) + options_.padding + 1 +
-           4 * grid_.cell;
+    return most;
   }
 
   Packing placements() const {

@@ -59,7 +59,8 @@ struct Packing {
 
 /// Charts to atlas. No texel (closed unit square of the grid that `resolution` makes of a tile) is
 /// touched by two charts, and there are `padding` texels between any two in at least one of the
-/// two directions. That also holds for coordinates that are rounded to single precision.
+/// two directions. That also holds for coordinates that are rounded to single precision. Errors:
+/// InvalidOption, InvalidMesh, Aborted; AtlasTooSmall says what does fit.
 Result<Packing> pack(const std::vector<PackShape>& shapes, const PackOptions& options);
 
 }  // namespace abflat

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
+#include "solve/row_solver.h"
 
 namespace abflat {
 
@@ -15,8 +16,11 @@ Eigen::SparseMatrix<double> conformalEnergy(const DiskChart& chart,
                                             const std::vector<double>& angles);
 
 /// The least energy with the pinned vertices, two or more, where `uv` has them: replaces the uv of
-/// all others. False, and unchanged, when the system is singular to the precision of numbers.
+/// all others. False, and unchanged, when the system is singular to the precision of numbers, or,
+/// without a factor because of `memory`, when the iterations do not converge. Sets what a factor
+/// needs. Results do not depend on `pool`; null: one thread.
 bool relaxConformally(const Eigen::SparseMatrix<double>& energy,
-                      const std::vector<std::uint32_t>& pinned, std::vector<double>& uv);
+                      const std::vector<std::uint32_t>& pinned, std::vector<double>& uv,
+                      FactorMemory& memory, ThreadPool* pool = nullptr);
 
 }  // namespace abflat

@@ -47,8 +47,11 @@ Similarity bestSimilarity(const std::vector<double>& uv, const std::vector<Chart
 }  // namespace
 
 PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles,
-                       const std::vector<double>& uv, const std::vector<ChartPin>& pins) {
-  PinnedLayout out{uv};
+                       const std::vector<double>& uv, const std::vector<ChartPin>& pins,
+                       const PinOptions& options) {
+  PinnedLayout out;
+  out.uv = uv;
+  out.memory.allowed = options.allowedBytes;
   const Similarity similarity = bestSimilarity(uv, pins);
   for (std::size_t i = 0; i < uv.size(); i += 2) similarity.apply(&out.uv[i]);
   if (pins.size() > 2) {
@@ -61,7 +64,8 @@ PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles
       pinned.push_back(p.vertex);
       out.deviation = std::max(out.deviation, norm(u, v));
     }
-    out.isSolved = relaxConformally(conformalEnergy(chart, angles), pinned, correction);
+    out.isSolved = relaxConformally(conformalEnergy(chart, angles), pinned, correction, out.memory,
+                                    options.pool);
     if (out.isSolved)
       for (std::size_t i = 0; i < uv.size(); ++i) out.uv[i] += correction[i];
   }

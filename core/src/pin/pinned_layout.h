@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
+#include "solve/row_solver.h"
 
 namespace abflat {
 
@@ -17,6 +18,13 @@ struct PinnedLayout {
   /// Largest distance of a pin from where a similarity of the layout alone has its vertex.
   double deviation = 0;
   bool isSolved = true;  ///< false: the similarity alone, but for the pinned vertices
+  FactorMemory memory;   ///< of the system for more than two pins
+};
+
+struct PinOptions {
+  /// What a factor may take; see makeRowSolverWithin.
+  std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
+  ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
 /// A layout of the given angles (radians, size 3F) made to meet two or more pins at different
@@ -27,6 +35,7 @@ struct PinnedLayout {
 /// respect to the flat triangles, as a correction: so a layout that meets its pins already stays as
 /// it is, digit by digit but for the similarity's rounding.
 PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles,
-                       const std::vector<double>& uv, const std::vector<ChartPin>& pins);
+                       const std::vector<double>& uv, const std::vector<ChartPin>& pins,
+                       const PinOptions& options = {});
 
 }  // namespace abflat

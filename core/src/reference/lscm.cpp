@@ -49,7 +49,9 @@ Embedding embedLscm(const DiskChart& chart) {
     return out;
   }
   out.uv[2 * static_cast<std::size_t>(right)] = 1;
-  if (!relaxConformally(conformalEnergy(chart, drawableAngles(chart)), {left, right}, out.uv))
+  FactorMemory unlimited;
+  if (!relaxConformally(conformalEnergy(chart, drawableAngles(chart)), {left, right}, out.uv,
+                        unlimited))
     out.problem =
         "the linear system of the conformal energy cannot be solved: it is singular to "
         "the precision of numbers";

@@ -111,7 +111,8 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
          "--keep", [&c](const std::string& text) { setKept(text, c); },
          wrapped("faces whose uv islands stay exactly as they are in the input, while all others "
                  "are unwrapped and packed around them, separated by commas: uv = all that have "
-                 "texcoords; file=PATH = face numbers in a text file, one a line, "
+                 "texcoords; material=NAME = all of a material; file=PATH = face numbers in a text "
+                 "file, one a line, "
                  "counted from 0"))
       ->type_name("LIST");
   sub->add_option("--write-seams", c.writeSeams,

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "abflat/flatten.h"
@@ -7,6 +8,7 @@
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/problems.h"
+#include "support/squares.h"
 
 using namespace abflat;
 using namespace abflat::test;
@@ -133,5 +135,31 @@ TEST_CASE("Tutte's embedding is valid and labelled") {
     CHECK(a.solver == "tutte");
     CHECK(a.fallbacks.size() == 1);
     CHECK(a.validity.maxBoundaryAngle < kPi);
+  }
+}
+
+TEST_CASE("tiny edges of the boundary are apart, parts of it that nearly touch are not") {
+  const auto planar = [](const PolygonMesh& mesh, auto place) {
+    std::vector<double> uv;
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+      for (const double x : place(mesh.positions[3 * v], mesh.positions[3 * v + 1]))
+        uv.push_back(x);
+    return uv;
+  };
+  using Place = std::array<double, 2>;
+  constexpr double kTiny = 1e-9;
+  const PolygonMesh sheet = squares(6, 4, [](auto, auto) { return true; });
+  const std::vector<double> uv = planar(sheet, [&](double x, double y) {
+    return Place{y == 0 && x == 3 ? 2 + kTiny : x, x == 6 && y == 1 ? kTiny : y};
+  });
+  CHECK(checkSeparated(chartOf(sheet), uv).valid());
+  const PolygonMesh legs = squares(3, 3, [](auto i, auto j) { return i != 1 || j == 0; });
+  const DiskChart chart = chartOf(legs);
+  for (const double gap : {0.1, kTiny}) {
+    const std::vector<double> bent = planar(legs, [&](double x, double y) {
+      return Place{x >= 2 ? x - 1 + gap : x, y};
+    });
+    CHECK(checkValidity(chart, bent).valid());
+    CHECK(checkSeparated(chart, bent).valid() == (gap > kTiny));
   }
 }

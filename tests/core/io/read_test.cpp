@@ -251,6 +251,7 @@ TEST_CASE(
   CHECK(r.value.texcoords[3] == 0);
   CHECK(r.value.texcoords[9] == 8);
   CHECK(r.value.faceMaterials == std::vector<std::uint32_t>{0, 1, 1, 2, 1});
+  CHECK(r.value.materialNames == std::vector<std::string>{"", "red", "a b#c"});
   CHECK(validateArrays(r.value).ok());
   const Result<PolygonMesh> none = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3/2\n");
   REQUIRE(none.ok());

@@ -60,3 +60,55 @@ TEST_CASE("many vertices at one place, none, and one") {
   const Welding w = weldVertices(std::vector<double>(3 * 50000, 4.0));
   CHECK(w.merged == 49999);
 }
+
+namespace {
+
+/// Loose triangles of a mesh, their corners shaken.
+PolygonMesh shakenSoup(const PolygonMesh& mesh, double by) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-by, by);
+  std::vector<double> p;
+  std::vector<std::uint32_t> t;
+  for (const std::uint32_t v : mesh.faceVertices) {
+    t.push_back(static_cast<std::uint32_t>(t.size()));
+    for (std::size_t d = 0; d < 3; ++d) p.push_back(mesh.positions[3 * v + d] + shift(random));
+  }
+  return makeTriangleMesh(p, t);
+}
+
+}  // namespace
+
+TEST_CASE("a soup whose corners differ by rounding is welded to its surface") {
+  const PolygonMesh mesh = torus(12, 18);
+  const Welding w = weldSurface(shakenSoup(mesh, 1e-8));
+  CHECK_FALSE(w.isExact);
+  CHECK(w.ofVertex.size() - w.merged == mesh.vertexCount());
+  for (std::size_t c = 0; c < w.ofVertex.size(); ++c)
+    for (std::size_t o = 0; o < c; ++o)
+      if ((w.ofVertex[c] == w.ofVertex[o]) != (mesh.faceVertices[c] == mesh.faceVertices[o]))
+        FAIL("corners " << c << " and " << o);
+}
+
+TEST_CASE("detail below the tolerance is kept where the surface is closed, and within a face") {
+  // A tetrahedron with its apex, then with a face, replaced by tiny ones.
+  const double e = 1e-9;
+  const std::vector<double> p{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, e, 0, 1, 0, e, 1};
+  const PolygonMesh closed =
+      makeTriangleMesh(p, {0, 2, 1, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5, 3, 4, 5});
+  CHECK(weldVertices(p).merged == 2);
+  CHECK(weldSurface(closed).merged == 0);
+  const PolygonMesh loose = makeTriangleMesh(p, {0, 1, 2, 3, 4, 5});
+  CHECK(weldSurface(loose).merged == 0);
+}
+
+TEST_CASE("two closed surfaces that are nearly in touch stay two") {
+  PolygonMesh mesh = tetrahedron();
+  const std::size_t n = mesh.vertexCount();
+  std::vector<double> p = mesh.positions;
+  std::vector<std::uint32_t> t = mesh.faceVertices;
+  for (std::size_t v = 0; v < n; ++v)
+    for (std::size_t d = 0; d < 3; ++d)
+      p.push_back(mesh.positions[3 * v + d] + (d == 0 ? 1e-9 : 0));
+  for (const std::uint32_t v : mesh.faceVertices) t.push_back(v + static_cast<std::uint32_t>(n));
+  CHECK(weldSurface(makeTriangleMesh(p, t)).merged == 0);
+}

@@ -91,7 +91,7 @@ TEST_CASE("as many texels as charts is enough room", "[pack]") {
     const int least = 20 + 19 * padding + 2 * ((padding + 1) / 2);
     checkPacked(shapes, at(least, padding));
     const Result<Packing> none = pack(shapes, at(least - 1, padding));
-    CHECK(none.status.code == StatusCode::InvalidOption);
+    CHECK(none.status.code == StatusCode::AtlasTooSmall);
     CHECK(none.status.message.find("raise the resolution to " + std::to_string(least)) !=
           std::string::npos);
   }
@@ -167,9 +167,6 @@ TEST_CASE("a density is kept, and takes as many tiles as it needs", "[pack]") {
   CHECK(complaint(shapes, packing, options) == "");
 
   options.texelDensity = 2.5 * most;
-  const Result<Packing> none = pack(shapes, options);
-  CHECK(none.status.code == StatusCode::InvalidOption);
-  CHECK(none.status.message.find("do not fit one tile") != std::string::npos);
   options.udim = true;
   packing = packed(shapes, options);
   CHECK(packing.scale == options.texelDensity / 200);
@@ -177,9 +174,52 @@ TEST_CASE("a density is kept, and takes as many tiles as it needs", "[pack]") {
   CHECK(packing.tiles <= 10);
   CHECK(complaint(shapes, packing, options) == "");
   CHECK(complaint(shapes, packing, options, true) == "");
+}
 
-  options.texelDensity = 50 * most;
-  CHECK(pack(shapes, options).status.message.find("does not fit a tile") != std::string::npos);
+/// The number behind these words of the message.
+double after(const std::string& words, const Status& status) {
+  INFO(status.message);
+  CHECK(status.code == StatusCode::AtlasTooSmall);
+  const std::size_t at = status.message.find(words);
+  REQUIRE(at != std::string::npos);
+  return std::stod(status.message.substr(at + words.size()));
+}
+
+TEST_CASE("a density that does not fit names one, and a resolution, that do", "[pack]") {
+  for (const std::size_t count : {1, 7, 40}) {
+    const std::vector<PackShape> shapes = makePackShapes("mixed", count, 3, 2);
+    PackOptions options = at(64, 2);
+    const double most = packed(shapes, options).texelDensity;
+    for (const double factor : {1.0001, 2.5, 8.0}) {
+      options = at(64, 2);
+      options.texelDensity = factor * most;
+      const Result<Packing> tight = pack(shapes, options);
+      if (factor < 2 && tight.ok()) continue;
+      PackOptions coarser = options, finer = options;
+      coarser.texelDensity =
+          after("do not fit one tile of 64 texels; lower the density to ", tight.status);
+      CHECK(coarser.texelDensity < options.texelDensity);
+      CHECK(coarser.texelDensity > 0.9 * most);
+      CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
+      finer.resolution = static_cast<int>(after("raise the resolution to ", tight.status));
+      CHECK(finer.resolution < 1.2 * factor * 64);
+      CHECK(complaint(shapes, packed(shapes, finer), finer) == "");
+    }
+  }
+}
+
+TEST_CASE("a chart larger than a tile names the density and resolution that it fits", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 20, 3, 2);
+  PackOptions options = at(64, 2);
+  options.udim = true;
+  options.texelDensity = 8 * packed(shapes, at(64, 2)).texelDensity;
+  const Result<Packing> none = pack(shapes, options);
+  PackOptions coarser = options, finer = options;
+  coarser.texelDensity =
+      after("does not fit a tile of 64 texels; lower the density to ", none.status);
+  finer.resolution = static_cast<int>(after("raise the resolution to ", none.status));
+  CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
+  CHECK(complaint(shapes, packed(shapes, finer), finer) == "");
 }
 
 TEST_CASE("fixed charts stay, and others go around them", "[pack]") {

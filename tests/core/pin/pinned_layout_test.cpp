@@ -140,6 +140,32 @@ TEST_CASE("pins that fold the layout are met all the same, and reported", "[pin]
   for (const Pin& p : pins) CHECK(at(r, p.vertex) == Complex(p.uv[0], p.uv[1]));
 }
 
+TEST_CASE("pins keep to the memory that is allowed", "[pin]") {
+  for (const double jitter : {0.0, 0.5}) {
+    const std::uint32_t n = 120;
+    const PolygonMesh mesh = bumpyGrid(n, n, jitter, 7);
+    FlattenOptions options;
+    options.t = 2;
+    options.pins = {pinAt(0, {0, 0}), pinAt(n, {130, 4}), pinAt((n + 1) * n, {-3, 125}),
+                    pinAt((n + 1) * 40 + 31, {34, 50})};
+    const Result<FlattenResult> usual = flatten(mesh, options);
+    REQUIRE(usual.ok());
+    CHECK(usual.value.report.charts[0].fallbacks.empty());
+    for (const double memory : {12.0, 8.0, 0.5}) {
+      options.memory = memory;
+      const Result<FlattenResult> limited = flatten(mesh, options);
+      REQUIRE(limited.ok());
+      // On a layout about 130 wide.
+      CHECK(largestDifference(limited.value.uv, usual.value.uv) < 1e-7);
+      const std::vector<std::string>& notes = limited.value.report.charts[0].fallbacks;
+      REQUIRE(notes.size() == 2);
+      CHECK_THAT(notes[1], Catch::StartsWith("pins: a factor of the matrix needs ") &&
+                               Catch::Contains(memory > 10 ? "single precision" : "multigrid"));
+      CHECK(limited.value.report.valid == usual.value.report.valid);
+    }
+  }
+}
+
 TEST_CASE("pins that make no sense are named", "[pin]") {
   PolygonMesh mesh = bumpyGrid(4, 4, 0.2, 2);
   mesh.positions.insert(mesh.positions.end(), {0, 0, 0});

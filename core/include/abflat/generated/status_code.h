@@ -10,7 +10,7 @@ enum class ExitCode : int {
   NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says which
   Usage = 2,  ///< the command line cannot be understood
   Unreadable = 3,  ///< the input cannot be read: the message names file, place and what is wrong
-  NotFlattenable = 4,  ///< the mesh was read but cannot be flattened: the message says why
+  NotFlattenable = 4,  ///< the mesh was read but cannot be flattened, or not packed as asked: the message says why
   CannotWrite = 5,  ///< the output cannot be written; an existing file is left as it was
 };
 
@@ -34,10 +34,11 @@ enum class StatusCode : int {
   Aborted = 15,  ///< the caller cancelled the run
   CannotWrite = 16,  ///< the output cannot be written
   Internal = 17,  ///< a defect of abflat; please report it with the mesh
+  AtlasTooSmall = 18,  ///< the charts do not fit the atlas; the message says which resolution or texel density they fit at
 };
 
 constexpr int kExitCodeCount = 6;
-constexpr int kStatusCodeCount = 18;
+constexpr int kStatusCodeCount = 19;
 
 /// "NonManifoldEdge"; the name that reports and error objects carry.
 inline const char* statusName(StatusCode code) {
@@ -78,6 +79,8 @@ inline const char* statusName(StatusCode code) {
       return "CannotWrite";
     case StatusCode::Internal:
       return "Internal";
+    case StatusCode::AtlasTooSmall:
+      return "AtlasTooSmall";
   }
   return "Internal";
 }
@@ -121,6 +124,8 @@ inline const char* statusText(StatusCode code) {
       return "the output cannot be written";
     case StatusCode::Internal:
       return "a defect of abflat; please report it with the mesh";
+    case StatusCode::AtlasTooSmall:
+      return "the charts do not fit the atlas; the message says which resolution or texel density they fit at";
   }
   return "";
 }
@@ -148,6 +153,7 @@ inline int exitCodeOf(StatusCode code) {
     case StatusCode::OutOfMemory:
     case StatusCode::Aborted:
     case StatusCode::Internal:
+    case StatusCode::AtlasTooSmall:
       return static_cast<int>(ExitCode::NotFlattenable);
     case StatusCode::CannotWrite:
       return static_cast<int>(ExitCode::CannotWrite);
@@ -167,7 +173,7 @@ inline const char* exitCodeText(ExitCode code) {
     case ExitCode::Unreadable:
       return "the input cannot be read: the message names file, place and what is wrong";
     case ExitCode::NotFlattenable:
-      return "the mesh was read but cannot be flattened: the message says why";
+      return "the mesh was read but cannot be flattened, or not packed as asked: the message says why";
     case ExitCode::CannotWrite:
       return "the output cannot be written; an existing file is left as it was";
   }

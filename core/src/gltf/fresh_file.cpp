@@ -1,0 +1,124 @@
+#include "gltf/fresh_file.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "gltf/container.h"
+#include "gltf/edit.h"
+#include "gltf/uri.h"
+
+namespace abflat::gltf {
+namespace {
+
+constexpr int kUint16 = 5123, kUint32 = 5125, kFloat = 5126;
+
+/// Adds to a list. Returns its place there.
+std::size_t added(Json& list, Json entry) {
+  list.push_back(std::move(entry));
+  return list.size() - 1;
+}
+
+Json named(const std::string& name) { return name.empty() ? Json::object() : Json{{"name", name}}; }
+
+}  // namespace
+
+FreshFile::FreshFile() {
+  json_["asset"] = {{"generator", "abflat " ABFLAT_VERSION}, {"version", "2.0"}};
+  json_["scene"] = 0;
+  json_["scenes"] = Json::array({{{"nodes", Json::array()}}});
+  json_["nodes"] = Json::array();
+  json_["meshes"] = Json::array();
+}
+
+std::size_t FreshFile::addFloats(const std::vector<float>& values, const char* type,
+                                 std::size_t components) {
+  Json accessor = {
+      {"componentType", kFloat}, {"count", values.size() / components}, {"type", type}};
+  return addAccessor(values.data(), values.size() * sizeof(float),
+                     static_cast<int>(Target::Vertices), std::move(accessor));
+}
+
+std::size_t FreshFile::addColors(const std::vector<std::uint16_t>& rgba) {
+  Json accessor = {{"componentType", kUint16},
+                   {"normalized", true},
+                   {"count", rgba.size() / 4},
+                   {"type", "VEC4"}};
+  return addAccessor(rgba.data(), rgba.size() * sizeof(std::uint16_t),
+                     static_cast<int>(Target::Vertices), std::move(accessor));
+}
+
+std::size_t FreshFile::addPositions(const std::vector<float>& xyz) {
+  Json least = Json::array(), most = Json::array();
+  for (std::size_t d = 0; d < 3; ++d) {
+    float lo = std::numeric_limits<float>::infinity(), hi = -lo;
+    for (std::size_t i = d; i < xyz.size(); i += 3) {
+      lo = std::min(lo, xyz[i]);
+      hi = std::max(hi, xyz[i]);
+    }
+    least.push_back(lo);
+    most.push_back(hi);
+  }
+  const std::size_t accessor = addFloats(xyz, "VEC3", 3);
+  json_["accessors"][accessor]["min"] = std::move(least);
+  json_["accessors"][accessor]["max"] = std::move(most);
+  return accessor;
+}
+
+std::size_t FreshFile::addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+  Json accessor = {{"componentType", kUint32}, {"count", indices.size()}, {"type", "SCALAR"}};
+  constexpr int kTarget = static_cast<int>(Target::Indices);
+  if (vertices > std::numeric_limits<std::uint16_t>::max())
+    return addAccessor(indices.data(), indices.size() * sizeof(std::uint32_t), kTarget, accessor);
+  const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+  accessor["componentType"] = kUint16;
+  return addAccessor(narrow.data(), narrow.size() * sizeof(std::uint16_t), kTarget, accessor);
+}
+
+std::size_t FreshFile::addTexture(const std::string& name, const std::string& mimeType,
+                                  const std::string& bytes) {
+  Json image = named(name);
+  image["mimeType"] = mimeType;
+  image["bufferView"] = addView(bytes.data(), bytes.size());
+  return added(json_["textures"], {{"source", added(json_["images"], std::move(image))}});
+}
+
+std::size_t FreshFile::addMaterial(Json material) {
+  return added(json_["materials"], std::move(material));
+}
+
+void FreshFile::addMesh(const std::string& name) {
+  Json mesh = named(name), node = named(name);
+  mesh["primitives"] = Json::array();
+  node["mesh"] = added(json_["meshes"], std::move(mesh));
+  json_["scenes"][0]["nodes"].push_back(added(json_["nodes"], std::move(node)));
+}
+
+void FreshFile::addPrimitive(Json primitive) {
+  json_["meshes"].back()["primitives"].push_back(std::move(primitive));
+}
+
+Result<std::string> FreshFile::finish(bool isBinary) {
+  json_["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+  const auto text = [&](int indent) {
+    return json_.dump(indent, ' ', false, Json::error_handler_t::replace);
+  };
+  if (isBinary) return binaryFile(text(-1), buffer_, {});
+  json_["buffers"][0]["uri"] = dataUri(buffer_);
+  return text(2) + "\n";
+}
+
+std::size_t FreshFile::addView(const void* bytes, std::size_t size) {
+  buffer_.resize((buffer_.size() + 3) / 4 * 4);
+  const std::size_t begin = buffer_.size();
+  buffer_.append(static_cast<const char*>(bytes), size);
+  return added(json_["bufferViews"], {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", size}});
+}
+
+std::size_t FreshFile::addAccessor(const void* values, std::size_t size, int target,
+                                   Json accessor) {
+  accessor["bufferView"] = addView(values, size);
+  json_["bufferViews"].back()["target"] = target;
+  return added(json_["accessors"], std::move(accessor));
+}
+
+}  // namespace abflat::gltf

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "abflat/status.h"
+#include "gltf/json.h"
+
+namespace abflat::gltf {
+
+/// A file that is made from nothing: a buffer and the lists that describe it. All functions return
+/// the number of what they add.
+class FreshFile {
+ public:
+  FreshFile();
+
+  /// Of "VEC2", "VEC3" and so on, which have so many components.
+  std::size_t addFloats(const std::vector<float>& values, const char* type, std::size_t components);
+  /// Parts of 65535.
+  std::size_t addColors(const std::vector<std::uint16_t>& rgba);
+  /// With the box that they must have.
+  std::size_t addPositions(const std::vector<float>& xyz);
+  /// As narrow as the number of vertices allows.
+  std::size_t addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
+  /// A texture of an image in the file.
+  std::size_t addTexture(const std::string& name, const std::string& mimeType,
+                         const std::string& bytes);
+  std::size_t addMaterial(Json material);
+
+  /// A mesh in a node of its own. Primitives go to the last one.
+  void addMesh(const std::string& name);
+  void addPrimitive(Json primitive);
+
+  /// Errors: CannotWrite (a .glb of 4 GB).
+  Result<std::string> finish(bool isBinary);
+
+ private:
+  std::size_t addView(const void* bytes, std::size_t size);
+  std::size_t addAccessor(const void* values, std::size_t size, int target, Json accessor);
+
+  Json json_;
+  std::string buffer_;
+};
+
+}  // namespace abflat::gltf

@@ -1,0 +1,177 @@
+// Documents of glTF-Transform: what can be asked for, and what goes wrong.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { createAbflat } from 'abflat';
+import { documentMesh, setTexcoords, unwrap } from 'abflat/gltf';
+import {
+  accessor,
+  addMesh,
+  assertSameButTexcoord,
+  atlasOf,
+  emptyDocument,
+  flaws,
+  io,
+  primitiveOf,
+  primitivesOf,
+  randomRows,
+  reread,
+} from '../support/gltf.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { sphere, torus } from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+import { character, rowsOf } from './support/character.mjs';
+import { unwrapDocument } from './support/unwrap-document.mjs';
+
+let abflat;
+before(async () => {
+  abflat = await createAbflat();
+});
+after(() => abflat.terminate());
+
+const unwrapped = (document, options) => unwrapDocument(abflat, document, options);
+
+test('groupBy: an atlas for all, for each mesh, or for each primitive', async () => {
+  const counts = {};
+  for (const groupBy of ['scene', 'mesh', 'primitive']) {
+    const document = character();
+    addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+    const fractions = [];
+    const { atlases } = await unwrapped(document, {
+      groupBy,
+      onProgress: ({ fraction }) => fractions.push(fraction),
+    });
+    counts[groupBy] = atlases.map(({ parts }) => parts.length);
+    assert.deepEqual(
+      fractions,
+      [...fractions].sort((a, b) => a - b),
+    );
+    assert.equal(fractions.at(-1), 1);
+  }
+  assert.deepEqual(counts, { scene: [3], mesh: [2, 1], primitive: [1, 1, 1] });
+});
+
+/** Whether any triangles of the two primitives share an edge of the atlas. */
+function touch(a, b) {
+  const edges = (primitive) =>
+    atlasOf([primitive]).flatMap((triangle) =>
+      triangle.map((from, k) => [from, triangle[(k + 1) % 3]].map(String).sort().join(' ')),
+    );
+  const known = new Set(edges(a));
+  return edges(b).some((edge) => known.has(edge));
+}
+
+test('seams between materials, and round the islands that a document has', async () => {
+  const joined = await unwrapped(character(), { seams: 'none' });
+  assert.ok(touch(...primitivesOf(joined.after)));
+  const cut = await unwrapped(character(), { seams: 'auto,material' });
+  assert.ok(!touch(...primitivesOf(cut.after)));
+
+  // It keeps the charts that it has by now.
+  const document = cut.after;
+  const charts = cut.atlases[0].result.report.charts.length;
+  const kept = await unwrapped(document, { seams: 'uv', texcoord: 1 });
+  assert.equal(kept.atlases[0].result.report.charts.length, charts);
+  for (const primitive of primitivesOf(document)) primitive.setAttribute('TEXCOORD_0', null);
+  await assert.rejects(document.transform(unwrap(abflat, { seams: 'uv' })), {
+    code: 'InvalidOption',
+  });
+});
+
+test('primitives without coordinates are islands of their own', async () => {
+  const document = character();
+  const [first, second] = primitivesOf(document);
+  const zeros = new Float32Array(2 * rowsOf(first));
+  first
+    .setAttribute('TEXCOORD_0', accessor(document, 'VEC2', zeros))
+    .setAttribute('TEXCOORD_1', null);
+  second.setAttribute('TEXCOORD_0', null).setAttribute('TEXCOORD_1', null);
+  const { after } = await unwrapped(document, { seams: 'uv' });
+  assert.ok(!touch(...primitivesOf(after)));
+});
+
+test('the command line program gives the same atlas', async (t) => {
+  const path = tempFolder(t);
+  const document = character();
+  addMesh(document, 'ball', primitiveOf(document, sphere(5)))
+    .node.setScale([-1, 2, 1])
+    .setTranslation([3, 0, 0]);
+  for (const primitive of primitivesOf(document)) primitive.setAttribute('TEXCOORD_1', null);
+  await io.write(path('in.glb'), document);
+  const { after } = await unwrapped(document, {
+    isMirrored: (primitive) => primitive === primitivesOf(document)[2],
+  });
+  const { code, stderr } = await runAbflat(['unwrap', path('in.glb'), '-o', path('out.glb')]);
+  assert.equal(code, 0, stderr);
+  const other = await io.read(path('out.glb'));
+  assertSameButTexcoord(other, await io.read(path('in.glb')));
+  const [ours, theirs] = [after, other].map((each) => atlasOf(primitivesOf(each)).flat(2));
+  assert.equal(ours.length, theirs.length);
+  ours.forEach((x, i) => {
+    assert.ok(Math.abs(x - theirs[i]) < 1e-5, `number ${i}: ${x} and ${theirs[i]}`);
+  });
+});
+
+test('options are those of unwrap', async () => {
+  const document = character();
+  const { atlases } = await unwrapped(document, { maxStretch: 1.3, resolution: 256, padding: 4 });
+  const { options } = atlases[0].result.report;
+  assert.deepEqual([options.maxStretch, options.resolution, options.padding], [1.3, 256, 4]);
+});
+
+test('what goes wrong leaves the document as it was, and is said with its place', async () => {
+  const document = character();
+  const bytes = () =>
+    primitivesOf(document)
+      .flatMap((primitive) => [...primitive.listAttributes(), primitive.getIndices()])
+      .map((each) => [...each.getArray()]);
+  const before = bytes();
+  const controller = new AbortController();
+  const aborted = document.transform(
+    unwrap(abflat, {
+      groupBy: 'primitive',
+      signal: controller.signal,
+      onProgress: ({ fraction }) => fraction > 0.6 && controller.abort(),
+    }),
+  );
+  await assert.rejects(aborted, { name: 'AbortError' });
+  assert.deepEqual(bytes(), before);
+
+  const invalid = { code: 'InvalidOption' };
+  assert.throws(() => unwrap(abflat, { texcoord: 0.5 }), invalid);
+  assert.throws(() => unwrap(abflat, { groupBy: 'node' }), invalid);
+  assert.throws(() => unwrap(abflat, { overwrite: 1 }), invalid);
+  await assert.rejects(document.transform(unwrap(abflat, { nothing: 1 })), invalid);
+  await assert.rejects(emptyDocument().transform(unwrap(abflat)), { code: 'EmptyMesh' });
+
+  const second = primitivesOf(document)[1];
+  const fails = (message) =>
+    assert.rejects(document.transform(unwrap(abflat)), { code: 'InvalidMesh', message });
+  const indices = second.getIndices().getArray();
+  const first = indices[4];
+  indices[4] = 60000;
+  await fails(/mesh 0 \("character"\), primitive 1: triangle 1 has vertex 60000/);
+  indices[4] = first;
+  second.getAttribute('POSITION').getArray()[7] = Number.NaN;
+  await fails(/mesh 0 \("character"\), primitive 1: vertex 2 /);
+  second.getAttribute('POSITION').getArray()[7] = 0;
+  second.setAttribute('COLOR_0', randomRows(document, 'VEC3', Float32Array, 5));
+  await fails(/primitive 1: COLOR_0 has 5 rows/);
+});
+
+test('a layout of one’s own goes into a document as well', async () => {
+  const document = emptyDocument();
+  const { positions, faces } = torus(12, 6);
+  const open = { positions, faces: faces.slice(0, 24) };
+  addMesh(document, 'strip', primitiveOf(document, open));
+  const before = await reread(document);
+  const mesh = documentMesh(document);
+  const layout = await abflat.unwrap(mesh, { seamEdges: Uint32Array.of(0, 12) });
+  assert.throws(
+    () => setTexcoords(mesh, { ...layout, indices: layout.indices.slice(3) }),
+    /has 23 triangles, the document 24/,
+  );
+  setTexcoords(mesh, layout);
+  assertSameButTexcoord(document, before);
+  assert.deepEqual(flaws(atlasOf(primitivesOf(document))), []);
+});

@@ -1,0 +1,138 @@
+// What goes into the memory of the WebAssembly module, and what is read from there.
+
+import type { NativeModule } from './abflat.mjs';
+import type { KnownArrays, OwnedMesh } from './protocol.js';
+
+/** The numbers are those of `Field` in wasm/bindings/job.h. */
+export const FIELD = {
+  uv: 0,
+  indices: 1,
+  vertexMap: 2,
+  positions: 3,
+  obj: 4,
+  ply: 5,
+  text: 6,
+  chartOfTriangle: 7,
+  seams: 8,
+  unpacked: 9,
+  faces: 10,
+} as const;
+
+/** Thrown through the module by its allocator. */
+export class OutOfMemory extends Error {}
+
+export class Heap {
+  /** Most bytes that it may grow to. */
+  readonly maxBytes: number;
+  readonly #native: NativeModule;
+  readonly #memory: WebAssembly.Memory;
+
+  constructor(native: NativeModule, memory: WebAssembly.Memory, maxBytes: number) {
+    this.#native = native;
+    this.#memory = memory;
+    this.maxBytes = maxBytes;
+  }
+
+  get bytes(): number {
+    return this.#memory.buffer.byteLength;
+  }
+
+  /** Takes the mesh: its own buffers may go while the module works. */
+  writeMesh(job: number, mesh: OwnedMesh): void {
+    this.#checkBytes(bytesOf(mesh));
+    if ('bytes' in mesh) {
+      this.writeName(job, mesh.name);
+      const source = this.#native._abflatSource(job, mesh.bytes.length) >>> 0;
+      new Uint8Array(this.#memory.buffer, source, mesh.bytes.length).set(mesh.bytes);
+      mesh.bytes = new Uint8Array();
+      return;
+    }
+    const native = this.#native;
+    const { positions, indices, texcoords, materials } = mesh;
+    this.writeName(job, 'arrays');
+    this.#writeReals(native._abflatPositions(job, positions.length), positions);
+    this.writeNumbers(native._abflatIndices(job, indices.length), indices);
+    if (texcoords) this.#writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
+    if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
+    mesh.positions = new Float64Array();
+    mesh.indices = new Uint32Array();
+  }
+
+  writeKnown(job: number, { t, straightSeams, arrays }: KnownArrays): void {
+    const entries = Object.entries(arrays);
+    this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
+    for (const [name, array] of entries) {
+      const start = this.#native._abflatKnown(
+        job,
+        FIELD[name as keyof typeof arrays],
+        array.length,
+      );
+      if (array instanceof Float64Array) this.#writeReals(start, array);
+      else this.writeNumbers(start, array);
+    }
+    this.#native._abflatKnownOptions(job, t, straightSeams);
+  }
+
+  writeName(job: number, name: string): void {
+    this.writeText(name, (bytes) => this.#native._abflatName(job, bytes));
+  }
+
+  /** `room` gives the address for so many bytes. */
+  writeText(text: string, room: (bytes: number) => number): void {
+    const bytes = new TextEncoder().encode(text);
+    const start = room(bytes.length) >>> 0;
+    new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
+  }
+
+  /** At an address as the module returns it. */
+  writeNumbers(address: number, values: Uint32Array | Uint16Array): void {
+    new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
+  }
+
+  #writeReals(address: number, values: Float32Array | Float64Array): void {
+    new Float64Array(this.#memory.buffer, address >>> 0, values.length).set(values);
+  }
+
+  /** A copy of a result. */
+  read(job: number, field: number): ArrayBuffer {
+    const start = this.#native._abflatResultData(job, field);
+    return this.copy(start, this.#native._abflatResultSize(job, field));
+  }
+
+  readText(job: number): string {
+    return new TextDecoder().decode(this.read(job, FIELD.text));
+  }
+
+  readString(address: number): string {
+    return readString(this.#memory, address);
+  }
+
+  /** Address and bytes as the module returns them. What is shared is neither transferred nor decoded, but its copy is. */
+  copy(address: number, bytes: number): ArrayBuffer {
+    try {
+      return new Uint8Array(this.#memory.buffer, address >>> 0, bytes >>> 0).slice().buffer;
+    } catch (error) {
+      throw error instanceof RangeError ? new OutOfMemory() : error;
+    }
+  }
+
+  /** Sizes beyond 32 bits must not reach the module. */
+  #checkBytes(bytes: number): void {
+    if (bytes >= this.maxBytes) throw new OutOfMemory();
+  }
+}
+
+function bytesOf(mesh: OwnedMesh): number {
+  if ('bytes' in mesh) return mesh.bytes.length;
+  const numbers = (array?: { length: number }) => array?.length ?? 0;
+  return (
+    8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
+    4 * (numbers(mesh.indices) + numbers(mesh.materials))
+  );
+}
+
+/** A zero-terminated one. */
+export function readString(memory: WebAssembly.Memory, address: number): string {
+  const bytes = new Uint8Array(memory.buffer, address >>> 0);
+  return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+}

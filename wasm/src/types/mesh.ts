@@ -1,0 +1,64 @@
+// Meshes, and what is said about them.
+
+/** A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise. */
+export interface MeshArrays {
+  positions: Float32Array | Float64Array;
+  indices: Uint32Array | Uint16Array;
+  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'` and `fixedFaces`. */
+  texcoords?: Float32Array | Float64Array;
+  /** A number per triangle: for `seams: 'material'`. */
+  materials?: Uint32Array | Uint16Array;
+}
+
+/** The bytes of an OBJ, PLY, STL or OFF file. `name` is used to tell the format and in messages. */
+export interface MeshFile {
+  bytes: Uint8Array | ArrayBuffer;
+  name?: string;
+}
+
+export type MeshInput = MeshArrays | MeshFile;
+
+/** Positions: 3 per vertex. Indices: 3 per triangle. */
+export interface TriangleMesh {
+  positions: Float64Array;
+  indices: Uint32Array;
+}
+
+/** `faces`: the face of the file that each triangle is of. */
+export interface LoadedMesh extends TriangleMesh {
+  faces: Uint32Array;
+}
+
+/** What a mesh is; `disk.ok` tells whether `flatten` accepts it, `disk.message` why not. */
+export interface MeshSummary {
+  path: string;
+  vertices: number;
+  unreferencedVertices: number;
+  faces: number;
+  triangles: number;
+  components: number;
+  boundaryLoops: number;
+  boundaryEdges: number;
+  nonManifoldEdges: number;
+  orientationConflicts: number;
+  degenerateFaces: number;
+  eulerCharacteristic: number;
+  genus: number;
+  /** That the file has. */
+  texcoords: number;
+  /** That faces have. */
+  materials: number;
+  disk: { ok: boolean; code: string; message: string };
+}
+
+/** A count is null where the input is not known. */
+export interface InputSummary {
+  path: string;
+  vertices: number;
+  faces: number;
+  triangles: number;
+  components: number;
+  boundaryLoops: number;
+  boundaryEdges: number;
+  genus: number;
+}
