@@ -1,12 +1,12 @@
 #include "layout/convex_combination.h"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
 #include "angle/constants.h"
 #include "mesh/triangle_geometry.h"
 #include "portable_math.h"
+#include "solve/general_solve.h"
 #include "solve/symmetric_solve.h"
 #include "sparse_assembly.h"
 
@@ -49,9 +49,7 @@ System makeSystem(const DiskChart& chart, const std::vector<double>& weight,
 
 /// Empty matrix when the factorisation fails.
 Eigen::MatrixXd solve(const System& s, bool isSymmetric) {
-  if (isSymmetric) return solveSymmetric(s.matrix, s.rhs);
-  const Eigen::SparseLU<Matrix> factor(s.matrix);
-  return factor.info() == Eigen::Success ? Eigen::MatrixXd(factor.solve(s.rhs)) : Eigen::MatrixXd();
+  return isSymmetric ? solveSymmetric(s.matrix, s.rhs) : solveGeneral(s.matrix, s.rhs);
 }
 
 }  // namespace
