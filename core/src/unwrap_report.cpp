@@ -21,6 +21,7 @@ Json seamsJson(const SeamSummary& s) {
           {"relativeLength", s.relativeLength},
           {"genus", s.genus},
           {"handleLoops", s.handleLoops},
+          {"handleLength", s.handleLength},
           {"filledHoles", s.filledHoles}};
 }
 

@@ -103,6 +103,7 @@ CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& a
   summary.relativeLength = size > 0 ? length / size : 0;
   summary.genus = surface.summary.genus;
   summary.handleLoops = found.handleLoops;
+  summary.handleLength = found.handleLength;
   return out;
 }
 

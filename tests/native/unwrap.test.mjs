@@ -111,6 +111,17 @@ test('what is wrong with a mesh is in the report, with its places', async (t) =>
   assert.ok(repair.orientationConflicts.length >= 1);
 });
 
+test('loops that cut handles open are counted and measured', async (t) => {
+  const seamsOf = async (surface) =>
+    (await unwrappedSurface(tempFolder(t), surface, '--seams', 'none')).report.seams;
+  const opened = await seamsOf(surfaces.plate(3, 3));
+  assert.equal(opened.handleLoops, 6);
+  assert.ok(opened.handleLength > 0);
+  assert.ok(Math.abs(opened.handleLength - opened.relativeLength) < 1e-9);
+  const disk = await seamsOf(surfaces.sheet(4, 4, (i, j) => [i, j, 0]));
+  assert.deepEqual([disk.handleLoops, disk.handleLength], [0, 0]);
+});
+
 test('the 47 edges of beetle with more than two faces are cut and named', {
   skip: withoutShared,
 }, async (t) => {

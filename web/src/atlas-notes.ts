@@ -1,5 +1,5 @@
 import type { RepairReport, UnwrapReport } from 'abflat';
-import { count, counted, sentence } from './format';
+import { count, counted, measure, sentence } from './format';
 
 /** Places that are named before it gets long. */
 const NAMED = 3;
@@ -83,11 +83,11 @@ function places(what: string, names: string[]): string {
   return `${what}${names.length === 1 ? '' : 's'} ${shown}${more}`;
 }
 
-function topology({ seams: { genus, handleLoops, filledHoles } }: UnwrapReport): string[] {
+function topology({ seams: { genus, handleLoops, handleLength, filledHoles } }: UnwrapReport): string[] {
   const notes: string[] = [];
   if (handleLoops > 0)
     notes.push(
-      `${genus > 0 ? `genus ${genus}: ` : ''}handles are cut open by ${counted(handleLoops, 'loop')}`,
+      `${genus > 0 ? `genus ${genus}: ` : ''}handles are cut open by ${counted(handleLoops, 'loop')} of length ${measure(handleLength)}`,
     );
   if (filledHoles > 0)
     notes.push(

@@ -87,6 +87,8 @@ struct SeamSummary {
   std::int64_t genus = 0;       ///< of the surface, summed over components; -1 where it is cut
                                 ///< because it is no manifold
   std::size_t handleLoops = 0;  ///< two for each handle
+  double handleLength = 0;      ///< of these loops and of what else makes each component a disk,
+                                ///< divided by the root of the area
   std::size_t filledHoles = 0;  ///< boundary loops in charts that no seam joins to the outer one
 };
 

@@ -108,7 +108,10 @@ export interface UnwrapReport {
     relativeLength: number;
     /** -1 where the surface is cut because it is no manifold. */
     genus: number;
+    /** Two for each handle. */
     handleLoops: number;
+    /** Of these loops and of what else makes each component a disk, divided by the root of the area. */
+    handleLength: number;
     /** Boundary loops in charts that no seam joins to the outer one. */
     filledHoles: number;
   };
