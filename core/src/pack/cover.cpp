@@ -91,14 +91,17 @@ void Cover::fill(BitGrid& grid) {
 
 void Cover::cover(const Loops& loops, double slack, BitGrid& grid) {
   std::size_t begin = 0;
-  for (const std::size_t end : loops.ends) {
-    crossings_.clear();
+  crossings_.clear();
+  for (std::size_t k = 0; k < loops.ends.size(); ++k) {
+    const std::size_t end = loops.ends[k];
     for (std::size_t i = begin; i < end; ++i) {
       const PlanePoint a = loops.points[i], b = loops.points[i + 1 < end ? i + 1 : begin];
       coverEdge(a, b, slack, grid);
     }
-    if (!crossings_.empty()) fill(grid);
     begin = end;
+    if (!loops.isGroup[k]) continue;
+    if (!crossings_.empty()) fill(grid);
+    crossings_.clear();
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abflat {
 namespace {
@@ -23,6 +24,61 @@ void addLoop(Loops& loops, const PackShape& shape, const std::uint32_t* vertices
              std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) loops.points.push_back(pointOf(shape, vertices[i]));
   loops.ends.push_back(static_cast<std::uint32_t>(loops.points.size()));
+  loops.isGroup.push_back(1);
+}
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Edges of the positively oriented triangles that have no other one behind them, sorted.
+std::vector<Edge> boundaryEdges(const PackShape& shape) {
+  struct Side {
+    Edge edge;  ///< the smaller vertex first
+    int direction;
+  };
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
+    if (!(doubleArea(shape, t) > 0)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = shape.triangles[t + k], b = shape.triangles[t + (k + 1) % 3];
+      sides.push_back({{std::min(a, b), std::max(a, b)}, a < b ? 1 : -1});
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a.edge < b.edge; });
+  std::vector<Edge> out;
+  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+    int sum = 0;
+    for (; j < sides.size() && sides[j].edge == sides[i].edge; ++j) sum += sides[j].direction;
+    const auto [a, b] = sides[i].edge;
+    out.insert(out.end(), static_cast<std::size_t>(std::abs(sum)),
+               sum > 0 ? Edge(a, b) : Edge(b, a));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// As many edges end at each vertex as begin there, so every walk along unused ones comes back.
+void addBoundary(Loops& loops, const PackShape& shape) {
+  const std::vector<Edge> edges = boundaryEdges(shape);
+  std::vector<std::uint8_t> isUsed(edges.size(), 0);
+  std::vector<std::uint32_t> walk;
+  const auto firstFrom = [&](std::uint32_t v) {
+    const auto place = std::lower_bound(edges.begin(), edges.end(), Edge(v, 0));
+    return static_cast<std::size_t>(place - edges.begin());
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (isUsed[i]) continue;
+    walk.clear();
+    for (std::size_t at = i;;) {
+      isUsed[at] = 1;
+      walk.push_back(edges[at].first);
+      if (edges[at].second == edges[i].first) break;
+      for (at = firstFrom(edges[at].second); isUsed[at];) ++at;
+    }
+    addLoop(loops, shape, walk.data(), walk.size());
+    loops.isGroup.back() = 0;
+  }
+  if (!edges.empty()) loops.isGroup.back() = 1;
 }
 
 bool isLess(PlanePoint a, PlanePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -31,10 +87,12 @@ bool isLess(PlanePoint a, PlanePoint b) { return a.x != b.x ? a.x < b.x : a.y < 
 
 Loops coveringLoops(const PackShape& shape) {
   Loops out;
-  if (!shape.outline.empty()) addLoop(out, shape, shape.outline.data(), shape.outline.size());
+  if (shape.outline.empty())
+    addBoundary(out, shape);
+  else
+    addLoop(out, shape, shape.outline.data(), shape.outline.size());
   for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3)
-    if (shape.outline.empty() || !(doubleArea(shape, t) > 0))
-      addLoop(out, shape, shape.triangles.data() + t, 3);
+    if (!(doubleArea(shape, t) > 0)) addLoop(out, shape, shape.triangles.data() + t, 3);
   return out;
 }
 

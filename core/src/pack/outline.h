@@ -11,15 +11,17 @@ struct PlanePoint {
   double x = 0, y = 0;
 };
 
-/// Closed polygons one after the other. What has a winding number other than 0 in one of them is
-/// covered.
+/// Closed polygons one after the other, in groups. What has a winding number other than 0 in a
+/// group is covered.
 struct Loops {
   std::vector<PlanePoint> points;
-  std::vector<std::uint32_t> ends;  ///< index behind each loop's last point
+  std::vector<std::uint32_t> ends;    ///< index behind each loop's last point
+  std::vector<std::uint8_t> isGroup;  ///< per loop: it is the last one of its group
 };
 
 /// Loops that cover all of a shape, whatever its triangles are like: a triangle that is not
-/// positively oriented has a loop of its own, since it may cancel others in the outline's winding.
+/// positively oriented has a group of its own, since it may cancel others in the outline's winding.
+/// Where the shape has no outline, that of its other triangles, holes included.
 Loops coveringLoops(const PackShape& shape);
 
 struct Mass {

@@ -53,6 +53,7 @@ const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double t
   const int begin = padding > 0 ? shift() : 0;
   const double margin = kMargin * grid_.slack / cell + begin;
   moved_.ends = loops.ends;
+  moved_.isGroup = loops.isGroup;
   moved_.points.resize(loops.points.size());
   for (std::size_t k = 0; k < moved_.points.size(); ++k) {
     const PlanePoint p = pose.rotated(loops.points[k]);
@@ -69,6 +70,7 @@ const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double t
 const BitGrid& PackRaster::takenInTile(const Loops& loops, double originX, double originY) {
   const double cell = grid_.cell;
   moved_.ends = loops.ends;
+  moved_.isGroup = loops.isGroup;
   moved_.points.clear();
   for (const PlanePoint& p : loops.points)
     moved_.points.push_back({((p.x - originX) * grid_.resolution - grid_.border) / cell,

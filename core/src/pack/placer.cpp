@@ -42,7 +42,11 @@ class Placer {
         options_(options),
         tiles_(start),
         begins_(start.size()),
-        raster_(grid) {}
+        raster_(grid) {
+    Rasters* const kept = options_.rasters;
+    if (kept && kept->texelsPerUnit != options_.texelsPerUnit)
+      *kept = {options_.texelsPerUnit, {}, {}};
+  }
 
   Placed run() {
     Placed out;
@@ -100,8 +104,7 @@ class Placer {
       const int end = std::min(static_cast<int>(std::ceil(lowest - above)), tile.height());
       int& begin = begins_[t].of(width, height, area, 4 * p / poses);
       if (begin >= end) continue;
-      footprint_.set(raster_.touched(item.loops, pose, scale));
-      const Cell found = tile.find(footprint_, begin, end);
+      const Cell found = tile.find(footprintOf(i, static_cast<std::uint32_t>(p)), begin, end);
       begin = std::max(begin, found.isFound() ? found.y : end);
       if (!found.isFound()) continue;
       lowest = found.y + above;
@@ -111,9 +114,31 @@ class Placer {
     return isFound;
   }
 
+  const Footprint& footprintOf(std::uint32_t i, std::uint32_t pose) {
+    const auto make = [&](Footprint& out) {
+      out.set(raster_.touched(items_[i].loops, items_[i].poses[pose], options_.texelsPerUnit));
+    };
+    if (!options_.rasters) {
+      make(footprint_);
+      return footprint_;
+    }
+    const auto [place, isNew] = options_.rasters->touched.try_emplace({i, pose});
+    if (isNew) make(place->second);
+    return place->second;
+  }
+
+  const BitGrid& takenBy(std::uint32_t i, std::uint32_t pose) {
+    const auto make = [&]() -> const BitGrid& {
+      return raster_.taken(items_[i].loops, items_[i].poses[pose], options_.texelsPerUnit);
+    };
+    if (!options_.rasters) return make();
+    const auto [place, isNew] = options_.rasters->taken.try_emplace({i, pose});
+    if (isNew) place->second = make();
+    return place->second;
+  }
+
   void take(std::uint32_t i, const Spot& spot) {
-    const BitGrid& taken =
-        raster_.taken(items_[i].loops, items_[i].poses[spot.pose], options_.texelsPerUnit);
+    const BitGrid& taken = takenBy(i, spot.pose);
     tiles_[spot.tile].take(taken, spot.cell.x - raster_.shift(), spot.cell.y - raster_.shift());
   }
 

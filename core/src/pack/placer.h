@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "pack/cover.h"
@@ -31,10 +33,19 @@ struct Spot {
 
 enum class Fit { All, TooMany, Cancelled };
 
+/// Items as cells at one scale, made when they are needed and kept from one try to the next.
+struct Rasters {
+  using Key = std::pair<std::uint32_t, std::uint32_t>;  ///< item and pose
+  double texelsPerUnit = 0;
+  std::map<Key, Footprint> touched;
+  std::map<Key, BitGrid> taken;
+};
+
 struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
   std::function<bool(std::size_t placed)> onPlaced;  ///< false cancels
+  Rasters* rasters = nullptr;  ///< of the same items and grid; null: nothing is kept
 };
 
 struct Placed {

@@ -41,7 +41,8 @@ class Search {
         start_(1, tile),
         pool_(pool),
         progress_(progress),
-        strategies_(strategiesFor(items)) {}
+        strategies_(strategiesFor(items)),
+        rasters_(strategies_.size() > 1 ? atOnce() : 0) {}
 
   ScaleSearch run() {
     bound();
@@ -52,6 +53,8 @@ class Search {
   }
 
  private:
+  std::size_t atOnce() const { return isParallel(pool_) ? pool_->threads() : 1; }
+
   /// Finds a scale that fits, with the first strategy. False when there is none.
   bool begin(double guess) {
     if (!attempt(guess, 0)) return descend(guess);
@@ -67,9 +70,8 @@ class Search {
 
   /// Steps up until no strategy has one any more, beginning with the last that had.
   void climbAnyhow(double step) {
-    const std::size_t atOnce = isParallel(pool_) ? pool_->threads() : 1;
     for (std::size_t failures = 0; failures < strategies_.size() && !isCancelled_;) {
-      const std::size_t count = std::min(atOnce, strategies_.size() - failures);
+      const std::size_t count = std::min(atOnce(), strategies_.size() - failures);
       if (climb(step, lastGood_, count)) {
         failures = 0;
       } else {
@@ -131,7 +133,9 @@ class Search {
     std::vector<Placed> placed(count);
     parallelFor(pool_, count, [&](std::size_t k) {
       const std::size_t s = (strategy + k) % strategies_.size();
-      placed[k] = place(items_, strategies_[s], grid_, start_, options);
+      PlaceOptions own = options;
+      if (k < rasters_.size()) own.rasters = &rasters_[k];
+      placed[k] = place(items_, strategies_[s], grid_, start_, own);
     });
     for (std::size_t k = 0; k < count; ++k) {
       ++out_.tries;
@@ -160,6 +164,7 @@ class Search {
   ThreadPool* pool_;
   const std::function<bool(double)>& progress_;
   const std::vector<PlaceStrategy> strategies_;
+  std::vector<Rasters> rasters_;  ///< of each try at once
   std::size_t lastGood_ = 0;
   ScaleSearch out_;
   double most_ = 0, least_ = 0;

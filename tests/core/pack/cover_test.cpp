@@ -1,5 +1,6 @@
 #include "pack/cover.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "catch.h"
@@ -64,6 +65,30 @@ TEST_CASE("cover goes without an outline", "[pack]") {
     shape.outline.clear();
     CHECK(differences(covered(shape, 1e-6), texels, 0) == 0);
   }
+}
+
+TEST_CASE("cover leaves holes open", "[pack]") {
+  // A ring within another one.
+  PackShape shape;
+  constexpr std::uint32_t kSpokes = 24;
+  const auto addRing = [&](double x, double y, double inner, double outer) {
+    const auto first = static_cast<std::uint32_t>(shape.uv.size() / 2);
+    for (std::uint32_t i = 0; i < kSpokes; ++i)
+      for (const double radius : {inner, outer}) {
+        const double angle = 2 * 3.14159265358979 * i / kSpokes;
+        shape.uv.insert(shape.uv.end(),
+                        {x + radius * std::cos(angle), y + radius * std::sin(angle)});
+      }
+    for (std::uint32_t i = 0; i < kSpokes; ++i) {
+      const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % kSpokes);
+      shape.triangles.insert(shape.triangles.end(), {a, a + 1, b + 1, a, b + 1, b});
+    }
+  };
+  addRing(40.3, 41.7, 12.2, 25.1);
+  addRing(40.3, 41.7, 3.1, 7.4);
+  const Texels texels = touchedTexels(shape.uv, shape.triangles, 1);
+  CHECK(std::count(texels.begin(), texels.end(), std::pair(40, 41)) == 0);
+  CHECK(differences(covered(shape, 1e-6), texels, 0) == 0);
 }
 
 TEST_CASE("cover includes triangles that are turned over", "[pack]") {
