@@ -83,7 +83,9 @@ function places(what: string, names: string[]): string {
   return `${what}${names.length === 1 ? '' : 's'} ${shown}${more}`;
 }
 
-function topology({ seams: { genus, handleLoops, handleLength, filledHoles } }: UnwrapReport): string[] {
+function topology({
+  seams: { genus, handleLoops, handleLength, filledHoles },
+}: UnwrapReport): string[] {
   const notes: string[] = [];
   if (handleLoops > 0)
     notes.push(
