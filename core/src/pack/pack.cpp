@@ -246,10 +246,12 @@ class Packer {
   /// The first from this one up; 0 when there is none, or when cancelled.
   int resolutionThatFits(double from) const {
     PackOptions finer = options_;
-    for (double side = from; side <= kMostResolution; side *= 1.02) {
+    double side = from;
+    while (side <= kMostResolution) {
       finer.resolution = static_cast<int>(std::ceil(side));
       const Fit fit = fitOf(finer);
       if (fit != Fit::TooMany) return fit == Fit::All ? finer.resolution : 0;
+      side *= 1.02;
     }
     return 0;
   }
