@@ -63,18 +63,22 @@ async function startSession(t) {
   const rest = async () => {
     for (let i = 0; i < 30; i++) await Promise.resolve();
   };
-  return { session, open, ask, calls: abflat.calls, log, rest };
+  /** Opened and read, its layout under way. */
+  const openHead = async () => {
+    open(HEAD, at(1));
+    await rest();
+    abflat.calls[0].resolve(TRIANGLE);
+    await rest();
+  };
+  return { session, open, openHead, ask, calls: abflat.calls, log, rest };
 }
 
 const HEAD = { kind: 'sample', name: 'head' };
 const BALL = { kind: 'sample', name: 'ball' };
 
 test('session: another condition is another wish, at the same t', async (t) => {
-  const { open, ask, calls, rest } = await startSession(t);
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  const { openHead, ask, calls, rest } = await startSession(t);
+  await openHead();
   ask({ mode: 'flatten', t: 1, delaunay: true });
   calls[1].resolve({});
   await rest();
@@ -88,15 +92,12 @@ test('session: another condition is another wish, at the same t', async (t) => {
 });
 
 test('session: what runs aside gives way to a run', async (t) => {
-  const { session, open, ask, calls, rest } = await startSession(t);
+  const { openHead, session, ask, calls, rest } = await startSession(t);
   const aside = session.aside(
     (abflat, input, signal) => abflat.flatten(input, { t: 9, signal }),
     new AbortController().signal,
   );
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  await openHead();
   calls[1].resolve({});
   await rest();
   assert.equal(calls[2].t, 9);
@@ -113,11 +114,8 @@ test('session: what runs aside gives way to a run', async (t) => {
 });
 
 test('session: reads, then flattens', async (t) => {
-  const { open, calls, log, rest } = await startSession(t);
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  const { openHead, calls, log, rest } = await startSession(t);
+  await openHead();
   calls[1].onProgress({ fraction: 0.5 });
   calls[1].resolve({});
   await rest();
@@ -131,11 +129,8 @@ test('session: reads, then flattens', async (t) => {
 });
 
 test('session: a quick run is shown before the next starts; a slow one is aborted for the latest wish', async (t) => {
-  const { open, ask, calls, log, rest } = await startSession(t);
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  const { openHead, ask, calls, log, rest } = await startSession(t);
+  await openHead();
   ask(at(1.1));
   ask(at(1.2));
   calls[1].resolve({});
@@ -161,11 +156,8 @@ test('session: a quick run is shown before the next starts; a slow one is aborte
 });
 
 test('session: cancelling drops the run and the wish; nothing comes late', async (t) => {
-  const { session, open, ask, calls, log, rest } = await startSession(t);
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  const { openHead, session, ask, calls, log, rest } = await startSession(t);
+  await openHead();
   ask(at(1.5));
   session.cancel();
   calls[1].onProgress({ fraction: 0.9 });
@@ -202,11 +194,8 @@ test('session: a mesh opened later wins over one that is still read', async (t) 
 });
 
 test('session: what cannot be read leaves the mesh before, which can be flattened again', async (t) => {
-  const { open, ask, calls, log, rest } = await startSession(t);
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  const { openHead, open, ask, calls, log, rest } = await startSession(t);
+  await openHead();
   calls[1].resolve({});
   await rest();
   open(BALL, at(1));
@@ -222,11 +211,8 @@ test('session: what cannot be read leaves the mesh before, which can be flattene
 });
 
 test('session: an atlas is asked for with its own options, in the format of the file', async (t) => {
-  const { open, ask, calls, log, rest } = await startSession(t);
-  open(HEAD, at(1));
-  await rest();
-  calls[0].resolve(TRIANGLE);
-  await rest();
+  const { openHead, ask, calls, log, rest } = await startSession(t);
+  await openHead();
   calls[1].resolve({});
   await rest();
   ask({ mode: 'unwrap', maxStretch: 1.1, resolution: 512, padding: 2 });

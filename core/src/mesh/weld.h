@@ -15,7 +15,7 @@ struct Welding {
   bool isExact = true;                  ///< all that were merged have the same coordinates
 };
 
-/// Relative to the diagonal of the bounding box: far below any edge, above the rounding of float32.
+/// Relative to the diagonal of the bounding box: above the rounding of float32, below most edges.
 constexpr double kWeldTolerance = 1e-7;
 
 /// Vertices no further apart than the tolerance times the diagonal of the bounding box. A vertex
