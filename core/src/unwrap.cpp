@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -13,11 +14,10 @@
 #include "mesh/surface.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/welded_mesh.h"
-#include "pack/pack.h"
 #include "parallel.h"
-#include "round_texcoords.h"
 #include "seam/given_seams.h"
 #include "stopwatch.h"
+#include "unwrap_atlas.h"
 #include "unwrap_chart.h"
 #include "unwrap_fixed.h"
 #include "unwrap_known.h"
@@ -38,9 +38,6 @@ constexpr Stage kSurface{"surface", 0, 0.05, &UnwrapStages::surface},
     kSeams{"seams", 0.05, 0.2, &UnwrapStages::seams},
     kSolve{"solve", 0.2, 0.85, &UnwrapStages::solve},
     kPack{"pack", 0.85, 0.97, &UnwrapStages::pack}, kCheck{"check", 0.97, 1, &UnwrapStages::check};
-
-/// Coordinates below 16, which is what packing allows for.
-constexpr int kMostTilesInSingle = 160;
 
 class Monitor {
  public:
@@ -82,14 +79,14 @@ Status checkUnpinned(const std::vector<DiskChart>& charts, const std::vector<Cha
   return {};
 }
 
-/// Those that have no layout yet, and those with pins.
+/// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
 void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
-                const UnwrapOptionValues& options, ThreadPool& pool, Monitor& monitor,
-                std::vector<FlatChart>& flat) {
+                const UnwrapOptionValues& options, ThreadPool& pool, const Monitor& monitor,
+                const std::function<bool(double)>& tell, std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
   const auto isKnown = [&](std::size_t i) {
-    return !flat[i].unpacked.empty() && wishes[i].pins.empty();
+    return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
   };
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (!isKnown(i)) triangles += charts[i].triangleCount();
@@ -101,135 +98,52 @@ void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWis
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
-      return monitor.tell(kSolve, static_cast<double>(done) / static_cast<double>(triangles));
+      return tell(static_cast<double>(done) / static_cast<double>(triangles));
     };
     flat[order[i]] = flattenOne(chart, options, wishes[order[i]], pool, goesOn);
     done += chart.triangleCount();
   });
 }
 
-std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
-                                const std::vector<FlatChart>& flat) {
-  std::vector<PackShape> shapes(charts.size());
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    shapes[i].isFixed = flat[i].isFixed;
-    shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
-    const auto corners = charts[i].vertexOfCorner.begin();
-    shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
-    // Others may lie in its holes.
-    if (charts[i].filledHoles > 0 || flat[i].isGiven) continue;
-    for (const std::uint32_t h : charts[i].boundary)
-      shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
-  }
-  return shapes;
+/// More than seams are to allow.
+bool isStretched(const FlatChart& chart, double most) {
+  return !chart.isFixed && chart.attempt.distortion.symmetricDirichlet > most;
 }
 
-/// Moves the layouts to their places.
-void place(const Packing& packing, std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    if (flat[i].isFixed) continue;
-    const Placement& p = packing.placements[i];
-    const std::vector<double>& from = flat[i].unpacked;
-    flat[i].uv.resize(from.size());
-    for (std::size_t k = 0; k < from.size(); k += 2) {
-      flat[i].uv[k] = p.u(&from[k]) + p.column();
-      flat[i].uv[k + 1] = p.v(&from[k]) + p.row();
-    }
+/// Whether charts are as little stretched as seams let them be.
+bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
+
+void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
+                   std::vector<std::string>& notes) {
+  if (!options.seams.isAuto) return;
+  std::size_t count = 0;
+  double most = 0;
+  for (const FlatChart& chart : flat) {
+    if (!isStretched(chart, options.maxStretch)) continue;
+    ++count;
+    most = std::max(most, chart.attempt.distortion.symmetricDirichlet);
   }
+  if (count == 0) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "%zu %s stretched by more than %g, up to %.5g: ", count,
+                count == 1 ? "chart is" : "charts are", options.maxStretch, most);
+  notes.push_back(text + std::string(isFree(options)         ? "no seam was found that helps"
+                                     : options.straightSeams ? "straight seams take that"
+                                                             : "a larger t, or auto, takes less"));
 }
 
-Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
-               ThreadPool& pool, Monitor& monitor, std::vector<FlatChart>& flat, Packing& packing,
-               AtlasReport& atlas) {
-  PackOptions how;
-  how.resolution = options.resolution;
-  how.padding = options.padding;
-  how.rotate = options.rotate;
-  how.texelDensity = options.texelDensity;
-  how.udim = options.udim;
-  how.pool = &pool;
-  how.progress = [&](double share) { return monitor.tell(kPack, share); };
-  Result<Packing> packed = pack(shapesOf(charts, flat), how);
-  if (!packed.ok()) return packed.status;
-  packing = std::move(packed.value);
-  place(packing, flat);
-  atlas = {options.resolution, options.padding, static_cast<int>(packing.tiles),
-           packing.utilization, packing.texelDensity};
-  return {};
-}
-
-/// What is needed to undo rounding. Charts that were packed can be placed once more.
-class BeforeRounding {
- public:
-  explicit BeforeRounding(const std::vector<FlatChart>& flat) {
-    for (const FlatChart& chart : flat) {
-      const bool isPinned = chart.isFixed && !chart.isGiven;
-      uvOfPinned_.push_back(isPinned ? chart.uv : std::vector<double>());
-      hadProblem_.push_back(!chart.problem.empty());
-    }
+/// Layouts of the charts that are as they were, and of the same form.
+std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
+                                   std::vector<FlatChart>& flat) {
+  std::vector<FlatChart> out(now.charts.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::uint32_t old = before.ofTriangle[now.triangles[i].front()];
+    const DiskChart &a = before.charts[old], &b = now.charts[i];
+    if (a.triangleCount() == b.triangleCount() && a.surfaceTriangles() == b.surfaceTriangles() &&
+        a.boundary.size() == b.boundary.size())
+      out[i] = std::move(flat[old]);
   }
-
-  /// Charts that have a problem since.
-  std::size_t lost(const std::vector<FlatChart>& flat) const {
-    std::size_t out = 0;
-    for (std::size_t i = 0; i < flat.size(); ++i)
-      out += !flat[i].problem.empty() && !hadProblem_[i];
-    return out;
-  }
-
-  /// Validity of all without a problem has to be decided anew.
-  void restore(const Packing& packing, std::vector<FlatChart>& flat) const {
-    place(packing, flat);
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-      if (!uvOfPinned_[i].empty()) flat[i].uv = uvOfPinned_[i];
-      if (!hadProblem_[i]) flat[i].problem.clear();
-    }
-  }
-
- private:
-  std::vector<std::vector<double>> uvOfPinned_;  ///< empty for others
-  std::vector<bool> hadProblem_;
-};
-
-/// All charts in the atlas, rounded or as they are.
-void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options,
-              const Packing& packing, ThreadPool& pool, std::vector<FlatChart>& flat,
-              UnwrapReport& report) {
-  const auto check = [&] {
-    parallelFor(&pool, flat.size(), [&](std::size_t i) {
-      if (!flat[i].isGiven) checkInPlace(charts[i], flat[i]);
-    });
-  };
-  const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
-  if (options.roundsToSingle && !isFine)
-    report.notes.push_back("texcoords are in double precision: single is too coarse for " +
-                           std::to_string(report.atlas.tiles) + " tiles");
-  if (!options.roundsForGltf && !(options.roundsToSingle && isFine)) return check();
-  const BeforeRounding before(flat);
-  for (FlatChart& chart : flat) {
-    if (chart.isGiven) continue;
-    if (!chart.isFixed)
-      roundInAtlas(chart.uv);
-    else if (options.roundsForGltf)
-      roundForGltf(chart.uv);
-    else
-      roundToSingle(chart.uv);
-  }
-  check();
-  if (options.roundsForGltf) return;  // which holds nothing else
-  const std::size_t lost = before.lost(flat);
-  if (lost == 0) return;
-  before.restore(packing, flat);
-  check();
-  report.notes.push_back("texcoords are in double precision: rounded to single, " +
-                         std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
-                         " would not be valid");
-}
-
-/// Charts are factored in the order that was found for the whole surface.
-void orderCharts(const std::vector<std::uint32_t>& place, std::vector<DiskChart>& charts) {
-  for (DiskChart& chart : charts)
-    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(place[v]);
+  return out;
 }
 
 /// One run, stage by stage.
@@ -250,7 +164,7 @@ class Unwrapping {
       if (monitor_.tell(stage))
         if (Status s = (this->*work)(); !s.ok()) return s;
       if (monitor_.stopped()) return Status{StatusCode::Aborted, "cancelled"};
-      report_.timings.*stage.field = watch_.lap();
+      report_.timings.*stage.field += watch_.lap();
       report_.peakMemory.*stage.field = peakMemory();
     }
     return std::move(out_);
@@ -288,38 +202,85 @@ class Unwrapping {
     Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
-    CutOpen open = cutOpen(
+    open_ = cutOpen(
         welded_, surface_, given.value, fixed_, options_, *pool_,
         [&] { return monitor_.tell(kSeams); }, report_.seams);
-    if (monitor_.stopped()) return {};
-    seams_ = std::move(open.seams);
-    set_ = makeCharts(welded_.mesh, open.disks);
-    orderCharts(open.place, set_.charts);
+    if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
     return {};
   }
 
+  /// Charts that turn out to be stretched more than was expected are cut further.
   Status flatten() {
-    texcoords_ = numberTexcoords(welded_, surface_, set_);
-    const Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, options_);
-    if (!wishes.ok()) return wishes.status;
-    Result<std::vector<FlatChart>> known = knownCharts(cutMesh(), wishes.value, options_, *pool_);
-    if (!known.ok()) return known.status;
-    flat_ = std::move(known.value);
+    if (Status s = readWishes(); !s.ok()) return s;
+    flat_.resize(set_.charts.size());
     if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
-    if (Status s = checkUnpinned(set_.charts, wishes.value, flat_); !s.ok()) return s;
-    flattenAll(set_.charts, wishes.value, options_, *pool_, monitor_, flat_);
+    if (Status s = checkUnpinned(set_.charts, wishes_, flat_); !s.ok()) return s;
+    if (Status s = layOut(); !s.ok()) return s;
+    constexpr int kMostRounds = 8;
+    while (round_ < kMostRounds && !monitor_.stopped()) {
+      ++round_;
+      report_.timings.solve += watch_.lap();
+      const bool isCut = cutFurther();
+      report_.timings.seams += watch_.lap();
+      if (!isCut || monitor_.stopped()) break;
+      const ChartSet before = std::move(set_);
+      set_ = chartsOf(welded_, open_);
+      if (Status s = readWishes(); !s.ok()) return s;
+      flat_ = layoutsKept(before, set_, flat_);
+      if (Status s = layOut(); !s.ok()) return s;
+    }
     return {};
+  }
+
+  Status readWishes() {
+    texcoords_ = numberTexcoords(welded_, surface_, set_);
+    Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, options_);
+    if (!wishes.ok()) return wishes.status;
+    wishes_ = std::move(wishes.value);
+    return {};
+  }
+
+  /// What has no layout yet.
+  Status layOut() {
+    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
+    flattenAll(
+        set_.charts, wishes_, options_, *pool_, monitor_,
+        [&](double share) { return tellSolve(share); }, flat_);
+    return {};
+  }
+
+  /// Each round has a part of what those before left.
+  bool tellSolve(double share) {
+    constexpr double kFirst = 0.7;
+    return monitor_.tell(kSolve, 1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
+  }
+
+  bool cutFurther() {
+    if (!options_.seams.isAuto || !isFree(options_)) return false;
+    std::vector<double> stretch;
+    for (FlatChart& chart : flat_) {
+      const bool isAsked = isStretched(chart, options_.maxStretch) && !chart.isCutEnough;
+      stretch.push_back(isAsked ? chart.attempt.distortion.symmetricDirichlet : 0);
+      // Unless its layout is not kept.
+      chart.isCutEnough = chart.isCutEnough || isAsked;
+    }
+    return cutStretched(
+        set_, stretch, options_, *pool_, [&] { return tellSolve(0); }, open_);
   }
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
-    return packAll(set_.charts, options_, *pool_, monitor_, flat_, packing_, report_.atlas);
+    const auto tell = [&](double share) { return monitor_.tell(kPack, share); };
+    return packAll(set_.charts, options_, *pool_, tell, flat_, packing_, report_.atlas);
   }
 
   Status finish() {
     checkAll(set_.charts, options_, packing_, *pool_, flat_, report_);
     fillOutput(mesh_, welded_, surface_, set_, texcoords_, flat_, out_);
-    out_.seams = seamEdges(mesh_, welded_, surface_, seams_);
+    const Seams seams = visibleSeams(open_);
+    measureSeams(open_, seams, report_.seams);
+    out_.seams = seamEdges(mesh_, welded_, surface_, seams);
+    noteStretched(flat_, options_, report_.notes);
     fillReport(set_, flat_, surface_, welded_, report_);
     return {};
   }
@@ -334,10 +295,12 @@ class Unwrapping {
   Surface surface_;
   std::unique_ptr<ThreadPool> pool_;
   FixedTriangles fixed_;
-  Seams seams_;
+  OpenSurface open_;
   ChartSet set_;
   Texcoords texcoords_;
+  std::vector<ChartWishes> wishes_;
   std::vector<FlatChart> flat_;
+  int round_ = 0;  ///< of flattening
   Packing packing_;
 };
 

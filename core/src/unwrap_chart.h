@@ -17,6 +17,7 @@ struct FlatChart {
   std::string problem;           ///< why it is not valid, one sentence; empty when it is
   bool isFixed = false;          ///< uv are those in the atlas from the start: packing leaves them
   bool isGiven = false;          ///< those of the input, which have been checked
+  bool isCutEnough = false;      ///< no seam was found that would stretch it less
 };
 
 /// What one chart is asked for beyond the options.

@@ -121,18 +121,16 @@ Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh
   return order;
 }
 
-Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh,
-                                           const std::vector<ChartWishes>& wishes,
-                                           const UnwrapOptions& options, ThreadPool& pool) {
+Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
+                 const UnwrapOptions& options, ThreadPool& pool, std::vector<FlatChart>& flat) {
   const std::vector<DiskChart>& charts = mesh.set.charts;
-  std::vector<FlatChart> out(charts.size());
   const KnownLayout& layout = options.known;
-  if (layout.triangles.empty()) return out;
+  if (layout.triangles.empty()) return {};
   Result<TriangleOrder> order = knownTriangles(layout, mesh.input, mesh.welded, mesh.surface);
   if (!order.ok()) return order.status;
   Known known{layout, std::move(order.value), {}};
   // Other angles were wanted then.
-  if (layout.t != options.t || layout.straightSeams != options.straightSeams) return out;
+  if (layout.t != options.t || layout.straightSeams != options.straightSeams) return {};
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
   for (std::uint32_t t = 0; t < known.order.ofTriangle.size(); ++t)
     ++known.trianglesOfChart[known.chartOf(t)];
@@ -143,12 +141,13 @@ Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh,
     now = findOutlines(mesh.surface, mesh.set);
   }
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
+    if (!flat[i].unpacked.empty()) return;
     std::vector<double> uv = knownUv(known, charts[i], mesh.set.triangles[i]);
     if (uv.empty()) return;
     if (options.straightSeams && !hasSameEnds(mesh.surface, mesh.set, i, before, now)) return;
-    out[i] = takeOver(charts[i], wishes[i], std::move(uv));
+    flat[i] = takeOver(charts[i], wishes[i], std::move(uv));
   });
-  return out;
+  return {};
 }
 
 KnownLayout knownLayout(const UnwrapResult& earlier) {

@@ -24,10 +24,9 @@ struct CutMesh {
 Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh& input,
                                      const WeldedMesh& welded, const Surface& surface);
 
-/// Per chart the layout that `options.known` has for it; empty where it has none that is valid and
+/// Gives charts without a layout the one that `options.known` has for them, where that is valid and
 /// as wished, pins aside. Errors: InvalidOption where what is known is not about this mesh.
-Result<std::vector<FlatChart>> knownCharts(const CutMesh& mesh,
-                                           const std::vector<ChartWishes>& wishes,
-                                           const UnwrapOptions& options, ThreadPool& pool);
+Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
+                 const UnwrapOptions& options, ThreadPool& pool, std::vector<FlatChart>& flat);
 
 }  // namespace abflat

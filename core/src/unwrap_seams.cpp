@@ -5,24 +5,19 @@
 #include <utility>
 
 #include "hole/fill_holes.h"
+#include "hole/filled_table.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
+#include "seam/prediction.h"
 
 namespace abflat {
 namespace {
 
-/// What seams are sought on.
-struct Opened {
-  SeamMesh mesh;
-  Fans fans;
-  Seams given;  ///< those that are not its boundary
-};
-
 /// The surface opened along what is given, so that the holes of its charts show, and with these
 /// filled; where there are none the surface as it is, which has the same elimination order whatever
-/// is given.
-Opened openAndFill(const WeldedMesh& welded, const Surface& surface, const Seams& given,
-                   const FixedTriangles& fixed, FillHoles mode) {
+/// is given. The seams are those that are given but not its boundary.
+OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams given,
+                        const FixedTriangles& fixed, FillHoles mode) {
   CornerTable table = surface.table;
   for (std::size_t h = 0; h < given.size(); ++h)
     if (given[h]) table.twin[h] = kNone;
@@ -30,32 +25,65 @@ Opened openAndFill(const WeldedMesh& welded, const Surface& surface, const Seams
     return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
-  Opened out;
-  out.fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
-  out.mesh = meshOf(table, out.fans);
+  Fans fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
+  OpenSurface out;
+  out.mesh = meshOf(table, fans);
   fillHoles(mode, fixed.isFixed, out.mesh);
-  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty())
-    out = {meshOf(surface.table, surface.fans), surface.fans, given};
+  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty()) {
+    fans = surface.fans;
+    out.mesh = meshOf(surface.table, fans);
+    out.seams = given;
+  }
+  out.inputVertex = std::move(fans.inputVertex);
+  out.given = std::move(given);
   return out;
 }
 
+SeamOptions seamOptions(const UnwrapOptions& options, ThreadPool& pool,
+                        std::function<bool()> keepsOn) {
+  SeamOptions out;
+  out.isAuto = options.seams.isAuto;
+  out.maxStretch = options.maxStretch;
+  out.fillHoles = options.fillHoles;
+  out.pool = &pool;
+  out.keepsOn = std::move(keepsOn);
+  return out;
+}
+
+/// Seams of the charts that are wanted alone, which are added to those of `open`.
+void findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWanted,
+                SeamOptions options, OpenSurface& open, SeamReport& found) {
+  const SeamPart part = extractCharts(open.mesh, surface, isWanted);
+  const bool hasPlace = !open.place.empty();
+  if (hasPlace)
+    for (const std::uint32_t v : part.vertex) options.place.push_back(open.place[v]);
+  const Seams seams = findSeams(part.mesh, {}, options, &found);
+  open.seams.resize(open.mesh.twin.size(), 0);
+  for (std::size_t h = 0; h < seams.size(); ++h)
+    if (seams[h]) open.seams[part.halfEdge[h]] = 1;
+  open.place.resize(open.mesh.vertexCount(), 0);
+  open.scale.resize(open.mesh.vertexCount(), 0);
+  for (std::size_t v = 0; v < found.place.size(); ++v) {
+    // A chart is to be solved in the same order whenever it is found.
+    if (!hasPlace) open.place[part.vertex[v]] = found.place[v];
+    open.scale[part.vertex[v]] = found.scale[v];
+  }
+}
+
 /// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
-Seams findAround(const SeamMesh& mesh, const std::vector<std::uint8_t>& isFixed, Seams given,
-                 const SeamOptions& wanted, SeamReport& found) {
-  if (isFixed.empty()) return findSeams(mesh, std::move(given), wanted, &found);
-  const CutSurface islands = cutAlong(mesh, Seams(mesh.twin.size(), 0));
+void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& options,
+                OpenSurface& open, SeamReport& found) {
+  if (isFixed.empty()) {
+    open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
+    open.place = std::move(found.place);
+    open.scale = std::move(found.scale);
+    return;
+  }
+  const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
   std::vector<std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : islands.charts)
     isWanted.push_back(!isFixed[chart.firstTriangle]);
-  const SeamPart rest = extractCharts(mesh, islands, isWanted);
-  const Seams ofRest = findSeams(rest.mesh, {}, wanted, &found);
-  Seams seams(mesh.twin.size(), 0);
-  for (std::size_t h = 0; h < ofRest.size(); ++h)
-    if (ofRest[h]) seams[rest.halfEdge[h]] = 1;
-  std::vector<std::uint32_t> place(mesh.vertexCount(), 0);
-  for (std::size_t v = 0; v < found.place.size(); ++v) place[rest.vertex[v]] = found.place[v];
-  found.place = std::move(place);
-  return seams;
+  findWithin(islands, isWanted, options, open, found);
 }
 
 /// What is given, without what lies within fixed islands, and the borders of these.
@@ -69,42 +97,73 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 
 }  // namespace
 
-CutOpen cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
-                std::function<bool()> keepsOn, SeamSummary& summary) {
-  const Seams given = withBorders(asked, fixed);
-  Opened opened = openAndFill(welded, surface, given, fixed, options.fillHoles);
-  const SeamMesh& mesh = opened.mesh;
-  SeamOptions wanted;
-  wanted.isAuto = options.seams.isAuto;
-  wanted.maxStretch = options.maxStretch;
-  wanted.fillHoles = options.fillHoles;
-  wanted.pool = &pool;
-  wanted.keepsOn = std::move(keepsOn);
+OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
+                    const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
+                    std::function<bool()> keepsOn, SeamSummary& summary) {
+  OpenSurface open =
+      openAndFill(welded, surface, withBorders(asked, fixed), fixed, options.fillHoles);
   SeamReport found;
-  CutOpen out;
-  out.seams = findAround(mesh, fixed.isFixed, std::move(opened.given), wanted, found);
-  for (std::size_t i = 0; i < found.place.size(); ++i) {
-    const std::uint32_t v = opened.fans.inputVertex[i];
-    if (v >= out.place.size()) out.place.resize(v + 1);
-    out.place[v] = found.place[i];
-  }
-  out.disks = filledTable(mesh, opened.fans.inputVertex, out.seams);
-  out.seams.resize(given.size());
-  double length = 0;
-  for (std::uint32_t h = 0; h < out.seams.size(); ++h) {
-    out.seams[h] = given[h] || (out.seams[h] && mesh.isOnSurface(h));
-    if (!out.seams[h]) continue;
-    length += mesh.length[h] / 2;
-    ++summary.edges;
-  }
-  summary.edges /= 2;
-  const double size = std::sqrt(mesh.totalArea());
-  summary.relativeLength = size > 0 ? length / size : 0;
+  findAround(fixed.isFixed, seamOptions(options, pool, std::move(keepsOn)), open, found);
   summary.genus = surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
+  return open;
+}
+
+bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
+                  const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                  OpenSurface& open) {
+  const CutSurface s = cutAlong(open.mesh, open.seams);
+  const Prediction expected = predictStretch(open.mesh, s, open.scale);
+  std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
+  std::vector<double> excess(s.charts.size(), 0);
+  for (std::size_t i = 0; i < stretch.size(); ++i) {
+    if (!(stretch[i] > options.maxStretch)) continue;
+    const std::uint32_t c = s.chartOfTriangle[set.triangles[i].front()];
+    const double told = (expected.stretch[c] - 1) / expected.excess[c];
+    if (!(told > 0)) continue;
+    isWanted[c] = 1;
+    // Where it is more, it is not area alone that is distorted: one seam, and flattening tells.
+    constexpr double kMost = 8, kSlightly = 1.01;
+    const double leastToCut = kSlightly * (options.maxStretch - 1) / told;
+    excess[c] = std::min((stretch[i] - 1) / told, std::max(kMost, leastToCut));
+  }
+  open.mesh.excess.resize(open.mesh.triangleCount(), 1);
+  for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)
+    if (const std::uint32_t c = s.chartOfTriangle[f]; isWanted[c]) open.mesh.excess[f] = excess[c];
+  const Seams before = open.seams;
+  SeamReport found;
+  findWithin(s, isWanted, seamOptions(options, pool, std::move(keepsOn)), open, found);
+  return open.seams != before;
+}
+
+ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
+  ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
+  // Charts are factored in the order that was found for the whole surface.
+  std::vector<std::uint32_t> place(welded.mesh.vertexCount(), 0);
+  for (std::size_t i = 0; i < open.place.size(); ++i) place[open.inputVertex[i]] = open.place[i];
+  for (DiskChart& chart : out.charts)
+    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(place[v]);
   return out;
+}
+
+Seams visibleSeams(const OpenSurface& open) {
+  Seams out = open.given;
+  for (std::uint32_t h = 0; h < out.size(); ++h)
+    out[h] = out[h] || (open.seams[h] && open.mesh.isOnSurface(h));
+  return out;
+}
+
+void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
+  double length = 0;
+  for (std::size_t h = 0; h < visible.size(); ++h) {
+    if (!visible[h]) continue;
+    length += open.mesh.length[h] / 2;
+    ++summary.edges;
+  }
+  summary.edges /= 2;
+  const double size = std::sqrt(open.mesh.totalArea());
+  summary.relativeLength = size > 0 ? length / size : 0;
 }
 
 }  // namespace abflat

@@ -11,6 +11,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     if (!isWanted[s.chartOfTriangle[f]]) continue;
     m.area.push_back(mesh.area[f]);
     if (!mesh.hole.empty()) m.hole.push_back(mesh.hole[f]);
+    if (!mesh.excess.empty()) m.excess.push_back(mesh.excess[f]);
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
       place[h] = static_cast<std::uint32_t>(part.halfEdge.size());
       part.halfEdge.push_back(h);

@@ -87,6 +87,7 @@ class Finder {
 void Finder::analyse() {
   Stopwatch watch;
   std::vector<std::uint32_t> place;
+  if (isWhole()) place = options_.place;
   if (!isWhole())
     for (const std::uint32_t v : part_.vertex) place.push_back(report_.place[v]);
   scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(place));
@@ -216,6 +217,7 @@ Seams Finder::run() {
   report_.stretch = predictStretch(whole_, s, u_).total;
   for (const CutSurface::Chart& chart : s.charts)
     report_.charts += !whole_.isFilling(chart.firstTriangle);
+  report_.scale = std::move(u_);
   return std::move(result_);
 }
 

@@ -19,6 +19,7 @@ struct SeamOptions {
   double mostOverlap = 0.0003;
   /// What is a disk before anything is cut stays whole, however much it is distorted.
   bool keepDisks = false;
+  std::vector<std::uint32_t> place;       ///< as in SeamReport; empty: one is sought
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
   std::function<bool()> keepsOn;          ///< false: stop with the seams so far, which cut to disks
@@ -35,6 +36,7 @@ struct SeamReport {
   /// Per vertex of the mesh, its place in an elimination order that was found for the whole and is
   /// good for any part of it.
   std::vector<std::uint32_t> place;
+  std::vector<double> scale;  ///< per vertex of the mesh, the log-scale that is expected
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
 };

@@ -51,14 +51,18 @@ Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::
   }
   p.stretch.assign(charts, 1);
   p.meanScale.assign(charts, 1);
+  p.excess.assign(charts, mesh.excess.empty() ? 1 : 0);
+  for (std::size_t f = 0; f < mesh.excess.size(); ++f)
+    p.excess[s.chartOfTriangle[f]] += mesh.area[f] * mesh.excess[f];
   double area = 0, sum = 0;
   for (std::size_t c = 0; c < charts; ++c) {
     const double all = s.charts[c].area;
     if (all > 0) {
       const double rest = std::max(0.0, all - inside[c]);  // along the boundary, where u = 0
       p.meanScale[c] = (rest + grown[c]) / all;
-      p.stretch[c] =
-          std::max(1.0, (1 + p.meanScale[c] * (rest + shrunk[c]) / all) / 2) + kinks[c] / all;
+      if (!mesh.excess.empty()) p.excess[c] /= all;
+      const double stretch = (1 + p.meanScale[c] * (rest + shrunk[c]) / all) / 2;
+      p.stretch[c] = 1 + p.excess[c] * (std::max(0.0, stretch - 1) + kinks[c] / all);
     }
     area += all;
     sum += all * p.stretch[c];

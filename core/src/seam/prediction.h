@@ -6,12 +6,14 @@
 
 namespace abflat {
 
-/// What flattening will do to the charts, told from the log-scale alone.
+/// What flattening will do to the charts, told from the log-scale, and from what it has done to
+/// those that they were part of.
 struct Prediction {
   /// Symmetric Dirichlet energy / 4 of a conformal map by area at equal total area: 1 is an
   /// isometry. Per chart.
   std::vector<double> stretch;
   std::vector<double> meanScale;  ///< area-weighted mean of e^(2u) per chart
+  std::vector<double> excess;     ///< area-weighted mean of that of the mesh per chart,
   double total = 1;               ///< mean of `stretch` by area
   /// A vertex's own stretch.
   double at(std::uint32_t chart, double u) const;

@@ -29,6 +29,9 @@ struct SeamMesh {
   /// Per triangle the hole that it fills, kNone where it is of the surface; empty where no hole is
   /// filled. What fills comes last and has no area.
   std::vector<std::uint32_t> hole;
+  /// Per triangle how many times as much as the log-scale tells flattening has stretched its chart;
+  /// empty where nothing has been flattened.
+  std::vector<double> excess;
 
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(area.size()); }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertexArea.size()); }

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "support/meshes.h"
+#include "support/unwrapped.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// A closed surface on which log-scale tells less than half of what flattening stretches.
+PolygonMesh roughTorus() {
+  PolygonMesh mesh = torus(48, 32);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const double noise = std::sin(12.9898 * static_cast<double>(i)) * 43758.5453;
+    mesh.positions[i] += 0.025 * (noise - std::floor(noise) - 0.5);
+  }
+  return mesh;
+}
+
+std::vector<PolygonMesh> meshes() {
+  std::vector<PolygonMesh> out = {torus(24, 16), roughTorus(), bumpyGrid(24, 20, 0.9, 3)};
+  for (const char* file : {"suzanne-quads.obj", "mannequin.off", "bunny-closed.off",
+                           "beetle-nonmanifold.obj", "camel-cut.obj"})
+    if (PolygonMesh mesh = sharedMesh(file); mesh.faceCount() > 0) out.push_back(std::move(mesh));
+  return out;
+}
+
+double mostStretch(const UnwrapResult& r) {
+  double most = 1;
+  for (const UnwrapChart& chart : r.report.charts) most = std::max(most, chart.symmetricDirichlet);
+  return most;
+}
+
+bool hasNote(const UnwrapResult& r, const std::string& part) {
+  return std::any_of(r.report.notes.begin(), r.report.notes.end(),
+                     [&](const std::string& note) { return note.find(part) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("no chart is stretched more than is allowed, once it is flat", "[unwrap]") {
+  for (const PolygonMesh& mesh : meshes())
+    for (const double bound : {1.02, 1.04, 1.15}) {
+      UnwrapOptions options;
+      options.maxStretch = bound;
+      const UnwrapResult result = unwrapped(mesh, options);
+      CHECK(mostStretch(result) <= bound);
+      CHECK_FALSE(hasNote(result, "stretched"));
+    }
+}
+
+TEST_CASE("cutting further does not depend on threads, and known charts give the same",
+          "[unwrap]") {
+  const PolygonMesh mesh = roughTorus();
+  UnwrapOptions options;
+  options.threads = 1;
+  const UnwrapResult one = unwrapped(mesh, options);
+  options.threads = 2;
+  const UnwrapResult two = unwrapped(mesh, options);
+  CHECK(one.uv == two.uv);
+  CHECK(one.cornerUv == two.cornerUv);
+  options.known = knownLayout(one);
+  const UnwrapResult again = unwrapped(mesh, options);
+  CHECK(one.uv == again.uv);
+  CHECK(one.report.symmetricDirichlet == again.report.symmetricDirichlet);
+  CHECK(std::all_of(again.report.charts.begin(), again.report.charts.end(),
+                    [](const UnwrapChart& c) { return c.solver == "known"; }));
+}
+
+TEST_CASE("what the user's own bounds stretch is said, and not cut for", "[unwrap]") {
+  const PolygonMesh mesh = torus(24, 16);
+  UnwrapOptions options;
+  options.maxStretch = 1.02;
+  const std::size_t charts = unwrapped(mesh, options).report.charts.size();
+  const auto check = [&](const std::string& reason) {
+    const UnwrapResult result = unwrapped(mesh, options);
+    CHECK(result.report.charts.size() <= charts);
+    REQUIRE(mostStretch(result) > options.maxStretch);
+    CHECK(hasNote(result, " stretched by more than 1.02, up to "));
+    CHECK(hasNote(result, reason));
+  };
+  SECTION("convex") {
+    options.t = 1;
+    check("a larger t, or auto, takes less");
+  }
+  SECTION("straight seams") {
+    options.straightSeams = true;
+    check("straight seams take that");
+  }
+  SECTION("without automatic seams nothing is promised") {
+    options.seams.isAuto = false;
+    const UnwrapResult result = unwrapped(mesh, options);
+    CHECK_FALSE(hasNote(result, "stretched"));
+  }
+}
