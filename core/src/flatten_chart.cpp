@@ -25,9 +25,11 @@ std::vector<double> flatAngles(const DiskChart& chart, const Attempt& attempt) {
   std::vector<double> positions, angles;
   for (std::size_t i = 0; i < attempt.uv.size(); i += 2)
     positions.insert(positions.end(), {attempt.uv[i], attempt.uv[i + 1], 0});
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
-    for (const double a : anglesOrMadeUp(cornerAngles(positions, &chart.vertexOfCorner[3 * f])))
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+    for (const double a : anglesOrMadeUp(positions, v, cornerAngles(positions, v)))
       angles.push_back(a);
+  }
   return angles;
 }
 

@@ -53,7 +53,8 @@ AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool) {
   p.target.resize(p.vertexOfCorner.size());
   parallelRanges(pool, p.triangleCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const std::array<double, 3> alpha = anglesOrMadeUp(chart.angles[f]);
+      const std::array<double, 3> alpha =
+          anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f], chart.angles[f]);
       std::copy(alpha.begin(), alpha.end(), &p.target[3 * f]);
     }
   });

@@ -100,13 +100,26 @@ inline bool isDegenerate(const std::vector<double>& positions, const std::uint32
 /// to cost its neighbours little, large enough to be drawn.
 constexpr double kMadeUpAngle = 1e-3;
 
-/// Angles of a triangle, or what stands for them where they say nothing.
-inline std::array<double, 3> anglesOrMadeUp(std::array<double, 3> alpha) {
+/// `alpha`, the angles of the triangle, or what stands for them where they say nothing: its third
+/// corner stays where it is along the longest edge, but is lifted from it, so that neighbours at
+/// the short edges are stretched little.
+inline std::array<double, 3> anglesOrMadeUp(const std::vector<double>& positions,
+                                            const std::uint32_t* v,
+                                            const std::array<double, 3>& alpha) {
   if (!isDegenerate(alpha)) return alpha;
-  double sum = 0;
-  for (double& a : alpha) sum += a = std::max(a, kMadeUpAngle);
-  for (double& a : alpha) a *= kPi / sum;
-  return alpha;
+  std::array<double, 3> length;
+  for (std::size_t k = 0; k < 3; ++k) length[k] = norm(edgeVector(positions, v[k], v[(k + 1) % 3]));
+  const auto p =
+      static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  const std::size_t q = (p + 1) % 3, r = (p + 2) % 3;
+  if (!(length[p] > 0)) return {kPi / 3, kPi / 3, kPi / 3};
+  const double along = length[r] / (length[r] + length[q]);
+  const double height = kMadeUpAngle * std::max(along, 1 - along);
+  std::array<double, 3> out;
+  out[p] = portable::atan2(height, along);
+  out[q] = portable::atan2(height, 1 - along);
+  out[r] = kPi - out[p] - out[q];
+  return out;
 }
 
 inline double cotangent(double angle) { return portable::cos(angle) / portable::sin(angle); }

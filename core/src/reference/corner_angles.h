@@ -12,7 +12,9 @@ inline std::vector<double> drawableAngles(const DiskChart& chart) {
   std::vector<double> out;
   out.reserve(chart.vertexOfCorner.size());
   for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
-    for (const double a : anglesOrMadeUp(chart.angles[f])) out.push_back(a);
+    for (const double a :
+         anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f], chart.angles[f]))
+      out.push_back(a);
   return out;
 }
 
