@@ -49,7 +49,7 @@ class Finder {
   bool improve();
   CutSurface cut();
   void slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
-  void split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
+  std::vector<SplitFor> splitsAsked(const CutSurface& s) const;
   bool finishUnchanged(const CutSurface& s);
   void handBack();
   bool isWhole() const { return mesh_ == &whole_; }
@@ -130,17 +130,15 @@ void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vect
   }
 }
 
-void Finder::split(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
+std::vector<SplitFor> Finder::splitsAsked(const CutSurface& s) const {
   constexpr double kTellsNothing = 1.5;  // stretch above which the outline is not to be trusted
   std::vector<SplitFor> asked(s.charts.size(), SplitFor::Nothing);
+  if (!options_.isAuto) return asked;
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
     if (prediction_.stretch[c] > kTellsNothing || isKept(s, c)) continue;
     asked[c] = isUntouched(s, c) ? SplitFor::Overlap : SplitFor::OverlapOrFill;
   }
-  const ShapeOptions shape{options_.leastFill, options_.mostOverlap};
-  report_.splits += splitByShape(*mesh_, s, forest, u, shape, asked, seams_);
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
-    if (asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
+  return asked;
 }
 
 /// False when no chart was changed.
@@ -156,9 +154,18 @@ bool Finder::improve() {
   for (std::uint32_t v = 0; v < u.size(); ++v) u_[isWhole() ? v : part_.vertex[v]] = u[v];
   prediction_ = predictStretch(*mesh_, s, u);
   isChanged_.assign(s.charts.size(), 0);
-  const PathForest forest = findPaths(*mesh_, s, {});
+  const ShapeOptions shape{options_.leastFill, options_.mostOverlap};
+  std::vector<SplitFor> asked = splitsAsked(s);
+  const std::vector<Shape> shapes = shapesToSplit(*mesh_, s, u, shape, asked);
+  std::vector<std::uint8_t> isWanted;
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    isWanted.push_back(asked[c] != SplitFor::Nothing ||
+                       prediction_.stretch[c] > options_.maxStretch);
+  const PathForest forest = findPaths(*mesh_, s, {}, isWanted);
   slit(s, forest, u);
-  if (options_.isAuto) split(s, forest, u);
+  report_.splits += splitByShape(*mesh_, s, forest, u, shapes, shape, asked, seams_);
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    if (asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
   return finishUnchanged(s);
 }
 

@@ -31,7 +31,8 @@ void forEachEdge(const CutSurface& s, std::uint32_t v, Visit visit) {
 }  // namespace
 
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
-                     const std::vector<std::uint32_t>& extra) {
+                     const std::vector<std::uint32_t>& extra,
+                     const std::vector<std::uint8_t>& isWanted) {
   const std::uint32_t n = s.vertexCount();
   PathForest f;
   f.distance.assign(n, std::numeric_limits<double>::infinity());
@@ -45,7 +46,7 @@ PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
     heap.push_back({0, v});
   };
   for (std::uint32_t v = 0; v < n; ++v)
-    if (s.isBoundary[v]) start(v);
+    if (s.isBoundary[v] && (isWanted.empty() || isWanted[s.chartOfVertex(v)])) start(v);
   for (const std::uint32_t v : extra) start(v);
   std::priority_queue<Entry> queue(std::less<Entry>(), std::move(heap));
   while (!queue.empty()) {

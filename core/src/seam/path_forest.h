@@ -27,8 +27,10 @@ struct PathForest {
 };
 
 /// Sources are all boundary vertices and `extra` ones (one for each closed chart).
+/// `isWanted`: per chart whether paths are needed there; empty: everywhere.
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& surface,
-                     const std::vector<std::uint32_t>& extra);
+                     const std::vector<std::uint32_t>& extra,
+                     const std::vector<std::uint8_t>& isWanted = {});
 
 /// Marks the path from a vertex to its source as seams; returns the length of what was not marked
 /// before.

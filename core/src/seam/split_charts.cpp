@@ -2,14 +2,18 @@
 
 #include "seam/chords.h"
 #include "seam/extract_charts.h"
-#include "seam/outline.h"
 
 namespace abflat {
 namespace {
 
-/// One split for each chart that is asked for and needs one; the others are no longer asked for.
+bool isBad(const Shape& shape, SplitFor reason, const ShapeOptions& options) {
+  return shape.overlap > options.mostOverlap ||
+         (reason == SplitFor::OverlapOrFill && shape.fill < options.leastFill);
+}
+
+/// One split for each chart that is asked for; those where none is possible no longer are.
 std::uint32_t splitOnce(const SeamMesh& mesh, const CutSurface& s, const PathForest& forest,
-                        const std::vector<double>& u, const ShapeOptions& options,
+                        const std::vector<Shape>& shapes, const ShapeOptions& options,
                         std::vector<SplitFor>& asked, Seams& seams) {
   std::uint32_t splits = 0;
   ChordFinder chords(mesh, s, forest);
@@ -17,21 +21,24 @@ std::uint32_t splitOnce(const SeamMesh& mesh, const CutSurface& s, const PathFor
     const SplitFor reason = asked[c];
     asked[c] = SplitFor::Nothing;
     if (reason == SplitFor::Nothing) continue;
-    if (s.charts[c].triangles < 2 || s.charts[c].loops != 1) continue;
-    const Shape shape = measureShape(predictOutline(mesh, s, s.charts[c].loopBegin, u));
-    const bool isBad = shape.overlap > options.mostOverlap ||
-                       (reason == SplitFor::OverlapOrFill && shape.fill < options.leastFill);
-    if (!isBad && shape.crossings.empty()) continue;
-    const Chord chord = chords.best(c, shape.crossings);
+    const Chord chord = chords.best(c, shapes[c].crossings);
     // Sides of a slit that just touch are left to the flattening unless one seam parts most of
     // them.
     constexpr double kHalf = 0.5;
-    if (chord.h == kNone || (!isBad && chord.resolved < kHalf)) continue;
+    if (chord.h == kNone || (!isBad(shapes[c], reason, options) && chord.resolved < kHalf))
+      continue;
     markChord(mesh, s, forest, chord, seams);
     asked[c] = reason;
     ++splits;
   }
   return splits;
+}
+
+std::vector<std::uint8_t> areAsked(const std::vector<SplitFor>& asked) {
+  std::vector<std::uint8_t> out;
+  out.reserve(asked.size());
+  for (const SplitFor reason : asked) out.push_back(reason != SplitFor::Nothing);
+  return out;
 }
 
 /// The pieces of what was split, and the seams within.
@@ -42,11 +49,8 @@ struct Pieces {
 
 Pieces takePieces(const SeamMesh& mesh, const CutSurface& s, const std::vector<SplitFor>& asked,
                   const Seams& seams) {
-  std::vector<std::uint8_t> isSplit;
-  isSplit.reserve(asked.size());
-  for (const SplitFor reason : asked) isSplit.push_back(reason != SplitFor::Nothing);
   Pieces out;
-  out.part = extractCharts(mesh, s, isSplit);
+  out.part = extractCharts(mesh, s, areAsked(asked));
   // What was cut before is the part's boundary.
   for (const std::uint32_t h : out.part.halfEdge)
     out.seams.push_back(seams[h] && s.twin[h] != kNone);
@@ -55,11 +59,26 @@ Pieces takePieces(const SeamMesh& mesh, const CutSurface& s, const std::vector<S
 
 }  // namespace
 
+std::vector<Shape> shapesToSplit(const SeamMesh& mesh, const CutSurface& s,
+                                 const std::vector<double>& u, const ShapeOptions& options,
+                                 std::vector<SplitFor>& asked) {
+  std::vector<Shape> out(asked.size());
+  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+    if (asked[c] == SplitFor::Nothing) continue;
+    if (s.charts[c].triangles > 1 && s.charts[c].loops == 1) {
+      out[c] = measureShape(predictOutline(mesh, s, s.charts[c].loopBegin, u));
+      if (isBad(out[c], asked[c], options) || !out[c].crossings.empty()) continue;
+    }
+    asked[c] = SplitFor::Nothing;
+  }
+  return out;
+}
+
 std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
                            const PathForest& forest, const std::vector<double>& u,
-                           const ShapeOptions& options, std::vector<SplitFor>& asked,
-                           Seams& seams) {
-  std::uint32_t splits = splitOnce(mesh, surface, forest, u, options, asked, seams);
+                           const std::vector<Shape>& shapes, const ShapeOptions& options,
+                           std::vector<SplitFor>& asked, Seams& seams) {
+  std::uint32_t splits = splitOnce(mesh, surface, forest, shapes, options, asked, seams);
   if (splits == 0) return 0;
   Pieces now = takePieces(mesh, surface, asked, seams);
   constexpr int kMostLevels = 12;
@@ -70,8 +89,9 @@ std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
     for (const std::uint32_t v : part.vertex) scale.push_back(u[v]);
     const CutSurface s = cutAlong(part.mesh, now.seams);
     std::vector<SplitFor> all(s.charts.size(), SplitFor::OverlapOrFill);
-    const std::uint32_t more =
-        splitOnce(part.mesh, s, findPaths(part.mesh, s, {}), scale, options, all, now.seams);
+    const std::vector<Shape> bad = shapesToSplit(part.mesh, s, scale, options, all);
+    const PathForest paths = findPaths(part.mesh, s, {}, areAsked(all));
+    const std::uint32_t more = splitOnce(part.mesh, s, paths, bad, options, all, now.seams);
     if (more == 0) break;
     splits += more;
     for (std::size_t h = 0; h < now.seams.size(); ++h)
