@@ -210,6 +210,92 @@ test('session: what cannot be read leaves the mesh before, which can be flattene
   assert.equal(log.at(-1), 'flatten head 2');
 });
 
+test('session: what is asked for while a mesh is read is for that mesh, however long it takes', async (t) => {
+  const { openHead, open, ask, calls, log, rest } = await startSession(t);
+  await openHead();
+  calls[1].resolve({});
+  await rest();
+  open(BALL, at(1));
+  await rest();
+  ask(at(1.2));
+  t.mock.timers.tick(10_000);
+  await rest();
+  assert.equal(calls[2].signal.aborted, false, 'it is still read');
+  assert.equal(calls.length, 3, 'the mesh before is left alone');
+  calls[2].resolve(TRIANGLE);
+  await rest();
+  assert.equal(calls[3].t, 1.2);
+  t.mock.timers.tick(10_000);
+  await rest();
+  calls[3].resolve({});
+  await rest();
+  assert.equal(calls.length, 4, 'once');
+  assert.deepEqual(log.slice(-4), [
+    'started ball null',
+    'opened ball',
+    'started ball 1.2',
+    'flatten ball 1.2',
+  ]);
+});
+
+test('session: where reading fails nothing runs by itself, so that the reason stays in view', async (t) => {
+  const { openHead, open, ask, calls, log, rest } = await startSession(t);
+  await openHead();
+  calls[1].resolve({});
+  await rest();
+  open(BALL, at(1));
+  await rest();
+  ask(at(1.2));
+  calls[2].reject(new Error('no ball'));
+  t.mock.timers.tick(10_000);
+  await rest();
+  assert.equal(calls.length, 3);
+  assert.equal(log.at(-1), 'failed ball null no ball');
+  ask(at(1.2));
+  await rest();
+  calls[3].resolve({});
+  await rest();
+  assert.equal(log.at(-1), 'flatten head 1.2');
+});
+
+test('session: a wish for a run does not end the reading that replaces the run', async (t) => {
+  const { openHead, open, ask, calls, log, rest } = await startSession(t);
+  await openHead();
+  ask(at(1.2));
+  open(BALL, at(1.2));
+  await rest();
+  t.mock.timers.tick(10_000);
+  await rest();
+  assert.equal(calls[1].signal.aborted, true);
+  assert.equal(calls[2].signal.aborted, false);
+  calls[2].resolve(TRIANGLE);
+  await rest();
+  calls[3].resolve({});
+  await rest();
+  assert.equal(log.at(-1), 'flatten ball 1.2');
+});
+
+test('session: cancelling while a mesh is read leaves the one before, and no wish', async (t) => {
+  const { openHead, open, ask, session, calls, log, rest } = await startSession(t);
+  await openHead();
+  calls[1].resolve({});
+  await rest();
+  open(BALL, at(1));
+  await rest();
+  ask(at(1.2));
+  session.cancel();
+  t.mock.timers.tick(10_000);
+  await rest();
+  assert.equal(calls[2].signal.aborted, true);
+  assert.equal(calls.length, 3);
+  assert.equal(log.at(-1), 'cancelled');
+  ask(at(1.3));
+  await rest();
+  calls[3].resolve({});
+  await rest();
+  assert.equal(log.at(-1), 'flatten head 1.3');
+});
+
 test('session: an atlas is asked for with its own options, in the format of the file', async (t) => {
   const { openHead, ask, calls, log, rest } = await startSession(t);
   await openHead();

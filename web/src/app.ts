@@ -64,7 +64,7 @@ export class App implements SessionEvents {
   );
   private readonly layoutBar = new LayoutBar({
     say: (text) => this.run.say(text),
-    failed: (error) => this.notSaved(error),
+    failed: (outcome, error) => this.notSaved(outcome, error),
   });
   private readonly exportButton = element('export', HTMLButtonElement);
   private readonly exportText = element('export-text', HTMLSpanElement);
@@ -150,7 +150,7 @@ export class App implements SessionEvents {
     this.sweep.clear();
     this.methods.clear();
     this.bound.setBoundaryVertices(null);
-    showSample(source.kind === 'sample' ? source.name : null);
+    this.showOpenSample();
     this.showTitle(source);
     element('mesh-info', HTMLElement).textContent = counted(mesh.indices.length / 3, 'triangle');
     this.updateExport();
@@ -186,13 +186,15 @@ export class App implements SessionEvents {
   }
 
   cancelled(): void {
-    this.finish('Cancelled', this.markStale() || this.outcome === null);
+    this.showOpenSample();
+    // Without a mesh there is nothing to do again.
+    this.finish('Cancelled', this.shown !== null && (this.markStale() || this.outcome === null));
   }
 
   failed(source: Source, settings: Settings | null, error: Error): void {
     const kept = this.outcome ? `The layout is still that of ${this.owner()}.` : '';
     showAlert(failure(source, settings, error.message), kept);
-    showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
+    this.showOpenSample();
     const isStale = this.markStale();
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
@@ -253,6 +255,11 @@ export class App implements SessionEvents {
     element(isAtlas ? 'atlas-notes' : 'notes', HTMLElement).scrollIntoView({ block: 'nearest' });
   }
 
+  /** Not one that was chosen and could not be read, or was cancelled. */
+  private showOpenSample(): void {
+    showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
+  }
+
   private showTitle(source: Source): void {
     const title = titleOf(source);
     const label = element('source', HTMLElement);
@@ -273,17 +280,16 @@ export class App implements SessionEvents {
   }
 
   private export(): void {
-    if (!this.outcome) return;
-    exportMesh(this.outcome).then(
+    const { outcome } = this;
+    if (!outcome) return;
+    exportMesh(outcome).then(
       ({ name, size }) =>
         this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`),
-      (error: Error) => this.notSaved(error),
+      (error: Error) => this.notSaved(outcome, error),
     );
   }
 
-  private notSaved({ message }: Error): void {
-    if (!this.outcome) return;
-    const { source, settings } = this.outcome;
+  private notSaved({ source, settings }: Outcome, { message }: Error): void {
     const text = `${titleOf(source)} was not saved: ${message.replace(/\.$/, '')}.`;
     showAlert(text, settingsText(settings));
   }

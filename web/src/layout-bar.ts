@@ -11,7 +11,7 @@ import type { Mode } from './settings';
 
 export interface LayoutBarEvents {
   say(text: string): void;
-  failed(error: Error): void;
+  failed(outcome: Unwrapped, error: Error): void;
 }
 
 /** An atlas that can be saved. */
@@ -58,7 +58,8 @@ export class LayoutBar {
   private bind(id: string, save: (shown: Shown) => Promise<void>): HTMLButtonElement {
     const button = element(id, HTMLButtonElement);
     button.addEventListener('click', () => {
-      if (this.shown) save(this.shown).catch((error: Error) => this.events.failed(error));
+      const { shown } = this;
+      if (shown) save(shown).catch((error: Error) => this.events.failed(shown.outcome, error));
     });
     return button;
   }

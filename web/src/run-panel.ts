@@ -24,6 +24,7 @@ export class RunPanel {
   private readonly againButton = element('again', HTMLButtonElement);
   private readonly live = element('live', HTMLElement);
   private delay: number | undefined;
+  private what = '';
 
   constructor(cancel: () => unknown, again: () => void) {
     this.cancelButton.addEventListener('click', cancel);
@@ -38,13 +39,16 @@ export class RunPanel {
     this.againButton.textContent = verb;
     this.cancelButton.disabled = false;
     this.againButton.hidden = true;
-    if (this.bar.classList.contains('active') || this.delay !== undefined) return;
-    this.delay = window.setTimeout(() => {
-      this.bar.value = 0;
-      this.bar.classList.add('active');
-      this.text.textContent = what;
-      this.live.textContent = what;
-    }, QUIET);
+    this.what = what;
+    this.bar.value = 0;
+    if (this.bar.classList.contains('active')) this.text.textContent = what;
+    else this.delay ??= window.setTimeout(() => this.showWhat(), QUIET);
+  }
+
+  private showWhat(): void {
+    this.bar.classList.add('active');
+    this.text.textContent = this.what;
+    this.live.textContent = this.what;
   }
 
   progress({ stage, newtonStep, constraintResidual, fraction }: AnyProgress): void {

@@ -52,6 +52,8 @@ export class Session {
   /** The last one. */
   private outcome: Outcome | null = null;
   private running: AbortController | null = null;
+  /** What is in flight reads a mesh. */
+  private isReading = false;
   /** Whether to lay out once more as soon as the run in flight ends. */
   private isWanted = false;
   private readonly background = new Background();
@@ -68,6 +70,7 @@ export class Session {
   async open(source: Source): Promise<void> {
     this.stop();
     const controller = this.begin();
+    this.isReading = true;
     this.events.started(source, null);
     try {
       const opened = await this.read(source, controller.signal);
@@ -82,12 +85,16 @@ export class Session {
     await this.run();
   }
 
-  /** Lays the mesh out with other settings: at once, or as soon as the run in flight ends or has used up our patience. */
+  /**
+   * Lays the mesh out with other settings: at once, or as soon as the run in flight ends or has used up our patience. A mesh that is being
+   * read is laid out with them when it is there.
+   */
   refresh(): void {
     if (!this.running) {
       if (this.opened) void this.run();
       return;
     }
+    if (this.isReading) return;
     this.isWanted = true;
     clearTimeout(this.patience);
     this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
@@ -144,7 +151,9 @@ export class Session {
   }
 
   private begin(): AbortController {
+    clearTimeout(this.patience);
     this.isWanted = false;
+    this.isReading = false;
     this.background.pause();
     this.running = new AbortController();
     return this.running;

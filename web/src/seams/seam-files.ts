@@ -6,7 +6,9 @@ export interface SeamFileEvents {
   text(): string;
   /** The name of the mesh that it belongs to. */
   meshName(): string;
-  opened(text: string, name: string): void;
+  /** A file was chosen; what is returned takes its text. */
+  chosen(name: string): (text: string) => void;
+  failed(sentence: string): void;
 }
 
 /** The buttons that save seams to a file and open one. */
@@ -24,9 +26,14 @@ export class SeamFiles {
       download(`${name}-seams.txt`, 'text/plain', events.text());
     });
     open.addEventListener('click', () => input.click());
-    input.addEventListener('change', async () => {
+    input.addEventListener('change', () => {
       const file = input.files?.[0];
-      if (file) events.opened(await file.text(), file.name);
+      if (file)
+        file
+          .text()
+          .then(events.chosen(file.name), ({ message }: Error) =>
+            events.failed(`${file.name} cannot be read (${message}) Choose the file again.`),
+          );
       // So that choosing the same file again is a change.
       input.value = '';
     });

@@ -42,23 +42,27 @@ export class SeamPanel {
     this.files = new SeamFiles({
       text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
       meshName: () => this.meshName,
-      opened: (text, name) => this.openFile(text, name),
+      chosen: (name) => this.openFile(name),
+      failed: showAlert,
     });
     const editorEvents = { changed: () => this.changed(), say: events.say };
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
   }
 
-  /** Takes the seams that a file lists, which says where it is wrong. */
-  private openFile(text: string, name: string): void {
-    if (!this.model) return;
-    try {
-      this.model.setEdges(readSeams(this.model.graph, text, name));
-    } catch (error) {
-      if (!(error instanceof BadSeamFile)) throw error;
-      showAlert(error.message);
-      return;
-    }
-    this.changed();
+  /** Takes the seams that a file lists, which says where it is wrong; not when another mesh was opened while it was read. */
+  private openFile(name: string): (text: string) => void {
+    const { model } = this;
+    return (text) => {
+      if (!model || model !== this.model) return;
+      try {
+        model.setEdges(readSeams(model.graph, text, name));
+      } catch (error) {
+        if (!(error instanceof BadSeamFile)) throw error;
+        showAlert(error.message);
+        return;
+      }
+      this.changed();
+    };
   }
 
   get choice(): SeamChoice {
