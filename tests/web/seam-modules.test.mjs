@@ -191,6 +191,31 @@ test('seams are cut and joined from those on screen, and every step can be undon
   assert.equal(model.choice.edges, null);
 });
 
+test('after undo, seams are edited from those that were found before, though others are on screen yet', async () => {
+  const { SeamModel } = await load('seams/seam-model');
+  const graph = await graphOf(plane(6));
+  const { edgeBetween } = await load('seams/surface-graph');
+  const edge = (from, to) => [edgeBetween(graph, from, to)];
+  const model = new SeamModel(() => ({ graph }));
+  const automatic = Uint32Array.of(8, 9, 9, 10);
+  model.show(automatic);
+  model.cut(edge(22, 23));
+  const edited = model.choice.edges;
+  model.show(edited);
+  assert.ok(model.undo());
+  model.cut(edge(30, 31));
+  assert.deepEqual([...model.choice.edges].sort(), [...automatic, 30, 31].sort());
+  // What comes late, of an earlier wish, is not what was found for this one.
+  assert.ok(model.undo());
+  model.show(edited, false);
+  model.join(edge(8, 9));
+  assert.deepEqual([...model.choice.edges], [9, 10]);
+  // Of new sources nothing is known yet: what is on screen is edited.
+  model.setSources({ auto: false, uv: true, material: false, sharp: null });
+  model.cut(edge(30, 31));
+  assert.equal(model.choice.edges.length, edited.length + 2);
+});
+
 test('sources are the words of the command line', async () => {
   const { AUTOMATIC, seamOptions, seamWords } = await load('seams/seam-choice');
   const none = { auto: false, uv: false, material: false, sharp: null };

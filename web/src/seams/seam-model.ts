@@ -18,6 +18,8 @@ export class SeamModel {
   private shownPairs: Uint32Array | null = null;
   private shownFlags: EdgeFlags | null = null;
   private wanted: EdgeFlags | null = null;
+  /** What came of choices without edges, two vertices per seam. */
+  private readonly found = new WeakMap<SeamChoice, Uint32Array>();
 
   /** `makeSurface` is called when somebody edits. */
   constructor(private readonly makeSurface: () => Surface) {}
@@ -43,11 +45,13 @@ export class SeamModel {
     return this.history.canRedo;
   }
 
-  /** The seams to go on from: those asked for, or those that were found. */
+  /**
+   * The seams to go on from: those asked for, or those that were found; where none were yet, those on screen. After undo the
+   * atlas on screen is not yet that of the choice.
+   */
   get own(): EdgeFlags {
-    const { edges } = this.choice;
-    if (!edges) return this.shown ?? new Uint8Array(this.graph.lengths.length);
-    this.wanted ??= flagsOf(this.graph, edges);
+    const pairs = this.choice.edges ?? this.found.get(this.choice) ?? this.shownPairs;
+    this.wanted ??= flagsOf(this.graph, pairs ?? new Uint32Array());
     return this.wanted;
   }
 
@@ -57,10 +61,12 @@ export class SeamModel {
     return shown ? own.map((isSeam, edge) => isSeam | shown[edge]) : own;
   }
 
-  /** The seams of the atlas that is now on screen, two vertices each. */
-  show(pairs: Uint32Array): void {
+  /** The seams of the atlas that is now on screen, two vertices each; `isOfChoice`: not of an earlier one. */
+  show(pairs: Uint32Array, isOfChoice = true): void {
+    if (isOfChoice) this.found.set(this.choice, pairs);
     this.shownPairs = pairs;
     this.shownFlags = null;
+    this.wanted = null;
   }
 
   /** Returns how many of these edges were no seams before. */

@@ -92,9 +92,10 @@ export class SeamPanel {
     this.editor?.edit(null);
   }
 
-  show({ result }: Unwrapped): void {
+  show({ result, settings }: Unwrapped): void {
     if (!this.model) return;
-    this.model.show(result.seams);
+    const { seams, seamEdges } = this.options;
+    this.model.show(result.seams, settings.seams === seams && settings.seamEdges === seamEdges);
     if (this.isUnwrapped) this.editor?.update();
     else this.editor?.edit(this.model);
     this.isUnwrapped = true;
