@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "abflat/texcoord_faces.h"
 #include "rows_file.h"
 
 namespace abflat::cli {
@@ -11,12 +12,6 @@ namespace {
 /// What follows `key` at the beginning of a word, or nothing.
 std::string valueOf(const std::string& word, const std::string& key) {
   return word.rfind(key, 0) == 0 ? word.substr(key.size()) : "";
-}
-
-bool hasTexcoords(const PolygonMesh& mesh, std::uint32_t face) {
-  for (std::uint32_t c = mesh.faceOffsets[face]; c < mesh.faceOffsets[face + 1]; ++c)
-    if (mesh.faceTexcoords[c] == kNoTexcoord) return false;
-  return true;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -72,13 +67,14 @@ Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const Poly
     if (!listed.ok()) return listed;
     faces = std::move(listed.value);
   }
-  if ((kept.hasUv || !kept.materials.empty()) && mesh.faceTexcoords.empty())
-    return Status{StatusCode::InvalidOption, name + ": the mesh has no texcoords to keep"};
+  if (kept.hasUv || !kept.materials.empty()) {
+    const Result<std::vector<std::uint32_t>> all = facesWithTexcoords(mesh);
+    if (!all.ok()) return Status{all.status.code, name + ": " + all.status.message};
+    if (kept.hasUv) faces.insert(faces.end(), all.value.begin(), all.value.end());
+  }
   for (const std::string& material : kept.materials)
     if (Status s = addMaterial(material, mesh, faces); !s.ok())
       return Status{s.code, name + ": " + s.message};
-  for (std::uint32_t f = 0; f < mesh.faceCount() && kept.hasUv; ++f)
-    if (hasTexcoords(mesh, f)) faces.push_back(f);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;

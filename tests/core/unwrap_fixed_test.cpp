@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "abflat/texcoord_faces.h"
 #include "abflat/unwrap.h"
 #include "catch.h"
 #include "pack/texels.h"
@@ -94,6 +95,26 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
     // Charts that are not disks keep their seams, too, and measures are those of solving.
     CHECK(r.report.charts[0].angularDistortion ==
           Approx(first.report.charts[0].angularDistortion).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("faces with texcoords have them at all corners", "[fixed]") {
+  PolygonMesh mesh;
+  CHECK(facesWithTexcoords(mesh).status.code == StatusCode::InvalidOption);
+  mesh.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  mesh.faceOffsets = {0, 4, 7, 10};
+  mesh.faceVertices = {0, 1, 2, 3, 0, 1, 2, 0, 2, 3};
+  mesh.texcoords = {0, 0};
+  for (const std::uint32_t without : {0u, 4u, 9u}) {
+    mesh.faceTexcoords.assign(10, 0);
+    mesh.faceTexcoords[without] = kNoTexcoord;
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t f = 0; f < 3; ++f)
+      if (without < mesh.faceOffsets[f] || without >= mesh.faceOffsets[f + 1])
+        expected.push_back(f);
+    const Result<std::vector<std::uint32_t>> faces = facesWithTexcoords(mesh);
+    REQUIRE(faces.ok());
+    CHECK(faces.value == expected);
   }
 }
 

@@ -104,6 +104,40 @@ test('fixedFaces: islands stay as they are, of arrays and of files', async () =>
   }
 });
 
+test("fixedFaces 'uv': all faces that have coordinates keep them, of arrays and of files", async () => {
+  const mesh = arraysOf(SPHERE_AND_TORUS);
+  const first = await abflat.unwrap(mesh, { obj: true });
+  const positions = Float64Array.from(
+    [...first.vertexMap].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]),
+  );
+  // One chart has coordinates.
+  const isKept = (f) => first.chartOfTriangle[f] === 0;
+  const texcoords = new Float64Array(first.uv.length).fill(Number.NaN);
+  first.indices.forEach((v, h) => {
+    if (isKept(Math.floor(h / 3))) texcoords.set(first.uv.slice(2 * v, 2 * v + 2), 2 * v);
+  });
+  let face = -1;
+  const text = new TextDecoder().decode(first.obj).replace(/^f .*$/gm, (line) => {
+    face += 1;
+    return isKept(face) ? line : line.replace(/\/\d+/g, '');
+  });
+  const named = Uint32Array.from(first.chartOfTriangle.keys()).filter(isKept);
+  for (const input of [
+    { positions, indices: first.indices, texcoords },
+    { bytes: bytesOf(text), name: 'painted.obj' },
+  ]) {
+    const [all, some] = await Promise.all(
+      ['uv', named].map((fixedFaces) => abflat.unwrap(input, { fixedFaces, maxStretch: 1.01 })),
+    );
+    assert.deepEqual(all.uv, some.uv);
+    assert.deepEqual(all.indices, some.indices);
+    assert.equal(all.report.valid, true);
+    all.chartOfTriangle.forEach((chart, f) => {
+      assert.equal(all.report.charts[chart].fixed, isKept(f));
+    });
+  }
+});
+
 test('fixedCharts: charts of an earlier result stay, of arrays and of files', async () => {
   const mesh = arraysOf(SPHERE_AND_TORUS);
   const file = { bytes: bytesOf(objText(SPHERE_AND_TORUS)), name: 'both.obj' };

@@ -323,6 +323,8 @@ const REFUSED = [
   [{ seamEdges: Uint32Array.of(0, 7) }, /0-7 is no edge/],
   [{ roundsForGltf: 1 }, /roundsForGltf must be true or false/],
   [{ fixedFaces: [0] }, /fixedFaces must be a Uint32Array/],
+  [{ fixedFaces: 'all' }, /fixedFaces must be 'uv' or a Uint32Array/],
+  [{ fixedFaces: 'uv' }, /fixedFaces: the mesh has no texcoords to keep/],
   [{ fixedFaces: Uint32Array.of(0) }, /the mesh has none/],
   [{ udim: true }, /texel density/],
   [{ texelDensity: 0 }, /texelDensity must be a number above 0/],

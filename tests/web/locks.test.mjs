@@ -99,9 +99,13 @@ test('locks belong to one mesh', async (t) => {
 
 test('what is locked while a run is under way is kept by the next one', async () => {
   const { Locks } = await loadModule('charts/locks');
-  const result = (...fixed) => ({ report: { charts: fixed.map((fixed) => ({ fixed })) } });
+  /** Of one triangle in each chart, or as many as `chartOfTriangle` says. */
+  const result = (fixed, chartOfTriangle = fixed.map((_, i) => i)) => ({
+    report: { charts: fixed.map((fixed) => ({ fixed })) },
+    chartOfTriangle: Uint32Array.from(chartOfTriangle),
+  });
   const locks = new Locks();
-  const first = result(false, false, false);
+  const first = result([false, false, false]);
   const shown = (result, kept) => locks.show({ result, settings: { kept } });
   shown(first, locks.kept);
   assert.deepEqual([...locks.kept.charts], []);
@@ -111,15 +115,19 @@ test('what is locked while a run is under way is kept by the next one', async ()
   assert.equal(asked.layout, first);
   // During a run with that another chart is locked; what comes of the run has only one of them.
   locks.toggle(0);
-  const second = result(true, false, false, false);
+  const second = result([true, false, false], [1, 2, 0]);
   shown(second, asked);
   assert.deepEqual([...locks.charts], [0], 'of what is on screen');
   assert.equal(locks.kept.layout, first);
   assert.deepEqual([...locks.kept.charts].sort(), [0, 2]);
-  const third = result(false, true, true);
+  const third = result([false, true, true], [1, 0, 2]);
   shown(third, locks.kept);
   assert.equal(locks.kept.layout, third);
   assert.deepEqual([...locks.kept.charts], [1, 2]);
+  // A chart that the file has uv for is fixed as well, but not locked.
+  const fourth = result([true, true, true], [1, 0, 2]);
+  shown(fourth, locks.kept);
+  assert.deepEqual([...locks.charts], [1, 2]);
   locks.toggle(1);
   locks.toggle(2);
   assert.deepEqual([...locks.charts], []);

@@ -78,6 +78,67 @@ test('more options change the atlas as those of the command line do, and are nam
   assert.match(await textOf(page, '#more-state'), /^fill holes never/);
 });
 
+test('faces that have uv in the file keep it, as with the command line, until another mesh is opened', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'rings.obj', RINGS);
+  await page.click('#more-toggle');
+  assert.ok(await page.isHidden('#more-keep-uv'), 'it has none');
+
+  // Two of three rings are painted.
+  const path = tempFolder(t);
+  writeFileSync(path('in.obj'), RINGS);
+  const { code, stderr } = await runAbflat(['unwrap', path('in.obj'), '-o', path('all.obj')]);
+  assert.equal(code, 0, stderr);
+  const faces = RINGS.match(/^f /gm).length;
+  let face = -1;
+  const painted = readFileSync(path('all.obj'), 'utf8').replace(/^f .*$/gm, (line) => {
+    face += 1;
+    return 3 * face < 2 * faces ? line : line.replace(/\/\d+/g, '');
+  });
+  await dropAndWait(page, 'painted.obj', painted);
+  await page.focus('#more-keep-uv');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await page.getAttribute('#more-keep-uv', 'aria-pressed'), 'true');
+  assert.equal(await textOf(page, '#more-state'), 'uv of the file kept');
+  assert.match(await textOf(page, '#run-text'), /\d+ (of \d+ charts )?as in the file$/);
+  await assertAsProgram(t, page, painted, ['--keep', 'uv']);
+  const kept = await metrics(page);
+
+  // A chart that stays for the file is not locked: it does not stay any longer than that.
+  await page.click('#details-toggle');
+  assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
+  await click(page, '#more-keep-uv');
+  await assertAsProgram(t, page, painted, []);
+  assert.notDeepEqual(await metrics(page), kept);
+  await click(page, '#more-keep-uv');
+  await dropAndWait(page, 'again.obj', painted);
+  assert.equal(await page.getAttribute('#more-keep-uv', 'aria-pressed'), 'false');
+  assert.equal(await textOf(page, '#more-state'), '');
+});
+
+test('uv of a file that cannot be kept: the reason, and the atlas before', async (t) => {
+  const page = await openPage(t);
+  // The second triangle lies face down in uv.
+  const text =
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.9 0.1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n';
+  await dropAndWait(page, 'folded.obj', text);
+  await page.click('#mode-unwrap');
+  await settled(page);
+  await page.click('#more-toggle');
+  await click(page, '#more-keep-uv');
+  assert.match(
+    await textOf(page, '#alert'),
+    /face 1 is to keep its texcoords, but is flipped there/,
+  );
+  await page.locator('#layout-note').waitFor();
+  assert.match(await textOf(page, '#layout-note'), /^Previous result/);
+  await click(page, '#more-keep-uv');
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.ok(await page.isHidden('#layout-note'));
+});
+
 test('a texel density may take several tiles, which are numbered', async (t) => {
   const page = await openPage(t);
   await dropAndWait(page, 'rings.obj', RINGS);

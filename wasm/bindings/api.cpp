@@ -129,6 +129,9 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count
   return job->unwrapOptions.fixedFaces.data();
 }
 
+/// All faces that have texcoords keep them.
+EMSCRIPTEN_KEEPALIVE void abflatKeepUv(Job* job) { job->keepsUv = true; }
+
 /// Room for charts of a known layout that stay where they are.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
   job->unwrapOptions.fixedCharts.resize(count);

@@ -8,6 +8,7 @@
 #include "abflat/io.h"
 #include "abflat/peak_memory.h"
 #include "abflat/samples.h"
+#include "abflat/texcoord_faces.h"
 #include "mesh/triangulate.h"
 
 namespace abflat::bindings {
@@ -158,6 +159,22 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
   return layoutJob(job, wanted, progress, compute, arrays, reportJson);
 }
 
+namespace {
+
+Result<UnwrapResult> unwrapMesh(Job& job) {
+  const double afterReading = peakMemory();
+  if (job.keepsUv) {
+    Result<std::vector<std::uint32_t>> faces = facesWithTexcoords(job.mesh);
+    if (!faces.ok()) return Status{faces.status.code, "fixedFaces: " + faces.status.message};
+    job.unwrapOptions.fixedFaces = std::move(faces.value);
+  }
+  Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);
+  atlas.value.report.peakMemory.read = afterReading;
+  return atlas;
+}
+
+}  // namespace
+
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
   Result<SeamSources> seams = parseSeams(job.seams);
   if (!seams.ok()) return {seams.status.code, "seams: " + seams.status.message};
@@ -166,12 +183,7 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   job.unwrapOptions.progress = progress;
   job.unwrapOptions.roundsToSingle =
       !job.unwrapOptions.roundsForGltf && (wanted.ply || !wanted.obj);
-  const auto compute = [&] {
-    const double afterReading = peakMemory();
-    Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);
-    atlas.value.report.peakMemory.read = afterReading;
-    return atlas;
-  };
+  const auto compute = [&] { return unwrapMesh(job); };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);
     job.layout.unpacked = gather(atlas.unpacked, 2, atlas.vertexUv);

@@ -36,6 +36,7 @@ struct Job {
   FlattenOptions options;
   UnwrapOptions unwrapOptions;
   std::string seams = "auto";  ///< as parseSeams takes them; unwrapOptions has the edges
+  bool keepsUv = false;        ///< all faces with texcoords are fixed; unwrapOptions has others
   LayoutArrays layout;
   std::vector<MethodResult> methods;  ///< of a comparison
   std::string obj, ply;               ///< files, when asked for

@@ -15,6 +15,7 @@ export interface NativeModule {
   _abflatSeams(job: number, bytes: number): number;
   _abflatSeamEdges(job: number, count: number): number;
   _abflatFixedFaces(job: number, count: number): number;
+  _abflatKeepUv(job: number): void;
   _abflatFixedCharts(job: number, count: number): number;
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatRoundsForGltf(job: number): void;

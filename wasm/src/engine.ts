@@ -166,7 +166,8 @@ export class Engine {
         if (seams !== undefined)
           this.#heap.writeText(seams, (bytes) => native._abflatSeams(job, bytes));
         this.#heap.writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
-        this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
+        if (fixedFaces === 'uv') native._abflatKeepUv(job);
+        else this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (known !== undefined) this.#heap.writeKnown(job, known);
         if (roundsForGltf) native._abflatRoundsForGltf(job);

@@ -61,7 +61,7 @@ export interface UnwrapRequest extends LayoutRequest {
   seams?: string;
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
-  fixedFaces: Uint32Array;
+  fixedFaces: Uint32Array | 'uv';
   /** Of `known`. */
   fixedCharts: Uint32Array;
   known?: KnownArrays;

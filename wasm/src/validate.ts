@@ -195,7 +195,9 @@ export function seamVertices(edges: unknown): Uint32Array {
   return pairs;
 }
 
-export function faceNumbers(faces: unknown): Uint32Array {
+export function keptFaces(faces: unknown): Uint32Array | 'uv' {
+  if (faces === 'uv') return faces;
+  if (tagOf(faces) === 'String') throw invalid(`fixedFaces must be 'uv' or a Uint32Array.`);
   return numbers('fixedFaces', 'face numbers', faces);
 }
 

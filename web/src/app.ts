@@ -142,6 +142,7 @@ export class App implements SessionEvents {
 
   opened({ source, mesh, summary }: Opened): void {
     hideAlert();
+    this.atlas.open(summary);
     this.mode.setDisk(summary.disk);
     this.seams.open({ mesh, summary, name: source.name });
     this.locks.clear();

@@ -1,4 +1,4 @@
-import { UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
+import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from './dom';
 import { count } from './format';
 import { MoreControl } from './more-control';
@@ -51,6 +51,11 @@ export class AtlasControl {
     element('unwrap-options', HTMLFormElement).addEventListener('submit', (event) =>
       event.preventDefault(),
     );
+  }
+
+  /** Another mesh. */
+  open({ texcoords }: MeshSummary): void {
+    this.more.open(texcoords > 0);
   }
 
   get settings(): Omit<UnwrapSettings, 'seams' | 'seamEdges'> {

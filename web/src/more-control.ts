@@ -13,6 +13,9 @@ import {
 } from './more-options';
 import { NumberField } from './number-field';
 
+const KEEP_UV =
+  'Faces that have uv in the file keep exactly that; all others are unwrapped and packed around them';
+
 /** The options of an atlas that open with a button, which says what of them is not as usual. */
 export class MoreControl {
   private readonly button = element('more-toggle', HTMLButtonElement);
@@ -20,10 +23,18 @@ export class MoreControl {
   private readonly state = element('more-state', HTMLElement);
   private readonly switches = create('div', 'more-switches');
   private udim: HTMLButtonElement | null = null;
-  private options = defaultOptions();
+  private readonly keepUv: HTMLButtonElement;
+  private options: MoreOptions = defaultOptions();
 
   constructor(private readonly changed: () => void) {
     for (const name of MORE) this.add(name);
+    this.keepUv = this.switchOf('more-keep-uv', 'Keep uv of the file', KEEP_UV);
+    this.keepUv.hidden = true;
+    this.keepUv.addEventListener('click', () => {
+      const { fixedFaces, ...others } = this.options;
+      this.options = others;
+      this.set(fixedFaces ? {} : { fixedFaces: 'uv' });
+    });
     this.panel.append(this.switches);
     this.show();
     this.button.addEventListener('click', () => {
@@ -37,6 +48,14 @@ export class MoreControl {
     return usedOptions(this.options);
   }
 
+  /** Another mesh, whose uv nobody has asked for yet; `hasUv`: it has some. */
+  open(hasUv: boolean): void {
+    this.keepUv.hidden = !hasUv;
+    const { fixedFaces, ...others } = this.options;
+    this.options = others;
+    this.show();
+  }
+
   private set(some: Partial<MoreOptions>): void {
     this.options = { ...this.options, ...some };
     this.show();
@@ -47,6 +66,7 @@ export class MoreControl {
     const changes = changedOptions(this.settings).join(', ');
     this.state.textContent = changes;
     this.state.title = changes;
+    this.keepUv.setAttribute('aria-pressed', String(Boolean(this.options.fixedFaces)));
     if (this.udim) this.udim.disabled = !canHaveTiles(this.options);
   }
 
@@ -77,19 +97,25 @@ export class MoreControl {
   }
 
   private addSwitch(name: 'straightSeams' | 'rotate' | 'udim'): void {
-    const button = create('button', 'tool', MORE_LABELS[name]);
-    button.type = 'button';
-    button.id = idOf(name);
-    button.title = sentence(UNWRAP_OPTIONS[name].text);
+    const text = sentence(UNWRAP_OPTIONS[name].text);
+    const button = this.switchOf(idOf(name), MORE_LABELS[name], text);
     button.setAttribute('aria-pressed', String(this.options[name]));
     button.addEventListener('click', () => {
       button.setAttribute('aria-pressed', String(!this.options[name]));
       this.set({ [name]: !this.options[name] });
     });
-    this.switches.append(button);
     if (name !== 'udim') return;
     button.title += '. Needs a texel density';
     this.udim = button;
+  }
+
+  private switchOf(id: string, label: string, title: string): HTMLButtonElement {
+    const button = create('button', 'tool', label);
+    button.type = 'button';
+    button.id = id;
+    button.title = title;
+    this.switches.append(button);
+    return button;
   }
 
   private addRow(name: MoreName, control: HTMLInputElement | HTMLSelectElement): void {

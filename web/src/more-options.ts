@@ -11,7 +11,10 @@ export const MORE = [
 ] as const satisfies (keyof UnwrapOptionValues)[];
 
 export type MoreName = (typeof MORE)[number];
-export type MoreOptions = Pick<UnwrapOptionValues, MoreName>;
+export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
+  /** Faces that have uv in the file keep it. */
+  fixedFaces?: 'uv';
+}
 
 export const MORE_LABELS: Record<MoreName, string> = {
   fillHoles: 'Fill holes',
@@ -37,12 +40,13 @@ export function usedOptions(options: MoreOptions): MoreOptions {
 
 /** "fill holes never", "no rotation": what is not as it usually is. */
 export function changedOptions(options: MoreOptions): string[] {
-  return MORE.filter((name) => options[name] !== UNWRAP_DEFAULTS[name]).map((name) => {
+  const changed = MORE.filter((name) => options[name] !== UNWRAP_DEFAULTS[name]).map((name) => {
     const value = options[name];
     const label = inSentence(MORE_LABELS[name]);
     if (typeof value === 'boolean') return value ? label : `no ${label}`;
     return `${label} ${value}`;
   });
+  return options.fixedFaces ? ['uv of the file kept', ...changed] : changed;
 }
 
 /** Without its capital, unless it begins with an acronym. */

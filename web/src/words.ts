@@ -52,13 +52,14 @@ function boundInfo({ settings, result }: Flattened): string {
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 
-/** Of an atlas that was edited: the charts that did not change, and those that were to stay. */
+/** Of an atlas that was edited: the charts that did not change, and those that were to stay where they are. */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return '';
   const { charts } = outcome.result.report;
   const known = charts.filter(({ solver }) => solver === 'known').length;
-  const locked = charts.filter(({ fixed }) => fixed).length;
-  if (known > 0 && locked > 0) return `; ${count(known)} kept, ${count(locked)} locked`;
-  const [number, what] = known > 0 ? [known, 'kept'] : [locked, 'locked'];
+  const fixed = charts.filter(({ fixed }) => fixed).length;
+  const fixedAs = outcome.settings.fixedFaces ? 'as in the file' : 'locked';
+  if (known > 0 && fixed > 0) return `; ${count(known)} kept, ${count(fixed)} ${fixedAs}`;
+  const [number, what] = known > 0 ? [known, 'kept'] : [fixed, fixedAs];
   return number > 0 ? `; ${count(number)} of ${counted(charts.length, 'chart')} ${what}` : '';
 }

@@ -33,8 +33,8 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   seams?: string;
   /** Edges to cut beside those, two vertices of the input each. */
   seamEdges?: Uint32Array;
-  /** Faces of the input whose uv islands stay exactly as they are; all others are packed around them. */
-  fixedFaces?: Uint32Array;
+  /** Faces of the input whose uv islands stay exactly as they are, `'uv'`: all that have coordinates; all others are packed around them. */
+  fixedFaces?: Uint32Array | 'uv';
   /** Charts of `known` that stay exactly where they are; all others are packed around them. */
   fixedCharts?: Uint32Array;
   /** Charts that have the triangles and the outline of one of these, and the same `t` and `straightSeams`, are not flattened again. */

@@ -1,4 +1,4 @@
-import type { UnwrapReport, UnwrapResult } from 'abflat';
+import type { UnwrapResult } from 'abflat';
 import type { Unwrapped } from '../lay-out';
 
 /** Charts that are to stay where they are. */
@@ -10,6 +10,8 @@ export interface Kept {
 /** Which charts are locked, across the atlases of one mesh. */
 export class Locks {
   private shown: UnwrapResult | null = null;
+  /** Of the atlas on screen. */
+  private locked: Uint32Array = new Uint32Array();
   private wish: Kept | undefined;
 
   /** What the next run is to keep; another object after every change. */
@@ -21,7 +23,7 @@ export class Locks {
   get charts(): Set<number> {
     if (!this.shown) return new Set();
     const isCurrent = this.wish?.layout === this.shown;
-    return new Set(isCurrent ? this.wish?.charts : fixedCharts(this.shown.report));
+    return new Set(isCurrent ? this.wish?.charts : this.locked);
   }
 
   clear(): void {
@@ -31,9 +33,9 @@ export class Locks {
 
   show({ result, settings }: Unwrapped): void {
     this.shown = result;
+    this.locked = lockedCharts(result, settings.kept);
     // Otherwise the user has locked or unlocked meanwhile, which a further run will follow.
-    if (settings.kept === this.wish)
-      this.wish = { layout: result, charts: fixedCharts(result.report) };
+    if (settings.kept === this.wish) this.wish = { layout: result, charts: this.locked };
   }
 
   toggle(chart: number): void {
@@ -44,6 +46,14 @@ export class Locks {
   }
 }
 
-function fixedCharts({ charts }: UnwrapReport): Uint32Array {
-  return Uint32Array.from(charts.flatMap(({ fixed }, i) => (fixed ? [i] : [])));
+/** What became of them: fixed charts with triangles of theirs. Others are fixed because the file has uv for them. */
+function lockedCharts({ report, chartOfTriangle }: UnwrapResult, kept?: Kept): Uint32Array {
+  const before = new Set(kept?.charts);
+  const locked = new Set<number>();
+  if (kept && before.size > 0)
+    chartOfTriangle.forEach((chart, triangle) => {
+      if (before.has(kept.layout.chartOfTriangle[triangle]) && report.charts[chart]?.fixed)
+        locked.add(chart);
+    });
+  return Uint32Array.from(locked);
 }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "abflat/mesh.h"
+#include "abflat/status.h"
+
+namespace abflat {
+
+/// Faces that have texcoords at all of their corners, ascending: as UnwrapOptions::fixedFaces they
+/// keep them. Errors: InvalidOption when the mesh has no texcoords.
+Result<std::vector<std::uint32_t>> facesWithTexcoords(const PolygonMesh& mesh);
+
+}  // namespace abflat
