@@ -78,6 +78,21 @@ test('seams between materials, and round the islands that a document has', async
   });
 });
 
+test('primitives that have coordinates keep them bit by bit, the others get some beside them', async () => {
+  const document = emptyDocument();
+  addMesh(document, 'ring', primitiveOf(document, torus(16, 8)));
+  addMesh(document, 'ball', primitiveOf(document, sphere(6))).node.setTranslation([0, 0, 4]);
+  const { after } = await unwrapped(document, {});
+  const [ring, ball] = primitivesOf(after);
+  const painted = atlasOf([ring]);
+  ball.setAttribute('TEXCOORD_0', null);
+  const { after: again, atlases } = await unwrapped(after, { fixedFaces: 'uv', maxStretch: 1.01 });
+  assert.deepEqual(atlasOf([primitivesOf(again)[0]]), painted);
+  assert.deepEqual(flaws(atlasOf(primitivesOf(again))), []);
+  const { charts } = atlases[0].result.report;
+  assert.ok(charts.some(({ fixed }) => fixed) && charts.some(({ fixed }) => !fixed));
+});
+
 test('primitives without coordinates are islands of their own', async () => {
   const document = character();
   const [first, second] = primitivesOf(document);

@@ -70,6 +70,30 @@ async function assertExported(page, before) {
   assert.deepEqual(root.listNodes()[1].getTranslation(), [0, 0, 4]);
 }
 
+test('primitives of a GLB that have uv keep them', async (t) => {
+  const document = scene();
+  for (const accessor of document.getRoot().listAccessors())
+    accessor.setBuffer(document.getRoot().listBuffers()[0]);
+  document.getRoot().listBuffers()[1].dispose();
+  const page = await openPage(t);
+  await dropAndWait(page, 'scene.glb', await io.writeBinary(document));
+  const { document: all } = await exported(page);
+  const [ring, ball] = primitivesOf(all);
+  const painted = atlasOf([ring]);
+  ball.setAttribute('TEXCOORD_0', null);
+  await dropAndWait(page, 'painted.glb', await io.writeBinary(all));
+  await page.focus('#stretch');
+  await page.keyboard.press('Home');
+  await settled(page);
+  await page.click('#more-toggle');
+  await page.click('#more-keep-uv');
+  await settled(page);
+  assert.equal(await textOf(page, '#alert'), '');
+  const { document: after } = await exported(page);
+  assert.deepEqual(atlasOf([primitivesOf(after)[0]]), painted);
+  assert.deepEqual(flaws(atlasOf(primitivesOf(after))), []);
+});
+
 test('a GLB gets an atlas and keeps the rest', async (t) => {
   const page = await openPage(t);
   const document = scene();

@@ -97,7 +97,7 @@ async function unwrapGroups(
   for (const [i, mesh] of meshes.entries()) {
     const tell = (progress: UnwrapProgress) =>
       onProgress?.({ ...progress, fraction: (i + progress.fraction) / meshes.length });
-    const result = await abflat.unwrap(neededFor(options.seams, mesh), {
+    const result = await abflat.unwrap(neededFor(options, mesh), {
       ...options,
       ...(onProgress && { onProgress: tell }),
       transfer: true,

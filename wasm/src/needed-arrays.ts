@@ -1,15 +1,15 @@
-import type { MeshArrays } from './types.js';
+import type { MeshArrays, UnwrapOptions } from './types.js';
 
-/** A mesh without what these seams do not look at. */
+/** A mesh without what these options do not look at. */
 export function neededFor(
-  seams: string | undefined,
+  { seams, fixedFaces }: Pick<UnwrapOptions, 'seams' | 'fixedFaces'>,
   { positions, indices, texcoords, materials }: MeshArrays,
 ): MeshArrays {
   const wants = (source: string) => seams?.split(',').some((each) => each.trim() === source);
   return {
     positions,
     indices,
-    ...(texcoords && wants('uv') && { texcoords }),
+    ...(texcoords && (fixedFaces || wants('uv')) && { texcoords }),
     ...(materials && wants('material') && { materials }),
   };
 }

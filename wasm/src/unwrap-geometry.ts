@@ -22,7 +22,7 @@ export async function unwrapGeometry(
   geometry: BufferGeometry,
   { attribute = 'uv', ...options }: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
-  const result = await abflat.unwrap(neededFor(options.seams, meshOf(geometry)), options);
+  const result = await abflat.unwrap(neededFor(options, meshOf(geometry)), options);
   return { geometry: withUv(geometry, result, attribute), result };
 }
 

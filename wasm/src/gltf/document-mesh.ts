@@ -22,7 +22,7 @@ export interface DocumentPart {
 export interface DocumentMesh extends MeshArrays {
   positions: Float64Array;
   indices: Uint32Array;
-  /** TEXCOORD_0, where any primitive has that. */
+  /** TEXCOORD_0 with v from the bottom, where any primitive has that. */
   texcoords?: Float64Array;
   materials: Uint32Array;
   document: Document;
@@ -125,9 +125,11 @@ function texcoordsOf(parts: DocumentPart[], vertexCount: number): Float64Array |
   const texcoords = new Float64Array(2 * vertexCount).fill(Number.NaN);
   for (const { primitive, firstVertex } of known) {
     const attribute = primitive.getAttribute('TEXCOORD_0') as Accessor;
-    const uv: number[] = [];
-    for (let v = 0; v < attribute.getCount(); ++v)
-      texcoords.set(attribute.getElement(v, uv), 2 * (firstVertex + v));
+    const at: number[] = [];
+    for (let row = 0; row < attribute.getCount(); ++row) {
+      const [u, v] = attribute.getElement(row, at) as [number, number];
+      texcoords.set([u, 1 - v], 2 * (firstVertex + row));
+    }
   }
   return texcoords;
 }
