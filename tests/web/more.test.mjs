@@ -134,6 +134,10 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
   );
   await page.locator('#layout-note').waitFor();
   assert.match(await textOf(page, '#layout-note'), /^Previous result/);
+  // The message leaves the buttons below the views free.
+  await page.click('#seam-join');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#layout-svg')]);
+  assert.equal(download.suggestedFilename(), 'folded-layout.svg');
   await click(page, '#more-keep-uv');
   assert.equal(await textOf(page, '#alert'), '');
   assert.ok(await page.isHidden('#layout-note'));

@@ -161,7 +161,7 @@ export class LayoutView {
   }
 
   private look(x: number, y: number, size: [number, number]): void {
-    const margin = Math.min(MARGIN, this.stage.width / 8, this.stage.height / 8);
+    const margin = Math.min(MARGIN, this.stage.width / 14, this.stage.height / 14);
     const across = (this.stage.width - 2 * margin) / (size[0] || 1);
     const down = (this.stage.height - 2 * margin) / (size[1] || 1);
     this.panZoom.set(x, y, Math.min(across, down));

@@ -9,6 +9,7 @@ export interface SeamFileEvents {
   /** A file was chosen; what is returned takes its text. */
   chosen(name: string): (text: string) => void;
   failed(sentence: string): void;
+  say(text: string): void;
 }
 
 /** The buttons that save seams to a file and open one. */
@@ -22,8 +23,9 @@ export class SeamFiles {
     const [save, open] = this.buttons;
     const input = element('seams-file', HTMLInputElement);
     save.addEventListener('click', () => {
-      const name = events.meshName().replace(/\.[^.]*$/, '');
-      download(`${name}-seams.txt`, 'text/plain', events.text());
+      const name = `${events.meshName().replace(/\.[^.]*$/, '')}-seams.txt`;
+      download(name, 'text/plain', events.text());
+      events.say(`Saved ${name}`);
     });
     open.addEventListener('click', () => input.click());
     input.addEventListener('change', () => {

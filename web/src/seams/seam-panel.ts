@@ -44,6 +44,7 @@ export class SeamPanel {
       meshName: () => this.meshName,
       chosen: (name) => this.openFile(name),
       failed: showAlert,
+      say: events.say,
     });
     const editorEvents = { changed: () => this.changed(), say: events.say };
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
