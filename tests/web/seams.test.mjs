@@ -353,6 +353,7 @@ test('seams are opened from a file and saved to one', async (t) => {
   assert.equal(await charts(page), 2);
   const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#seams-save')]);
   assert.equal(saved.suggestedFilename(), 'grid-seams.txt');
+  assert.equal(await textOf(page, '#run-text'), 'Saved grid-seams.txt');
   assert.equal(readFileSync(await saved.path(), 'utf8'), text);
   await open('10 11\n0 13\n');
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');

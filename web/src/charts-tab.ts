@@ -59,7 +59,8 @@ export class ChartsTab {
 
 function summary({ charts, seams, quasiConformalMean }: UnwrapReport): string {
   const largest = charts.reduce((most, { faces }) => Math.max(most, faces), 0);
-  const sizes = `${counted(charts.length, 'chart')}, the largest of ${counted(largest, 'triangle')}`;
+  const which = charts.length > 1 ? ', the largest' : '';
+  const sizes = `${counted(charts.length, 'chart')}${which} of ${counted(largest, 'triangle')}`;
   const cuts = seams.edges > 0 ? `cut along ${counted(seams.edges, 'edge')}` : 'nothing was cut';
   return `${sizes}; ${cuts}; mean ratio of stretches ${measure(quasiConformalMean)}`;
 }
