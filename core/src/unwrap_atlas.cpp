@@ -1,5 +1,6 @@
 #include "unwrap_atlas.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "round_texcoords.h"
@@ -73,6 +74,15 @@ class BeforeRounding {
   std::vector<bool> hadProblem_;
 };
 
+/// What packing may look at, in the unit of PackOptions: per triangle so much that it takes less
+/// time than flattening, but enough for a good packing of the smallest meshes.
+double packWork(const std::vector<PackShape>& shapes) {
+  constexpr double kWorkOfCorner = 20, kLeastWork = 40000;
+  double corners = 0;
+  for (const PackShape& shape : shapes) corners += static_cast<double>(shape.triangles.size());
+  return std::max(kWorkOfCorner * corners, kLeastWork);
+}
+
 }  // namespace
 
 Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
@@ -86,7 +96,9 @@ Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& o
   how.udim = options.udim;
   how.pool = &pool;
   how.progress = tell;
-  Result<Packing> packed = pack(shapesOf(charts, flat), how);
+  const std::vector<PackShape> shapes = shapesOf(charts, flat);
+  how.work = packWork(shapes);
+  Result<Packing> packed = pack(shapes, how);
   if (!packed.ok()) return packed.status;
   packing = std::move(packed.value);
   place(packing, flat);

@@ -15,6 +15,18 @@ int cell(double x, double size) {
   return truncated - (near < truncated ? 1 : 0);
 }
 
+/// Bit i of word k to bit k of word i, by halves of ever smaller squares.
+void transpose64(std::uint64_t* words) {
+  std::uint64_t mask = 0x00000000FFFFFFFF;
+  for (int size = 32; size > 0; size /= 2, mask ^= mask << size) {
+    for (int k = 0; k < 64; k = (k + size + 1) & ~size) {
+      const std::uint64_t swapped = (words[k] >> size ^ words[k + size]) & mask;
+      words[k] ^= swapped << size;
+      words[k + size] ^= swapped;
+    }
+  }
+}
+
 }  // namespace
 
 void BitGrid::reset(int newWidth, int newHeight) {
@@ -102,6 +114,18 @@ void Cover::cover(const Loops& loops, double slack, BitGrid& grid) {
     if (!loops.isGroup[k]) continue;
     if (!crossings_.empty()) fill(grid);
     crossings_.clear();
+  }
+}
+
+void transpose(const BitGrid& from, BitGrid& to) {
+  to.reset(from.height, from.width);
+  std::uint64_t square[64];
+  for (int y = 0; y < from.height; y += 64) {
+    for (int x = 0; x < from.width; x += 64) {
+      for (int k = 0; k < 64; ++k) square[k] = y + k < from.height ? from.row(y + k)[x >> 6] : 0;
+      transpose64(square);
+      for (int k = 0; k < std::min(64, from.width - x); ++k) to.row(x + k)[y >> 6] = square[k];
+    }
   }
 }
 

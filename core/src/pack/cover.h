@@ -24,6 +24,9 @@ struct BitGrid {
   void set(int y, int first, int last);
 };
 
+/// Columns to rows.
+void transpose(const BitGrid& from, BitGrid& to);
+
 /// Covered cells first..last of a row.
 struct Run {
   std::int32_t row, first, last;

@@ -33,4 +33,19 @@ void Footprint::set(const BitGrid& grid) {
   }
 }
 
+Footprint Footprint::mirrored(bool acrossX, bool acrossY) const {
+  Footprint out;
+  out.width = width;
+  out.height = height;
+  out.runs.reserve(runs.size());
+  for (Run run : runs) {
+    if (acrossX) run = {run.row, width - 1 - run.last, width - 1 - run.first};
+    if (acrossY) run.row = height - 1 - run.row;
+    out.runs.push_back(run);
+  }
+  out.longest = longest;
+  if (acrossY) std::reverse(out.longest.begin(), out.longest.end());
+  return out;
+}
+
 }  // namespace abflat

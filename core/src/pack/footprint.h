@@ -16,6 +16,9 @@ struct Footprint {
   /// The longest run comes first, then rows far apart: what does not fit shows early.
   void set(const BitGrid& grid);
 
+  /// Left and right swapped, below and above swapped, or both.
+  Footprint mirrored(bool acrossX, bool acrossY) const;
+
  private:
   std::vector<Run> inOrder_;
 };

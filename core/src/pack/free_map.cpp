@@ -33,6 +33,18 @@ double FreeMap::freeCells() const {
   return count;
 }
 
+FreeMap FreeMap::halved() const {
+  FreeMap out(width_ / 2, height_ / 2);
+  if (freeCells() == static_cast<double>(width_) * height_) return out;
+  BitGrid taken;
+  taken.reset(out.width_, out.height_);
+  for (int y = 0; y < 2 * out.height_; ++y)
+    for (int x = 0; x < 2 * out.width_; ++x)
+      if (!isFree(x, y)) taken.set(y / 2, x / 2, x / 2);
+  out.take(taken, 0, 0);
+  return out;
+}
+
 /// The first row from y on, or `end`, where the first runs of the footprint are no longer than what
 /// is free in their rows.
 int FreeMap::firstHopeful(const Footprint& footprint, int y, int end) const {

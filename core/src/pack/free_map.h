@@ -23,6 +23,9 @@ class FreeMap {
   int width() const { return width_; }
   int height() const { return height_; }
   double freeCells() const;
+  bool isFree(int x, int y) const { return words_[rowBegin(0, y) + x / 64] >> (x % 64) & 1; }
+  /// Half as many cells along each side, free where all four are.
+  FreeMap halved() const;
 
   /// The lowest row, and in it the first cell, from row `begin` and before row `end`, where all of
   /// the footprint is free.

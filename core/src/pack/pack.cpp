@@ -141,7 +141,7 @@ class Packer {
       item.mass = massOf(shape);
       const std::vector<PlanePoint> hull = convexHull(item.loops.points);
       const Pose base = options_.rotate ? leastBoxPose(hull) : Pose{};
-      for (int k = 0; k < poses; ++k) item.poses.push_back(turned(base, k, poses, hull));
+      item.poses = turns(base, poses, hull);
     });
   }
 
@@ -156,7 +156,8 @@ class Packer {
   }
 
   Status placeInOneTile() {
-    ScaleSearch found = searchScale(items_, grid_, tiles_[0], options_.pool, options_.progress);
+    const ScaleOptions how{options_.work, options_.pool, options_.progress};
+    ScaleSearch found = searchScale(items_, grid_, tiles_[0], how);
     tries_ = found.tries;
     density_ = found.texelsPerUnit;
     placed_ = std::move(found.best);
@@ -200,8 +201,9 @@ class Packer {
         return placed % 64 != 0 ||
                options_.progress(static_cast<double>(placed) / static_cast<double>(items_.size()));
       };
+    PlaceSpace space;
     for (const PlaceStrategy& strategy : strategiesFor(items_)) {
-      placed_ = place(items_, strategy, grid_, tiles_, options);
+      placed_ = place(items_, strategy, grid_, tiles_, options, space);
       ++tries_;
       if (placed_.fit != Fit::TooMany || options_.udim) return;
     }

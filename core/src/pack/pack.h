@@ -28,6 +28,9 @@ struct PackOptions {
   bool rotate = true;
   double texelDensity = 0;  ///< texels per unit of length; 0: the most that fits one tile
   bool udim = false;        ///< with a density: as many tiles as it takes, not one
+  /// Once all charts have a place, better ones are looked for until that many rows of texels or
+  /// larger cells have been, of all charts in all poses; 0: until none is found.
+  double work = 0;
   ThreadPool* pool = nullptr;
   /// Told a rough 0..1 from the calling thread; false cancels.
   std::function<bool(double)> progress;

@@ -39,11 +39,20 @@ double cellsOf(const PackGrid& grid, double texels) {
   return std::floor((texels + (kMargin + 1) * grid.slack) / grid.cell) + 1;
 }
 
+PlanePoint margins(const PackGrid& grid, const Pose& pose, double texelsPerUnit) {
+  const double first = kMargin * grid.slack;
+  const auto last = [&](double length) {
+    return cellsOf(grid, length * texelsPerUnit) * grid.cell - length * texelsPerUnit - first;
+  };
+  const bool isTurnedX = pose.quarter == 1 || pose.quarter == 2;
+  return {isTurnedX ? last(pose.width) : first, pose.quarter >= 2 ? last(pose.height) : first};
+}
+
 PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, double texelsPerUnit, int cellX,
                        int cellY) {
-  const double margin = grid.border + kMargin * grid.slack;
-  return {cellX * grid.cell + margin - pose.minX * texelsPerUnit,
-          cellY * grid.cell + margin - pose.minY * texelsPerUnit};
+  const PlanePoint margin = margins(grid, pose, texelsPerUnit);
+  return {cellX * grid.cell + grid.border + margin.x - pose.minX * texelsPerUnit,
+          cellY * grid.cell + grid.border + margin.y - pose.minY * texelsPerUnit};
 }
 
 const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double texelsPerUnit,
@@ -51,16 +60,20 @@ const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double t
   const double cell = grid_.cell;
   const double scale = texelsPerUnit / cell;
   const int begin = padding > 0 ? shift() : 0;
-  const double margin = kMargin * grid_.slack / cell + begin;
+  const PlanePoint margin = margins(grid_, pose, texelsPerUnit);
+  const PlanePoint from{margin.x / cell + begin, margin.y / cell + begin};
   moved_.ends = loops.ends;
   moved_.isGroup = loops.isGroup;
   moved_.points.resize(loops.points.size());
   for (std::size_t k = 0; k < moved_.points.size(); ++k) {
     const PlanePoint p = pose.rotated(loops.points[k]);
-    moved_.points[k] = {(p.x - pose.minX) * scale + margin, (p.y - pose.minY) * scale + margin};
+    moved_.points[k] = {(p.x - pose.minX) * scale + from.x, (p.y - pose.minY) * scale + from.y};
   }
-  bits_.reset(begin + static_cast<int>(cellsOf(grid_, pose.width * texelsPerUnit + padding)),
-              begin + static_cast<int>(cellsOf(grid_, pose.height * texelsPerUnit + padding)));
+  const auto cells = [&](double length, double before) {
+    const double more = before - kMargin * grid_.slack;
+    return begin + static_cast<int>(cellsOf(grid_, length * texelsPerUnit + (padding + more)));
+  };
+  bits_.reset(cells(pose.width, margin.x), cells(pose.height, margin.y));
   // Boxes of half a side `slack + padding` round the points of an edge touch just those texels that
   // are within `padding` texels of one that is touched.
   cover_.cover(moved_, (grid_.slack + padding) / cell, bits_);

@@ -22,6 +22,10 @@ PackGrid makePackGrid(int resolution, int padding, std::size_t shapes);
 /// Cells that a length takes.
 double cellsOf(const PackGrid& grid, double texels);
 
+/// Margins of a shape at the left and below in its first cell, in texels. Cells that are shared by
+/// quarter turns have what is left of the last cell there as well.
+PlanePoint margins(const PackGrid& grid, const Pose& pose, double texelsPerUnit);
+
 /// Where coordinates of a shape (rotated, in texels) have their origin when its footprint begins at
 /// the given cell.
 PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, double texelsPerUnit, int cellX,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abflat {
 namespace {
@@ -16,36 +17,20 @@ std::size_t sizeClass(double x) {
 /// Rounding errors must not choose between poses that are alike.
 double rounded(double cells) { return std::round(cells * 256) / 256; }
 
-/// Remembers for shapes of about the same size and filling, and for each quarter turn, below which
-/// row none of them fits any more, so that the thousandth does not begin its search at the bottom.
-class SearchBegins {
- public:
-  int& of(double width, double height, double area, std::size_t quarter) {
-    const std::size_t filling = std::min(sizeClass(area), 2 * kClasses - 1);
-    return begins_[((sizeClass(width) * kClasses + sizeClass(height)) * 2 * kClasses + filling) *
-                       4 +
-                   quarter];
-  }
-
- private:
-  static constexpr std::size_t kClasses = 24;  // sides up to 2^12 cells
-  std::vector<int> begins_ = std::vector<int>(kClasses * kClasses * 2 * kClasses * 4);
-};
-
 class Placer {
  public:
   Placer(const std::vector<PackItem>& items, const PlaceStrategy& strategy, const PackGrid& grid,
-         const std::vector<FreeMap>& start, const PlaceOptions& options)
+         const std::vector<FreeMap>& start, const PlaceOptions& options, PlaceSpace& space)
       : items_(items),
         strategy_(strategy),
         grid_(grid),
         options_(options),
-        tiles_(start),
-        begins_(start.size()),
+        space_(space),
+        tiles_(space.tiles),
+        begins_(space.begins),
         raster_(grid) {
-    Rasters* const kept = options_.rasters;
-    if (kept && kept->texelsPerUnit != options_.texelsPerUnit)
-      *kept = {options_.texelsPerUnit, {}, {}};
+    tiles_ = start;
+    begins_.assign(start.size(), {});
   }
 
   Placed run() {
@@ -59,11 +44,14 @@ class Placer {
       }
       if (!items_[i].loops.points.empty() && !placeItem(i, out.spots[i])) {
         out.fit = Fit::TooMany;
+        out.work = work_;
         out.missing = i;
         return out;
       }
+      out.rows = std::max(out.rows, rows_);
       ++count;
     }
+    out.work = work_;
     out.tiles = static_cast<std::uint32_t>(tiles_.size());
     return out;
   }
@@ -104,6 +92,7 @@ class Placer {
       const int end = std::min(static_cast<int>(std::ceil(lowest - above)), tile.height());
       int& begin = begins_[t].of(width, height, area, 4 * p / poses);
       if (begin >= end) continue;
+      work_ += height;
       const Cell found = tile.find(footprintOf(i, static_cast<std::uint32_t>(p)), begin, end);
       begin = std::max(begin, found.isFound() ? found.y : end);
       if (!found.isFound()) continue;
@@ -115,30 +104,49 @@ class Placer {
   }
 
   const Footprint& footprintOf(std::uint32_t i, std::uint32_t pose) {
-    const auto make = [&](Footprint& out) {
-      out.set(raster_.touched(items_[i].loops, items_[i].poses[pose], options_.texelsPerUnit));
+    const std::vector<Pose>& poses = items_[i].poses;
+    const auto quarter = static_cast<std::uint32_t>(poses[pose].quarter);
+    const std::uint32_t first = pose - quarter * static_cast<std::uint32_t>(poses.size() / 4);
+    const auto make = [&](PlaceSpace::Footprints& out) {
+      const BitGrid& touched =
+          raster_.touched(items_[i].loops, poses[first], options_.texelsPerUnit);
+      out[0].set(touched);
+      if (poses.size() < 4) return;
+      transpose(touched, transposed_);
+      out[3].set(transposed_);
+      out[1] = out[3].mirrored(true, false);
+      out[2] = out[0].mirrored(true, true);
+      out[3] = out[3].mirrored(false, true);
     };
-    if (!options_.rasters) {
-      make(footprint_);
-      return footprint_;
-    }
-    const auto [place, isNew] = options_.rasters->touched.try_emplace({i, pose});
-    if (isNew) make(place->second);
-    return place->second;
+    if (space_.touched.empty() && made_ == std::make_pair(i, first)) return footprints_[quarter];
+    made_ = {i, first};
+    return keptOr(space_.touched, i, first, footprints_, make)[quarter];
   }
 
   const BitGrid& takenBy(std::uint32_t i, std::uint32_t pose) {
-    const auto make = [&]() -> const BitGrid& {
-      return raster_.taken(items_[i].loops, items_[i].poses[pose], options_.texelsPerUnit);
-    };
-    if (!options_.rasters) return make();
-    const auto [place, isNew] = options_.rasters->taken.try_emplace({i, pose});
-    if (isNew) place->second = make();
-    return place->second;
+    return keptOr(space_.taken, i, pose, taken_, [&](BitGrid& out) {
+      out = raster_.taken(items_[i].loops, items_[i].poses[pose], options_.texelsPerUnit);
+    });
+  }
+
+  /// Those that are kept, or made anew.
+  template <typename Cells, typename Make>
+  const Cells& keptOr(std::vector<PlaceSpace::AtScale<Cells>>& kept, std::uint32_t i,
+                      std::uint32_t pose, Cells& otherwise, const Make& make) {
+    if (kept.empty()) {
+      make(otherwise);
+      return otherwise;
+    }
+    PlaceSpace::AtScale<Cells>& own = kept[i * items_[i].poses.size() + pose];
+    if (own.texelsPerUnit != options_.texelsPerUnit) make(own.cells);
+    own.texelsPerUnit = options_.texelsPerUnit;
+    return own.cells;
   }
 
   void take(std::uint32_t i, const Spot& spot) {
     const BitGrid& taken = takenBy(i, spot.pose);
+    rows_ = spot.cell.y + static_cast<int>(cellsOf(
+                              grid_, items_[i].poses[spot.pose].height * options_.texelsPerUnit));
     tiles_[spot.tile].take(taken, spot.cell.x - raster_.shift(), spot.cell.y - raster_.shift());
   }
 
@@ -146,17 +154,37 @@ class Placer {
   const PlaceStrategy& strategy_;
   const PackGrid& grid_;
   const PlaceOptions& options_;
-  std::vector<FreeMap> tiles_;
-  std::vector<SearchBegins> begins_;
+  PlaceSpace& space_;
+  std::vector<FreeMap>& tiles_;
+  std::vector<SearchBegins>& begins_;
   PackRaster raster_;
-  Footprint footprint_;
+  PlaceSpace::Footprints footprints_;
+  std::pair<std::uint32_t, std::uint32_t> made_ = {~0u, 0};
+  BitGrid transposed_;
+  BitGrid taken_;
+  int rows_ = 0;
+  double work_ = 0;
 };
 
 }  // namespace
 
+int& SearchBegins::of(double width, double height, double area, std::size_t quarter) {
+  constexpr std::size_t kClasses = 64;
+  const std::size_t key =
+      (sizeClass(width) * kClasses + sizeClass(height)) * kClasses + sizeClass(area);
+  return begins_[static_cast<std::uint32_t>(4 * key + quarter)];
+}
+
+void PlaceSpace::keepCells(const std::vector<PackItem>& items) {
+  const std::size_t poses = items.empty() ? 0 : items[0].poses.size();
+  touched.resize(items.size() * poses);
+  taken.resize(items.size() * poses);
+}
+
 Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
-             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options) {
-  return Placer(items, strategy, grid, start, options).run();
+             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options,
+             PlaceSpace& space) {
+  return Placer(items, strategy, grid, start, options, space).run();
 }
 
 }  // namespace abflat

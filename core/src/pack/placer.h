@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "pack/cover.h"
@@ -33,31 +33,54 @@ struct Spot {
 
 enum class Fit { All, TooMany, Cancelled };
 
-/// Items as cells at one scale, made when they are needed and kept from one try to the next.
-struct Rasters {
-  using Key = std::pair<std::uint32_t, std::uint32_t>;  ///< item and pose
-  double texelsPerUnit = 0;
-  std::map<Key, Footprint> touched;
-  std::map<Key, BitGrid> taken;
+/// Remembers for shapes of about the same size and filling, and for each quarter turn, below which
+/// row none of them fits any more, so that the thousandth does not begin its search at the bottom.
+class SearchBegins {
+ public:
+  int& of(double width, double height, double area, std::size_t quarter);
+
+ private:
+  std::map<std::uint32_t, int> begins_;
+};
+
+/// What placing works with, kept from one try to the next: memory, and what is still true then.
+struct PlaceSpace {
+  template <typename Cells>
+  struct AtScale {
+    double texelsPerUnit = 0;
+    Cells cells;
+  };
+  /// In each quarter turn from a pose.
+  using Footprints = std::array<Footprint, 4>;
+  /// Per item and pose, made when they are needed. Empty: they are not kept.
+  std::vector<AtScale<Footprints>> touched;
+  std::vector<AtScale<BitGrid>> taken;
+  std::vector<FreeMap> tiles;
+  std::vector<SearchBegins> begins;  ///< per tile
+
+  void keepCells(const std::vector<PackItem>& items);
 };
 
 struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
   std::function<bool(std::size_t placed)> onPlaced;  ///< false cancels
-  Rasters* rasters = nullptr;  ///< of the same items and grid; null: nothing is kept
 };
 
 struct Placed {
   Fit fit = Fit::All;
   std::vector<Spot> spots;  ///< as many as items
   std::uint32_t tiles = 0;
+  double work = 0;            ///< rows of cells of all poses that were tried
+  int rows = 0;               ///< of the tiles that are used, counted from the bottom
   std::uint32_t missing = 0;  ///< the first item that found no place, unless all did
 };
 
 /// Items in order, each in the pose and at the place where its mass is lowest, in the first tile
-/// that has one. `start`: tiles that are partly taken; more are added behind them.
+/// that has one. `start`: tiles that are partly taken; more are added behind them. `space`: new, or
+/// of earlier calls with the same items and grid.
 Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
-             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options);
+             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options,
+             PlaceSpace& space);
 
 }  // namespace abflat

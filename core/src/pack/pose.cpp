@@ -23,6 +23,18 @@ void measure(Pose& pose, const std::vector<PlanePoint>& hull) {
   pose.height = most.y - least.y;
 }
 
+Pose quarterTurned(const Pose& pose) {
+  Pose out;
+  out.cos = -pose.sin;
+  out.sin = pose.cos;
+  out.minX = -(pose.minY + pose.height);
+  out.minY = pose.minX;
+  out.width = pose.height;
+  out.height = pose.width;
+  out.quarter = pose.quarter + 1;
+  return out;
+}
+
 }  // namespace
 
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull) {
@@ -39,6 +51,15 @@ Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& 
   out.cos = base.cos * by.cos - base.sin * by.sin;
   out.sin = base.sin * by.cos + base.cos * by.sin;
   measure(out, hull);
+  return out;
+}
+
+std::vector<Pose> turns(const Pose& base, int count, const std::vector<PlanePoint>& hull) {
+  const std::size_t first = static_cast<std::size_t>(count + 3) / 4;
+  std::vector<Pose> out;
+  for (int k = 0; out.size() < first; ++k) out.push_back(turned(base, k, count, hull));
+  while (out.size() < static_cast<std::size_t>(count))
+    out.push_back(quarterTurned(out[out.size() - first]));
   return out;
 }
 

@@ -11,12 +11,17 @@ struct Pose {
   double cos = 1, sin = 0;
   double minX = 0, minY = 0;
   double width = 0, height = 0;
+  int quarter = 0;  ///< quarter turns from a pose that it shares its cells with
 
   PlanePoint rotated(PlanePoint p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
 };
 
 /// With `angle` in `of`-ths of a full turn; exact for quarters.
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull);
+
+/// A full turn in `count` equal steps: 1, or a multiple of 4. Those of the second quarter on are
+/// exactly the ones of the first, turned.
+std::vector<Pose> turns(const Pose& base, int count, const std::vector<PlanePoint>& hull);
 
 /// The least area of the box among all rotations; wider than high.
 Pose leastBoxPose(const std::vector<PlanePoint>& hull);

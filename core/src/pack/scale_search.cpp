@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "pack/scale_bounds.h"
 #include "pack/strategies.h"
 
 namespace abflat {
@@ -11,172 +13,193 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Area that the items need at least when they keep `gap` from each other (Brunn and Minkowski: a
-/// shape grown by a square of side g has at least (sqrt(area) + g)^2).
-double grownArea(const std::vector<PackItem>& items, double scale, double gap) {
-  double sum = 0;
-  for (const PackItem& item : items) {
-    const double side = std::sqrt(item.mass.area) * scale + gap;
-    sum += side * side;
-  }
-  return sum;
-}
-
-/// The scale at which they need `available`, by bisection below `most`.
-double scaleOfArea(const std::vector<PackItem>& items, double gap, double available, double most) {
-  double low = 0, high = most;
-  for (int i = 0; i < 60 && high > low * (1 + 1e-6); ++i) {
-    const double middle = (low + high) / 2;
-    (grownArea(items, middle, gap) > available ? high : low) = middle;
-  }
-  return high;
-}
-
+/// The search on one grid.
 class Search {
  public:
   Search(const std::vector<PackItem>& items, const PackGrid& grid, const FreeMap& tile,
-         ThreadPool* pool, const std::function<bool(double)>& progress)
+         const std::vector<PlaceStrategy>& strategies, const ScaleOptions& options,
+         ScaleSearch& best)
       : items_(items),
         grid_(grid),
         start_(1, tile),
-        pool_(pool),
-        progress_(progress),
-        strategies_(strategiesFor(items)),
-        rasters_(strategies_.size() > 1 ? atOnce() : 0) {}
-
-  ScaleSearch run() {
-    bound();
-    if (begin(firstGuess()))
-      for (const double step : {1.01, 1.003}) climbAnyhow(step);
-    if (isCancelled_) out_.best.fit = Fit::Cancelled;
-    return std::move(out_);
+        strategies_(strategies),
+        options_(options),
+        spaces_(isParallel(options.pool) ? options.pool->threads() : 1),
+        bounds_(scaleBounds(items, grid, tile)),
+        out_(best) {
+    if (strategies_.size() > 1)
+      for (PlaceSpace& space : spaces_) space.keepCells(items);
   }
 
- private:
-  std::size_t atOnce() const { return isParallel(pool_) ? pool_->threads() : 1; }
+  /// Whether there is nothing to search because boxes are what bounds the scale.
+  bool isAtBound() {
+    return bounds_.guess == bounds_.most && attempt(bounds_.most, 0, mostFirst());
+  }
 
-  /// Finds a scale that fits, with the first strategy. False when there is none.
-  bool begin(double guess) {
-    if (!attempt(guess, 0)) return descend(guess);
-    for (double step = 1.02; climb(step, 0, 1);) step = std::min(step * step, 1.1);
+  /// Finds a scale that fits. False when there is none.
+  bool begin() {
+    // The part that was placed would fill the tile; a little more room is lost between the charts.
+    constexpr double kLeastStep = 0.8, kMostStep = 0.985;
+    double scale = bounds_.guess;
+    for (double most = kMostStep; !attempt(scale, 0, mostFirst()); most *= kMostStep) {
+      if (scale <= bounds_.least || isCancelled_) return false;
+      bad_ = scale;
+      scale = std::max(scale * most * std::max(std::sqrt(placedShare_), kLeastStep), bounds_.least);
+    }
     return true;
   }
 
-  /// One step up from the best.
-  bool climb(double step, std::size_t strategy, std::size_t count) {
-    const double scale = std::min(out_.texelsPerUnit * step, most_);
-    return scale > out_.texelsPerUnit && attempt(scale, strategy, count);
-  }
-
-  /// Steps up until no strategy has one any more, beginning with the last that had.
-  void climbAnyhow(double step) {
-    for (std::size_t failures = 0; failures < strategies_.size() && !isCancelled_;) {
-      const std::size_t count = std::min(atOnce(), strategies_.size() - failures);
-      if (climb(step, lastGood_, count)) {
-        failures = 0;
-      } else {
-        failures += count;
-        lastGood_ = (lastGood_ + count) % strategies_.size();
+  /// Steps up until `count` strategies have none any more, beginning with the last that had.
+  void climb(double step, std::size_t count) {
+    bool isBold = true;
+    for (std::size_t failures = 0; failures < count && !isOver();) {
+      const double next = std::min(out_.texelsPerUnit * step, bounds_.most);
+      if (!(next > out_.texelsPerUnit)) return;
+      if (strategies_.size() == 1 && next >= bad_) return;
+      const double bold = boldScale();
+      if (isBold && bold > next) {
+        isBold = attempt(bold, out_.strategy, 1);
+        if (isBold)
+          failures = 0;
+        else
+          bad_ = bold;
+        continue;
       }
+      const std::size_t first = out_.strategy + failures;
+      isBold = attempt(next, first, std::min(spaces_.size(), count - failures));
+      failures = isBold ? 0 : failures + spaces_.size();
     }
   }
 
-  /// False when nothing fits.
-  bool descend(double from) {
-    double scale = from;
-    for (double step = 0.96; scale > least_ && !isCancelled_; step *= step) {
-      scale = std::max(scale * step, least_);
-      if (attempt(scale, 0)) return true;
-    }
-    return false;
+  bool isCancelled() const { return isCancelled_; }
+
+ private:
+  std::size_t mostFirst() const { return std::min<std::size_t>(strategies_.size(), 2); }
+
+  bool isOver() const {
+    return isCancelled_ ||
+           (out_.texelsPerUnit > 0 && options_.work > 0 && out_.work >= options_.work);
   }
 
-  /// No scale above `most_` is possible, because of the boxes of the items and their area; at
-  /// `least_` each item takes one texel.
-  void bound() {
-    const double side = grid_.resolution - 2 * grid_.border;
-    double widest = 0, narrowest = 0;
-    for (const PackItem& item : items_) {
-      double narrow = kInfinity;
-      for (const Pose& pose : item.poses) {
-        widest = std::max({widest, pose.width, pose.height});
-        narrow = std::min(narrow, std::max(pose.width, pose.height));
-      }
-      if (!item.poses.empty()) narrowest = std::max(narrowest, narrow);
-    }
-    if (widest == 0) {
-      most_ = least_ = 1;
-      return;
-    }
-    const double room = (side + grid_.padding) * (side + grid_.padding);
-    most_ = scaleOfArea(items_, grid_.padding, room, (side - 4 * grid_.slack) / narrowest);
-    least_ = std::min(most_, grid_.slack / widest);
-  }
-
-  double firstGuess() const {
-    const double side = grid_.resolution - 2 * grid_.border + grid_.padding;
-    const double cells = static_cast<double>(grid_.cells());
-    const double freeShare = start_[0].freeCells() / (cells * cells);
-    // Charts fill about that much of what is free; half a cell is lost on each side.
-    constexpr double kFill = 0.78;
-    const double scale =
-        scaleOfArea(items_, grid_.padding + grid_.cell, kFill * freeShare * side * side, most_);
-    return std::max({scale, 1e-3 * most_, least_});
+  /// What should fit as well, by the height that was not used.
+  double boldScale() const {
+    const double scale = out_.texelsPerUnit, rows = std::max(out_.best.rows, 1);
+    const double guess = scale * std::sqrt(grid_.cells() / rows);
+    return std::min(guess < bad_ ? guess : (scale + bad_) / 2, bounds_.most);
   }
 
   /// As if `count` strategies from `strategy` on were tried until one fits; several at a time.
-  bool attempt(double scale, std::size_t strategy, std::size_t count = 1) {
-    if (isCancelled_ || !tell(0)) return false;
+  bool attempt(double scale, std::size_t strategy, std::size_t count) {
+    placedShare_ = 0;
+    for (std::size_t k = 0; k < count; k += spaces_.size())
+      if (attemptAtOnce(scale, strategy + k, std::min(spaces_.size(), count - k))) return true;
+    return false;
+  }
+
+  bool attemptAtOnce(double scale, std::size_t strategy, std::size_t count) {
+    if (isOver() || !tell(0)) return false;
     PlaceOptions options;
     options.texelsPerUnit = scale;
     if (count == 1) options.onPlaced = [this](std::size_t placed) { return tell(placed); };
     std::vector<Placed> placed(count);
-    parallelFor(pool_, count, [&](std::size_t k) {
-      const std::size_t s = (strategy + k) % strategies_.size();
-      PlaceOptions own = options;
-      if (k < rasters_.size()) own.rasters = &rasters_[k];
-      placed[k] = place(items_, strategies_[s], grid_, start_, own);
+    const auto strategyOf = [&](std::size_t k) { return (strategy + k) % strategies_.size(); };
+    parallelFor(options_.pool, count, [&](std::size_t k) {
+      placed[k] = place(items_, strategies_[strategyOf(k)], grid_, start_, options, spaces_[k]);
     });
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < count && !isOver(); ++k) {
       ++out_.tries;
+      out_.work += placed[k].work;
       const bool fits = placed[k].fit == Fit::All;
+      if (!fits) noteMissing(placed[k].missing, strategies_[strategyOf(k)]);
       if (fits || out_.texelsPerUnit == 0) out_.best = std::move(placed[k]);
       if (!fits) continue;
       out_.texelsPerUnit = scale;
-      lastGood_ = (strategy + k) % strategies_.size();
+      out_.strategy = strategyOf(k);
       return true;
     }
     return false;
   }
 
+  void noteMissing(std::uint32_t missing, const PlaceStrategy& strategy) {
+    double before = 0, all = 0;
+    for (std::size_t k = 0; k < items_.size() && strategy.order[k] != missing; ++k)
+      before += items_[strategy.order[k]].mass.area;
+    for (const PackItem& item : items_) all += item.mass.area;
+    if (all > 0) placedShare_ = std::max(placedShare_, before / all);
+  }
+
   /// Of the current try that many items are placed.
   bool tell(std::size_t placed) {
-    if (!progress_ || placed % 64 != 0) return true;
+    if (!options_.progress || placed % 64 != 0) return true;
     const double share = static_cast<double>(placed) / static_cast<double>(items_.size() + 1);
-    const double usualTries = 6 + 3 * static_cast<double>(strategies_.size());
-    isCancelled_ = !progress_(1 - std::exp(-2 * (out_.tries + share) / usualTries));
+    const double usualTries = 6 + 2 * static_cast<double>(strategies_.size());
+    isCancelled_ = !options_.progress(1 - std::exp(-2 * (out_.tries + share) / usualTries));
     return !isCancelled_;
   }
 
   const std::vector<PackItem>& items_;
-  const PackGrid& grid_;
+  const PackGrid grid_;
   const std::vector<FreeMap> start_;
-  ThreadPool* pool_;
-  const std::function<bool(double)>& progress_;
-  const std::vector<PlaceStrategy> strategies_;
-  std::vector<Rasters> rasters_;  ///< of each try at once
-  std::size_t lastGood_ = 0;
-  ScaleSearch out_;
-  double most_ = 0, least_ = 0;
+  const std::vector<PlaceStrategy>& strategies_;
+  const ScaleOptions& options_;
+  std::vector<PlaceSpace> spaces_;  ///< of each try at once
+  const ScaleBounds bounds_;
+  ScaleSearch& out_;
+  double bad_ = kInfinity;  ///< the last scale that did not fit, but for small steps up
+  double placedShare_ = 0;  ///< of the area, at the last scale that did not fit, by the best try
   bool isCancelled_ = false;
 };
+
+/// The same places on a grid of cells half as large.
+void refine(const std::vector<PackItem>& items, const PackGrid& from, const PackGrid& to,
+            ScaleSearch& found) {
+  found.best.rows *= 2;
+  const auto cells = [&](double more) { return static_cast<int>(std::lround(more / to.cell)); };
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Spot& spot = found.best.spots[i];
+    if (!spot.cell.isFound()) continue;
+    const Pose& pose = items[i].poses[spot.pose];
+    const PlanePoint before = margins(from, pose, found.texelsPerUnit);
+    const PlanePoint after = margins(to, pose, found.texelsPerUnit);
+    spot.cell = {2 * spot.cell.x + cells(before.x - after.x),
+                 2 * spot.cell.y + cells(before.y - after.y)};
+  }
+}
+
+/// Which of many strategies is the best shows on larger cells as well, in less than half the time.
+bool hasCoarseGrid(const PackGrid& grid, std::size_t items) {
+  constexpr double kLeastCellsOfItem = 16;
+  const double side = grid.cells() / 2.0 / std::sqrt(static_cast<double>(items));
+  return items > 1 && items <= kFewItems && side >= kLeastCellsOfItem;
+}
 
 }  // namespace
 
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile, ThreadPool* pool,
-                        const std::function<bool(double)>& progress) {
-  return Search(items, grid, tile, pool, progress).run();
+                        const FreeMap& tile, const ScaleOptions& options) {
+  constexpr double kCoarseStep = 1.007, kFineStep = 1.005, kOnlyStep = 1.01;
+  constexpr std::size_t kFineStrategies = 4;
+  const std::vector<PlaceStrategy> strategies = strategiesFor(items);
+  ScaleSearch out;
+  Search fine(items, grid, tile, strategies, options, out);
+  if (fine.isAtBound()) return out;
+  std::size_t count = strategies.size();
+  bool isCancelled = fine.isCancelled();
+  if (!isCancelled && hasCoarseGrid(grid, items.size())) {
+    PackGrid larger = grid;
+    larger.cell *= 2;
+    Search coarse(items, larger, tile.halved(), strategies, options, out);
+    if (coarse.begin()) {
+      coarse.climb(kCoarseStep, count);
+      refine(items, larger, grid, out);
+      count = std::min(count, kFineStrategies);
+    }
+    isCancelled = coarse.isCancelled();
+  }
+  if (!isCancelled && (out.texelsPerUnit > 0 || fine.begin()))
+    fine.climb(strategies.size() > 1 ? kFineStep : kOnlyStep, count);
+  if (isCancelled || fine.isCancelled()) out.best.fit = Fit::Cancelled;
+  return out;
 }
 
 }  // namespace abflat

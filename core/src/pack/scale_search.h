@@ -5,17 +5,24 @@
 
 namespace abflat {
 
+struct ScaleOptions {
+  double work = 0;  ///< see PackOptions
+  ThreadPool* pool = nullptr;
+  /// Told a rough 0..1 from the calling thread; false cancels.
+  std::function<bool(double)> progress;
+};
+
 struct ScaleSearch {
   Placed best;  ///< TooMany when not even one texel for each item fits
   double texelsPerUnit = 0;
+  std::size_t strategy = 0;  ///< that has found it
   int tries = 0;
+  double work = 0;  ///< of them together
 };
 
 /// The largest scale that is found at which all items fit one tile. `tile`: what others have taken.
-/// `progress` is told a rough 0..1 from the calling thread; false cancels. Threads do not change
-/// the result.
+/// Threads do not change the result.
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile, ThreadPool* pool,
-                        const std::function<bool(double)>& progress);
+                        const FreeMap& tile, const ScaleOptions& options);
 
 }  // namespace abflat

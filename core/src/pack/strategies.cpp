@@ -49,8 +49,8 @@ int posesFor(std::size_t items) { return items <= 4 ? 64 : 16; }
 
 std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
   const std::size_t n = items.size();
-  const int many = n <= 40 ? posesFor(n) : 8;
-  const std::size_t count = n <= 4 ? 6 : n <= 40 ? 12 : n <= 150 ? 5 : n <= 1000 ? 2 : 1;
+  const int many = n <= kFewItems ? posesFor(n) : 8;
+  const std::size_t count = n <= 4 ? 6 : n <= kFewItems ? 12 : n <= 150 ? 5 : n <= 1000 ? 2 : 1;
   std::vector<PlaceStrategy> out;
   for (std::size_t k = 0; k < count; ++k) {
     // Every second one with more angles; after all keys have had their turn, in slight disorder.

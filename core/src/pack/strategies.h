@@ -4,6 +4,9 @@
 
 namespace abflat {
 
+/// That many are placed in many ways.
+constexpr std::size_t kFewItems = 40;
+
 /// Poses that items need for the strategies.
 int posesFor(std::size_t items);
 

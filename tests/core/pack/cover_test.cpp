@@ -119,6 +119,22 @@ TEST_CASE("edges on grid lines and nearly horizontal ones are covered", "[pack]"
     }
 }
 
+TEST_CASE("transposed, columns are rows", "[pack]") {
+  for (const auto& [width, height] : {std::pair(1, 1), std::pair(64, 3), std::pair(65, 130)}) {
+    BitGrid grid, turned;
+    grid.reset(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = y % 3; x < width; x += 1 + (x * y) % 7) grid.set(y, x, x);
+    transpose(grid, turned);
+    REQUIRE(turned.width == height);
+    REQUIRE(turned.height == width);
+    int wrong = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) wrong += grid.at(x, y) != turned.at(y, x) ? 1 : 0;
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("runs are the cells of a grid", "[pack]") {
   for (const PackShape& shape : shapes()) {
     const BitGrid grid = covered(shape, 0.1);

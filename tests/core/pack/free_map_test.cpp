@@ -93,3 +93,33 @@ TEST_CASE("an empty or too large footprint has no place", "[pack]") {
   map.take(grid, 0, 9);
   CHECK_FALSE(map.find(footprint, 0, 10).isFound());
 }
+
+TEST_CASE("a halved map is free where all four cells are", "[pack]") {
+  std::mt19937 random(5);
+  for (const int size : {2, 65, 131}) {
+    FreeMap map(size, size);
+    BitGrid taken;
+    taken.reset(size, size);
+    for (int k = 0; k < 4; ++k) {
+      const BitGrid blot = randomGrid(random, size);
+      const int x = static_cast<int>(random() % static_cast<unsigned>(size));
+      map.take(blot, x, 0);
+      for (int v = 0; v < std::min(blot.height, size); ++v)
+        for (int u = 0; u < blot.width; ++u)
+          if (blot.at(u, v)) taken.set(v, x + u, x + u);
+    }
+    const FreeMap half = map.halved();
+    REQUIRE(half.width() == size / 2);
+    BitGrid square;
+    square.reset(2, 2);
+    for (int y = 0; y < 2; ++y) square.set(y, 0, 1);
+    double free = 0;
+    for (int y = 0; y < size / 2; ++y)
+      for (int x = 0; x < size / 2; ++x) {
+        const bool isSquareFree = isFree(taken, square, 2 * x, 2 * y);
+        CHECK(half.isFree(x, y) == isSquareFree);
+        free += isSquareFree ? 1 : 0;
+      }
+    CHECK(half.freeCells() == free);
+  }
+}

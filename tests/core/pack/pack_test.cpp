@@ -139,6 +139,35 @@ TEST_CASE("threads do not change a packing", "[pack]") {
   }
 }
 
+TEST_CASE("with a bound of work all charts are packed, and the better the more it allows",
+          "[pack]") {
+  for (const std::size_t count : {2, 5, 25, 100, 300}) {
+    const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 3);
+    PackOptions options = at(512, 2);
+    const Packing without = packed(shapes, options);
+    double used = 0;
+    int tries = 0;
+    for (options.work = 1; options.work < 1e8; options.work *= 10) {
+      checkPacked(shapes, options);
+      const Packing one = packed(shapes, options);
+      CHECK(one.utilization >= used);
+      CHECK(one.tries >= tries);
+      used = one.utilization;
+      tries = one.tries;
+      ThreadPool pool(3);
+      options.pool = &pool;
+      const Packing more = packed(shapes, options);
+      options.pool = nullptr;
+      CHECK(one.scale == more.scale);
+      CHECK(one.tries == more.tries);
+    }
+    CHECK(used == without.utilization);
+    CHECK(tries == without.tries);
+    options.work = 1;
+    CHECK(packed(shapes, options).tries < without.tries);
+  }
+}
+
 TEST_CASE("tiles are well used", "[pack]") {
   const auto used = [](const std::vector<PackShape>& shapes) {
     return packed(shapes, at(1024, 2)).utilization;

@@ -1,0 +1,69 @@
+#include "pack/scale_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace abflat {
+namespace {
+
+/// Area that the items need at least when they keep `gap` from each other (Brunn and Minkowski: a
+/// shape grown by a square of side g has at least (sqrt(area) + g)^2).
+double grownArea(const std::vector<PackItem>& items, double scale, double gap) {
+  double sum = 0;
+  for (const PackItem& item : items) {
+    const double side = std::sqrt(item.mass.area) * scale + gap;
+    sum += side * side;
+  }
+  return sum;
+}
+
+/// The scale at which they need `available`, by bisection below `most`.
+double scaleOfArea(const std::vector<PackItem>& items, double gap, double available, double most) {
+  double low = 0, high = most;
+  for (int i = 0; i < 60 && high > low * (1 + 1e-6); ++i) {
+    const double middle = (low + high) / 2;
+    (grownArea(items, middle, gap) > available ? high : low) = middle;
+  }
+  return high;
+}
+
+struct Extents {
+  double widest = 0;     ///< of all poses
+  double narrowest = 0;  ///< side of the least square that has room for each item in some pose
+};
+
+Extents extentsOf(const std::vector<PackItem>& items) {
+  Extents out;
+  for (const PackItem& item : items) {
+    double narrow = std::numeric_limits<double>::infinity();
+    for (const Pose& pose : item.poses) {
+      out.widest = std::max({out.widest, pose.width, pose.height});
+      narrow = std::min(narrow, std::max(pose.width, pose.height));
+    }
+    if (!item.poses.empty()) out.narrowest = std::max(out.narrowest, narrow);
+  }
+  return out;
+}
+
+}  // namespace
+
+ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
+                        const FreeMap& tile) {
+  const Extents extents = extentsOf(items);
+  if (extents.widest == 0) return {};
+  const double side = grid.resolution - 2 * grid.border, padded = side + grid.padding;
+  ScaleBounds out;
+  out.most = scaleOfArea(items, grid.padding, padded * padded,
+                         (side - 4 * grid.slack) / extents.narrowest);
+  out.least = std::min(out.most, grid.slack / extents.widest);
+  // Charts fill about that much of what is free; half a cell is lost on each side.
+  constexpr double kFill = 0.78;
+  const double freeShare = tile.freeCells() / (static_cast<double>(tile.width()) * tile.height());
+  const double scale =
+      scaleOfArea(items, grid.padding + grid.cell, kFill * freeShare * padded * padded, out.most);
+  out.guess = std::max({scale, 1e-3 * out.most, out.least});
+  return out;
+}
+
+}  // namespace abflat
