@@ -203,25 +203,23 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
   bad = good;
   for (double& x : bad.texcoords) x *= 3;
   CHECK(says(bad, "not within the unit square"));
-  // All islands at one place.
+  // One island, made small, within a face of another.
   bad = good;
+  const std::uint32_t around = first.report.charts[0].firstFace;
   const std::uint32_t stacked = first.report.charts[1].firstFace;
+  const auto at = [&](std::uint32_t corner, std::size_t d) {
+    return good.texcoords[2 * good.faceTexcoords[corner] + d];
+  };
   for (std::uint32_t c = 0; c < bad.faceTexcoords.size(); ++c)
     if (first.chartOfFace[c / 3] == 1) {
       bad.faceTexcoords[c] = static_cast<std::uint32_t>(bad.texcoords.size() / 2);
-      for (std::size_t d = 0; d < 2; ++d)
-        bad.texcoords.push_back(good.texcoords[2 * good.faceTexcoords[c] + d]);
+      for (std::size_t d = 0; d < 2; ++d) {
+        const double middle =
+            (at(3 * around, d) + at(3 * around + 1, d) + at(3 * around + 2, d)) / 3;
+        bad.texcoords.push_back(middle + 1e-4 * (at(c, d) - at(3 * stacked, d)));
+      }
     }
-  double low[2] = {1, 1}, lowOther[2] = {1, 1};
-  for (std::uint32_t c = 0; c < bad.faceTexcoords.size(); ++c)
-    for (std::size_t d = 0; d < 2; ++d) {
-      double& least = first.chartOfFace[c / 3] == 1 ? lowOther[d] : low[d];
-      if (first.chartOfFace[c / 3] < 2)
-        least = std::min(least, good.texcoords[2 * good.faceTexcoords[c] + d]);
-    }
-  for (std::size_t i = good.texcoords.size(); i < bad.texcoords.size(); ++i)
-    bad.texcoords[i] += low[i % 2] - lowOther[i % 2];
-  options.fixedFaces = {first.report.charts[0].firstFace, stacked};
+  options.fixedFaces = {around, stacked};
   CHECK(says(bad, "overlap there"));
   options.fixedFaces = {500};
   CHECK(says(good, "face 500 is to keep its texcoords, but there are only 192 faces"));
