@@ -127,7 +127,7 @@ void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& opti
   char text[120];
   std::snprintf(text, sizeof text, "%zu %s stretched by more than %g, up to %.5g: ", count,
                 count == 1 ? "chart is" : "charts are", options.maxStretch, most);
-  notes.push_back(text + std::string(isFree(options)         ? "no seam was found that helps"
+  notes.push_back(text + std::string(isFree(options) ? "seams that were tried do not help enough"
                                      : options.straightSeams ? "straight seams take that"
                                                              : "a larger t, or auto, takes less"));
 }

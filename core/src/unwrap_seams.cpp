@@ -50,8 +50,9 @@ SeamOptions seamOptions(const UnwrapOptions& options, ThreadPool& pool,
   return out;
 }
 
-/// Seams of the charts that are wanted alone, which are added to those of `open`.
-void findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWanted,
+/// Adds seams within the charts that are wanted alone to those of `open`; false when there are
+/// none.
+bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWanted,
                 SeamOptions options, OpenSurface& open, SeamReport& found) {
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
   const bool hasPlace = !open.place.empty();
@@ -59,8 +60,12 @@ void findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWa
     for (const std::uint32_t v : part.vertex) options.place.push_back(open.place[v]);
   const Seams seams = findSeams(part.mesh, {}, options, &found);
   open.seams.resize(open.mesh.twin.size(), 0);
-  for (std::size_t h = 0; h < seams.size(); ++h)
-    if (seams[h]) open.seams[part.halfEdge[h]] = 1;
+  bool isAny = false;
+  for (std::size_t h = 0; h < seams.size(); ++h) {
+    if (!seams[h]) continue;
+    open.seams[part.halfEdge[h]] = 1;
+    isAny = true;
+  }
   open.place.resize(open.mesh.vertexCount(), 0);
   open.scale.resize(open.mesh.vertexCount(), 0);
   for (std::size_t v = 0; v < found.place.size(); ++v) {
@@ -68,6 +73,7 @@ void findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWa
     if (!hasPlace) open.place[part.vertex[v]] = found.place[v];
     open.scale[part.vertex[v]] = found.scale[v];
   }
+  return isAny;
 }
 
 /// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
@@ -113,12 +119,14 @@ OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seam
 bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open) {
+  const auto isAbove = [&](double x) { return x > options.maxStretch; };
+  if (std::none_of(stretch.begin(), stretch.end(), isAbove)) return false;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
   std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
   std::vector<double> excess(s.charts.size(), 0);
   for (std::size_t i = 0; i < stretch.size(); ++i) {
-    if (!(stretch[i] > options.maxStretch)) continue;
+    if (!isAbove(stretch[i])) continue;
     const std::uint32_t c = s.chartOfTriangle[set.triangles[i].front()];
     const double told = (expected.stretch[c] - 1) / expected.excess[c];
     if (!(told > 0)) continue;
@@ -131,10 +139,8 @@ bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)
     if (const std::uint32_t c = s.chartOfTriangle[f]; isWanted[c]) open.mesh.excess[f] = excess[c];
-  const Seams before = open.seams;
   SeamReport found;
-  findWithin(s, isWanted, seamOptions(options, pool, std::move(keepsOn)), open, found);
-  return open.seams != before;
+  return findWithin(s, isWanted, seamOptions(options, pool, std::move(keepsOn)), open, found);
 }
 
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {

@@ -70,7 +70,15 @@ async function startSession(t) {
     abflat.calls[0].resolve(TRIANGLE);
     await rest();
   };
-  return { session, open, openHead, ask, calls: abflat.calls, log, rest };
+  /** The head laid out, and the ball being read. */
+  const openBall = async () => {
+    await openHead();
+    abflat.calls[1].resolve({});
+    await rest();
+    open(BALL, at(1));
+    await rest();
+  };
+  return { session, open, openHead, openBall, ask, calls: abflat.calls, log, rest };
 }
 
 const HEAD = { kind: 'sample', name: 'head' };
@@ -194,12 +202,8 @@ test('session: a mesh opened later wins over one that is still read', async (t) 
 });
 
 test('session: what cannot be read leaves the mesh before, which can be flattened again', async (t) => {
-  const { openHead, open, ask, calls, log, rest } = await startSession(t);
-  await openHead();
-  calls[1].resolve({});
-  await rest();
-  open(BALL, at(1));
-  await rest();
+  const { openBall, ask, calls, log, rest } = await startSession(t);
+  await openBall();
   calls[2].reject(new Error('no ball'));
   await rest();
   assert.equal(log.at(-1), 'failed ball null no ball');
@@ -211,12 +215,8 @@ test('session: what cannot be read leaves the mesh before, which can be flattene
 });
 
 test('session: what is asked for while a mesh is read is for that mesh, however long it takes', async (t) => {
-  const { openHead, open, ask, calls, log, rest } = await startSession(t);
-  await openHead();
-  calls[1].resolve({});
-  await rest();
-  open(BALL, at(1));
-  await rest();
+  const { openBall, ask, calls, log, rest } = await startSession(t);
+  await openBall();
   ask(at(1.2));
   t.mock.timers.tick(10_000);
   await rest();
@@ -239,12 +239,8 @@ test('session: what is asked for while a mesh is read is for that mesh, however 
 });
 
 test('session: where reading fails nothing runs by itself, so that the reason stays in view', async (t) => {
-  const { openHead, open, ask, calls, log, rest } = await startSession(t);
-  await openHead();
-  calls[1].resolve({});
-  await rest();
-  open(BALL, at(1));
-  await rest();
+  const { openBall, ask, calls, log, rest } = await startSession(t);
+  await openBall();
   ask(at(1.2));
   calls[2].reject(new Error('no ball'));
   t.mock.timers.tick(10_000);
@@ -276,12 +272,8 @@ test('session: a wish for a run does not end the reading that replaces the run',
 });
 
 test('session: cancelling while a mesh is read leaves the one before, and no wish', async (t) => {
-  const { openHead, open, ask, session, calls, log, rest } = await startSession(t);
-  await openHead();
-  calls[1].resolve({});
-  await rest();
-  open(BALL, at(1));
-  await rest();
+  const { openBall, ask, session, calls, log, rest } = await startSession(t);
+  await openBall();
   ask(at(1.2));
   session.cancel();
   t.mock.timers.tick(10_000);

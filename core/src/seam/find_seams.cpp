@@ -87,8 +87,9 @@ class Finder {
 void Finder::analyse() {
   Stopwatch watch;
   std::vector<std::uint32_t> place;
-  if (isWhole()) place = options_.place;
-  if (!isWhole())
+  if (isWhole())
+    place = options_.place;
+  else
     for (const std::uint32_t v : part_.vertex) place.push_back(report_.place[v]);
   scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(place));
   if (isWhole()) report_.place = scale_->place();
