@@ -77,7 +77,7 @@ class BeforeRounding {
 /// What packing may look at, in the unit of PackOptions: per triangle so much that it takes less
 /// time than flattening, but enough for a good packing of the smallest meshes.
 double packWork(const std::vector<PackShape>& shapes) {
-  constexpr double kWorkOfCorner = 20, kLeastWork = 40000;
+  constexpr double kWorkOfCorner = 10, kLeastWork = 4000;
   double corners = 0;
   for (const PackShape& shape : shapes) corners += static_cast<double>(shape.triangles.size());
   return std::max(kWorkOfCorner * corners, kLeastWork);

@@ -129,6 +129,29 @@ void transpose(const BitGrid& from, BitGrid& to) {
   }
 }
 
+BitGrid halved(const BitGrid& grid) {
+  BitGrid out;
+  out.reset(grid.width / 2, grid.height / 2);
+  for (int y = 0; y < 2 * out.height; ++y)
+    for (int x = 0; x < 2 * out.width; ++x)
+      if (grid.at(x, y)) out.set(y / 2, x / 2, x / 2);
+  return out;
+}
+
+void add(const BitGrid& grid, BitGrid& to) {
+  if (to.words.empty()) {
+    to = grid;
+    return;
+  }
+  for (std::size_t w = 0; w < to.words.size(); ++w) to.words[w] |= grid.words[w];
+}
+
+double countCells(const BitGrid& grid) {
+  double count = 0;
+  for (const std::uint64_t word : grid.words) count += countBits(word);
+  return count;
+}
+
 void appendRuns(const BitGrid& grid, std::vector<Run>& runs) {
   for (int y = 0; y < grid.height; ++y) {
     const std::uint64_t* const row = grid.row(y);

@@ -27,6 +27,15 @@ struct BitGrid {
 /// Columns to rows.
 void transpose(const BitGrid& from, BitGrid& to);
 
+/// Half as many cells along each side, set where any of the four is. What is left over at the
+/// right and above is left out.
+BitGrid halved(const BitGrid& grid);
+
+/// Of the same size, or `to` is empty.
+void add(const BitGrid& grid, BitGrid& to);
+
+double countCells(const BitGrid& grid);
+
 /// Covered cells first..last of a row.
 struct Run {
   std::int32_t row, first, last;

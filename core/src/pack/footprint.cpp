@@ -33,19 +33,16 @@ void Footprint::set(const BitGrid& grid) {
   }
 }
 
-Footprint Footprint::mirrored(bool acrossX, bool acrossY) const {
-  Footprint out;
-  out.width = width;
-  out.height = height;
-  out.runs.reserve(runs.size());
-  for (Run run : runs) {
+void Footprint::setMirrored(const Footprint& from, bool acrossX, bool acrossY) {
+  width = from.width;
+  height = from.height;
+  runs = from.runs;
+  for (Run& run : runs) {
     if (acrossX) run = {run.row, width - 1 - run.last, width - 1 - run.first};
     if (acrossY) run.row = height - 1 - run.row;
-    out.runs.push_back(run);
   }
-  out.longest = longest;
-  if (acrossY) std::reverse(out.longest.begin(), out.longest.end());
-  return out;
+  longest = from.longest;
+  if (acrossY) std::reverse(longest.begin(), longest.end());
 }
 
 }  // namespace abflat

@@ -16,8 +16,8 @@ struct Footprint {
   /// The longest run comes first, then rows far apart: what does not fit shows early.
   void set(const BitGrid& grid);
 
-  /// Left and right swapped, below and above swapped, or both.
-  Footprint mirrored(bool acrossX, bool acrossY) const;
+  /// Another one with left and right swapped, below and above swapped, or both.
+  void setMirrored(const Footprint& from, bool acrossX, bool acrossY);
 
  private:
   std::vector<Run> inOrder_;

@@ -6,16 +6,16 @@
 
 namespace abflat {
 
-FreeMap::FreeMap(int width, int height)
-    : width_(width),
-      height_(height),
-      levels_(floorLog2(static_cast<std::uint32_t>(width)) + 1),
-      // Reading 64 bits from any cell stays inside.
-      stride_(static_cast<std::size_t>(width) / 64 + 2),
-      words_(stride_ * static_cast<std::size_t>(levels_) * static_cast<std::size_t>(height)),
-      longest_(static_cast<std::size_t>(height), {0, width}),
-      places_(stride_),
-      scratch_(stride_) {
+void FreeMap::reset(int width, int height, int longest) {
+  width_ = width;
+  height_ = height;
+  levels_ = floorLog2(static_cast<std::uint32_t>(std::min(longest, width))) + 1;
+  // Reading 64 bits from any cell stays inside.
+  stride_ = static_cast<std::size_t>(width) / 64 + 2;
+  words_.assign(rowBegin(levels_, 0), 0);
+  longest_.assign(static_cast<std::size_t>(height), {0, width});
+  places_.resize(stride_);
+  scratch_.resize(stride_);
   for (int k = 0; k < levels_; ++k) {
     const int places = width - (1 << k) + 1;
     for (int y = 0; y < height; ++y) {
@@ -24,25 +24,6 @@ FreeMap::FreeMap(int width, int height)
       if (places % 64) r[places / 64] = (std::uint64_t{1} << places % 64) - 1;
     }
   }
-}
-
-double FreeMap::freeCells() const {
-  double count = 0;
-  const std::size_t end = rowBegin(1, 0);
-  for (std::size_t w = 0; w < end; ++w) count += countBits(words_[w]);
-  return count;
-}
-
-FreeMap FreeMap::halved() const {
-  FreeMap out(width_ / 2, height_ / 2);
-  if (freeCells() == static_cast<double>(width_) * height_) return out;
-  BitGrid taken;
-  taken.reset(out.width_, out.height_);
-  for (int y = 0; y < 2 * out.height_; ++y)
-    for (int x = 0; x < 2 * out.width_; ++x)
-      if (!isFree(x, y)) taken.set(y / 2, x / 2, x / 2);
-  out.take(taken, 0, 0);
-  return out;
 }
 
 /// The first row from y on, or `end`, where the first runs of the footprint are no longer than what
@@ -136,8 +117,8 @@ void FreeMap::update(int y, int first, int last) {
 
 void FreeMap::boundLongest(int y) {
   FreeRun& longest = longest_[static_cast<std::size_t>(y)];
-  // It was no shorter before.
-  int level = floorLog2(static_cast<std::uint32_t>(longest.length));
+  // It was no shorter before. Runs longer than all levels together are not asked for.
+  int level = std::min(floorLog2(static_cast<std::uint32_t>(longest.length)), levels_ - 1);
   // scratch_: where `length` free cells begin; it grows by ever smaller powers of two.
   int length = 0;
   for (; level >= 0 && length < 8 << level; --level) {

@@ -18,14 +18,12 @@ struct Cell {
 /// 64 places at once whether a run of any length is free there.
 class FreeMap {
  public:
-  FreeMap(int width, int height);
+  /// All cells free. `longest`: of the runs of footprints that will be looked for; the shorter, the
+  /// faster.
+  void reset(int width, int height, int longest);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  double freeCells() const;
-  bool isFree(int x, int y) const { return words_[rowBegin(0, y) + x / 64] >> (x % 64) & 1; }
-  /// Half as many cells along each side, free where all four are.
-  FreeMap halved() const;
 
   /// The lowest row, and in it the first cell, from row `begin` and before row `end`, where all of
   /// the footprint is free.
@@ -50,8 +48,8 @@ class FreeMap {
     std::int32_t begin = 0, length = 0;
   };
 
-  int width_, height_, levels_;
-  std::size_t stride_;
+  int width_ = 0, height_ = 0, levels_ = 0;
+  std::size_t stride_ = 0;
   std::vector<std::uint64_t> words_;
   std::vector<FreeRun> longest_;  ///< of each row
   std::vector<std::uint64_t> places_, scratch_;

@@ -106,7 +106,7 @@ class Packer {
 
   /// Tiles with what stays where it is.
   Status takeFixed() {
-    tiles_.assign(1, FreeMap(grid_.cells(), grid_.cells()));
+    taken_.assign(1, {});
     PackRaster raster(grid_);
     fixedTile_.resize(shapes_.size());
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -124,8 +124,8 @@ class Packer {
         return invalid("chart " + text(i) +
                        " is fixed, but does not lie inside the unit square of a tile");
       const auto tile = static_cast<std::uint32_t>(row * 10 + column);
-      while (tiles_.size() <= tile) tiles_.emplace_back(grid_.cells(), grid_.cells());
-      tiles_[tile].take(raster.takenInTile(loops, column, row), 0, 0);
+      if (taken_.size() <= tile) taken_.resize(tile + 1);
+      add(raster.takenInTile(loops, column, row), taken_[tile]);
       fixedTile_[i] = tile;
     }
     return {};
@@ -157,7 +157,7 @@ class Packer {
 
   Status placeInOneTile() {
     const ScaleOptions how{options_.work, options_.pool, options_.progress};
-    ScaleSearch found = searchScale(items_, grid_, tiles_[0], how);
+    ScaleSearch found = searchScale(items_, grid_, taken_[0], how);
     tries_ = found.tries;
     density_ = found.texelsPerUnit;
     placed_ = std::move(found.best);
@@ -203,7 +203,7 @@ class Packer {
       };
     PlaceSpace space;
     for (const PlaceStrategy& strategy : strategiesFor(items_)) {
-      placed_ = place(items_, strategy, grid_, tiles_, options, space);
+      placed_ = place(items_, strategy, grid_, taken_, options, space);
       ++tries_;
       if (placed_.fit != Fit::TooMany || options_.udim) return;
     }
@@ -280,7 +280,7 @@ class Packer {
   Packing placements() const {
     Packing out;
     const double side = options_.resolution;
-    out.tiles = std::max(placed_.tiles, static_cast<std::uint32_t>(tiles_.size()));
+    out.tiles = std::max(placed_.tiles, static_cast<std::uint32_t>(taken_.size()));
     out.tries = tries_;
     out.texelDensity = density_;
     out.scale = density_ / side;
@@ -312,7 +312,7 @@ class Packer {
   PackGrid grid_;
   std::vector<std::uint32_t> movable_;    ///< shape of each item
   std::vector<std::uint32_t> fixedTile_;  ///< per shape
-  std::vector<FreeMap> tiles_;
+  std::vector<BitGrid> taken_;            ///< per tile, by what is fixed; may be empty
   std::vector<PackItem> items_;
   Placed placed_;
   double density_ = 0;

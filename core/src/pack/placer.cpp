@@ -20,7 +20,7 @@ double rounded(double cells) { return std::round(cells * 256) / 256; }
 class Placer {
  public:
   Placer(const std::vector<PackItem>& items, const PlaceStrategy& strategy, const PackGrid& grid,
-         const std::vector<FreeMap>& start, const PlaceOptions& options, PlaceSpace& space)
+         const std::vector<BitGrid>& taken, const PlaceOptions& options, PlaceSpace& space)
       : items_(items),
         strategy_(strategy),
         grid_(grid),
@@ -28,9 +28,14 @@ class Placer {
         space_(space),
         tiles_(space.tiles),
         begins_(space.begins),
-        raster_(grid) {
-    tiles_ = start;
-    begins_.assign(start.size(), {});
+        raster_(grid),
+        longest_(longestRun()) {
+    tiles_.resize(taken.size());
+    begins_.assign(taken.size(), {});
+    for (std::size_t t = 0; t < taken.size(); ++t) {
+      tiles_[t].reset(grid_.cells(), grid_.cells(), longest_);
+      tiles_[t].take(taken[t], 0, 0);
+    }
   }
 
   Placed run() {
@@ -48,8 +53,8 @@ class Placer {
         out.missing = i;
         return out;
       }
-      out.rows = std::max(out.rows, rows_);
-      ++count;
+      out.rows = std::max(out.rows, topOf(i, out.spots[i]));
+      if (++count < items_.size()) take(i, out.spots[i]);
     }
     out.work = work_;
     out.tiles = static_cast<std::uint32_t>(tiles_.size());
@@ -57,17 +62,26 @@ class Placer {
   }
 
  private:
+  /// None of a footprint is longer.
+  int longestRun() const {
+    double longest = 0;
+    for (const PackItem& item : items_)
+      for (const Pose& pose : item.poses) longest = std::max({longest, pose.width, pose.height});
+    const double cells = cellsOf(grid_, longest * options_.texelsPerUnit);
+    return static_cast<int>(std::min<double>(cells, grid_.cells()));
+  }
+
+  bool isPosed() const { return !strategy_.poses.empty(); }
+
   bool placeItem(std::uint32_t i, Spot& spot) {
     for (std::uint32_t t = 0; t < options_.mostTiles; ++t) {
       const bool isNew = t == tiles_.size();
       if (isNew) {
-        tiles_.emplace_back(grid_.cells(), grid_.cells());
+        tiles_.emplace_back();
+        tiles_.back().reset(grid_.cells(), grid_.cells(), longest_);
         begins_.emplace_back();
       }
-      if (findIn(t, i, spot)) {
-        take(i, spot);
-        return true;
-      }
+      if (findIn(t, i, spot)) return true;
       if (isNew) return false;
     }
     return false;
@@ -79,11 +93,11 @@ class Placer {
     const double scale = options_.texelsPerUnit, cell = grid_.cell;
     const double area = item.mass.area * (scale / cell) * (scale / cell);
     const std::size_t poses = item.poses.size();
-    const std::size_t step =
-        std::max<std::size_t>(poses / static_cast<std::size_t>(strategy_.angles), 1);
+    const std::size_t angles = isPosed() ? 1 : static_cast<std::size_t>(strategy_.angles);
+    const std::size_t step = std::max<std::size_t>(poses / angles, 1);
     double lowest = 2.0 * tile.height();
     bool isFound = false;
-    for (std::size_t p = 0; p < poses; p += step) {
+    for (std::size_t p = isPosed() ? strategy_.poses[i] : 0; p < poses; p += step) {
       const Pose& pose = item.poses[p];
       const double width = cellsOf(grid_, pose.width * scale);
       const double height = cellsOf(grid_, pose.height * scale);
@@ -105,6 +119,10 @@ class Placer {
 
   const Footprint& footprintOf(std::uint32_t i, std::uint32_t pose) {
     const std::vector<Pose>& poses = items_[i].poses;
+    if (isPosed()) {
+      footprints_[0].set(raster_.touched(items_[i].loops, poses[pose], options_.texelsPerUnit));
+      return footprints_[0];
+    }
     const auto quarter = static_cast<std::uint32_t>(poses[pose].quarter);
     const std::uint32_t first = pose - quarter * static_cast<std::uint32_t>(poses.size() / 4);
     const auto make = [&](PlaceSpace::Footprints& out) {
@@ -113,10 +131,10 @@ class Placer {
       out[0].set(touched);
       if (poses.size() < 4) return;
       transpose(touched, transposed_);
-      out[3].set(transposed_);
-      out[1] = out[3].mirrored(true, false);
-      out[2] = out[0].mirrored(true, true);
-      out[3] = out[3].mirrored(false, true);
+      upright_.set(transposed_);
+      out[1].setMirrored(upright_, true, false);
+      out[2].setMirrored(out[0], true, true);
+      out[3].setMirrored(upright_, false, true);
     };
     if (space_.touched.empty() && made_ == std::make_pair(i, first)) return footprints_[quarter];
     made_ = {i, first};
@@ -143,10 +161,17 @@ class Placer {
     return own.cells;
   }
 
+  /// The row above the item.
+  int topOf(std::uint32_t i, const Spot& spot) const {
+    if (!spot.cell.isFound()) return 0;
+    const double height = items_[i].poses[spot.pose].height * options_.texelsPerUnit;
+    return spot.cell.y + static_cast<int>(cellsOf(grid_, height));
+  }
+
   void take(std::uint32_t i, const Spot& spot) {
+    if (!spot.cell.isFound()) return;
     const BitGrid& taken = takenBy(i, spot.pose);
-    rows_ = spot.cell.y + static_cast<int>(cellsOf(
-                              grid_, items_[i].poses[spot.pose].height * options_.texelsPerUnit));
+    work_ += taken.height;
     tiles_[spot.tile].take(taken, spot.cell.x - raster_.shift(), spot.cell.y - raster_.shift());
   }
 
@@ -161,8 +186,9 @@ class Placer {
   PlaceSpace::Footprints footprints_;
   std::pair<std::uint32_t, std::uint32_t> made_ = {~0u, 0};
   BitGrid transposed_;
+  Footprint upright_;
   BitGrid taken_;
-  int rows_ = 0;
+  const int longest_;
   double work_ = 0;
 };
 
@@ -182,9 +208,9 @@ void PlaceSpace::keepCells(const std::vector<PackItem>& items) {
 }
 
 Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
-             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options,
+             const PackGrid& grid, const std::vector<BitGrid>& taken, const PlaceOptions& options,
              PlaceSpace& space) {
-  return Placer(items, strategy, grid, start, options, space).run();
+  return Placer(items, strategy, grid, taken, options, space).run();
 }
 
 }  // namespace abflat

@@ -24,6 +24,7 @@ struct PackItem {
 struct PlaceStrategy {
   std::vector<std::uint32_t> order;  ///< of the items
   int angles = 4;                    ///< of the poses, as many are tried
+  std::vector<std::uint32_t> poses;  ///< per item: the only one that is tried; empty: any
 };
 
 struct Spot {
@@ -77,10 +78,10 @@ struct Placed {
 };
 
 /// Items in order, each in the pose and at the place where its mass is lowest, in the first tile
-/// that has one. `start`: tiles that are partly taken; more are added behind them. `space`: new, or
-/// of earlier calls with the same items and grid.
+/// that has one. `taken`: cells that are taken at first, per tile, or an empty grid; more tiles are
+/// added behind them. `space`: new, or of earlier calls with the same items and grid.
 Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
-             const PackGrid& grid, const std::vector<FreeMap>& start, const PlaceOptions& options,
+             const PackGrid& grid, const std::vector<BitGrid>& taken, const PlaceOptions& options,
              PlaceSpace& space);
 
 }  // namespace abflat

@@ -49,7 +49,7 @@ Extents extentsOf(const std::vector<PackItem>& items) {
 }  // namespace
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile) {
+                        const BitGrid& taken) {
   const Extents extents = extentsOf(items);
   if (extents.widest == 0) return {};
   const double side = grid.resolution - 2 * grid.border, padded = side + grid.padding;
@@ -58,8 +58,9 @@ ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid
                          (side - 4 * grid.slack) / extents.narrowest);
   out.least = std::min(out.most, grid.slack / extents.widest);
   // Charts fill about that much of what is free; half a cell is lost on each side.
-  constexpr double kFill = 0.78;
-  const double freeShare = tile.freeCells() / (static_cast<double>(tile.width()) * tile.height());
+  constexpr double kFill = 0.72;
+  const double freeShare =
+      1 - countCells(taken) / (static_cast<double>(grid.cells()) * grid.cells());
   const double scale =
       scaleOfArea(items, grid.padding + grid.cell, kFill * freeShare * padded * padded, out.most);
   out.guess = std::max({scale, 1e-3 * out.most, out.least});

@@ -16,6 +16,6 @@ struct ScaleBounds {
 };
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile);
+                        const BitGrid& taken);
 
 }  // namespace abflat

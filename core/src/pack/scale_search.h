@@ -15,14 +15,14 @@ struct ScaleOptions {
 struct ScaleSearch {
   Placed best;  ///< TooMany when not even one texel for each item fits
   double texelsPerUnit = 0;
-  std::size_t strategy = 0;  ///< that has found it
   int tries = 0;
   double work = 0;  ///< of them together
 };
 
-/// The largest scale that is found at which all items fit one tile. `tile`: what others have taken.
+/// The largest scale that is found at which all items fit one tile. `taken`: cells that others
+/// have, or an empty grid.
 /// Threads do not change the result.
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
-                        const FreeMap& tile, const ScaleOptions& options);
+                        const BitGrid& taken, const ScaleOptions& options);
 
 }  // namespace abflat

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abflat {
 namespace {
@@ -45,17 +46,27 @@ std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, 
 
 }  // namespace
 
-int posesFor(std::size_t items) { return items <= 4 ? 64 : 16; }
+int posesFor(std::size_t items) {
+  return items <= 4 ? 64 : items <= kFewItems ? 16 : items <= kManyItems ? 8 : 4;
+}
 
 std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
   const std::size_t n = items.size();
-  const int many = n <= kFewItems ? posesFor(n) : 8;
-  const std::size_t count = n <= 4 ? 6 : n <= kFewItems ? 12 : n <= 150 ? 5 : n <= 1000 ? 2 : 1;
+  const int many = posesFor(n);
+  const std::size_t count = n <= 4            ? 6
+                            : n <= kFewItems  ? 20
+                            : n <= 150        ? 5
+                            : n <= kManyItems ? 2
+                                              : 1;
   std::vector<PlaceStrategy> out;
   for (std::size_t k = 0; k < count; ++k) {
     // Every second one with more angles; after all keys have had their turn, in slight disorder.
-    const int angles = n <= 4 ? many : k % 2 == 0 ? 4 : k % 4 == 1 ? many : 8;
-    out.push_back({ordered(items, kKeys[k % 3], static_cast<unsigned>(k / 3)), angles});
+    const int angles = n > kManyItems ? 2 : n <= 4 ? many : k % 2 == 0 ? 4 : k % 4 == 1 ? many : 8;
+    PlaceStrategy next{ordered(items, kKeys[k % 3], static_cast<unsigned>(k / 3)), angles, {}};
+    const bool isNew = std::none_of(out.begin(), out.end(), [&next](const PlaceStrategy& other) {
+      return other.angles == next.angles && other.order == next.order;
+    });
+    if (isNew) out.push_back(std::move(next));
   }
   return out;
 }

@@ -6,6 +6,8 @@ namespace abflat {
 
 /// That many are placed in many ways.
 constexpr std::size_t kFewItems = 40;
+/// More are placed in one way only.
+constexpr std::size_t kManyItems = 1000;
 
 /// Poses that items need for the strategies.
 int posesFor(std::size_t items);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "catch.h"
 #include "pack/shapes.h"
@@ -133,6 +134,46 @@ TEST_CASE("transposed, columns are rows", "[pack]") {
       for (int x = 0; x < width; ++x) wrong += grid.at(x, y) != turned.at(y, x) ? 1 : 0;
     CHECK(wrong == 0);
   }
+}
+
+TEST_CASE("a halved grid has what any of four cells has", "[pack]") {
+  std::mt19937 random(5);
+  for (const int size : {2, 65, 131}) {
+    BitGrid grid;
+    grid.reset(size, size);
+    for (int k = 0; k < size * size / 3; ++k) {
+      const int x = static_cast<int>(random() % static_cast<unsigned>(size));
+      grid.set(static_cast<int>(random() % static_cast<unsigned>(size)), x, x);
+    }
+    const BitGrid half = halved(grid);
+    REQUIRE(half.width == size / 2);
+    REQUIRE(half.height == size / 2);
+    double count = 0;
+    for (int y = 0; y < size / 2; ++y)
+      for (int x = 0; x < size / 2; ++x) {
+        const bool isAny = grid.at(2 * x, 2 * y) || grid.at(2 * x + 1, 2 * y) ||
+                           grid.at(2 * x, 2 * y + 1) || grid.at(2 * x + 1, 2 * y + 1);
+        CHECK(half.at(x, y) == isAny);
+        count += isAny ? 1 : 0;
+      }
+    CHECK(countCells(half) == count);
+  }
+  CHECK(halved({}).words.empty());
+}
+
+TEST_CASE("grids are added cell by cell", "[pack]") {
+  BitGrid one, other, sum;
+  one.reset(70, 2);
+  one.set(0, 3, 66);
+  other.reset(70, 2);
+  other.set(0, 66, 69);
+  other.set(1, 0, 0);
+  add(one, sum);
+  CHECK(countCells(sum) == 64);
+  add(other, sum);
+  CHECK(countCells(sum) == 68);
+  CHECK(sum.at(0, 1));
+  CHECK_FALSE(sum.at(2, 0));
 }
 
 TEST_CASE("runs are the cells of a grid", "[pack]") {
