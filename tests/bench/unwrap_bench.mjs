@@ -42,6 +42,7 @@ const RATIOS = [
   ['seam', (row) => row.seamLength / row['xatlas seamLength'], 3],
   ['SD/4 more by', (row) => row.symmetricDirichlet - row['xatlas symmetricDirichlet'], 4],
   ['utilisation', (row) => row.utilization / row['xatlas utilization'], 2],
+  ['pack / (seams + solve)', (row) => row.pack / (row.seams + row.solve), 3],
 ];
 
 const LEGEND = `

@@ -2,10 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace abflat {
 namespace {
+
+struct Effort {
+  std::size_t items;  ///< for up to so many
+  int poses;
+  std::size_t strategies;
+  int angles;  ///< of every second strategy
+};
+constexpr Effort kEfforts[] = {
+    {4, 64, 12, 4}, {10, 32, 20, 4},       {kFewItems, 16, 20, 4},
+    {150, 8, 5, 4}, {kManyItems, 8, 2, 4}, {std::numeric_limits<std::size_t>::max(), 4, 1, 2},
+};
+
+const Effort& effortFor(std::size_t items) {
+  const Effort* effort = kEfforts;
+  while (items > effort->items) ++effort;
+  return *effort;
+}
 
 enum class Key { Box, Slim, Side };
 constexpr Key kKeys[] = {Key::Box, Key::Slim, Key::Side};
@@ -46,22 +64,14 @@ std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, 
 
 }  // namespace
 
-int posesFor(std::size_t items) {
-  return items <= 4 ? 64 : items <= kFewItems ? 16 : items <= kManyItems ? 8 : 4;
-}
+int posesFor(std::size_t items) { return effortFor(items).poses; }
 
 std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
-  const std::size_t n = items.size();
-  const int many = posesFor(n);
-  const std::size_t count = n <= 4            ? 6
-                            : n <= kFewItems  ? 20
-                            : n <= 150        ? 5
-                            : n <= kManyItems ? 2
-                                              : 1;
+  const Effort effort = effortFor(items.size());
   std::vector<PlaceStrategy> out;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < effort.strategies; ++k) {
     // Every second one with more angles; after all keys have had their turn, in slight disorder.
-    const int angles = n > kManyItems ? 2 : n <= 4 ? many : k % 2 == 0 ? 4 : k % 4 == 1 ? many : 8;
+    const int angles = k % 2 == 0 ? effort.angles : k % 4 == 1 ? effort.poses : 8;
     PlaceStrategy next{ordered(items, kKeys[k % 3], static_cast<unsigned>(k / 3)), angles, {}};
     const bool isNew = std::none_of(out.begin(), out.end(), [&next](const PlaceStrategy& other) {
       return other.angles == next.angles && other.order == next.order;
