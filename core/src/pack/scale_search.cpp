@@ -181,7 +181,7 @@ void refine(const std::vector<PackItem>& items, const PackGrid& from, const Pack
 PackGrid coarseGrid(PackGrid grid, std::size_t items) {
   const double least = items <= kFewItems ? 24 : 16;  // cells along the side of an item
   const double perSide = std::sqrt(static_cast<double>(items));
-  while (items > 1 && grid.cells() / 2 >= least * perSide) grid.cell *= 2;
+  while (items > 1 && grid.cells() / 2.0 >= least * perSide) grid.cell *= 2;
   return grid;
 }
 
@@ -198,7 +198,7 @@ ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid
                         const BitGrid& taken, const ScaleOptions& options) {
   constexpr double kCoarseStep = 1.007, kFineStep = 1.005, kStepOfMany = 1.01;
   constexpr std::size_t kFineStrategies = 8;
-  constexpr double kCoarseShare = 0.6;  // of the work: smaller cells gain as much
+  constexpr double kCoarseShare = 0.6;  // of the work; the rest is for the real cells
   const std::vector<PlaceStrategy> strategies = strategiesFor(items);
   const double usualTries = 6 + 2 * static_cast<double>(strategies.size());
   const double fineStep = items.size() > kManyItems ? kStepOfMany : kFineStep;
