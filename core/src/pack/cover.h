@@ -31,7 +31,7 @@ void transpose(const BitGrid& from, BitGrid& to);
 /// right and above is left out.
 BitGrid halved(const BitGrid& grid);
 
-/// Of the same size, or `to` is empty.
+/// Sets in `to` what is set in the grid. Both have the same size, or `to` is empty.
 void add(const BitGrid& grid, BitGrid& to);
 
 double countCells(const BitGrid& grid);

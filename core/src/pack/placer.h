@@ -72,7 +72,7 @@ struct Placed {
   Fit fit = Fit::All;
   std::vector<Spot> spots;  ///< as many as items
   std::uint32_t tiles = 0;
-  double work = 0;            ///< rows of cells of all poses that were tried
+  double work = 0;            ///< rows of cells of all poses that were tried or taken
   int rows = 0;               ///< of the tiles that are used, counted from the bottom
   std::uint32_t missing = 0;  ///< the first item that found no place, unless all did
 };
