@@ -210,7 +210,7 @@ class Packer {
   }
 
   Status largestIsTooLarge() const {
-    const double most = largestExtent();
+    const double most = sideForAll(items_);
     const double room = std::max(options_.resolution - options_.padding, 1);
     return doesNotFit("chart " + text(movable_[placed_.missing]) + " does not fit a tile",
                       most * options_.texelDensity + options_.padding, room / most);
@@ -263,18 +263,6 @@ class Packer {
     if (!other.begin().ok()) return Fit::TooMany;
     other.tryAt(options.texelDensity);
     return other.placed_.fit;
-  }
-
-  /// Least side of a square that has room for every chart in some pose.
-  double largestExtent() const {
-    double most = 0;
-    for (const PackItem& item : items_) {
-      double least = HUGE_VAL;
-      for (const Pose& pose : item.poses)
-        least = std::min(least, std::max(pose.width, pose.height));
-      most = std::max(most, least);
-    }
-    return most;
   }
 
   Packing placements() const {

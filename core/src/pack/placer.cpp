@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace abflat {
@@ -64,10 +65,7 @@ class Placer {
  private:
   /// None of a footprint is longer.
   int longestRun() const {
-    double longest = 0;
-    for (const PackItem& item : items_)
-      for (const Pose& pose : item.poses) longest = std::max({longest, pose.width, pose.height});
-    const double cells = cellsOf(grid_, longest * options_.texelsPerUnit);
+    const double cells = cellsOf(grid_, longestSide(items_) * options_.texelsPerUnit);
     return static_cast<int>(std::min<double>(cells, grid_.cells()));
   }
 
@@ -130,10 +128,12 @@ class Placer {
           raster_.touched(items_[i].loops, poses[first], options_.texelsPerUnit);
       out[0].set(touched);
       if (poses.size() < 4) return;
+      out[2].setMirrored(out[0], true, true);
+      // Two angles are half a turn apart. What is kept may be for more of them.
+      if (strategy_.angles == 2 && space_.touched.empty()) return;
       transpose(touched, transposed_);
       upright_.set(transposed_);
       out[1].setMirrored(upright_, true, false);
-      out[2].setMirrored(out[0], true, true);
       out[3].setMirrored(upright_, false, true);
     };
     if (space_.touched.empty() && made_ == std::make_pair(i, first)) return footprints_[quarter];
@@ -193,6 +193,24 @@ class Placer {
 };
 
 }  // namespace
+
+double longestSide(const std::vector<PackItem>& items) {
+  double longest = 0;
+  for (const PackItem& item : items)
+    for (const Pose& pose : item.poses) longest = std::max({longest, pose.width, pose.height});
+  return longest;
+}
+
+double sideForAll(const std::vector<PackItem>& items) {
+  double side = 0;
+  for (const PackItem& item : items) {
+    double narrow = std::numeric_limits<double>::infinity();
+    for (const Pose& pose : item.poses)
+      narrow = std::min(narrow, std::max(pose.width, pose.height));
+    if (!item.poses.empty()) side = std::max(side, narrow);
+  }
+  return side;
+}
 
 int& SearchBegins::of(double width, double height, double area, std::size_t quarter) {
   constexpr std::size_t kClasses = 64;

@@ -20,6 +20,12 @@ struct PackItem {
   Mass mass;
 };
 
+/// The longest side of the box of any pose.
+double longestSide(const std::vector<PackItem>& items);
+
+/// Side of the least square that has room for each item in some pose.
+double sideForAll(const std::vector<PackItem>& items);
+
 /// How placing goes about it.
 struct PlaceStrategy {
   std::vector<std::uint32_t> order;  ///< of the items

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace abflat {
 namespace {
@@ -28,35 +27,17 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
   return high;
 }
 
-struct Extents {
-  double widest = 0;     ///< of all poses
-  double narrowest = 0;  ///< side of the least square that has room for each item in some pose
-};
-
-Extents extentsOf(const std::vector<PackItem>& items) {
-  Extents out;
-  for (const PackItem& item : items) {
-    double narrow = std::numeric_limits<double>::infinity();
-    for (const Pose& pose : item.poses) {
-      out.widest = std::max({out.widest, pose.width, pose.height});
-      narrow = std::min(narrow, std::max(pose.width, pose.height));
-    }
-    if (!item.poses.empty()) out.narrowest = std::max(out.narrowest, narrow);
-  }
-  return out;
-}
-
 }  // namespace
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken) {
-  const Extents extents = extentsOf(items);
-  if (extents.widest == 0) return {};
+  const double longest = longestSide(items);
+  if (longest == 0) return {};
   const double side = grid.resolution - 2 * grid.border, padded = side + grid.padding;
   ScaleBounds out;
   out.most = scaleOfArea(items, grid.padding, padded * padded,
-                         (side - 4 * grid.slack) / extents.narrowest);
-  out.least = std::min(out.most, grid.slack / extents.widest);
+                         (side - 4 * grid.slack) / sideForAll(items));
+  out.least = std::min(out.most, grid.slack / longest);
   // Charts fill about that much of what is free; half a cell is lost on each side.
   constexpr double kFill = 0.72;
   const double freeShare =

@@ -95,7 +95,6 @@ class Search {
   /// at a time.
   std::size_t attempt(double scale, const std::vector<PlaceStrategy>& strategies, std::size_t first,
                       std::size_t count) {
-    placedShare_ = 0;
     std::size_t fitting = kNone;
     for (std::size_t k = 0; k < count && fitting == kNone; k += spaces_.size())
       fitting = attemptAtOnce(scale, strategies, first + k, std::min(spaces_.size(), count - k));
@@ -132,7 +131,7 @@ class Search {
     for (std::size_t k = 0; k < items_.size() && strategy.order[k] != missing; ++k)
       before += items_[strategy.order[k]].mass.area;
     for (const PackItem& item : items_) all += item.mass.area;
-    if (all > 0) placedShare_ = std::max(placedShare_, before / all);
+    placedShare_ = all > 0 ? before / all : 0;
   }
 
   /// Of the current try that many items are placed.
@@ -155,7 +154,7 @@ class Search {
   const ScaleBounds bounds_;
   ScaleSearch& out_;
   double bad_ = kInfinity;  ///< the last scale that did not fit, but for small steps up
-  double placedShare_ = 0;  ///< of the area, at the last scale that did not fit, by the best try
+  double placedShare_ = 0;  ///< of the area, by the last try that did not fit
   bool isCancelled_ = false;
 };
 
