@@ -1,16 +1,23 @@
-// Runs one test suite and returns its totals: `{ passed, failed, skipped }`.
+// The parts of a test suite that can run side by side, as jobs: `{ name, run }`, where `run` resolves to
+// `{ passed, failed, skipped, output }`.
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { BUILD, ROOT } from './paths.mjs';
 import { run } from './run.mjs';
 
 const SECONDS = 20 * 60;
+/** All tests of Catch2: without an argument it leaves those out that are tagged [.long]. */
+const EVERYTHING = '*';
 
-/** Runs a Catch2 program and counts its test cases. */
-export async function runCatch(program, env = {}) {
-  const { code, output } = await run(program, [], { echo: true, env, seconds: SECONDS });
-  return settle(catchTotals(output), code);
+/** A Catch2 program; its totals count test cases. With `long` also those tagged [.long]. */
+export function catchJobs(program, env = {}, { long = false } = {}) {
+  const runAll = async () => {
+    const args = long ? [EVERYTHING] : [];
+    const { code, output } = await run(program, args, { capture: true, env, seconds: SECONDS });
+    return { ...settle(catchTotals(output), code), output };
+  };
+  return [{ name: basename(program), run: runAll }];
 }
 
 /** Reads the closing lines of Catch2's console reporter, v2 or v3. */
@@ -22,22 +29,32 @@ export function catchTotals(output) {
   return { passed: count('passed'), failed: count('failed(?! as)'), skipped: count('skipped') };
 }
 
-/** Test files directly in tests/FOLDER. */
-export function testFiles(folder) {
+/** Files directly in tests/FOLDER: NAME.test.mjs, and with `long` NAME.long.mjs too. */
+export function testFiles(folder, { long = false } = {}) {
   const full = join(ROOT, 'tests', folder);
   if (!existsSync(full)) return [];
-  const names = readdirSync(full).filter((name) => name.endsWith('.test.mjs'));
+  const names = readdirSync(full).filter(
+    (name) => name.endsWith('.test.mjs') || (long && name.endsWith('.long.mjs')),
+  );
   return names.sort().map((name) => join('tests', folder, name));
 }
 
-/** Runs files with node's test runner: readable output on the terminal, totals from a TAP file. */
-export async function runNodeTests(name, files, env = {}) {
-  if (files.length === 0) {
-    console.error(`There are no tests in tests/${name}.`);
-    return settle(tapTotals(''), 1);
-  }
-  const tap = join(BUILD, 'tests', `${name}.tap`);
-  mkdirSync(join(BUILD, 'tests'), { recursive: true });
+/** A job for each file of a folder. `kind` tells apart several runs of one folder. */
+export function nodeJobs(folder, env = {}, { long = false, kind = '' } = {}) {
+  const files = testFiles(folder, { long });
+  if (files.length === 0) return [noTests(folder)];
+  return files.map((file) => ({ name: file, run: () => runNodeTests(file, env, kind) }));
+}
+
+function noTests(folder) {
+  const output = `There are no tests in tests/${folder}.\n`;
+  return { name: folder, run: async () => ({ ...settle(tapTotals(''), 1), output }) };
+}
+
+/** Runs a file with node's test runner: readable output, totals from a TAP file. */
+async function runNodeTests(file, env, kind) {
+  const tap = join(BUILD, 'tests', kind, `${file.replaceAll('/', '-')}.tap`);
+  mkdirSync(join(BUILD, 'tests', kind), { recursive: true });
   rmSync(tap, { force: true });
   const reporters = [
     '--test-reporter=spec',
@@ -45,11 +62,12 @@ export async function runNodeTests(name, files, env = {}) {
     '--test-reporter=tap',
     `--test-reporter-destination=${tap}`,
   ];
-  const { code } = await run('node', ['--test', ...reporters, ...files], {
-    env,
+  const { code, output } = await run('node', ['--test', ...reporters, file], {
+    capture: true,
+    env: { ...(process.stdout.isTTY ? { FORCE_COLOR: '1' } : {}), ...env },
     seconds: SECONDS,
   });
-  return settle(tapTotals(existsSync(tap) ? readFileSync(tap, 'utf8') : ''), code);
+  return { ...settle(tapTotals(existsSync(tap) ? readFileSync(tap, 'utf8') : ''), code), output };
 }
 
 /** Reads the closing comments of node's TAP reporter. */

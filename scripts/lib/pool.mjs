@@ -1,0 +1,35 @@
+// Runs the jobs of several suites side by side, and shows each suite in one piece.
+
+/**
+ * Runs `suites` (`{ title, jobs }`), at most `slots` jobs at a time and in their order, so that the
+ * first jobs of one suite fill the gaps that the last ones of another leave. A job is
+ * `{ name, run }`; `run` resolves to `{ passed, failed, skipped, output }`. `show` is called with
+ * each suite as it is complete: `{ title, parts }`, where a part is a job's name, result and
+ * seconds. Resolves to all of these in the order of the suites.
+ */
+export async function runPool(suites, slots, show) {
+  const records = suites.map(({ title, jobs }) => ({
+    title,
+    parts: new Array(jobs.length),
+    left: jobs.length,
+  }));
+  const waiting = suites.flatMap(({ jobs }, suite) =>
+    jobs.map((job, part) => ({ job, suite, part })),
+  );
+  const work = async () => {
+    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+      const record = records[next.suite];
+      record.parts[next.part] = await timed(next.job);
+      record.left -= 1;
+      if (record.left === 0) show(record);
+    }
+  };
+  await Promise.all(Array.from({ length: slots }, work));
+  return records;
+}
+
+async function timed({ name, run }) {
+  const started = performance.now();
+  const result = await run();
+  return { name, ...result, seconds: (performance.now() - started) / 1000 };
+}

@@ -1,0 +1,81 @@
+// All test suites. A line makes one: its name is its folder below tests/.
+
+import { join } from 'node:path';
+import { buildBench } from '../tests/bench/support/meshes.mjs';
+import { buildNative, buildWasm, buildWeb } from './build.mjs';
+import { cmakeBuild } from './lib/cmake.mjs';
+import { BUILD } from './lib/paths.mjs';
+import { findChrome } from './lib/requirements.mjs';
+import { catchJobs, nodeJobs } from './lib/suites.mjs';
+
+/** A finding ends the program in a way that no documented exit code can be taken for. */
+const SANITIZER_ENV = {
+  ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
+  UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
+  ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
+  ABFLAT_DISKS: '48', // an instrumented program is slow
+};
+const WITHOUT = { title: (what) => what, folder: 'native', env: {} };
+const SANITIZED = {
+  title: (what) => `${what}, sanitizers`,
+  folder: 'sanitize',
+  env: SANITIZER_ENV,
+};
+
+const program = () => buildNative({ tests: true });
+const sanitizedProgram = () => cmakeBuild('sanitize', { settings: { ABFLAT_SANITIZE: 'ON' } });
+
+/** Files of tests/FOLDER for node, some of them at a time. `env` is asked for once all is built. */
+function node(folder, needs, { kind = WITHOUT, what = 'node', env = () => ({}) } = {}) {
+  return {
+    name: folder,
+    title: `tests/${folder} (${kind.title(what)})`,
+    needs,
+    jobs: (options) =>
+      nodeJobs(folder, { ...kind.env, ...env() }, { ...options, kind: kind.folder }),
+  };
+}
+
+/** The test program of tests/core. */
+function catch2(folder, needs, { kind = WITHOUT } = {}) {
+  return {
+    name: folder,
+    title: `tests/${folder} (${kind.title('Catch2')})`,
+    needs,
+    jobs: (options) =>
+      catchJobs(join(BUILD, kind.folder, 'tests/abflat_core_tests'), kind.env, options),
+  };
+}
+
+/** What `npm test` runs. */
+export const SUITES = [
+  catch2('core', [program]),
+  node('native', [program]),
+  node('bench', [program, buildBench]),
+  node('wasm', [program, buildWasm]),
+  node('web', [program, buildWasm, buildWeb], {
+    what: 'Chromium',
+    env: () => ({ CHROME_PATH: findChrome() }),
+  }),
+  node('scripts', []),
+];
+
+/** What only `npm run test:long` runs beside those, with the long tests of both. */
+export const LONG_SUITES = [];
+
+/** What runs again with an instrumented program. */
+export const SANITIZED_SUITES = [
+  catch2('core', [sanitizedProgram], { kind: SANITIZED }),
+  node('native', [sanitizedProgram], { kind: SANITIZED }),
+];
+
+const without = (...names) => SUITES.filter(({ name }) => !names.includes(name));
+
+/** Names for several at once. */
+export const GROUPS = {
+  default: SUITES,
+  node: without('core', 'web'),
+  browser: SUITES.filter(({ name }) => name === 'web'),
+  sanitize: SANITIZED_SUITES,
+  long: [...SUITES, ...LONG_SUITES],
+};

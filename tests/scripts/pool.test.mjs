@@ -1,0 +1,54 @@
+// Jobs of several suites side by side.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { runPool } from '../../scripts/lib/pool.mjs';
+
+/** Suites whose jobs end when they are told to; `running` has the names of those that have begun. */
+function played(shape) {
+  const running = new Map();
+  const job = (name) => ({
+    name,
+    run: () => new Promise((resolve) => running.set(name, () => resolve({ output: name }))),
+  });
+  const suites = Object.entries(shape).map(([title, names]) => ({ title, jobs: names.map(job) }));
+  const end = async (name) => {
+    running.get(name)();
+    running.delete(name);
+    await new Promise(setImmediate);
+  };
+  return { suites, running, end };
+}
+
+test('never more jobs than slots, and the next suite fills what the last one leaves', async () => {
+  const { suites, running, end } = played({ a: ['1', '2', '3'], b: ['4', '5'] });
+  const shown = [];
+  const all = runPool(suites, 2, ({ title, parts }) =>
+    shown.push([title, parts.map(({ output }) => output)]),
+  );
+  assert.deepEqual([...running.keys()], ['1', '2']);
+  await end('2');
+  assert.deepEqual([...running.keys()], ['1', '3']);
+  await end('3');
+  assert.deepEqual([...running.keys()], ['1', '4']);
+  assert.deepEqual(shown, [], 'a suite is shown in one piece');
+  await end('4');
+  await end('5');
+  assert.deepEqual(shown, [['b', ['4', '5']]]);
+  await end('1');
+  await all;
+  assert.deepEqual(shown.at(-1), ['a', ['1', '2', '3']], 'in the order of its jobs');
+});
+
+test('the records are in the order of the suites, whichever ended first', async () => {
+  const { suites, end } = played({ slow: ['1'], fast: ['2'] });
+  const shown = [];
+  const all = runPool(suites, 2, ({ title }) => shown.push(title));
+  await end('2');
+  await end('1');
+  assert.deepEqual(
+    (await all).map(({ title }) => title),
+    ['slow', 'fast'],
+  );
+  assert.deepEqual(shown, ['fast', 'slow']);
+});
