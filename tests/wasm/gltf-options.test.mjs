@@ -73,7 +73,7 @@ test('seams between materials, and round the islands that a document has', async
   const kept = await unwrapped(document, { seams: 'uv', texcoord: 1 });
   assert.equal(kept.atlases[0].result.report.charts.length, charts);
   for (const primitive of primitivesOf(document)) primitive.setAttribute('TEXCOORD_0', null);
-  await assert.rejects(document.transform(unwrap(abflat, { seams: 'uv' })), {
+  await assert.rejects(document.transform(unwrap(abflat, { seams: 'uv', overwrite: true })), {
     code: 'InvalidOption',
   });
 });
@@ -144,6 +144,7 @@ test('what goes wrong leaves the document as it was, and is said with its place'
   const controller = new AbortController();
   const aborted = document.transform(
     unwrap(abflat, {
+      overwrite: true,
       groupBy: 'primitive',
       signal: controller.signal,
       onProgress: ({ fraction }) => fraction > 0.6 && controller.abort(),
@@ -156,12 +157,15 @@ test('what goes wrong leaves the document as it was, and is said with its place'
   assert.throws(() => unwrap(abflat, { texcoord: 0.5 }), invalid);
   assert.throws(() => unwrap(abflat, { groupBy: 'node' }), invalid);
   assert.throws(() => unwrap(abflat, { overwrite: 1 }), invalid);
-  await assert.rejects(document.transform(unwrap(abflat, { nothing: 1 })), invalid);
-  await assert.rejects(emptyDocument().transform(unwrap(abflat)), { code: 'EmptyMesh' });
+  assert.throws(() => unwrap(abflat, { texcoord: 'first' }), invalid);
+  await assert.rejects(document.transform(unwrap(abflat, { texcoord: 3, nothing: 1 })), invalid);
 
   const second = primitivesOf(document)[1];
   const fails = (message) =>
-    assert.rejects(document.transform(unwrap(abflat)), { code: 'InvalidMesh', message });
+    assert.rejects(document.transform(unwrap(abflat, { overwrite: true })), {
+      code: 'InvalidMesh',
+      message,
+    });
   const indices = second.getIndices().getArray();
   const first = indices[4];
   indices[4] = 60000;

@@ -67,21 +67,6 @@ test('another set: those before stay, and a gap is filled', async () => {
   assert.deepEqual(sets[1], sets[2]);
 });
 
-test('overwrite: false leaves primitives that have the set alone', async () => {
-  const document = emptyDocument();
-  const primitives = [sphere(5), torus(12, 6)].map((each) => primitiveOf(document, each));
-  addMesh(document, 'both', ...primitives);
-  const given = randomRows(document, 'VEC2', Float32Array, rowsOf(primitives[0]));
-  primitives[0].setAttribute('TEXCOORD_0', given);
-  const { atlases } = await unwrapped(document, { overwrite: false });
-  assert.equal(primitives[0].getAttribute('TEXCOORD_0'), given);
-  assert.deepEqual(
-    atlases[0].parts.map(({ primitive }) => primitive),
-    [primitives[1]],
-  );
-  assert.deepEqual((await unwrapped(document, { overwrite: false })).atlases, []);
-});
-
 test('primitives with the same accessors go on sharing them', async () => {
   const document = emptyDocument();
   const ball = sphere(8);

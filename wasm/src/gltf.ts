@@ -4,9 +4,10 @@ import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core'
 import { AbflatError } from './errors.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
 import { setTexcoords } from './gltf/texcoords.js';
+import { freeTexcoord } from './gltf/texture-sets.js';
 import { neededFor } from './needed-arrays.js';
 import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types.js';
-import { checkBoolean, checkFunction, checkNumber } from './validate.js';
+import { checkBoolean, checkFunction } from './validate.js';
 
 export {
   type DocumentMesh,
@@ -14,20 +15,29 @@ export {
   documentMesh,
 } from './gltf/document-mesh.js';
 export { type SetTexcoordsOptions, setTexcoords } from './gltf/texcoords.js';
+export { freeTexcoord, sampledTexcoords } from './gltf/texture-sets.js';
 
 /** What shares an atlas: everything, the primitives of a mesh, or each primitive has one of its own. */
 export type GroupBy = 'scene' | 'mesh' | 'primitive';
 
 export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: UnwrapResult;
+  /** The set that has the coordinates. */
+  texcoord: number;
 }
 
 /** Those of `unwrap`, for all that is unwrapped, and */
 export interface UnwrapDocumentOptions
   extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply' | 'seamEdges' | 'roundsForGltf'> {
-  /** The new coordinates become TEXCOORD_`texcoord`. Default: 0. */
-  texcoord?: number;
-  /** Whether primitives that have that set get a new one; otherwise they stay as they are. Default: true. */
+  /**
+   * The new coordinates become TEXCOORD_`texcoord`. `auto`: what `freeTexcoord` says, 0 where no texture samples that, otherwise
+   * the first set that nobody has. Default: 0.
+   */
+  texcoord?: number | 'auto';
+  /**
+   * Whether primitives that have that set get a new one; otherwise they stay as they are. Default: false, and true with
+   * `texcoord: 'auto'` or `fixedFaces`.
+   */
   overwrite?: boolean;
   /** Default: `scene`, one atlas for all. */
   groupBy?: GroupBy;
@@ -43,37 +53,48 @@ export function unwrap(
   abflat: Pick<Abflat, 'unwrap'>,
   options: UnwrapDocumentOptions = {},
 ): Transform {
-  const { texcoord = 0, overwrite = true, groupBy = 'scene', onAtlas, ...rest } = options;
+  const { texcoord = 0, groupBy = 'scene', onAtlas, ...rest } = options;
+  const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
   check({ texcoord, overwrite, groupBy, onAtlas });
   const transform = async (document: Document): Promise<void> => {
+    const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
     const all = membersOf(document);
-    if (all.length === 0)
-      throw new AbflatError('EmptyMesh', 'The document has no triangles to unwrap.');
-    const isWanted = ({ primitive }: Member) =>
-      overwrite || !primitive.getAttribute(`TEXCOORD_${texcoord}`);
-    const atlases = await unwrapGroups(
-      abflat,
-      grouped(all.filter(isWanted), groupBy).map((members) => documentMesh(document, members)),
-      rest,
+    const wanted = all.filter(
+      ({ primitive }) => overwrite || !primitive.getAttribute(`TEXCOORD_${set}`),
     );
-    for (const { parts, result } of atlases)
-      setTexcoords({ document, parts }, result, { texcoord });
-    for (const atlas of atlases) onAtlas?.(atlas);
+    if (wanted.length < all.length) tellKept(document, set, all.length - wanted.length, all.length);
+    const unwrapped = await unwrapGroups(
+      abflat,
+      grouped(wanted, groupBy).map((members) => documentMesh(document, members)),
+      settings,
+    );
+    for (const { parts, result } of unwrapped)
+      setTexcoords({ document, parts }, result, { texcoord: set });
+    for (const atlas of unwrapped) onAtlas?.({ ...atlas, texcoord: set });
   };
   return Object.defineProperty(transform, 'name', { value: 'unwrap' });
 }
 
-function check(options: UnwrapDocumentOptions): void {
-  const { texcoord, overwrite, groupBy, onAtlas } = options;
-  checkNumber('texcoord', texcoord, { range: 'from 0, whole', atLeast: 0 });
+/** A document that is as it was may surprise who asked for an atlas. */
+function tellKept(document: Document, set: number, kept: number, count: number): void {
+  const message =
+    `abflat: ${kept} of ${count} primitives have TEXCOORD_${set} and keep it. ` +
+    `Pass texcoord: 'auto' for a set of their own, or overwrite: true.`;
+  const logger = document.getLogger();
+  if (kept === count) logger.warn(message);
+  else logger.info(message);
+}
+
+function check({ texcoord, overwrite, groupBy, onAtlas }: UnwrapDocumentOptions): void {
+  const isSet = texcoord === 'auto' || (Number.isInteger(texcoord) && (texcoord as number) >= 0);
+  if (!isSet) throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${texcoord}.`);
   checkBoolean('overwrite', overwrite);
   checkFunction('onAtlas', onAtlas);
-  if (!Number.isInteger(texcoord) || !['scene', 'mesh', 'primitive'].includes(groupBy as string))
-    throw new AbflatError(
-      'InvalidOption',
-      `texcoord must be whole and groupBy one of scene, mesh, primitive; they are ${texcoord} and ${groupBy}.`,
-    );
+  if (!['scene', 'mesh', 'primitive'].includes(groupBy as string))
+    throw invalid(`groupBy must be one of scene, mesh, primitive, not ${groupBy}.`);
 }
+
+const invalid = (message: string) => new AbflatError('InvalidOption', message);
 
 function grouped(members: Member[], groupBy: GroupBy): Member[][] {
   const groups = new Map<Mesh | Primitive | undefined, Member[]>();
@@ -91,9 +112,9 @@ async function unwrapGroups(
   abflat: Pick<Abflat, 'unwrap'>,
   meshes: DocumentMesh[],
   options: UnwrapOptions,
-): Promise<DocumentAtlas[]> {
+): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
   const { onProgress } = options;
-  const atlases: DocumentAtlas[] = [];
+  const atlases: Omit<DocumentAtlas, 'texcoord'>[] = [];
   for (const [i, mesh] of meshes.entries()) {
     const tell = (progress: UnwrapProgress) =>
       onProgress?.({ ...progress, fraction: (i + progress.fraction) / meshes.length });

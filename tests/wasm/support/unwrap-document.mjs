@@ -10,8 +10,9 @@ import {
   reread,
 } from '../../support/gltf.mjs';
 
-/** Unwraps a document and checks all that must hold for any; gives its file read again, and the atlases. */
-export async function unwrapDocument(abflat, document, { isMirrored, ...options } = {}) {
+/** Unwraps all of a document and checks all that must hold for any; gives its file read again, and the atlases. */
+export async function unwrapDocument(abflat, document, { isMirrored, ...given } = {}) {
+  const options = { overwrite: true, ...given };
   const { texcoord = 0 } = options;
   const before = await reread(document);
   const atlases = [];

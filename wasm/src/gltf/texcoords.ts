@@ -6,11 +6,12 @@ import { normalized } from '../normalized.js';
 import { indexArray, pickRows } from '../rows.js';
 import type { Layout } from '../types.js';
 import { cornersOf, type DocumentMesh, type DocumentPart, turned } from './document-mesh.js';
+import { freeTexcoord } from './texture-sets.js';
 import { TRIANGLES } from './triangles.js';
 
 export interface SetTexcoordsOptions {
-  /** The coordinates become TEXCOORD_`texcoord`. Default: 0. */
-  texcoord?: number;
+  /** The coordinates become TEXCOORD_`texcoord`; `auto`: as `freeTexcoord` says. Default: 0. */
+  texcoord?: number | 'auto';
   /** Scale and move them into [0, 1] x [0, 1]: for layouts in the unit of the mesh, as of `flatten`. Default: false. */
   normalize?: boolean;
 }
@@ -32,6 +33,7 @@ export function setTexcoords(
       `The layout has ${indices.length / 3} triangles, the document ${triangles}.`,
     );
   const coordinates = normalize ? normalized(uv) : uv;
+  const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
   const replaced = new Set<Accessor>();
   for (const block of blocksOf(parts)) {
     const corners = placeCorners(block, indices);
@@ -42,7 +44,7 @@ export function setTexcoords(
       .setBuffer(block.position.getBuffer())
       .setArray(texcoordsOf(block, coordinates));
     for (const [i, part] of block.parts.entries()) {
-      setCoordinates(part.primitive, made, texcoord, replaced);
+      setCoordinates(part.primitive, made, set, replaced);
       attributes.replace(part.primitive, made);
       setIndices(document, part, corners[i] as Uint32Array, block, replaced);
     }

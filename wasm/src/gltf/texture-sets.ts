@@ -1,0 +1,56 @@
+// Which sets of coordinates the textures of a document use.
+
+import type { Document, ExtensionProperty, Primitive, TextureInfo } from '@gltf-transform/core';
+import { isOfTriangles } from './triangles.js';
+
+type Node = Primitive | ReturnType<Primitive['listExtensions']>[number];
+
+/**
+ * The sets that textures of the primitives' materials sample, in order: 0 for TEXCOORD_0. Materials of extensions count, as those of
+ * variants, and so do the textures that extensions add and the set that KHR_texture_transform puts in place of another.
+ */
+export function sampledTexcoords(primitives: Iterable<Primitive>): number[] {
+  const [found, seen] = [new Set<number>(), new Set<Node>()];
+  const visit = (node: Node) => {
+    if (seen.has(node)) return;
+    seen.add(node);
+    const edges = node.getGraph().listChildEdges(node);
+    const textured = new Set(
+      edges
+        .filter((edge) => edge.getChild().propertyType === 'Texture')
+        .map((edge) => `${edge.getName()}Info`),
+    );
+    for (const edge of edges) {
+      const child = edge.getChild();
+      if (child.propertyType === 'Material' || 'extensionName' in child) visit(child as Node);
+      else if (textured.has(edge.getName())) found.add(setOf(child as TextureInfo));
+    }
+  };
+  for (const primitive of primitives) visit(primitive);
+  return [...found].sort((a, b) => a - b);
+}
+
+function setOf(info: TextureInfo): number {
+  type Transform = ExtensionProperty & { getTexCoord(): number | null };
+  const transform = info.getExtension<Transform>('KHR_texture_transform');
+  return transform?.getTexCoord() ?? info.getTexCoord();
+}
+
+/**
+ * The set for coordinates that take nothing from any texture: 0 where no texture samples that, otherwise the first one that no
+ * primitive has and no texture samples.
+ */
+export function freeTexcoord(document: Document): number {
+  const primitives = document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives())
+    .filter((primitive) => isOfTriangles(primitive.getMode()));
+  const sampled = sampledTexcoords(primitives);
+  if (!sampled.includes(0)) return 0;
+  const isTaken = (set: number) =>
+    sampled.includes(set) || primitives.some((each) => each.getAttribute(`TEXCOORD_${set}`));
+  let set = 1;
+  while (isTaken(set)) ++set;
+  return set;
+}
