@@ -127,9 +127,11 @@ bool hasSameEnds(const Surface& surface, const ChartSet& set, std::size_t chart,
 }
 
 std::vector<StraightSeams> straightSeams(const Surface& surface, const ChartSet& set,
-                                         const Outlines& outlines) {
+                                         const Outlines& outlines,
+                                         const std::vector<std::uint8_t>& isFixed) {
   std::vector<StraightSeams> out(set.charts.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!isFixed.empty() && isFixed[set.triangles[i].front()]) continue;
     const DiskChart& chart = set.charts[i];
     const std::vector<double> turn = turns(chart);
     StraightPlaces& places = out[i].places;

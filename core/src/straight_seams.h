@@ -27,8 +27,11 @@ bool hasSameEnds(const Surface& surface, const ChartSet& set, std::size_t chart,
 
 /// Seams and boundaries from end to end, per chart. Ends are junctions, where the chart on the
 /// other side changes, tips, and corners of the surface. A run that turns much on the surface stays
-/// as it is, like the rim of a round lid; so does what no layout could have straight.
+/// as it is, like the rim of a round lid; so does what no layout could have straight. Nothing is
+/// straightened where `isFixed` says so, per triangle of the surface unless empty: islands that are
+/// given need not be disks.
 std::vector<StraightSeams> straightSeams(const Surface& surface, const ChartSet& set,
-                                         const Outlines& outlines);
+                                         const Outlines& outlines,
+                                         const std::vector<std::uint8_t>& isFixed);
 
 }  // namespace abflat

@@ -234,7 +234,7 @@ class Unwrapping {
 
   Status readWishes() {
     texcoords_ = numberTexcoords(welded_, surface_, set_);
-    Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, options_);
+    Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, fixed_, options_);
     if (!wishes.ok()) return wishes.status;
     wishes_ = std::move(wishes.value);
     return {};

@@ -21,6 +21,7 @@ Status outside(const DiskChart& chart, std::size_t coordinate, double value) {
 }  // namespace
 
 Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoords& texcoords,
+                                             const FixedTriangles& fixed,
                                              const UnwrapOptions& options) {
   std::vector<ChartWishes> out(mesh.set.charts.size());
   Result<std::vector<std::vector<ChartPin>>> pins =
@@ -29,7 +30,7 @@ Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoord
   for (std::size_t i = 0; i < out.size(); ++i) out[i].pins = std::move(pins.value[i]);
   if (!options.straightSeams) return out;
   std::vector<StraightSeams> straight =
-      straightSeams(mesh.surface, mesh.set, findOutlines(mesh.surface, mesh.set));
+      straightSeams(mesh.surface, mesh.set, findOutlines(mesh.surface, mesh.set), fixed.isFixed);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i].straight = std::move(straight[i].places);
     out[i].released = straight[i].released;

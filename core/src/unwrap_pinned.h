@@ -3,12 +3,14 @@
 #include <vector>
 
 #include "pin/chart_pins.h"
-#include "unwrap_known.h"
+#include "unwrap_fixed.h"
 
 namespace abflat {
 
-/// What each chart is asked for. Errors: those of pinsOfCharts.
+/// What each chart is asked for; nothing but pins of those that are fixed. Errors: those of
+/// pinsOfCharts.
 Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoords& texcoords,
+                                             const FixedTriangles& fixed,
                                              const UnwrapOptions& options);
 
 /// Charts with pins must be inside the unit square and not on each other. Errors: InvalidOption

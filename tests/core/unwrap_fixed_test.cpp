@@ -151,12 +151,39 @@ TEST_CASE("an island need not be a disk", "[fixed]") {
   }
   UnwrapOptions options = severalCharts();
   options.fixedFaces = {0};
-  const UnwrapResult r = unwrapped(mesh, options);
-  checkKept(mesh, r, 1);
-  CHECK(complaintOf(r) == "");
-  CHECK(r.report.charts[0].faces == faces);
-  CHECK(std::count(r.chartOfFace.begin(), r.chartOfFace.end(), 0u) ==
-        static_cast<std::ptrdiff_t>(faces));
+  for (const bool isStraight : {false, true}) {
+    options.straightSeams = isStraight;
+    const UnwrapResult r = unwrapped(mesh, options);
+    checkKept(mesh, r, 1);
+    CHECK(complaintOf(r) == "");
+    CHECK(r.report.charts[0].faces == faces);
+    CHECK(std::count(r.chartOfFace.begin(), r.chartOfFace.end(), 0u) ==
+          static_cast<std::ptrdiff_t>(faces));
+  }
+}
+
+TEST_CASE("islands without a boundary are treated alike whether seams are straight or not",
+          "[fixed]") {
+  for (const double height : {1.0, 0.0}) {
+    PolygonMesh mesh = tetrahedron();
+    // All on a line: without area, on the surface as in the atlas, and so not flipped.
+    for (std::size_t i = 0; i < mesh.positions.size() && height == 0; ++i)
+      mesh.positions[i] = i % 3 == 0 ? static_cast<double>(i) : 0;
+    for (std::uint32_t v = 0; v < 4; ++v) {
+      const double u = 0.2 * (v + 1.0);
+      mesh.texcoords.insert(mesh.texcoords.end(), {u, 0.5 + 0.1 * height * (v % 2)});
+    }
+    mesh.faceTexcoords = mesh.faceVertices;
+    UnwrapOptions options;
+    options.fixedFaces = {0};
+    const Result<UnwrapResult> plain = unwrap(mesh, options);
+    options.straightSeams = true;
+    const Result<UnwrapResult> straight = unwrap(mesh, options);
+    CHECK(plain.ok() == (height == 0));
+    CHECK(straight.ok() == plain.ok());
+    CHECK(straight.status.message == plain.status.message);
+    CHECK(straight.value.uv == plain.value.uv);
+  }
 }
 
 TEST_CASE("fixed charts are in tiles of their own where there are several", "[fixed]") {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "angle/constants.h"
 #include "hole/triangulate_rim.h"
@@ -176,7 +175,7 @@ void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMes
   const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
   const std::vector<std::uint32_t> holes = holesOf(mesh, s, isFixed, mode);
   if (holes.empty()) return;
-  const double seamCost = mode == FillHoles::Always ? std::numeric_limits<double>::infinity() : 0;
+  const double seamCost = mode == FillHoles::Always ? kBarredCost : 0;
   mesh.hole.assign(mesh.triangleCount(), kNone);
   std::uint32_t filled = 0;
   for (const std::uint32_t loop : holes)

@@ -6,8 +6,8 @@
 namespace abflat {
 
 /// Adds triangles without area that fill holes: boundary loops of a chart other than its longest
-/// one. Those that cannot be triangulated stay open. Seams through what fills cost nothing, or are
-/// not possible with FillHoles::Always. `isFixed`: per triangle of charts that are left as they
+/// one. Those that cannot be triangulated stay open. Seams through what fills cost nothing, or
+/// kBarredCost with FillHoles::Always. `isFixed`: per triangle of charts that are left as they
 /// are; may be empty.
 void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh);
 

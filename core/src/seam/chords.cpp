@@ -20,7 +20,9 @@ void ChordFinder::walk(std::uint32_t chart) {
   for (std::size_t i = 0; i < order_.size(); ++i)
     for (std::uint32_t h = 3 * order_[i]; h < 3 * order_[i] + 3; ++h) {
       const std::uint32_t o = surface_.twin[h];
-      if (o == kNone || h == parent_[order_[i]] || forest_.isTreeEdge(surface_, h)) continue;
+      // Of a disk no triangle is met twice; were the chart none, the walk would still end.
+      if (o == kNone || o / 3 == root || parent_[o / 3] != kNone || forest_.isTreeEdge(surface_, h))
+        continue;
       parent_[o / 3] = o;
       order_.push_back(o / 3);
     }
@@ -48,17 +50,17 @@ double ChordFinder::resolvedShare(std::uint32_t h,
   return static_cast<double>(resolved) / static_cast<double>(pairs.size());
 }
 
-/// h is kNone where it would cut off next to nothing.
+/// h is kNone where it would cut off next to nothing or open a hole that stays filled.
 Chord ChordFinder::chordAt(std::uint32_t h, std::uint32_t chart) const {
   constexpr double kLeastShare = 0.02;
   const double all = surface_.charts[chart].area;
   Chord c;
   c.left = area_[h / 3];
   c.right = all - c.left;
-  if (!(std::min(c.left, c.right) > kLeastShare * all) || std::isinf(mesh_.cost[h])) return {};
-  c.h = h;
   c.length = forest_.distance[surface_.vertexOfCorner[h]] + mesh_.cost[h] +
              forest_.distance[surface_.vertexOfCorner[nextCorner(h)]];
+  if (!(std::min(c.left, c.right) > kLeastShare * all) || !(c.length < kBarredCost)) return {};
+  c.h = h;
   return c;
 }
 

@@ -67,7 +67,10 @@ double openSphere(const SeamMesh& mesh, const CutSurface& s, const PathForest& f
                   std::uint32_t chart, Seams& seams) {
   std::uint32_t first = kNone, second = kNone;  // the farthest vertices
   const auto isFarther = [&](std::uint32_t v, std::uint32_t than) {
-    return than == kNone || forest.distance[v] > forest.distance[than];
+    if (than == kNone) return true;
+    const bool isBarred = !(forest.distance[v] < kBarredCost);
+    if (isBarred != !(forest.distance[than] < kBarredCost)) return !isBarred;
+    return forest.distance[v] > forest.distance[than];
   };
   for (std::uint32_t i = s.triangleBegin[chart]; i < s.triangleBegin[chart + 1]; ++i)
     for (std::uint32_t k = 0; k < 3; ++k) {

@@ -9,7 +9,9 @@ namespace abflat {
 
 /// Cheapest paths from every vertex of a cut surface to its chart's boundary.
 struct PathForest {
-  std::vector<double> distance;  ///< per vertex; infinite where no source is reached
+  /// Per vertex; kBarredCost or more where every path leads through what is barred, infinite in
+  /// charts that paths are not needed in.
+  std::vector<double> distance;
   std::vector<std::uint32_t>
       towards;                      ///< half-edge of the edge to the next vertex; kNone at a source
   std::vector<std::uint32_t> next;  ///< that vertex

@@ -31,11 +31,13 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
                                     const std::vector<double>& u, double maxStretch) {
   std::vector<double> own(s.vertexCount(), 1);
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
-    own[v] = prediction.at(s.chartOfVertex(v), u[s.meshVertex[v]]) + kinkStretch(mesh, s, v);
+    own[v] = forest.distance[v] < kBarredCost
+                 ? prediction.at(s.chartOfVertex(v), u[s.meshVertex[v]]) + kinkStretch(mesh, s, v)
+                 : 0;
   std::vector<Peak> peaks;
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
     const std::uint32_t c = s.chartOfVertex(v);
-    if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch)) continue;
+    if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch) || own[v] == 0) continue;
     if (isPeak(s, own, v)) peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
   }
   std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) {

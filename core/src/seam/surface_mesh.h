@@ -10,6 +10,10 @@
 
 namespace abflat {
 
+/// Cost of a seam that is made only where nothing else makes a chart a disk: above that of any path
+/// without one, since lengths are within the unit cube. Finite, so that paths reach every vertex.
+constexpr double kBarredCost = 1e9;
+
 /// What the seam finder works on: an oriented manifold surface, of any number of components, and
 /// its geometry. Vertices are fans, so each is either interior or passed by the boundary once.
 /// Coordinates are rounded to a grid over the mesh's own extent: no result depends on its unit or
@@ -21,7 +25,8 @@ struct SeamMesh {
   std::vector<double> angle;                  ///< per corner, radians; made up where degenerate
   std::vector<double> area;                   ///< per triangle
   std::vector<double> length;                 ///< per half-edge
-  /// Of a seam per half-edge: its length, less where it is hidden; infinite within a polygon.
+  /// Of a seam per half-edge: its length, less where it is hidden; kBarredCost where holes stay
+  /// filled, infinite within a polygon.
   std::vector<double> cost;
   std::vector<double> weight;      ///< cotangent weight of the edge, positive; the same for twins
   std::vector<double> vertexArea;  ///< a third of the triangles' round it

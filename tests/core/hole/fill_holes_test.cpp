@@ -3,6 +3,7 @@
 #include "angle/constants.h"
 #include "catch.h"
 #include "chart/chart_set.h"
+#include "seam/path_forest.h"
 #include "support/cut_meshes.h"
 #include "support/holes.h"
 #include "support/meshes.h"
@@ -155,4 +156,30 @@ TEST_CASE("where holes touch, each is filled by itself or none is", "[holes]") {
   const ChartSet set = filled.charts(filled.find(true, FillHoles::Auto));
   REQUIRE(!set.charts.empty());
   for (const DiskChart& chart : set.charts) CHECK(isDisk(chart));
+}
+
+TEST_CASE("holes that stay filled leave no vertex without a path, and no walk without an end",
+          "[holes]") {
+  // Edges between holes alone: rims are all that many vertices have.
+  const auto checkered = [](unsigned columns, unsigned rows, unsigned seed) {
+    std::mt19937 random(seed);
+    return punched(bumpyGrid(columns, rows, 1.5, seed), [&, columns, rows](std::uint32_t f) {
+      const unsigned column = f / 2 % columns, row = f / 2 / columns;
+      const bool isInside =
+          column > 0 && column + 1 < columns && row > 0 && row + 1 < rows && random() % 8 > 0;
+      return isInside && (seed % 2 ? f % 2 == 1 : (column + row) % 2 == 0);
+    });
+  };
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    INFO("seed " << seed);
+    const Filled filled(checkered(7 + seed % 5, 6, seed), FillHoles::Always);
+    const CutSurface s = cutAlong(filled.mesh, Seams(filled.mesh.twin.size(), 0));
+    std::vector<std::uint32_t> extra;
+    for (const CutSurface::Chart& c : s.charts)
+      if (c.loops == 0) extra.push_back(s.vertexOfCorner[3 * c.firstTriangle]);
+    const PathForest forest = findPaths(filled.mesh, s, extra);
+    for (std::uint32_t v = 0; v < s.vertexCount(); ++v) CHECK(forest.source[v] != kNone);
+    const Seams seams = filled.find(true, FillHoles::Always);
+    for (const DiskChart& chart : filled.charts(seams).charts) CHECK(isDisk(chart));
+  }
 }
