@@ -70,7 +70,7 @@ struct UnwrapOptions : UnwrapOptionValues {
 struct RepairReport {
   std::size_t mergedVertices = 0;  ///< at the place of another one: one vertex of the surface
   std::vector<std::uint32_t> collapsedFaces;  ///< fewer than three places: uv of their neighbours
-  std::vector<std::uint32_t> splitFaces;      ///< use a place twice: split there
+  std::vector<std::uint32_t> splitFaces;      ///< touch themselves: split there
   /// Have the places of an earlier one (the second number): charts of their own.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
   /// Edges of more than two faces, by their vertices: cut.

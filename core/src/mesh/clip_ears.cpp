@@ -4,6 +4,8 @@
 #include <queue>
 #include <utility>
 
+#include "mesh/point_tree.h"
+
 namespace abflat {
 namespace {
 
@@ -24,7 +26,8 @@ class EarClipper {
         next_(n_),
         previous_(n_),
         turn_(n_, 0),
-        mayBlock_(n_, 0) {
+        mayBlock_(n_, 0),
+        blockers_(points_) {
     for (std::uint32_t k = 0; k < n_; ++k) {
       next_[k] = k + 1 == n_ ? 0 : k + 1;
       previous_[k] = k == 0 ? n_ - 1 : k - 1;
@@ -43,6 +46,7 @@ class EarClipper {
       next_[before] = after;
       previous_[after] = before;
       turn_[ear] = kGone;
+      if (mayBlock_[ear]) blockers_.remove(ear);
       for (const std::uint32_t k : {before, after}) {
         noteReflex(k);
         ears_.push({quality(k), k, ++turn_[k]});
@@ -78,7 +82,7 @@ class EarClipper {
   void noteReflex(std::uint32_t k) {
     if (mayBlock_[k] || turnOf(points_[previous_[k]], points_[k], points_[next_[k]]) > 0) return;
     mayBlock_[k] = 1;
-    blockers_.push_back(k);
+    blockers_.add(k);
   }
 
   /// In (0, 1] for a proper ear, larger is rounder; below 0 where the ear is reflex, flat or not
@@ -88,18 +92,9 @@ class EarClipper {
     const double edges = squaredDistance(a, b) + squaredDistance(b, c) + squaredDistance(c, a);
     double q = edges > 0 ? turnOf(a, b, c) * 2 * std::sqrt(3.0) / edges : 0;
     if (!(q > 0)) return q < 0 ? q - 2 : -2;
-    if (!isEmpty(a, b, c)) q -= 2;
+    if (blockers_.hasIn(a, b, c)) q -= 2;
     if (keep_[k]) q -= 1;
     return q;
-  }
-
-  bool isEmpty(const Point2& a, const Point2& b, const Point2& c) const {
-    for (const std::uint32_t k : blockers_) {
-      const Point2& p = points_[k];
-      if (turn_[k] == kGone || p == a || p == b || p == c) continue;
-      if (turnOf(a, b, p) >= 0 && turnOf(b, c, p) >= 0 && turnOf(c, a, p) >= 0) return false;
-    }
-    return true;
   }
 
   std::vector<Point2> points_;
@@ -108,7 +103,7 @@ class EarClipper {
   std::vector<std::uint32_t> next_, previous_;  ///< round what is left
   std::vector<std::uint32_t> turn_;             ///< of each corner's valid entry in ears_, or kGone
   std::vector<std::uint8_t> mayBlock_;
-  std::vector<std::uint32_t> blockers_;  ///< reflex and flat corners, also those that were
+  PointTree blockers_;  ///< reflex and flat corners that are left, also those that were
   std::priority_queue<Ear> ears_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/corner_table.h"
 
@@ -11,16 +12,19 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// Cells are so much larger than the tolerance that nearly every vertex needs to look in its own
-/// only.
-constexpr double kCellPerTolerance = 64;
+/// Vertices that stand for others are further apart than the tolerance, so only so many fit into a
+/// cell, wherever they are; and most vertices need to look in their own or in one more.
+constexpr double kCellPerTolerance = 4;
 
 /// First vertices of places, by the cell they are in: an open hash table whose order of lookups
 /// depends on the input alone.
 class Places {
  public:
-  Places(const std::vector<double>& positions, double cellSize)
-      : positions_(positions), cellSize_(cellSize), next_(positions.size() / 3, kNone) {
+  Places(const std::vector<double>& positions, double reach)
+      : positions_(positions),
+        reach_(reach),
+        cellSize_(kCellPerTolerance * reach),
+        next_(positions.size() / 3, kNone) {
     std::size_t size = 16;
     while (size < positions.size() / 3 * 2) size *= 2;
     slots_.assign(size, {{0, 0, 0}, kNone});
@@ -29,21 +33,21 @@ class Places {
       low_[i % 3] = std::min(low_[i % 3], positions[i]);
   }
 
-  /// A vertex within `reach` of v that has been added, or kNone; the first such one of the first
-  /// cell.
-  std::uint32_t find(std::uint32_t v, double reach) const {
+  /// The first vertex within reach of v that has been added, or kNone.
+  std::uint32_t find(std::uint32_t v) const {
     Cell from, to;
     for (std::size_t d = 0; d < 3; ++d) {
-      from[d] = cellOf(v, d, -reach);
-      to[d] = cellOf(v, d, reach);
+      from[d] = cellOf(v, d, -reach_);
+      to[d] = cellOf(v, d, reach_);
     }
+    std::uint32_t first = kNone;
     Cell c;
     for (c[0] = from[0]; c[0] <= to[0]; ++c[0])
       for (c[1] = from[1]; c[1] <= to[1]; ++c[1])
         for (c[2] = from[2]; c[2] <= to[2]; ++c[2])
           for (std::uint32_t u = slots_[slotOf(c)].first; u != kNone; u = next_[u])
-            if (isWithin(u, v, reach)) return u;
-    return kNone;
+            if (u < first && isWithinReach(u, v)) first = u;
+    return first;
   }
 
   void add(std::uint32_t v) {
@@ -54,14 +58,8 @@ class Places {
     slot.first = v;
   }
 
-  bool isWithin(std::uint32_t u, std::uint32_t v, double reach) const {
-    double square = 0;
-    if (reach == 0) return at(u, 0) == at(v, 0) && at(u, 1) == at(v, 1) && at(u, 2) == at(v, 2);
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double x = (at(u, d) - at(v, d)) / reach;
-      square += x * x;
-    }
-    return square <= 1;
+  bool isEqual(std::uint32_t u, std::uint32_t v) const {
+    return at(u, 0) == at(v, 0) && at(u, 1) == at(v, 1) && at(u, 2) == at(v, 2);
   }
 
  private:
@@ -70,6 +68,15 @@ class Places {
     std::uint32_t first;  ///< kNone: empty
   };
 
+  bool isWithinReach(std::uint32_t u, std::uint32_t v) const {
+    if (reach_ == 0) return isEqual(u, v);
+    double square = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double x = (at(u, d) - at(v, d)) / reach_;
+      square += x * x;
+    }
+    return square <= 1;
+  }
   double at(std::uint32_t v, std::size_t d) const {
     return positions_[3 * static_cast<std::size_t>(v) + d];
   }
@@ -80,15 +87,17 @@ class Places {
   }
   std::size_t slotOf(const Cell& cell) const {
     std::uint64_t hash = 0;
-    for (const std::int64_t c : cell)
+    for (const std::int64_t c : cell) {
       hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
-    std::size_t i = (hash ^ hash >> 32) & (slots_.size() - 1);
+      hash ^= hash >> 32;
+    }
+    std::size_t i = hash & (slots_.size() - 1);
     while (slots_[i].first != kNone && slots_[i].cell != cell) i = (i + 1) & (slots_.size() - 1);
     return i;
   }
 
   const std::vector<double>& positions_;
-  double cellSize_;
+  double reach_, cellSize_;
   std::array<double, 3> low_{};
   std::vector<std::uint32_t> next_;  ///< in the same cell
   std::vector<Slot> slots_;
@@ -115,36 +124,44 @@ double halfDiagonal(const std::vector<double>& positions) {
 
 }  // namespace
 
-namespace {
-
-Welding weldWithin(const std::vector<double>& positions, double reach, double cellSize) {
+Welding weldVertices(const std::vector<double>& positions, double tolerance) {
   const auto n = static_cast<std::uint32_t>(positions.size() / 3);
   Welding out;
-  out.reach = reach;
+  out.reach = 2 * tolerance * halfDiagonal(positions);
   out.ofVertex.resize(n);
-  Places places(positions, cellSize);
+  Places places(positions, out.reach);
   for (std::uint32_t v = 0; v < n; ++v) {
-    const std::uint32_t found = places.find(v, reach);
+    const std::uint32_t found = places.find(v);
     out.ofVertex[v] = found == kNone ? v : found;
     if (found == kNone) {
       places.add(v);
       continue;
     }
     ++out.merged;
-    out.isExact = out.isExact && places.isWithin(found, v, 0);
+    out.isExact = out.isExact && places.isEqual(found, v);
   }
   return out;
 }
 
-}  // namespace
-
-Welding weldVertices(const std::vector<double>& positions, double tolerance) {
-  const double reach = 2 * tolerance * halfDiagonal(positions);
-  return weldWithin(positions, reach, kCellPerTolerance * reach);
-}
-
 Welding weldEqualVertices(const std::vector<double>& positions) {
-  return weldWithin(positions, 0, 2 * kCellPerTolerance * kWeldTolerance * halfDiagonal(positions));
+  const auto n = static_cast<std::uint32_t>(positions.size() / 3);
+  const auto at = [&](std::uint32_t v) { return &positions[3 * static_cast<std::size_t>(v)]; };
+  std::vector<std::uint32_t> order(n);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
+    const double *p = at(u), *q = at(v);
+    for (std::size_t d = 0; d < 3; ++d)
+      if (p[d] != q[d]) return p[d] < q[d];
+    return u < v;
+  });
+  Welding out;
+  out.ofVertex.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool isNew = i == 0 || !std::equal(at(order[i]), at(order[i]) + 3, at(order[i - 1]));
+    out.ofVertex[order[i]] = isNew ? order[i] : out.ofVertex[order[i - 1]];
+    out.merged += !isNew;
+  }
+  return out;
 }
 
 }  // namespace abflat

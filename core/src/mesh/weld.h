@@ -19,15 +19,16 @@ struct Welding {
 constexpr double kWeldTolerance = 1e-7;
 
 /// Vertices no further apart than the tolerance times the diagonal of the bounding box. A vertex
-/// joins the first one that stands for others, so places never grow beyond the tolerance.
-/// `positions` are xyz and finite.
+/// joins the first one that stands for others, so places never grow beyond the tolerance. Linear in
+/// the vertices, wherever they are. `positions` are xyz and finite.
 Welding weldVertices(const std::vector<double>& positions, double tolerance = kWeldTolerance);
 
 /// Those of the same coordinates.
 Welding weldEqualVertices(const std::vector<double>& positions);
 
 /// Those of the same coordinates, and others within the tolerance where the surface would be open
-/// between them; no two different places of one face, so detail below the tolerance stays.
+/// between them; no two different places of one face, so detail below the tolerance stays. Vertices
+/// that no face uses are left out: they stay apart, and the bounding box is that of the others.
 Welding weldSurface(const PolygonMesh& mesh);
 
 }  // namespace abflat

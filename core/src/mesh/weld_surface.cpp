@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
 
 #include "mesh/corner_table.h"
 #include "mesh/weld.h"
@@ -9,6 +12,14 @@ namespace {
 
 /// More places within the tolerance are detail, not rounding.
 constexpr std::size_t kMostPlaces = 64;
+
+bool haveCommon(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    if (*i == *j) return true;
+    *i < *j ? ++i : ++j;
+  }
+  return false;
+}
 
 /// Merges places that are near each other, one group of them after the other.
 class Merger {
@@ -92,14 +103,13 @@ class Merger {
     return false;
   }
 
-  bool sharesFace(std::uint32_t place, std::uint32_t with) const {
-    bool shares = false;
-    forCorners(place, [&](std::uint32_t corner) {
-      const std::uint32_t f = faceOfCorner_[corner];
-      for (std::uint32_t c = mesh_.faceOffsets[f]; c < mesh_.faceOffsets[f + 1]; ++c)
-        shares = shares || of_[placeAt(c)] == with;
+  /// Faces at a place, in order.
+  std::vector<std::uint32_t> facesAt(std::uint32_t place) const {
+    std::vector<std::uint32_t> out;
+    forCorners(place, [&](std::uint32_t c) {
+      if (out.empty() || out.back() != faceOfCorner_[c]) out.push_back(faceOfCorner_[c]);
     });
-    return shares;
+    return out;
   }
 
   /// In units of the tolerance.
@@ -114,23 +124,33 @@ class Merger {
     return std::sqrt(square);
   }
 
-  /// Each to the nearest that stands for others.
+  /// Each to the nearest that stands for others, of those that no face has both of.
   void mergeGroup(const std::uint32_t* begin, const std::uint32_t* end) {
-    std::vector<std::uint32_t> standing;
+    struct Standing {
+      std::uint32_t place;
+      std::vector<std::uint32_t> faces;  ///< of all that it stands for, in order
+    };
+    std::vector<Standing> standing;
     for (const std::uint32_t* v = begin; v != end; ++v) {
       if (!isOpen(*v)) continue;
-      std::uint32_t nearest = kNone;
+      std::vector<std::uint32_t> faces = facesAt(*v);
+      Standing* nearest = nullptr;
       double least = 1;
-      for (const std::uint32_t u : standing) {
-        const double d = distance(u, *v);
-        if (d > least || (nearest != kNone && d == least) || sharesFace(*v, u)) continue;
-        nearest = u;
+      for (Standing& u : standing) {
+        const double d = distance(u.place, *v);
+        if (d > least || (nearest && d == least) || haveCommon(faces, u.faces)) continue;
+        nearest = &u;
         least = d;
       }
-      if (nearest == kNone)
-        standing.push_back(*v);
-      else
-        of_[*v] = nearest;
+      if (!nearest) {
+        standing.push_back({*v, std::move(faces)});
+        continue;
+      }
+      of_[*v] = nearest->place;
+      std::vector<std::uint32_t> both;
+      std::set_union(faces.begin(), faces.end(), nearest->faces.begin(), nearest->faces.end(),
+                     std::back_inserter(both));
+      nearest->faces = std::move(both);
     }
   }
 
@@ -143,12 +163,40 @@ class Merger {
   std::vector<Incidence> incidences_;  ///< of places that are grouped
 };
 
+/// In order.
+std::vector<std::uint32_t> usedVertices(const PolygonMesh& mesh) {
+  std::vector<std::uint8_t> isUsed(mesh.vertexCount(), 0);
+  for (const std::uint32_t v : mesh.faceVertices) isUsed[v] = 1;
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t v = 0; v < isUsed.size(); ++v)
+    if (isUsed[v]) out.push_back(v);
+  return out;
+}
+
+/// `weld(positions)` for those alone: all others stay what they are, wherever they lie.
+template <class Weld>
+Welding weldUsed(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used,
+                 const Weld& weld) {
+  if (used.size() == mesh.vertexCount()) return weld(mesh.positions);
+  std::vector<double> positions;
+  positions.reserve(3 * used.size());
+  for (const std::size_t v : used)
+    for (std::size_t d = 0; d < 3; ++d) positions.push_back(mesh.positions[3 * v + d]);
+  Welding out = weld(positions);
+  std::vector<std::uint32_t> ofVertex(mesh.vertexCount());
+  std::iota(ofVertex.begin(), ofVertex.end(), 0u);
+  for (std::size_t i = 0; i < used.size(); ++i) ofVertex[used[i]] = used[out.ofVertex[i]];
+  out.ofVertex = std::move(ofVertex);
+  return out;
+}
+
 }  // namespace
 
 Welding weldSurface(const PolygonMesh& mesh) {
-  Welding near = weldVertices(mesh.positions);
+  const std::vector<std::uint32_t> used = usedVertices(mesh);
+  Welding near = weldUsed(mesh, used, [](const auto& p) { return weldVertices(p); });
   if (near.isExact) return near;
-  return Merger(mesh, near, weldEqualVertices(mesh.positions)).run();
+  return Merger(mesh, near, weldUsed(mesh, used, weldEqualVertices)).run();
 }
 
 }  // namespace abflat

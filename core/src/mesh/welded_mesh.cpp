@@ -5,43 +5,50 @@
 #include <utility>
 
 #include "mesh/corner_table.h"
+#include "mesh/inside_loops.h"
 #include "mesh/weld.h"
 
 namespace abflat {
 namespace {
 
-/// Input corners of a face, or of a part of one.
+/// Corners of a face, or of a part of one.
 using Loop = std::vector<std::uint32_t>;
 
-/// Takes loops without repeated places off a face: between two corners at one place lies a loop.
-/// Those of fewer than three corners are dropped.
+/// Parts of faces that use no place twice, or only where they have holes.
 class FaceSplitter {
  public:
-  explicit FaceSplitter(std::size_t vertexCount) : positionOf_(vertexCount, kNone) {}
+  explicit FaceSplitter(const std::vector<double>& positions)
+      : positions_(positions), positionOf_(positions.size() / 3, kNone) {}
 
-  /// `placeOf(corner)`; the loops are valid until the next call.
-  template <class PlaceOf>
-  const std::vector<Loop>& split(std::uint32_t begin, std::uint32_t end, const PlaceOf& placeOf) {
-    loops_.clear();
-    path_.clear();
-    for (std::uint32_t c = begin; c < end; ++c) {
-      const std::uint32_t place = placeOf(c);
-      if (positionOf_[place] != kNone) take(positionOf_[place], placeOf);
-      positionOf_[place] = static_cast<std::uint32_t>(path_.size());
-      path_.push_back(c);
-    }
-    take(0, placeOf);
+  /// Loops of corners, counted from 0; `places` per corner. They are valid until the next call.
+  const std::vector<Loop>& split(const std::vector<std::uint32_t>& places) {
+    cutOff(places);
+    if (loops_.size() < 2 || !hasReversed(positions_, places, loops_)) return loops_;
+    std::vector<Loop> inside = insideLoops(positions_, places);
+    if (!inside.empty()) loops_ = std::move(inside);
     return loops_;
   }
 
  private:
-  template <class PlaceOf>
-  void take(std::uint32_t from, const PlaceOf& placeOf) {
-    for (std::size_t i = from; i < path_.size(); ++i) positionOf_[placeOf(path_[i])] = kNone;
+  /// Between two corners at one place lies a loop. Those of fewer than three corners are dropped.
+  void cutOff(const std::vector<std::uint32_t>& places) {
+    loops_.clear();
+    path_.clear();
+    for (std::uint32_t k = 0; k < places.size(); ++k) {
+      if (positionOf_[places[k]] != kNone) take(positionOf_[places[k]], places);
+      positionOf_[places[k]] = static_cast<std::uint32_t>(path_.size());
+      path_.push_back(k);
+    }
+    take(0, places);
+  }
+
+  void take(std::uint32_t from, const std::vector<std::uint32_t>& places) {
+    for (std::size_t i = from; i < path_.size(); ++i) positionOf_[places[path_[i]]] = kNone;
     if (path_.size() - from >= 3) loops_.emplace_back(path_.begin() + from, path_.end());
     path_.resize(from);
   }
 
+  const std::vector<double>& positions_;
   std::vector<std::uint32_t> positionOf_;  ///< in the path, per place
   Loop path_;
   std::vector<Loop> loops_;
@@ -134,18 +141,19 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
     out.cornerFor[out.inputCorner[c]] = c;
     anyAt[placeOf[input.faceVertices[out.inputCorner[c]]]] = c;
   }
-  for (std::uint32_t f = 0; f < input.faceCount(); ++f)
-    for (std::uint32_t c = input.faceOffsets[f]; c < input.faceOffsets[f + 1]; ++c) {
-      const std::uint32_t place = placeOf[input.faceVertices[c]];
-      for (std::uint32_t other = input.faceOffsets[f];
-           out.cornerFor[c] == kNone && other < input.faceOffsets[f + 1]; ++other) {
-        const std::uint32_t found = out.cornerFor[other];
-        if (placeOf[input.faceVertices[other]] == place && found != kNone &&
-            out.inputCorner[found] == other)
-          out.cornerFor[c] = found;
-      }
-      if (out.cornerFor[c] == kNone) out.cornerFor[c] = anyAt[place];
+  std::vector<std::uint32_t> inFaceAt(input.vertexCount(), kNone);
+  for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
+    const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
+    const auto placeAt = [&](std::uint32_t c) { return placeOf[input.faceVertices[c]]; };
+    for (std::uint32_t c = end; c-- > begin;)
+      if (out.cornerFor[c] != kNone) inFaceAt[placeAt(c)] = out.cornerFor[c];
+    for (std::uint32_t c = begin; c < end; ++c) {
+      std::uint32_t& corner = out.cornerFor[c];
+      if (corner == kNone) corner = inFaceAt[placeAt(c)];
+      if (corner == kNone) corner = anyAt[placeAt(c)];
     }
+    for (std::uint32_t c = begin; c < end; ++c) inFaceAt[placeAt(c)] = kNone;
+  }
 }
 
 }  // namespace
@@ -158,26 +166,29 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
     welding.ofVertex.resize(mesh.vertexCount());
     std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
   }
-  const auto placeOf = [&](std::uint32_t c) { return welding.ofVertex[mesh.faceVertices[c]]; };
   WeldedMesh out;
   out.mergedVertices = welding.merged;
   out.mesh.positions = mesh.positions;
   out.mesh.faceOffsets.push_back(0);
   out.mesh.faceVertices.reserve(mesh.faceVertices.size());
   out.inputCorner.reserve(mesh.faceVertices.size());
-  FaceSplitter splitter(mesh.vertexCount());
+  FaceSplitter splitter(mesh.positions);
+  std::vector<std::uint32_t> places;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
-    const std::vector<Loop>& loops = splitter.split(begin, end, placeOf);
+    places.clear();
+    for (std::uint32_t c = begin; c < end; ++c)
+      places.push_back(welding.ofVertex[mesh.faceVertices[c]]);
+    const std::vector<Loop>& loops = splitter.split(places);
     if (loops.empty())
       out.collapsedFaces.push_back(f);
     else if (loops.size() > 1 || loops.front().size() < end - begin)
       out.splitFaces.push_back(f);
     for (const Loop& loop : loops) {
       out.inputFace.push_back(f);
-      for (const std::uint32_t c : loop) {
-        out.inputCorner.push_back(c);
-        out.mesh.faceVertices.push_back(placeOf(c));
+      for (const std::uint32_t k : loop) {
+        out.inputCorner.push_back(begin + k);
+        out.mesh.faceVertices.push_back(places[k]);
       }
       out.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(out.mesh.faceVertices.size()));
     }

@@ -9,8 +9,8 @@
 namespace abflat {
 
 /// A mesh as the surface that it shows: vertices at one place are one, faces that use a place twice
-/// are split there, and what is left without area is gone. Faces that repeat others become layers
-/// of their own, which share no vertex with the first.
+/// are split there unless that is how they have holes, and what is left without area is gone. Faces
+/// that repeat others become layers of their own, which share no vertex with the first.
 struct WeldedMesh {
   PolygonMesh mesh;
   std::vector<std::uint32_t> inputFace;    ///< per face
@@ -21,7 +21,7 @@ struct WeldedMesh {
   std::vector<std::uint32_t> place;           ///< per input vertex: the first one at the same place
   std::size_t mergedVertices = 0;             ///< that are at the place of an earlier one
   std::vector<std::uint32_t> collapsedFaces;  ///< input faces without two different edges
-  std::vector<std::uint32_t> splitFaces;      ///< input faces that use a place twice
+  std::vector<std::uint32_t> splitFaces;      ///< input faces that were split
   /// Input faces that have the places of an earlier one, and that one.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
 };

@@ -79,6 +79,18 @@ TEST_CASE("faces of thousands of corners are no trouble") {
   for (std::size_t k = 0; k < radius.size(); k += 2)
     radius[k] = 0.5 + 0.3 * std::sin(static_cast<double>(k));
   checkTriangulated(starPolygon(radius));
+  // A hundred thousand: reflex at every second corner, or nearly all of them on four lines.
+  radius.assign(100000, 1.0);
+  for (std::size_t k = 0; k < radius.size(); k += 2) radius[k] = 0.9;
+  checkTriangulated(starPolygon(radius));
+  PolygonMesh square = starPolygon(std::vector<double>(100000, 1.0));
+  for (std::size_t k = 0; k < 100000; ++k) {
+    const double along = static_cast<double>(k % 25000) / 25000;
+    const double x[] = {along, 1, 1 - along, 0}, y[] = {0, along, 1, 1 - along};
+    square.positions[3 * k] = x[k / 25000];
+    square.positions[3 * k + 1] = y[k / 25000];
+  }
+  checkTriangulated(square);
 }
 
 TEST_CASE("the roundest ear is cut off first") {

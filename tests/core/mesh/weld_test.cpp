@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "abflat/unwrap.h"
 #include "catch.h"
 #include "support/meshes.h"
 
@@ -111,4 +112,79 @@ TEST_CASE("two closed surfaces that are nearly in touch stay two") {
       p.push_back(mesh.positions[3 * v + d] + (d == 0 ? 1e-9 : 0));
   for (const std::uint32_t v : mesh.faceVertices) t.push_back(v + static_cast<std::uint32_t>(n));
   CHECK(weldSurface(makeTriangleMesh(p, t)).merged == 0);
+}
+
+TEST_CASE("many vertices are welded as few are, however they are spread") {
+  // All in what the tolerance makes one place, or nearly: in a cluster beside a vertex far away,
+  // and in clusters of clusters.
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (const double side : {1e-3, 1e-5, 6e-6, 1e-6, 1e-9}) {
+    std::vector<double> p;
+    for (std::size_t i = 0; i < 100000; ++i)
+      for (std::size_t d = 0; d < 3; ++d)
+        p.push_back(side * place(random) + (i % 2 ? 1e-3 * side * place(random) : 0));
+    p.insert(p.end(), {1, 0, 0});
+    const Welding w = weldVertices(p);
+    std::size_t wrong = 0;
+    for (std::size_t v = 0; v < w.ofVertex.size(); ++v) {
+      const std::size_t u = w.ofVertex[v];
+      double square = 0;
+      for (std::size_t d = 0; d < 3; ++d)
+        square += (p[3 * u + d] - p[3 * v + d]) * (p[3 * u + d] - p[3 * v + d]);
+      wrong += u > v || w.ofVertex[u] != u || !(square <= 1.001 * w.reach * w.reach);
+    }
+    CHECK(wrong == 0);
+    CHECK(weldEqualVertices(p).merged == 0);
+  }
+}
+
+TEST_CASE("one face of many corners that are nearly at one place by twos") {
+  // As loose edges of a polygon would be; no two of one face are merged.
+  std::vector<double> p;
+  std::vector<std::uint32_t> corners(40000);
+  for (std::uint32_t k = 0; k < corners.size(); ++k) {
+    const double angle = 6.283185307179586 * (k / 2) / 20000.0 + 1e-9 * (k % 2);
+    p.insert(p.end(), {std::cos(angle), std::sin(angle), 0});
+    corners[k] = k;
+  }
+  PolygonMesh mesh = makeTriangleMesh(p, {});
+  mesh.faceVertices = corners;
+  mesh.faceOffsets = {0, static_cast<std::uint32_t>(corners.size())};
+  CHECK(weldVertices(p).merged == corners.size() / 2);
+  CHECK(weldSurface(mesh).merged == 0);
+}
+
+TEST_CASE("vertices that no face uses are not there", "[unused]") {
+  const PolygonMesh mesh = shakenSoup(torus(8, 6), 1e-8);
+  const Welding wanted = weldSurface(mesh);
+  std::mt19937 random(2);
+  for (const double far : {0.0, 1.0, 1e9, 1e300}) {
+    // One before each vertex: at its place, near it, or anywhere.
+    PolygonMesh more;
+    more.faceOffsets = mesh.faceOffsets;
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+      for (std::size_t d = 0; d < 3; ++d)
+        more.positions.push_back(mesh.positions[3 * v + d] +
+                                 far * (static_cast<double>(random() % 1000) / 500 - 1));
+      for (std::size_t d = 0; d < 3; ++d) more.positions.push_back(mesh.positions[3 * v + d]);
+    }
+    for (const std::uint32_t v : mesh.faceVertices) more.faceVertices.push_back(2 * v + 1);
+    const Welding w = weldSurface(more);
+    CHECK(w.merged == wanted.merged);
+    CHECK(w.isExact == wanted.isExact);
+    CHECK(w.reach == wanted.reach);
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+      CHECK(w.ofVertex[2 * v] == 2 * v);
+      CHECK(w.ofVertex[2 * v + 1] == 2 * wanted.ofVertex[v] + 1);
+    }
+    UnwrapOptions options;
+    options.resolution = 256;
+    const Result<UnwrapResult> plain = unwrap(mesh, options), stray = unwrap(more, options);
+    REQUIRE(plain.ok());
+    REQUIRE(stray.ok());
+    CHECK(stray.value.uv == plain.value.uv);
+    CHECK(stray.value.cornerUv == plain.value.cornerUv);
+    CHECK(stray.value.report.repair.mergedVertices == plain.value.report.repair.mergedVertices);
+  }
 }

@@ -101,3 +101,12 @@ TEST_CASE("repeated faces are layers, whichever way they face") {
   CHECK(pile.duplicateFaces.size() == 1999);
   CHECK(buildSurface(pile.mesh).summary.components == 2000);
 }
+
+TEST_CASE("a face of many corners at two places collapses, and its corners find others there") {
+  std::vector<std::uint32_t> back(100000);
+  for (std::size_t i = 0; i < back.size(); ++i) back[i] = i % 2;
+  const WeldedMesh welded = weld(meshOf(kSquare, {{0, 1, 2}, back}));
+  CHECK(welded.collapsedFaces == std::vector<std::uint32_t>{1});
+  for (std::uint32_t c = 3; c < welded.cornerFor.size(); ++c)
+    if (welded.cornerFor[c] != (c - 3) % 2) FAIL("corner " << c);
+}

@@ -53,7 +53,7 @@ export interface RepairReport {
   mergedVertices: number;
   /** Fewer than three places. */
   collapsedFaces: number[];
-  /** Use a place twice. */
+  /** Touch themselves: split there. */
   splitFaces: number[];
   /** Have the places of an earlier face, the second number: charts of their own. */
   duplicateFaces: [number, number][];

@@ -1,0 +1,172 @@
+#include "mesh/inside_loops.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "check/orientation.h"
+#include "check/overlap.h"
+#include "mesh/clip_ears.h"
+#include "mesh/corner_table.h"
+#include "mesh/project_polygon.h"
+
+namespace abflat {
+namespace {
+
+using Point2 = std::array<double, 2>;
+using Loop = std::vector<std::uint32_t>;
+
+/// A corner's edge from the corner before, or to the one after, as it is seen from its place.
+struct Arm {
+  std::uint32_t corner;
+  bool isOut;
+  Point2 end;
+  std::uint32_t turn = 0;  ///< how many of its kind there are before in the same direction
+};
+
+/// Clockwise from straight left.
+struct Clockwise {
+  Point2 at;
+
+  bool isUpper(const Point2& p) const { return p[1] != at[1] ? p[1] > at[1] : p[0] < at[0]; }
+  int compare(const Point2& p, const Point2& q) const {
+    if (isUpper(p) != isUpper(q)) return isUpper(p) ? -1 : 1;
+    return orientation(at.data(), p.data(), q.data());
+  }
+  bool operator()(const Arm& a, const Arm& b) const {
+    const int side = compare(a.end, b.end);
+    if (side != 0) return side < 0;
+    if (a.turn != b.turn) return a.turn < b.turn;
+    return a.isOut != b.isOut ? a.isOut : a.corner < b.corner;
+  }
+};
+
+class Tracer {
+ public:
+  Tracer(std::vector<Point2> points, const std::vector<std::uint32_t>& places)
+      : points_(std::move(points)),
+        count_(static_cast<std::uint32_t>(points_.size())),
+        leaving_(count_) {
+    std::iota(leaving_.begin(), leaving_.end(), 0u);
+    std::vector<std::uint32_t> order = leaving_;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
+    for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+      while (end < order.size() && places[order[end]] == places[order[i]]) ++end;
+      if (end - i > 1) joinAt(&order[i], &order[i] + (end - i));
+    }
+  }
+
+  std::vector<Loop> loops() const {
+    std::vector<Loop> out;
+    std::vector<std::uint8_t> isDone(count_, 0);
+    for (std::uint32_t start = 0; start < count_; ++start) {
+      if (isDone[start]) continue;
+      Loop loop;
+      for (std::uint32_t k = start; !isDone[k]; k = after(leaving_[k])) {
+        isDone[k] = 1;
+        loop.push_back(k);
+      }
+      if (loop.size() >= 3) out.push_back(std::move(loop));
+    }
+    return out;
+  }
+
+  /// Takes away loops without area; false unless triangles of all others lie beside each other.
+  bool settle(std::vector<Loop>& loops) const {
+    if (!isClear_) return false;
+    std::vector<double> triangles;
+    const auto bounds = [&](const Loop& loop) {
+      std::vector<Point2> p;
+      for (const std::uint32_t k : loop) p.push_back(points_[k]);
+      int least = 1, most = 0;
+      for (const auto& t : clipEars(p, std::vector<std::uint8_t>(p.size(), 0))) {
+        const Point2 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
+        triangles.insert(triangles.end(), {a[0], a[1], b[0], b[1], c[0], c[1]});
+        const int sign = orientation(a.data(), b.data(), c.data());
+        least = std::min(least, sign);
+        most = std::max(most, sign);
+      }
+      return std::array<int, 2>{least, most};
+    };
+    std::vector<Loop> out;
+    for (Loop& loop : loops) {
+      const auto [least, most] = bounds(loop);
+      if (least < 0) return false;
+      if (most > 0) out.push_back(std::move(loop));
+    }
+    loops = std::move(out);
+    return !loops.empty() && !findOverlap(triangles);
+  }
+
+ private:
+  std::uint32_t after(std::uint32_t k) const { return k + 1 == count_ ? 0 : k + 1; }
+  std::uint32_t before(std::uint32_t k) const { return k == 0 ? count_ - 1 : k - 1; }
+
+  /// Who comes to the place goes on along the first edge clockwise that has the inside between, as
+  /// brackets close.
+  void joinAt(const std::uint32_t* begin, const std::uint32_t* end) {
+    const Clockwise clockwise{points_[*begin]};
+    std::vector<Arm> arms;
+    for (const std::uint32_t* k = begin; k != end; ++k) {
+      arms.push_back({*k, false, points_[before(*k)]});
+      arms.push_back({*k, true, points_[after(*k)]});
+    }
+    for (const Arm& arm : arms) isClear_ = isClear_ && arm.end != clockwise.at;
+    if (!isClear_) return;
+    std::sort(arms.begin(), arms.end(), clockwise);
+    // The two sides of a bridge: it leaves before it comes back, and so do all along it.
+    for (std::size_t i = 0, last = 0; i < arms.size(); i = last) {
+      std::array<std::uint32_t, 2> turns{0, 0};
+      for (; last < arms.size() && clockwise.compare(arms[i].end, arms[last].end) == 0; ++last)
+        arms[last].turn = turns[arms[last].isOut]++;
+    }
+    std::sort(arms.begin(), arms.end(), clockwise);
+    std::vector<std::uint32_t> open;
+    for (std::size_t i = 0; i < 2 * arms.size(); ++i) {
+      const Arm& arm = arms[i % arms.size()];
+      const bool isFirstRound = i < arms.size();
+      if (!arm.isOut && isFirstRound) open.push_back(arm.corner);
+      if (!arm.isOut || open.empty() || (!isFirstRound && arm.turn == kNone)) continue;
+      leaving_[open.back()] = arm.corner;
+      open.pop_back();
+      arms[i % arms.size()].turn = kNone;
+    }
+  }
+
+  std::vector<Point2> points_;
+  std::uint32_t count_;
+  std::vector<std::uint32_t> leaving_;  ///< per corner that is come to: the one that is left from
+  bool isClear_ = true;                 ///< neighbours of places are elsewhere in the plane, too
+};
+
+}  // namespace
+
+bool hasReversed(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
+                 const std::vector<Loop>& loops) {
+  const std::vector<Point2> points = projectPolygon(positions, places.data(), places.size());
+  return std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) {
+    double area = 0;
+    for (std::size_t i = 2; i < loop.size(); ++i)
+      area += turnOf(points[loop[0]], points[loop[i - 1]], points[loop[i]]);
+    return area < 0;
+  });
+}
+
+std::vector<Loop> insideLoops(const std::vector<double>& positions,
+                              const std::vector<std::uint32_t>& places) {
+  Loop kept;  // of corners that follow each other at one place the first
+  for (std::uint32_t k = 0; k < places.size(); ++k)
+    if (kept.empty() || places[k] != places[kept.back()]) kept.push_back(k);
+  while (kept.size() > 1 && places[kept.back()] == places[kept.front()]) kept.pop_back();
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t k : kept) vertices.push_back(places[k]);
+  const Tracer tracer(projectPolygon(positions, vertices.data(), vertices.size()), vertices);
+  std::vector<Loop> loops = tracer.loops();
+  if (!tracer.settle(loops)) return {};
+  for (Loop& loop : loops)
+    for (std::uint32_t& k : loop) k = kept[k];
+  return loops;
+}
+
+}  // namespace abflat

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace abflat {
+
+/// Points in the plane, of which some count, in a tree of boxes: whether one of these lies in a
+/// triangle is answered without looking at those far from it.
+class PointTree {
+ public:
+  using Point2 = std::array<double, 2>;
+
+  /// None counts yet. `points` outlives the tree.
+  explicit PointTree(const std::vector<Point2>& points);
+
+  void add(std::uint32_t point) { change(point, 1); }
+  void remove(std::uint32_t point) { change(point, -1); }
+
+  /// Whether one that counts is in the triangle or on its rim, but not at one of its corners.
+  /// Sides are told by turnOf, so that rounding is the same as elsewhere.
+  bool hasIn(const Point2& a, const Point2& b, const Point2& c) const;
+
+ private:
+  struct Node {
+    Point2 low, high;          ///< of all its points
+    std::uint32_t begin, end;  ///< in order_
+    std::uint32_t counting = 0;
+  };
+
+  void build(std::uint32_t node);
+  void change(std::uint32_t point, int by);
+  bool isLeaf(std::uint32_t node) const { return 2 * node + 1 >= nodes_.size(); }
+
+  const std::vector<Point2>& points_;
+  std::vector<Node> nodes_;                   ///< children of i are 2i + 1 and 2i + 2
+  std::vector<std::uint32_t> order_, place_;  ///< place in order_ per point
+  std::vector<std::uint8_t> counts_;
+};
+
+}  // namespace abflat
