@@ -20,4 +20,10 @@ inline std::string quoted(std::string_view word) {
   return out + (word.size() > kLongest ? "...'" : "'");
 }
 
+/// Of a word where a number is expected.
+inline std::string notANumber(std::string_view word) {
+  return quoted(word) + " is not a number" +
+         (word.find(',') == std::string_view::npos ? "" : "; write decimals with a point");
+}
+
 }  // namespace abflat

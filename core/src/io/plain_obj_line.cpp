@@ -41,14 +41,13 @@ std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
   return static_cast<std::size_t>(c.at - text.data());
 }
 
-/// v, v/vt, v//vn or v/vt/vn
+/// v, v/vt, v//vn or v/vt/vn, where nothing behind a slash is none.
 bool takeCorner(Cursor& c, ObjCorner& corner) {
   std::int64_t normal = 0;
   if (!takeInteger(c, corner.vertex) || corner.vertex == 0) return false;
-  if (c.take('/')) {
-    const bool hasNoTexcoord = !c.done() && *c.at == '/';
-    if (!hasNoTexcoord && !takeInteger(c, corner.texcoord)) return false;
-    if (c.take('/') && !takeInteger(c, normal)) return false;
+  for (std::int64_t* const index : {&corner.texcoord, &normal}) {
+    if (!c.take('/')) break;
+    if (!c.atWordEnd() && *c.at != '/' && !takeInteger(c, *index)) return false;
   }
   return c.atWordEnd();
 }

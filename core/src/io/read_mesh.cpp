@@ -86,6 +86,9 @@ Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view byte
 
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
   std::string_view text = bytes;
+  if (isUtf16(bytes) && !(format == MeshFormat::Stl && looksLikeStl(bytes)))
+    return Status{StatusCode::ParseError,
+                  std::string(fileName) + ": the text is UTF-16; save it as UTF-8"};
   if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
   switch (format) {
     case MeshFormat::Obj:

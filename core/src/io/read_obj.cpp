@@ -17,6 +17,12 @@
 namespace abflat {
 namespace {
 
+/// What 1.#QNAN, -1.#IND and the like leave behind the point, as a comment of the line.
+bool isMicrosoftNan(std::string_view comment) {
+  return beginsWith(comment, "#QNAN") || beginsWith(comment, "#SNAN") ||
+         beginsWith(comment, "#IND") || beginsWith(comment, "#INF");
+}
+
 /// Takes vertices, faces, texcoords and materials from an OBJ text and rejects what is not well
 /// formed, but for texcoords: those are none then.
 class ObjReader {
@@ -123,12 +129,15 @@ class ObjReader {
     for (int d = 0; d < 3; ++d) {
       const std::string_view word = takeWord(words);
       double value = 0;
+      if (isMicrosoftNan(line.comment))
+        return parseError(fileName_, line.number,
+                          "a coordinate is not finite: " + quoted(line.comment));
       if (word.empty())
         return parseError(fileName_, line.number,
                           "the vertex has " + std::to_string(d) +
-                              " coordinates instead of 3; is the file cut off?");
-      if (!parseDouble(word, value))
-        return parseError(fileName_, line.number, quoted(word) + " is not a number");
+                              (d == 1 ? " coordinate" : " coordinates") +
+                              " instead of 3; is the file cut off?");
+      if (!parseDouble(word, value)) return parseError(fileName_, line.number, notANumber(word));
       if (!std::isfinite(value))
         return parseError(fileName_, line.number,
                           "the coordinate " + quoted(word) + " is not finite");
@@ -179,7 +188,7 @@ class ObjReader {
     }
   }
 
-  /// v, v/vt, v//vn or v/vt/vn
+  /// v, v/vt, v//vn or v/vt/vn, where nothing behind a slash is none.
   Status parseCorner(const ObjLine& line, std::string_view word, ObjCorner& corner) const {
     const auto malformed = [&] {
       return parseError(fileName_, line.number,
@@ -190,8 +199,7 @@ class ObjReader {
       const std::size_t slash = std::min(rest.find('/'), rest.size());
       const std::string_view number = rest.substr(0, slash);
       std::int64_t value = 0;
-      const bool mayBeEmpty = part == 1 && slash < rest.size();
-      if (part > 2 || (!parseInteger(number, value) && !(number.empty() && mayBeEmpty)))
+      if (part > 2 || (!parseInteger(number, value) && (part == 0 || !number.empty())))
         return malformed();
       if (part == 0) corner.vertex = value;
       if (part == 1) corner.texcoord = value;

@@ -96,8 +96,17 @@ class OffReader {
     if (!lines_.next(line))
       return {StatusCode::ParseError, std::string(fileName_) + ": the file is empty"};
     std::string_view words = line;
-    const std::string_view name = takeWord(words);
-    if (!isHeader(name)) return here("not an OFF file: it begins with " + quoted(name));
+    std::string_view name = takeWord(words);
+    // "OFF490 518 0", in a well-known collection; and the name may be left out.
+    constexpr std::string_view kDigits = "0123456789";
+    const std::size_t glued = std::min(name.find_first_of(kDigits), name.size());
+    const bool isCount = name.find_first_not_of(kDigits) == std::string_view::npos;
+    if (isCount || isHeader(name.substr(0, glued))) {
+      name = name.substr(0, glued);
+      words = line.substr(glued);
+    }
+    if (!name.empty() && !isHeader(name))
+      return here("not an OFF file: it begins with " + quoted(name));
     std::string_view counts = words;
     std::string_view first = takeWord(counts);
     if (first == "BINARY") return here("binary OFF is not supported; save it as text");
@@ -121,7 +130,7 @@ class OffReader {
       if (word.empty())
         return here("the vertex has " + std::to_string(d) +
                     " coordinates instead of 3; is the file cut off?");
-      if (!parseDouble(word, value)) return here(quoted(word) + " is not a number");
+      if (!parseDouble(word, value)) return here(notANumber(word));
       if (!std::isfinite(value)) return here("the coordinate " + quoted(word) + " is not finite");
       mesh_.positions.push_back(value);
     }

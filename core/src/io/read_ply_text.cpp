@@ -181,7 +181,7 @@ class TextReader {
       const std::string_view word = takeWord(words);
       double value = 0;
       if (word.empty()) return missing(element_->properties[p]);
-      if (!parseDouble(word, value)) return here(quoted(word) + " is not a number");
+      if (!parseDouble(word, value)) return here(notANumber(word));
       if (!std::isfinite(value))
         return here("vertex " + std::to_string(at / 3) + " has the coordinate " + quoted(word) +
                     ", which is not finite");

@@ -189,7 +189,7 @@ class StlReader {
       const std::string_view word = nextWord();
       if (!parseDouble(word, x))
         return here(word.empty() ? "the file ends within a vertex; is it cut off?"
-                                 : quoted(word) + " is not a number");
+                                 : notANumber(word));
       if (!std::isfinite(x))
         return here("facet " + std::to_string(corners_.size() / 3) + ", vertex " +
                     std::to_string(corners_.size() % 3) + ": the coordinate " + quoted(word) +

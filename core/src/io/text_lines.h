@@ -18,6 +18,13 @@ bool beginsWith(std::string_view text, const char (&word)[N]) {
   return text.size() >= N - 1 && std::memcmp(text.data(), word, N - 1) == 0;
 }
 
+/// With a mark, or without one where its first characters are of ASCII.
+inline bool isUtf16(std::string_view text) {
+  if (beginsWith(text, "\xFF\xFE") || beginsWith(text, "\xFE\xFF")) return true;
+  if (text.size() < 4 || (text[0] == 0) == (text[1] == 0)) return false;
+  return (text[0] == 0) == (text[2] == 0) && (text[1] == 0) == (text[3] == 0);
+}
+
 /// Size of the first line with its end, which is "\n", "\r\n", "\r" or the end of the text.
 inline std::size_t lineSize(std::string_view text) {
   const char *begin = text.data(), *end = begin + text.size(), *at = begin;

@@ -55,7 +55,7 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
   checkError(obj(kTriangle + "\n\nf 1 2 4\n"), "a.obj:6: ", "vertex 4, but the file has 3");
   checkError(obj(kTriangle + "f 1 2 -4\n"), "a.obj:4: ", "vertex -4");
   checkError(obj(kTriangle + "f 0 1 2\n"), "a.obj:4: ", "counts from 1");
-  for (const char* corner : {"x", "+-1", "1/x", "1/2/3/4", "1//", "1/", "/1", "1.5"})
+  for (const char* corner : {"x", "+-1", "1/x", "1/2/3/4", "1///", "/1", "//1", "1.5", "1;"})
     checkError(obj(kTriangle + "f 2 3 " + corner + "\n"), "a.obj:4: ", "is not a face corner");
   CHECK(obj(kTriangle).ok());  // a point cloud is readable
 }
