@@ -1,18 +1,11 @@
 // Compiles the TypeScript into dist/ and puts the WebAssembly modules of build/wasm* and the licences beside it.
 
 import { execFileSync } from 'node:child_process';
-import {
-  copyFileSync,
-  existsSync,
-  readdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { transformSync } from 'esbuild';
+import { buildSync, transformSync } from 'esbuild';
 import { writeLicenses } from '../scripts/lib/licenses.mjs';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
@@ -31,23 +24,52 @@ function labelled(bytes, build) {
   return Buffer.concat([bytes, Buffer.from([0, content.length]), content]);
 }
 
+/** As bundlers have to see it: the address of a script that is there as it is, no module of theirs. */
+const IGNORED = '/* webpackIgnore: true */ /* turbopackIgnore: true */ /* @vite-ignore */';
+
 /**
- * The engine always says which script a thread is to load. The import that is there in case it did not would make
- * bundlers split the worker, which not all of their formats allow.
+ * What a thread begins with, so that bundlers leave its import alone and a thread that cannot start is an error of its worker, which
+ * ends the run: of a promise that nobody looks at, nobody would hear. The engine always says which script is to be loaded, so there is
+ * no other one.
  */
-function withoutImport(text, file) {
-  const unused = [`import("./${file}")`, `import('./${file}')`].find((part) => text.includes(part));
-  if (unused) return text.replace(unused, 'undefined');
-  console.error(`The script that starts a thread should import ${file}, and does not.`);
+function ownStarter(text, file) {
+  const found = text.match(
+    /\(e\.data\.urlOrBlob\s*\?\s*import\(e\.data\.urlOrBlob\)\s*:\s*import\((['"])\.\/(\S+?)\1\)\)(\.then\(.*?Module\s*=\s*instance;?\s*\}\))/s,
+  );
+  if (found?.[2] !== file) {
+    console.error(`The script that starts a thread should import ${file}, and does not.`);
+    process.exit(1);
+  }
+  const load = `import(${IGNORED} e.data.urlOrBlob)${found[3]}`;
+  const tell = '.catch((error) => setTimeout(() => { throw error; }))';
+  return text.replace(found[0], load + tell);
+}
+
+/**
+ * Emscripten's script, small: its names say nothing, while ours stay readable. The engine instantiates the module itself, so bundlers
+ * need not find a file here.
+ */
+function ownScript(text, file) {
+  const address = new RegExp(
+    `new URL\\((['"])${file}\\1,\\s*import\\.meta\\.url\\)\\.toString\\(\\)`,
+  );
+  if (address.test(text)) return transformSync(text.replace(address, "''"), { minify: true }).code;
+  console.error(`Emscripten's script should name ${file}, and does not.`);
   process.exit(1);
 }
 
-/** Smaller, with the names that errors and users see; those of Emscripten's script say nothing anyway. */
-function minify(name) {
-  const path = join(DIST, name);
-  const isGlue = name.endsWith('.mjs');
-  const options = { minifyWhitespace: true, minifySyntax: true, minifyIdentifiers: isGlue };
-  writeFileSync(path, transformSync(readFileSync(path, 'utf8'), options).code);
+/** Workers in one file each, beside the script of Emscripten: one request less for each module, and nothing that bundlers share. */
+function joinWorkers() {
+  const workers = readdirSync(DIST).filter((name) => /^worker.*\.js$/.test(name));
+  buildSync({
+    entryPoints: workers.map((name) => join(DIST, name)),
+    bundle: true,
+    format: 'esm',
+    target: 'es2022',
+    outdir: DIST,
+    allowOverwrite: true,
+    external: ['node:*', ...Object.values(MODULES).map(({ name }) => `./${name}.js`)],
+  });
 }
 
 const pathOf = (folder, file) => join(HERE, '../build', folder, file);
@@ -63,16 +85,16 @@ if (missing) {
 const tsc = createRequire(import.meta.url).resolve('typescript/bin/tsc');
 rmSync(DIST, { recursive: true, force: true });
 execFileSync(process.execPath, [tsc, '-p', HERE], { stdio: 'inherit' });
+joinWorkers();
 for (const [build, { folder, built, name }] of Object.entries(MODULES)) {
-  copyFileSync(pathOf(folder, `${built}.mjs`), join(DIST, `${name}.mjs`));
+  const read = (file) => readFileSync(pathOf(folder, file), 'utf8');
   const wasm = readFileSync(pathOf(folder, `${built}.wasm`));
   writeFileSync(join(DIST, `${name}.wasm`), labelled(wasm, build));
+  // Not .mjs, which some servers send without a type.
+  writeFileSync(join(DIST, `${name}.js`), ownScript(read(`${built}.mjs`), `${built}.wasm`));
   // What a thread begins with; newer releases of Emscripten have it in the module's script.
-  const starter = pathOf(folder, `${built}.worker.js`);
-  if (existsSync(starter)) {
-    const text = withoutImport(readFileSync(starter, 'utf8'), `${built}.mjs`);
-    writeFileSync(join(DIST, `${name}.worker.js`), text);
-  }
+  const starter = `${built}.worker.js`;
+  if (existsSync(pathOf(folder, starter)))
+    writeFileSync(join(DIST, `${name}.worker.js`), ownStarter(read(starter), `${built}.mjs`));
 }
-for (const name of readdirSync(DIST)) if (/\.m?js$/.test(name)) minify(name);
 writeLicenses(DIST, 'wasm');

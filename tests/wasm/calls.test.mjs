@@ -71,6 +71,20 @@ test('an aborted signal refuses the call and leaves the buffers alone', async ()
   assert.equal(mesh.positions.length, 48);
 });
 
+test('an abort rejects with the reason of the signal', async () => {
+  const reason = new RangeError('no longer wanted');
+  const { controller, call } = await runningCall();
+  const waiting = abflat.unwrap(grid(4), { signal: controller.signal });
+  controller.abort(reason);
+  const late = abflat.sample('head', { signal: controller.signal });
+  for (const promise of [call, waiting, late])
+    await assert.rejects(promise, (error) => error === reason);
+
+  const signal = AbortSignal.timeout(1);
+  await assert.rejects(abflat.flatten(LARGE, { signal }), { name: 'TimeoutError' });
+  assert.equal((await abflat.flatten(grid(4))).report.valid, true);
+});
+
 test('abort after the end changes nothing', async () => {
   const controller = new AbortController();
   await abflat.flatten(grid(3), { signal: controller.signal });

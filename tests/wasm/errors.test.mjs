@@ -123,14 +123,22 @@ const NO_MESHES = [
   [null, /mesh|positions/],
   ['mesh.obj', /mesh|positions/],
   [{}, /positions/],
-  [{ positions: [0, 0, 0], indices: [0, 0, 0] }, /positions.*Float/],
-  [{ positions: new Float64Array(9), indices: [0, 1, 2] }, /indices.*Uint32Array/],
-  [{ positions: new Float64Array(9), indices: new Int32Array(3) }, /indices.*Uint32Array/],
+  [
+    { positions: 'v 0 0 0', indices: [0, 1, 2] },
+    /positions must be an array.*Float32Array.*String/,
+  ],
+  [{ positions: [[0, 0, 0]], indices: [0, 0, 0] }, /positions\[0\] must be a number, not Array/],
+  [{ positions: new Float64Array(9), indices: new Float32Array(3) }, /indices.*Uint32Array/],
+  [{ positions: new Float64Array(9), indices: [0, 1, 1.5] }, /indices\[2\].*whole.*1\.5/],
+  [{ positions: new Float64Array(9), indices: Int32Array.of(0, -1, 2) }, /indices\[1\].*-1/],
+  [{ positions: new Float64Array(12) }, /Without indices each three vertices.*4 vertices/],
   [{ positions: new Float64Array(10), indices: new Uint32Array(3) }, /positions.*3/],
   [{ positions: new Float64Array(9), indices: new Uint32Array(4) }, /indices.*3/],
-  [{ ...triangle, texcoords: [0, 0] }, /texcoords.*Float/],
+  [{ ...triangle, texcoords: [0, 0] }, /texcoords has 2 elements, not 6/],
+  [{ ...triangle, texcoords: 'uv' }, /texcoords.*Float/],
   [{ ...triangle, texcoords: new Float32Array(5) }, /texcoords has 5 elements, not 6/],
-  [{ ...triangle, materials: new Uint8Array(1) }, /materials.*Uint32Array/],
+  [{ ...triangle, materials: new Float32Array(1) }, /materials.*Uint32Array/],
+  [{ ...triangle, materials: [-1] }, /materials\[0\].*-1/],
   [{ ...triangle, materials: new Uint32Array(2) }, /materials has 2 elements, not 1/],
   [{ bytes: 'v 0 0 0' }, /bytes/],
   [{ bytes: new Uint8Array(1), name: 5 }, /name/],
@@ -150,6 +158,17 @@ test('an unknown sample: InvalidOption with the known ones', async () => {
 test('load refuses what is no file', async () => {
   await assertFails(abflat.load(triangle), 'InvalidMesh', /bytes|file/);
   await assertFails(abflat.load(file('f 1 2 3\n')), 'ParseError', /mesh\.obj/);
+});
+
+test('glTF is refused with the entries that take it', async () => {
+  const binary = { bytes: Uint8Array.of(0x67, 0x6c, 0x54, 0x46, 2, 0, 0, 0), name: 'model' };
+  for (const mesh of [binary, { bytes: binary.bytes.buffer }, file('{}', 'model.gltf')])
+    for (const method of ['unwrap', 'flatten', 'inspect', 'load'])
+      await assertFails(
+        abflat[method](mesh),
+        'UnreadableFile',
+        /is a glTF.*abflat\/gltf.*abflat\/three/,
+      );
 });
 
 test('inspect describes what flatten refuses, with the same code and words', async () => {

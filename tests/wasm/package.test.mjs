@@ -54,8 +54,8 @@ function filesOf(build, name) {
 for (const [build, name] of Object.entries(BUILDS)) {
   test(`everything that a browser loads for the build ${build} is under 400 KB compressed`, () => {
     const files = filesOf(build, name);
-    const glue = [...files].filter((file) => file.endsWith('.mjs'));
-    assert.deepEqual(glue, [`${name}.mjs`], 'nothing of the other builds');
+    const scripts = [...files].filter((file) => /^abflat(-\w+)?\.js$/.test(file));
+    assert.deepEqual(scripts, [`${name}.js`], 'nothing of the other builds');
     const bytes = [...files].map((name) => gzipSync(readFileSync(join(DIST, name))).length);
     const sum = bytes.reduce((a, b) => a + b, 0);
     assert.ok(sum < MAX_BYTES, `${sum} bytes`);
@@ -64,7 +64,21 @@ for (const [build, name] of Object.entries(BUILDS)) {
 
 test('the entries for browsers import only files beside them', () => {
   assert.ok(filesFrom('index.js').size > 1);
-  for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.mjs`));
+  for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.js`));
+});
+
+test('scripts have the ending that every server knows, and lines that a stack trace can name', () => {
+  const scripts = readdirSync(DIST, { recursive: true }).filter((name) => /js$/.test(name));
+  for (const name of scripts) {
+    assert.match(name, /\.js$/);
+    const lines = readFileSync(join(DIST, name), 'utf8').split('\n');
+    // What Emscripten writes is small before it is readable.
+    if (!/^abflat/.test(name))
+      assert.ok(
+        lines.every((line) => line.length < 1000),
+        name,
+      );
+  }
 });
 
 test('the entry for glTF-Transform has types of it alone', () => {
@@ -80,7 +94,7 @@ test('the entry for glTF-Transform has types of it alone', () => {
 for (const module of MODULES.slice(0, 2)) {
   test(`${module} knows its label, the status codes and samples of the package`, async () => {
     const { Engine } = await import(join(DIST, 'engine.js'));
-    const { buildOf } = await import(join(DIST, 'builds.js'));
+    const { buildOf } = await import(join(DIST, 'build-of.js'));
     const { plain } = await import(join(DIST, 'glue-plain.js'));
     const { simd } = await import(join(DIST, 'glue-simd.js'));
     const wasm = await WebAssembly.compile(readFileSync(join(DIST, module)));
@@ -103,7 +117,7 @@ test('version and exported files match the repository', () => {
   for (const path of [...paths, manifest.types]) readFileSync(join(ROOT, 'wasm', path));
 });
 
-test('npm pack contains the licences and no sources', () => {
+test('npm pack contains the licences, the changes, an example and no sources', () => {
   const args = ['pack', '--dry-run', '--json', '--workspace', 'wasm'];
   const { stdout, stderr } = spawnSync('npm', args, { cwd: ROOT, encoding: 'utf8' });
   assert.match(stdout, /^\s*\[/, stderr);
@@ -111,6 +125,9 @@ test('npm pack contains the licences and no sources', () => {
   for (const name of [
     'package.json',
     'README.md',
+    'LICENSE',
+    'CHANGELOG.md',
+    'examples/unwrap.mjs',
     'dist/index.d.ts',
     ...MODULES.map((module) => `dist/${module}`),
   ]) {
@@ -120,14 +137,19 @@ test('npm pack contains the licences and no sources', () => {
     assert.ok(files.includes(name), name);
   }
   assert.deepEqual(
-    files.filter((path) => !/^(dist\/|package\.json$|README\.md$)/.test(path)),
+    files.filter(
+      (path) =>
+        !/^(dist\/|examples\/|(package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(path),
+    ),
     [],
   );
+  // Beside package.json only while it is packed.
+  for (const name of ['LICENSE', 'CHANGELOG.md'])
+    assert.ok(!existsSync(join(ROOT, 'wasm', name)), name);
 });
 
-/** Runs an example of the README in a folder of its own, with more `files`; `check` gets the output and the folder. */
-async function runExample(name, check, files = {}) {
-  const code = examples()[name];
+/** Runs code in a folder of its own, with more `files`; `check` gets the output and the folder. */
+async function runCode(code, check, files = {}) {
   assert.ok(code, 'there is no example');
   const folder = mkdtempSync(join(tmpdir(), 'abflat-readme-'));
   try {
@@ -146,19 +168,27 @@ async function runExample(name, check, files = {}) {
   }
 }
 
-test('the example for Node in the README runs', async () => {
-  await runExample('node', (stdout, folder) => {
-    assert.match(stdout, /true/);
-    assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
-  });
+const runExample = (name, check, files) => runCode(examples()[name], check, files);
+
+const writesTexcoords = (pattern) => (stdout, folder) => {
+  assert.match(stdout, pattern);
+  assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
+};
+
+test('the examples for Node in the README run, the first of them as a file of the package too', async () => {
+  await runExample('node', writesTexcoords(/^true 1 0\.\d+$/m));
+  await runExample('node-flatten', writesTexcoords(/^true 0|^true \d\.\d+/m));
+  assert.equal(examples().node, readFileSync(join(ROOT, 'wasm/examples/unwrap.mjs'), 'utf8'));
 });
 
-test('the examples of atlases in the README run', async () => {
-  await runExample('node-unwrap', (stdout, folder) => {
-    assert.match(stdout, /^true 1 0\.\d+$/m);
-    assert.match(readFileSync(join(folder, 'mesh-uv.obj'), 'utf8'), /^vt /m);
-  });
+test('the example in the README of the repository runs', async () => {
+  const { abflat } = examples('README.md');
+  await runCode(abflat, (stdout) => assert.match(stdout, /^true \d+ \d+$/m));
+});
+
+test('the example of three.js geometry in the README runs', async () => {
   await runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
+  await runExample('three', () => undefined);
 });
 
 test('the example of glTF in the README runs', async () => {

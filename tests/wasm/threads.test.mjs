@@ -26,6 +26,12 @@ const WORKERS = {
   'no-workers.js': `self.Worker = class { constructor() { throw new Error('refused'); } };`,
   'no-script.js': `const Original = self.Worker;
     self.Worker = class extends Original { constructor() { super('/nowhere.js'); } };`,
+  'no-module.js': `const Original = self.Worker;
+    self.Worker = class extends Original {
+      postMessage(message) {
+        super.postMessage(message.cmd === 'load' ? { ...message, urlOrBlob: '/nowhere.js' } : message);
+      }
+    };`,
 };
 
 let browser;

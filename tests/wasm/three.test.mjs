@@ -218,3 +218,31 @@ test('toBufferGeometry shades seams as the surface that they are', async () => {
     assert.ok(n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0.98, `vertex ${i}`);
   });
 });
+
+test('unwrapGeometry keeps instances: their number, and attributes with a row for each', async () => {
+  const box = new THREE.InstancedBufferGeometry().copy(new THREE.BoxGeometry());
+  box.instanceCount = 5;
+  const offsets = Float32Array.from({ length: 15 }, (_, i) => i);
+  box.setAttribute('offset', new THREE.InstancedBufferAttribute(offsets, 3));
+  const buffer = new THREE.InstancedInterleavedBuffer(new Float32Array(20).fill(0.5), 4, 2);
+  box.setAttribute('tint', new THREE.InterleavedBufferAttribute(buffer, 4, 0));
+  const { geometry } = await unwrapGeometry(abflat, box);
+  assert.ok(geometry.isInstancedBufferGeometry);
+  assert.equal(geometry.instanceCount, 5);
+  const { offset, tint } = geometry.attributes;
+  assert.ok(offset.isInstancedBufferAttribute);
+  assert.deepEqual(rows(offset), rows(box.attributes.offset));
+  assert.ok(tint.data.isInstancedInterleavedBuffer);
+  assert.deepEqual([tint.count, tint.data.meshPerAttribute], [5, 2]);
+  assertSameCorners(geometry, box, ['position', 'normal']);
+});
+
+test('unwrapGeometry takes userData of any kind along', async () => {
+  const box = new THREE.BoxGeometry();
+  const onClick = () => 'clicked';
+  box.userData = { onClick, tags: ['a'] };
+  const { geometry } = await unwrapGeometry(abflat, box);
+  assert.equal(geometry.userData.onClick, onClick);
+  geometry.userData.more = true;
+  assert.equal(box.userData.more, undefined);
+});

@@ -1,7 +1,5 @@
 // The module is built more than once from the same source. All builds give the same results to the last bit.
 
-import { AbflatError } from './errors.js';
-
 /**
  * `plain` runs wherever WebAssembly does, `simd` needs vectors of 128 bits and is faster, `threads` is `simd` on several
  * processors and needs a page that is cross-origin isolated.
@@ -37,16 +35,4 @@ export function whyNoThreads(): string | undefined {
       '"Cross-Origin-Opener-Policy: same-origin" and "Cross-Origin-Embedder-Policy: require-corp"'
     );
   return undefined;
-}
-
-/** As the module says in a section of its own, written by wasm/build.mjs. */
-export function buildOf(module: WebAssembly.Module): Build {
-  const [section] = WebAssembly.Module.customSections(module, 'abflat.build');
-  const name = section && new TextDecoder().decode(section);
-  const build = BUILDS.find((each) => each === name);
-  if (build) return build;
-  throw new AbflatError(
-    'UnreadableFile',
-    'The file at wasmUrl is not a WebAssembly module of this version of abflat.',
-  );
 }

@@ -1,22 +1,23 @@
 // The caller's side of the protocol: a queue in front of one worker, which is started when there is something to do
 // and replaced when it was stopped.
 
-import { buildOf } from './builds.js';
-import { ABORTED, AbflatError, abortError } from './errors.js';
-import type { Platform, WorkerHandle } from './platform.js';
+import { buildOf } from './build-of.js';
+import { AbflatError } from './errors.js';
+import type { Address, Platform, WorkerHandle } from './platform.js';
 import type { Answer, AnyProgress, FromWorker, Request } from './protocol.js';
+import type { AbortSignalLike } from './types.js';
 
-const TERMINATED = 'terminate() was called.';
+const terminated = () => new DOMException('terminate() was called.', 'AbortError');
 
 export interface ClientSettings {
   module: WebAssembly.Module;
   maxMemory: number;
-  workerUrl?: string | URL;
+  workerUrl?: Address;
 }
 
 export interface CallSettings {
   transfer?: ArrayBuffer[];
-  signal?: AbortSignal;
+  signal?: AbortSignalLike;
   /** A method: the caller knows which progress its request makes. */
   onProgress?(progress: AnyProgress): void;
 }
@@ -42,17 +43,17 @@ export class Client {
     this.#settings = settings;
   }
 
-  /** Throws AbortError where a call would be in vain: before its buffers are taken. */
-  checkUsable(signal?: AbortSignal): void {
-    if (this.#isTerminated) throw abortError(TERMINATED);
-    if (signal?.aborted) throw abortError(ABORTED);
+  /** Throws where a call would be in vain: before its buffers are taken. */
+  checkUsable(signal?: AbortSignalLike): void {
+    if (this.#isTerminated) throw terminated();
+    if (signal?.aborted) throw signal.reason;
   }
 
   /** The caller knows the type of the answer to its request. */
   call<T extends Answer>(request: Request, settings: CallSettings = {}): Promise<T> {
     const { transfer = [], signal, onProgress } = settings;
     return new Promise<Answer>((resolve, reject) => {
-      const cancel = () => this.#cancel(call, abortError(ABORTED));
+      const cancel = () => this.#cancel(call, signal?.reason);
       const settled =
         <V>(settle: (value: V) => void) =>
         (value: V) => {
@@ -77,7 +78,7 @@ export class Client {
     this.#dropWorker();
     const calls = [this.#running, ...this.#waiting.splice(0)];
     this.#running = undefined;
-    for (const call of calls) call?.reject(abortError(TERMINATED));
+    for (const call of calls) call?.reject(terminated());
   }
 
   #next(): void {

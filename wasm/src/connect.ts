@@ -1,5 +1,6 @@
-import { type Build, bestBuild, buildOf, whyNoThreads } from './builds.js';
-import { Client, type ClientSettings } from './client.js';
+import { buildOf } from './build-of.js';
+import { type Build, bestBuild, whyNoThreads } from './builds.js';
+import { Client } from './client.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import { takeFile, takeMesh } from './input.js';
@@ -26,6 +27,7 @@ import type {
 import {
   boundNumbers,
   chartNumbers,
+  checkAddress,
   checkBoolean,
   checkBuild,
   checkFunction,
@@ -43,14 +45,17 @@ import {
   straightNumbers,
   unwrapNumbers,
 } from './validate.js';
-import { wasmFile } from './wasm-file.js';
+import { wasmName } from './wasm-file.js';
 
 /** Loads the module, starts a worker and waits until it answers. */
 export async function connect(platform: Platform, options: CreateOptions = {}): Promise<Abflat> {
   checkKeys(options, KEYS.create);
-  const { maxMemory = MAX_MEMORY, workerUrl } = options;
+  const { maxMemory = MAX_MEMORY, baseUrl, workerUrl } = options;
   checkMaxMemory(maxMemory);
-  const start = (wanted: CreateOptions) => startClient(platform, wanted, { maxMemory, workerUrl });
+  for (const name of ['baseUrl', 'wasmUrl', 'workerUrl'] as const)
+    checkAddress(name, options[name]);
+  const start = (wanted: Pick<CreateOptions, 'build' | 'wasmUrl'>) =>
+    startClient(platform, { baseUrl, workerUrl, ...wanted, maxMemory });
   // Whatever kept threads from starting, the next build either runs or says what is wrong.
   const { client, build } = await (isFree(options)
     ? start({ build: 'threads' }).catch(() => start({ build: 'simd' }))
@@ -74,11 +79,14 @@ function isFree({ build, wasmUrl }: CreateOptions): boolean {
 
 async function startClient(
   platform: Platform,
-  options: CreateOptions,
-  settings: Omit<ClientSettings, 'module'>,
+  options: CreateOptions & { maxMemory: number },
 ): Promise<{ client: Client; build: Build }> {
   const module = await loadModule(platform, options);
-  const client = new Client(platform, { ...settings, module });
+  const { maxMemory, baseUrl } = options;
+  const workerUrl =
+    options.workerUrl ??
+    (baseUrl && platform.fileIn(baseUrl, platform.workerFile(buildOf(module))));
+  const client = new Client(platform, { module, maxMemory, workerUrl });
   const { build, statuses } = await client.call<Description>({ kind: 'describe' });
   if (statuses.join() === STATUS_NAMES.join()) return { client, build };
   client.terminate();
@@ -88,12 +96,13 @@ async function startClient(
 /** The file that was named, whichever build it is, or the build that was asked for. */
 async function loadModule(
   platform: Platform,
-  { build, wasmUrl }: CreateOptions,
+  { build, baseUrl, wasmUrl }: CreateOptions,
 ): Promise<WebAssembly.Module> {
   checkBuild(build);
   if (build === 'threads') checkThreads();
-  const address = wasmUrl ?? wasmFile(build ?? bestBuild());
-  const module = await platform.loadModule(address).catch((error: unknown) => {
+  const wanted = build ?? bestBuild();
+  const address = wasmUrl ?? (baseUrl && platform.fileIn(baseUrl, wasmName(wanted)));
+  const module = await platform.loadModule(wanted, address).catch((error: unknown) => {
     throw new AbflatError('UnreadableFile', messageOf(error));
   });
   const found = buildOf(module);

@@ -1,7 +1,8 @@
 // One instance of the WebAssembly module. Runs in the worker, where it may block.
 
-import type { NativeModule } from './abflat.mjs';
-import { type Build, buildOf } from './builds.js';
+import type { NativeModule } from './abflat.js';
+import { buildOf } from './build-of.js';
+import type { Build } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import type { Glues } from './glue.js';

@@ -11,12 +11,6 @@ export class AbflatError extends Error {
   }
 }
 
-export const ABORTED = 'The call was aborted.';
-
-export function abortError(message: string): DOMException {
-  return new DOMException(message, 'AbortError');
-}
-
 export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

@@ -1,3 +1,3 @@
-import create from './abflat.mjs';
+import create from './abflat.js';
 
 export const plain = { create };

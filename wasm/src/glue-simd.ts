@@ -1,3 +1,3 @@
-import create from './abflat-simd.mjs';
+import create from './abflat-simd.js';
 
 export const simd = { create };

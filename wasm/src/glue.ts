@@ -1,4 +1,4 @@
-import type createNative from './abflat.mjs';
+import type createNative from './abflat.js';
 import type { Build } from './builds.js';
 
 /** The script that Emscripten wrote for a build. Minified names may differ between builds, so each module needs its own. */

@@ -1,6 +1,6 @@
 // What goes into the memory of the WebAssembly module, and what is read from there.
 
-import type { NativeModule } from './abflat.mjs';
+import type { NativeModule } from './abflat.js';
 import type { KnownArrays, OwnedMesh } from './protocol.js';
 
 /** The numbers are those of `Field` in wasm/bindings/job.h. */
@@ -85,7 +85,7 @@ export class Heap {
   }
 
   /** At an address as the module returns it. */
-  writeNumbers(address: number, values: Uint32Array | Uint16Array): void {
+  writeNumbers(address: number, values: ArrayLike<number>): void {
     new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
   }
 

@@ -1,7 +1,7 @@
 // Checks the mesh that a caller passes and makes the call its owner.
 
 import { AbflatError, messageOf } from './errors.js';
-import type { OwnedFile, OwnedMesh } from './protocol.js';
+import type { OwnedArrays, OwnedFile, OwnedMesh } from './protocol.js';
 import type { MeshArrays } from './types.js';
 import { checkBoolean, tagOf } from './validate.js';
 
@@ -48,42 +48,91 @@ function checkMesh(mesh: unknown): OwnedMesh {
 function checkFile({ bytes, name = 'mesh' }: { bytes?: unknown; name?: unknown }): OwnedFile {
   if (typeof name !== 'string') throw invalid('The name of the mesh must be a string.');
   const tag = tagOf(bytes);
-  if (tag === 'Uint8Array') return { bytes: bytes as Uint8Array, name };
-  if (tag === 'ArrayBuffer') return { bytes: new Uint8Array(bytes as ArrayBuffer), name };
-  throw invalid(`bytes must be a Uint8Array or ArrayBuffer, not ${tag}.`);
+  if (tag !== 'Uint8Array' && tag !== 'ArrayBuffer')
+    throw invalid(`bytes must be a Uint8Array or ArrayBuffer, not ${tag}.`);
+  const content = tag === 'ArrayBuffer' ? new Uint8Array(bytes as ArrayBuffer) : bytes;
+  refuseGltf(content as Uint8Array, name);
+  return { bytes: content as Uint8Array, name };
+}
+
+function refuseGltf(bytes: Uint8Array, name: string): void {
+  const isBinary = String.fromCharCode(...bytes.subarray(0, 4)) === 'glTF';
+  if (!isBinary && !/\.gl(b|tf)$/i.test(name)) return;
+  throw new AbflatError(
+    'UnreadableFile',
+    `${name} is a glTF: read it with glTF-Transform and use unwrap of "abflat/gltf", or with GLTFLoader of three.js and use ` +
+      'unwrapGeometry of "abflat/three".',
+  );
 }
 
 const REALS = ['Float32Array', 'Float64Array'];
-const WHOLE = ['Uint32Array', 'Uint16Array'];
+const WHOLE = ['Uint32Array', 'Uint16Array', 'Uint8Array'];
+const OTHERS = ['Array', 'Int8Array', 'Int16Array', 'Int32Array'];
 
-function checkArrays(mesh: Partial<Record<keyof MeshArrays, unknown>>): MeshArrays {
-  checkTag('positions', mesh.positions, REALS);
-  checkTag('indices', mesh.indices, WHOLE);
-  const { positions, indices, texcoords, materials } = mesh as MeshArrays;
-  for (const [name, { length }] of Object.entries({ positions, indices })) {
-    if (length % 3 !== 0) throw invalid(`${name} has ${length} elements, not a multiple of 3.`);
+function checkArrays(mesh: Partial<Record<keyof MeshArrays, unknown>>): OwnedArrays {
+  const positions = reals('positions', mesh.positions);
+  checkMultiple('positions', positions, 3);
+  const indices =
+    mesh.indices === undefined || mesh.indices === null
+      ? ofSeparateTriangles(positions.length / 3)
+      : whole('indices', mesh.indices);
+  checkMultiple('indices', indices, 3);
+  const checked: OwnedArrays = { positions, indices };
+  if (mesh.texcoords !== undefined) {
+    checked.texcoords = reals('texcoords', mesh.texcoords);
+    checkLength('texcoords', checked.texcoords, (2 * positions.length) / 3, '2 per vertex');
   }
-  const checked: MeshArrays = { positions, indices };
-  if (texcoords !== undefined) {
-    checkTag('texcoords', texcoords, REALS);
-    checkLength('texcoords', texcoords, (2 * positions.length) / 3, '2 per vertex');
-    checked.texcoords = texcoords;
-  }
-  if (materials !== undefined) {
-    checkTag('materials', materials, WHOLE);
-    checkLength('materials', materials, indices.length / 3, '1 per triangle');
-    checked.materials = materials;
+  if (mesh.materials !== undefined) {
+    checked.materials = whole('materials', mesh.materials);
+    checkLength('materials', checked.materials, indices.length / 3, '1 per triangle');
   }
   return checked;
 }
 
-function checkLength(name: string, { length }: { length: number }, wanted: number, rule: string) {
-  if (length !== wanted) throw invalid(`${name} has ${length} elements, not ${wanted}: ${rule}.`);
+function ofSeparateTriangles(vertexCount: number): Uint32Array {
+  if (vertexCount % 3 !== 0)
+    throw invalid(
+      `Without indices each three vertices are a triangle; there are ${vertexCount} vertices.`,
+    );
+  return Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
 }
 
-function checkTag(name: string, value: unknown, tags: string[]): void {
-  if (!tags.includes(tagOf(value)))
-    throw invalid(`${name} must be a ${tags.join(' or ')}, not ${tagOf(value)}.`);
+/** As it is where it has the kind that the module takes. */
+function reals(name: string, values: unknown): Float32Array | Float64Array {
+  const tag = tagOf(values);
+  if (REALS.includes(tag)) return values as Float32Array;
+  checkKind(name, tag, [...REALS, ...WHOLE]);
+  const numbers = values as ArrayLike<number>;
+  for (let i = 0; i < numbers.length; ++i)
+    if (typeof numbers[i] !== 'number')
+      throw invalid(`${name}[${i}] must be a number, not ${tagOf(numbers[i])}.`);
+  return new Float64Array(numbers);
+}
+
+function whole(name: string, values: unknown): Uint32Array | Uint16Array | Uint8Array {
+  const tag = tagOf(values);
+  if (WHOLE.includes(tag)) return values as Uint32Array;
+  checkKind(name, tag, WHOLE);
+  const numbers = values as ArrayLike<number>;
+  for (let i = 0; i < numbers.length; ++i) {
+    const value = numbers[i] as number;
+    if (!Number.isInteger(value) || value < 0 || value >= 2 ** 32)
+      throw invalid(`${name}[${i}] must be a whole number from 0, not ${String(value)}.`);
+  }
+  return new Uint32Array(numbers);
+}
+
+function checkKind(name: string, tag: string, kinds: string[]): void {
+  if (!kinds.includes(tag) && !OTHERS.includes(tag))
+    throw invalid(`${name} must be an array of numbers, as a ${kinds[0]}, not ${tag}.`);
+}
+
+function checkMultiple(name: string, { length }: { length: number }, of: number): void {
+  if (length % of !== 0) throw invalid(`${name} has ${length} elements, not a multiple of ${of}.`);
+}
+
+function checkLength(name: string, { length }: { length: number }, wanted: number, rule: string) {
+  if (length !== wanted) throw invalid(`${name} has ${length} elements, not ${wanted}: ${rule}.`);
 }
 
 /** A typed array made from another has a buffer of its own, also where that of the other is shared. */

@@ -1,22 +1,33 @@
 import type { Build } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
-import type { Platform, WorkerHandle } from './platform.js';
+import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
 import type { FromWorker } from './protocol.js';
+import { wasmFile } from './wasm-file.js';
 
-const ADVICE = 'Pass wasmUrl to createAbflat if the file is elsewhere.';
+/** Where no address was given. */
+const COPY =
+  'A bundler may have left it out, as esbuild and Rollup do. Then copy the files (cp -r node_modules/abflat/dist public/abflat) ' +
+  "and say where they are (createAbflat({ baseUrl: '/abflat/' })).";
 
 export const browser: Platform = {
-  async loadModule(address) {
-    const response = await fetchFile(address);
+  fileIn: (folder, name) =>
+    new URL(name, new URL(textOf(folder).replace(/\/*$/, '/'), page())).href,
+
+  async loadModule(build, address) {
+    const url = address ? new URL(textOf(address), page()) : wasmFile(build);
+    const advice = address ? '' : ` ${COPY}`;
+    const response = await fetchFile(url, advice);
     try {
       return await WebAssembly.compile(await response.arrayBuffer());
     } catch (error) {
       const type = response.headers.get('content-type') ?? 'no type';
       throw new Error(
-        `${address} is not a WebAssembly module (served as ${type}): ${messageOf(error)}. ${ADVICE}`,
+        `${url} is not a WebAssembly module (served as ${type}): ${messageOf(error)}.${advice}`,
       );
     }
   },
+
+  workerFile: (build) => `worker-${build}.js`,
 
   startWorker(events, build, address) {
     const worker = openWorker(build, address);
@@ -30,36 +41,46 @@ export const browser: Platform = {
   },
 };
 
-async function fetchFile(address: string | URL): Promise<Response> {
+async function fetchFile(url: URL, advice: string): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(address);
+    response = await fetch(url);
   } catch (error) {
-    throw new Error(`Cannot load ${address}: ${messageOf(error)}`);
+    throw new Error(`Cannot load ${url}: ${messageOf(error)}.${advice}`);
   }
-  if (!response.ok) {
-    const status = `${response.status} ${response.statusText}`.trim();
-    throw new Error(`Cannot load ${address}: ${status}. ${ADVICE}`);
-  }
-  return response;
+  if (response.ok) return response;
+  const status = `${response.status} ${response.statusText}`.trim();
+  throw new Error(`Cannot load ${url}: ${status}.${advice}`);
 }
 
 const crash = (reason: string) =>
   new AbflatError('Internal', `The worker of abflat stopped: ${reason}`);
 
 /** The error event of a script that cannot be loaded has no message. */
-function notLoaded(address: string | URL = 'a script beside its module'): AbflatError {
+function notLoaded(address?: Address): AbflatError {
+  const [place, advice] = address
+    ? [addressOf(address), '']
+    : ['a script beside its module', ` ${COPY}`];
   return new AbflatError(
     'UnreadableFile',
-    `Cannot load the worker of abflat from ${address}; pass workerUrl to createAbflat if it is elsewhere.`,
+    `Cannot load the worker of abflat from ${place}: it is not there, it is served with a type that is no script's, or worker-src of ` +
+      `the page's content security policy forbids it (from another origin it needs blob: and that origin).${advice}`,
   );
 }
 
-function openWorker(build: Build, address?: string | URL): Worker {
-  const url =
-    address === undefined ? new URL(`./worker-${build}.js`, here) : new URL(address, page());
-  if (isForeign(url)) return openForeignWorker(url);
-  return address === undefined ? openOwnWorker(build) : new Worker(url, { type: 'module' });
+const addressOf = (address: Address) => new URL(textOf(address), page());
+
+function openWorker(build: Build, address?: Address): Worker {
+  const url = address === undefined ? new URL(`./worker-${build}.js`, here) : addressOf(address);
+  try {
+    if (isForeign(url)) return openForeignWorker(url);
+    return address === undefined ? openOwnWorker(build) : new Worker(url, { type: 'module' });
+  } catch (error) {
+    throw new AbflatError(
+      'UnreadableFile',
+      `The browser does not start the worker of abflat: ${messageOf(error)}`,
+    );
+  }
 }
 
 /**

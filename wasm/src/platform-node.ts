@@ -1,20 +1,30 @@
 import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { AbflatError, messageOf } from './errors.js';
-import type { Platform, WorkerHandle } from './platform.js';
+import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
 import { browser } from './platform-browser.js';
 import type { FromWorker } from './protocol.js';
+import { wasmFile } from './wasm-file.js';
+
+/** Where no address was given. */
+const KEEP =
+  "A bundler may have left it out. Then keep abflat out of the bundle (external: ['abflat'], in Next serverExternalPackages: ['abflat']), " +
+  'or say where its folder dist is (createAbflat({ baseUrl })).';
 
 export const node: Platform = {
-  async loadModule(address) {
-    if (/^https?:/.test(String(address))) return browser.loadModule(address);
-    const path = pathOf(address);
+  fileIn: (folder, name) =>
+    isRemote(folder) ? browser.fileIn(folder, name) : join(pathOf(folder), name),
+
+  async loadModule(build, address) {
+    if (address && isRemote(address)) return browser.loadModule(build, address);
+    const path = pathOf(address ?? wasmFile(build));
     let bytes: Uint8Array<ArrayBuffer>;
     try {
       bytes = await readFile(path);
     } catch (error) {
-      throw new Error(`Cannot load ${path}: ${messageOf(error)}`);
+      throw new Error(`Cannot load ${path}: ${messageOf(error)}.${address ? '' : ` ${KEEP}`}`);
     }
     try {
       return await WebAssembly.compile(bytes);
@@ -22,6 +32,8 @@ export const node: Platform = {
       throw new Error(`${path} is not a WebAssembly module: ${messageOf(error)}`);
     }
   },
+
+  workerFile: () => 'worker-node.js',
 
   startWorker(events, _build, address) {
     // The flags of the process are not for the worker; some, as --input-type, would stop it.
@@ -33,21 +45,26 @@ export const node: Platform = {
     worker.unref();
     worker.on('message', (message: FromWorker) => events.onMessage(message));
     worker.on('messageerror', (error) => events.onCrash(crash(error)));
-    worker.on('error', (error) => events.onCrash(crash(error)));
+    worker.on('error', (error) => events.onCrash(crash(error, address ? '' : ` ${KEEP}`)));
     worker.on('exit', (code) => events.onCrash(crash(`exit code ${code}`)));
     return handleOf(worker);
   },
 };
 
-function crash(reason: unknown): AbflatError {
+function crash(reason: unknown, advice = ''): AbflatError {
   const isMissing = /MODULE_NOT_FOUND$/.test((reason as NodeJS.ErrnoException).code ?? '');
   return isMissing
-    ? new AbflatError('UnreadableFile', `Cannot load the worker of abflat: ${messageOf(reason)}`)
+    ? new AbflatError(
+        'UnreadableFile',
+        `Cannot load the worker of abflat: ${messageOf(reason)}.${advice}`,
+      )
     : new AbflatError('Internal', `The worker of abflat stopped: ${messageOf(reason)}`);
 }
 
-function pathOf(address: string | URL): string {
-  return String(address).startsWith('file:') ? fileURLToPath(address) : String(address);
+const isRemote = (address: Address) => /^https?:/.test(textOf(address));
+
+function pathOf(address: Address): string {
+  return textOf(address).startsWith('file:') ? fileURLToPath(textOf(address)) : textOf(address);
 }
 
 function handleOf(worker: Worker): WorkerHandle {

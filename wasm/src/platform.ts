@@ -1,6 +1,11 @@
 import type { Build } from './builds.js';
 import type { AbflatError } from './errors.js';
 import type { FromWorker, ToWorker } from './protocol.js';
+import type { UrlLike } from './types.js';
+
+export type Address = string | UrlLike;
+
+export const textOf = (address: Address) => (typeof address === 'string' ? address : address.href);
 
 export interface WorkerHandle {
   post(message: ToWorker, transfer?: ArrayBuffer[]): void;
@@ -15,10 +20,13 @@ export interface WorkerEvents {
   onCrash(error: AbflatError): void;
 }
 
-/** What browsers and Node do differently. */
+/** What browsers and Node do differently. Where no address is given, files are beside the package's modules. */
 export interface Platform {
-  /** Rejects with a sentence that names the address. */
-  loadModule(address: string | URL): Promise<WebAssembly.Module>;
-  /** A worker that runs `build`. Without an address it is a script beside the package's modules. */
-  startWorker(events: WorkerEvents, build: Build, address?: string | URL): WorkerHandle;
+  /** The address of a file in a folder. */
+  fileIn(folder: Address, name: string): string;
+  /** Rejects with a sentence that names the file. */
+  loadModule(build: Build, address?: Address): Promise<WebAssembly.Module>;
+  /** The script of the worker that runs a build. */
+  workerFile(build: Build): string;
+  startWorker(events: WorkerEvents, build: Build, address?: Address): WorkerHandle;
 }

@@ -6,7 +6,6 @@ import type {
   CompareProgress,
   Comparison,
   FlattenResult,
-  MeshArrays,
   MeshSummary,
   Progress,
   TriangleMesh,
@@ -19,8 +18,17 @@ export interface OwnedFile {
   name: string;
 }
 
+type Whole = Uint8Array | Uint16Array | Uint32Array;
+
+export interface OwnedArrays {
+  positions: Float32Array | Float64Array;
+  indices: Whole;
+  texcoords?: Float32Array | Float64Array;
+  materials?: Whole;
+}
+
 /** A mesh in buffers that belong to the call. */
-export type OwnedMesh = MeshArrays | OwnedFile;
+export type OwnedMesh = OwnedArrays | OwnedFile;
 
 /** Vertex, u, v and face, which is 2^32 - 1 where none is given. */
 export type PinNumbers = [vertex: number, u: number, v: number, face: number];

@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry } from 'three';
 import { normalized } from './normalized.js';
+import { pickRows } from './rows.js';
 import type { Layout, MeshArrays } from './types.js';
 
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
@@ -67,9 +68,5 @@ function positionsOf(
   if (!mesh) {
     throw new TypeError('toBufferGeometry needs the mesh when it is of arrays and not of a file.');
   }
-  const out = new Float32Array(3 * vertexMap.length);
-  vertexMap.forEach((vertex, i) => {
-    out.set(mesh.positions.subarray(3 * vertex, 3 * vertex + 3), 3 * i);
-  });
-  return out;
+  return pickRows(new Float32Array(mesh.positions), vertexMap, { size: 3 });
 }

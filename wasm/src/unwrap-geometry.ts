@@ -1,6 +1,11 @@
 // Unwraps geometry of three.js.
 
-import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  InstancedBufferGeometry,
+  type InterleavedBufferAttribute,
+} from 'three';
 import { neededFor } from './needed-arrays.js';
 import { indexArray, pickRows } from './rows.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
@@ -57,11 +62,11 @@ function materialsOf({ groups }: BufferGeometry, triangleCount: number): Uint32A
 
 function withUv(from: BufferGeometry, result: UnwrapResult, name: string): BufferGeometry {
   const { uv, indices, vertexMap } = result;
-  const to = new BufferGeometry();
+  const to = emptyLike(from);
   to.name = from.name;
-  to.userData = structuredClone(from.userData);
+  to.userData = { ...from.userData };
   for (const [key, attribute] of Object.entries(from.attributes))
-    to.setAttribute(key, pick(attribute, vertexMap));
+    to.setAttribute(key, isOfInstances(attribute) ? alike(attribute) : pick(attribute, vertexMap));
   to.setAttribute(name, new BufferAttribute(new Float32Array(uv), 2));
   const morphs: Record<string, Attribute[]> = to.morphAttributes;
   for (const [key, targets] of Object.entries<Attribute[]>(from.morphAttributes))
@@ -75,6 +80,22 @@ function withUv(from: BufferGeometry, result: UnwrapResult, name: string): Buffe
   to.boundingSphere = from.boundingSphere?.clone() ?? null;
   return to;
 }
+
+function emptyLike(from: BufferGeometry): BufferGeometry {
+  const { isInstancedBufferGeometry, instanceCount } = from as InstancedBufferGeometry;
+  if (!isInstancedBufferGeometry) return new BufferGeometry();
+  return Object.assign(new InstancedBufferGeometry(), { instanceCount });
+}
+
+/** Whether it has a row per instance, not per vertex. */
+function isOfInstances(attribute: Attribute): boolean {
+  return 'data' in attribute
+    ? 'isInstancedInterleavedBuffer' in attribute.data
+    : 'isInstancedBufferAttribute' in attribute;
+}
+
+/** A copy; of an interleaved one the attribute itself, whose buffer others may share. */
+const alike = (attribute: Attribute) => ('data' in attribute ? attribute : attribute.clone());
 
 /** The rows of an attribute that `rows` names, as they are stored. */
 function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {

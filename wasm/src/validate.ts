@@ -17,7 +17,7 @@ import type { KnownLayout } from './types.js';
 const OF_CALL = ['signal', 'transfer'];
 const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
 export const KEYS = {
-  create: ['build', 'maxMemory', 'wasmUrl', 'workerUrl'],
+  create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', ...OF_LAYOUT],
   unwrap: [
     ...Object.keys(UNWRAP_OPTIONS),
@@ -65,6 +65,12 @@ export function checkString(name: string, value: unknown): void {
 export function checkFunction(name: string, value: unknown): void {
   if (value !== undefined && typeof value !== 'function')
     throw invalid(`${name} must be a function.`);
+}
+
+export function checkAddress(name: string, value: unknown): void {
+  if (value === undefined || typeof (value as { href?: unknown } | null)?.href === 'string') return;
+  if (typeof value !== 'string' || value === '')
+    throw invalid(`${name} must be an address or a URL.`);
 }
 
 interface NumberRule {

@@ -1,7 +1,13 @@
 import type { Build } from './builds.js';
+import { AbflatError } from './errors.js';
 
 /** Bundlers find the files by exactly these expressions; not in builds.ts, which the worker loads as well. */
 export function wasmFile(build: Build): URL {
+  if (!import.meta.url)
+    throw new AbflatError(
+      'UnreadableFile',
+      'A bundle that is no ES module does not know where its files are: pass baseUrl to createAbflat.',
+    );
   switch (build) {
     case 'plain':
       return new URL('./abflat.wasm', import.meta.url);
@@ -11,3 +17,7 @@ export function wasmFile(build: Build): URL {
       return new URL('./abflat-threads.wasm', import.meta.url);
   }
 }
+
+/** Its name alone. */
+export const wasmName = (build: Build) =>
+  build === 'plain' ? 'abflat.wasm' : `abflat-${build}.wasm`;

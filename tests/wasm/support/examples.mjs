@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from './paths.mjs';
 
-/** The code blocks of the package's README, by the name in the comment above them. */
-export function examples() {
-  const text = readFileSync(join(ROOT, 'wasm/README.md'), 'utf8');
+/** The code blocks of the package's README, or of another file, by the name in the comment above them. */
+export function examples(file = 'wasm/README.md') {
+  const text = readFileSync(join(ROOT, file), 'utf8');
   const blocks = text.matchAll(/<!-- example: (\S+) -->\s*```\w+\n(.*?)```/gs);
   return Object.fromEntries([...blocks].map(([, name, code]) => [name, code]));
 }

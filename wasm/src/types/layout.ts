@@ -1,8 +1,16 @@
 // What calls that give a layout have in common.
 
+/** What calls need of an AbortSignal, whichever library declares it. */
+export interface AbortSignalLike {
+  readonly aborted: boolean;
+  readonly reason: unknown;
+  addEventListener(type: 'abort', listener: () => void): void;
+  removeEventListener(type: 'abort', listener: () => void): void;
+}
+
 export interface CallOptions {
-  /** Aborting rejects with a DOMException named AbortError; the next call works. */
-  signal?: AbortSignal;
+  /** An AbortSignal. Aborting rejects with its reason; the next call works. */
+  signal?: AbortSignalLike;
   /** Move the whole input buffers to the worker instead of copying them (they are detached by the call). */
   transfer?: boolean;
 }

@@ -1,13 +1,28 @@
 // Meshes, and what is said about them.
 
-/** A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise. */
+/** Coordinates; Float32Array and Float64Array are passed on as they are, others are copied. */
+export type RealArray =
+  | Float32Array
+  | Float64Array
+  | Int8Array
+  | Int16Array
+  | Int32Array
+  | WholeArray;
+
+/** Numbers from 0; Uint8Array, Uint16Array and Uint32Array are passed on as they are, others are copied. */
+export type WholeArray = Uint8Array | Uint16Array | Uint32Array | Int32Array | readonly number[];
+
+/**
+ * A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise; without them each three
+ * vertices are a triangle.
+ */
 export interface MeshArrays {
-  positions: Float32Array | Float64Array;
-  indices: Uint32Array | Uint16Array;
+  positions: RealArray;
+  indices?: WholeArray;
   /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'` and `fixedFaces`. */
-  texcoords?: Float32Array | Float64Array;
+  texcoords?: RealArray;
   /** A number per triangle: for `seams: 'material'`. */
-  materials?: Uint32Array | Uint16Array;
+  materials?: WholeArray;
 }
 
 /** The bytes of an OBJ, PLY, STL or OFF file. `name` is used to tell the format and in messages. */

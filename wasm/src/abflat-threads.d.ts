@@ -1,2 +1,2 @@
 // The same module with vector instructions and threads.
-export { default } from './abflat.mjs';
+export { default } from './abflat.js';

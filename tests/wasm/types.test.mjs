@@ -1,0 +1,120 @@
+// The declarations in projects of every kind: with and without those of browsers and of Node, resolved as Node and as bundlers do.
+
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import ts from 'typescript';
+import { ROOT } from './support/paths.mjs';
+
+const ARRAYS = `
+import { AbflatError, type Abflat, createAbflat, SAMPLE_NAMES, UNWRAP_DEFAULTS, type UnwrapResult } from 'abflat';
+
+export async function unwrapAll(meshes: { positions: number[]; indices: Uint8Array }[]): Promise<UnwrapResult[]> {
+  const abflat: Abflat = await createAbflat({ maxMemory: 2 ** 30, baseUrl: '/abflat/' });
+  const soup = { positions: new Float32Array(9) };
+  try {
+    await abflat.inspect(soup);
+    await abflat.unwrap({ bytes: new Uint8Array(4), name: SAMPLE_NAMES[0] }, { padding: UNWRAP_DEFAULTS.padding });
+    return await Promise.all(meshes.map((mesh) => abflat.unwrap(mesh, { onProgress: ({ stage }) => void stage })));
+  } catch (error) {
+    throw error instanceof AbflatError ? new Error(error.code) : error;
+  }
+}
+// @ts-expect-error There is no such option.
+export const wrong = (abflat: Abflat) => abflat.unwrap({ positions: [] }, { paddings: 1 });
+`;
+/** Where they are declared, these are taken as they are. */
+const PLATFORM = `
+import { createAbflat } from 'abflat';
+
+export async function timed(controller: AbortController): Promise<void> {
+  const abflat = await createAbflat({ baseUrl: new URL('file:///abflat/') });
+  await abflat.sample('head', { signal: AbortSignal.timeout(100) });
+  await abflat.sample('head', { signal: controller.signal });
+}
+`;
+const GLTF = `
+import type { Document, Primitive } from '@gltf-transform/core';
+import type { Abflat } from 'abflat';
+import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords, unwrap } from 'abflat/gltf';
+
+export async function all(abflat: Abflat, document: Document, primitive: Primitive): Promise<number[]> {
+  await document.transform(unwrap(abflat, { texcoord: 'auto', onAtlas: ({ texcoord }) => texcoord }));
+  const mesh = documentMesh(document);
+  setTexcoords(mesh, await abflat.flatten(mesh), { texcoord: freeTexcoord(document), normalize: true });
+  return sampledTexcoords([primitive]);
+}
+`;
+const THREE = `
+import type { Abflat } from 'abflat';
+import { toBufferGeometry, unwrapGeometry } from 'abflat/three';
+import { BoxGeometry, type BufferGeometry } from 'three';
+
+export async function both(abflat: Abflat): Promise<BufferGeometry[]> {
+  const { geometry, result } = await unwrapGeometry(abflat, new BoxGeometry(), { attribute: 'uv1' });
+  return [geometry, toBufferGeometry(result, { positions: [] })];
+}
+`;
+
+const [BARE, NODE, DOM] = [
+  { lib: ['lib.es2022.d.ts'], types: [] },
+  { lib: ['lib.es2022.d.ts'], types: ['node'] },
+  { lib: ['lib.es2022.d.ts', 'lib.dom.d.ts', 'lib.dom.iterable.d.ts'], types: [] },
+];
+const NODE16 = {
+  module: ts.ModuleKind.Node16,
+  moduleResolution: ts.ModuleResolutionKind.Node16,
+};
+const BUNDLER = {
+  module: ts.ModuleKind.ESNext,
+  moduleResolution: ts.ModuleResolutionKind.Bundler,
+};
+
+let folder;
+before(() => {
+  mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
+  folder = mkdtempSync(join(ROOT, 'build/tests/wasm-types-'));
+  writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** What the compiler says about files of these texts. */
+function complaints(texts, options) {
+  const files = texts.map((text, i) => {
+    const path = join(folder, `case-${i}.ts`);
+    writeFileSync(path, text);
+    return path;
+  });
+  const program = ts.createProgram(files, {
+    target: ts.ScriptTarget.ES2022,
+    strict: true,
+    exactOptionalPropertyTypes: true,
+    noUncheckedIndexedAccess: true,
+    noEmit: true,
+    skipLibCheck: false,
+    ...options,
+  });
+  return ts.getPreEmitDiagnostics(program).map(({ file, messageText }) => ({
+    file: file?.fileName ?? '',
+    text: `${file?.fileName}: ${ts.flattenDiagnosticMessageText(messageText, '\n')}`,
+  }));
+}
+
+const texts = (found) => found.map(({ text }) => text);
+const isOurs = ({ file }) => !file.includes('/node_modules/');
+
+for (const [how, resolution] of Object.entries({ node16: NODE16, bundler: BUNDLER }))
+  test(`${how}: arrays and files need ES2022 alone`, () => {
+    assert.deepEqual(texts(complaints([ARRAYS], { ...BARE, ...resolution })), []);
+  });
+
+test('signals and URLs of Node', () => {
+  assert.deepEqual(texts(complaints([ARRAYS, PLATFORM], { ...NODE, ...NODE16 })), []);
+});
+
+test('those of browsers, glTF-Transform and three.js', () => {
+  const found = complaints([ARRAYS, PLATFORM, GLTF, THREE], { ...DOM, ...BUNDLER });
+  // Declarations of other packages may be at odds with the compiler.
+  assert.deepEqual(texts(found.filter(isOurs)), []);
+});
