@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "abflat/flatten.h"
+#include "abflat/unit_square.h"
 #include "chart/disk_chart.h"
 #include "chart_report.h"
 #include "check/delaunay.h"
@@ -28,6 +32,13 @@ std::string findDefect(const Validity& validity) {
   return {};
 }
 
+/// A power of two as large as a layout: divided by it no digit changes and no product overflows.
+double sizeOf(const std::vector<double>& uv) {
+  double most = 0;
+  for (const double x : uv) most = std::max(most, std::abs(x));
+  return most > 0 && std::isfinite(most) ? std::ldexp(1, std::ilogb(most)) : 1;
+}
+
 /// A layout after rounding, in its own unit.
 struct Rounded {
   std::vector<double> uv;
@@ -40,12 +51,40 @@ Rounded measured(const DiskChart& chart, const ChartReport& report, std::vector<
   Rounded out;
   std::vector<double> inUnits;
   inUnits.reserve(uv.size());
-  for (const double x : uv) inUnits.push_back(x / chart.unit);
+  const double size = sizeOf(uv);
+  for (const double x : uv) inUnits.push_back(x / size);
   out.uv = std::move(uv);
   out.validity = checkValidity(chart, inUnits);
   out.distortion = measureDistortion(chart, inUnits);
   if (report.delaunay) out.violatedEdges = checkDelaunay(chart, inUnits).violated.size();
   return out;
+}
+
+/// Puts a layout that was moved or rounded in place of the one that the report is about.
+void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::string& where,
+                   const std::string& remedy, FlattenResult& result) {
+  ChartReport& report = result.report.charts.front();
+  Rounded rounded = measured(chart, report, std::move(uv));
+  setMeasures(report, rounded.validity, rounded.distortion);
+  if (report.delaunay) report.delaunay->violated = rounded.violatedEdges;
+  const std::string defect = findDefect(rounded.validity);
+  if (report.valid && !defect.empty()) {
+    report.problem = where + defect + remedy;
+    report.valid = result.report.valid = false;
+  }
+  result.uv = std::move(rounded.uv);
+}
+
+/// From 0 to 1 along the longer side, from 0 along the other; unchanged where that is not possible.
+void moveToUnitSquare(std::vector<double>& uv) {
+  std::array<double, 2> least{INFINITY, INFINITY}, most{-INFINITY, -INFINITY};
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    least[i % 2] = std::min(least[i % 2], uv[i]);
+    most[i % 2] = std::max(most[i % 2], uv[i]);
+  }
+  const double extent = std::max(most[0] - least[0], most[1] - least[1]);
+  if (!(extent > 0) || !std::isfinite(extent)) return;
+  for (std::size_t i = 0; i < uv.size(); ++i) uv[i] = (uv[i] - least[i % 2]) / extent;
 }
 
 }  // namespace
@@ -76,17 +115,20 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
 void roundForGltf(const PolygonMesh& mesh, FlattenResult& result) {
   Stopwatch watch;
   const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
-  ChartReport& report = result.report.charts.front();
-  roundForGltf(result.uv);
-  const Rounded rounded = measured(chart, report, result.uv);
-  setMeasures(report, rounded.validity, rounded.distortion);
-  if (report.delaunay) report.delaunay->violated = rounded.violatedEdges;
-  const std::string defect = findDefect(rounded.validity);
-  if (report.valid && !defect.empty()) {
-    report.problem =
-        "in single precision, which is all that a glTF has, " + defect + "; write an OBJ or PLY";
-    report.valid = result.report.valid = false;
-  }
+  std::vector<double> uv = result.uv;
+  roundForGltf(uv);
+  replaceLayout(chart, std::move(uv), "in single precision, which is all that a glTF has, ",
+                "; write an OBJ or PLY", result);
+  result.report.timings.check += watch.lap();
+}
+
+void fitUnitSquare(const PolygonMesh& mesh, FlattenResult& result) {
+  Stopwatch watch;
+  const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
+  std::vector<double> uv = result.uv;
+  moveToUnitSquare(uv);
+  replaceLayout(chart, std::move(uv), "scaled into the unit square, ",
+                "; scale the mesh nearer to size 1", result);
   result.report.timings.check += watch.lap();
 }
 

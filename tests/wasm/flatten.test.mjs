@@ -190,6 +190,34 @@ test('obj: true gives the file back with texcoords', async () => {
   assert.deepEqual(objNumbers(text, 'v'), [...mesh.positions]);
 });
 
+test('normalize fits arrays, OBJ and PLY into the unit square, with the same shape', async () => {
+  const mesh = grid(9);
+  const large = { ...mesh, positions: mesh.positions.map((x) => 339 * x - 7) };
+  const plain = await abflat.flatten(mesh);
+  const options = { normalize: true, obj: true };
+  const { uv, obj, report } = await abflat.flatten(large, options);
+  assert.ok(report.valid);
+  assert.deepEqual([Math.min(...uv), Math.max(...uv)], [0, 1]);
+  assert.deepEqual(objNumbers(new TextDecoder().decode(obj), 'vt'), [...uv]);
+  const before = areas(plain);
+  const after = areas({ ...plain, uv });
+  after.forEach((area, f) => {
+    assert.ok(area > 0);
+    assert.ok(Math.abs(area / before[f] / (after[0] / before[0]) - 1) < 1e-9);
+  });
+  for (const rounding of [{ ply: true }, { roundsForGltf: true }]) {
+    const rounded = await abflat.flatten(large, { normalize: true, ...rounding });
+    assert.deepEqual([Math.min(...rounded.uv), Math.max(...rounded.uv)], [0, 1]);
+    const rows = [...rounded.uv].map((x, i) => (rounding.ply || i % 2 === 0 ? x : 1 - x));
+    assert.deepEqual(rows, rows.map(Math.fround));
+  }
+  const pins = [0, 1].map((vertex) => ({ vertex, uv: [vertex, 0] }));
+  await assert.rejects(abflat.flatten(mesh, { normalize: true, pins }), {
+    code: 'InvalidOption',
+    message: /pins/,
+  });
+});
+
 test('obj: true also writes arrays', async () => {
   const mesh = grid(3);
   const { obj, uv } = await abflat.flatten(mesh, { obj: true });

@@ -152,6 +152,9 @@ EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, bool straightSe
 /// Texcoords become what a glTF holds of them.
 EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) { job->unwrapOptions.roundsForGltf = true; }
 
+/// A flattened mesh is moved and scaled into the unit square.
+EMSCRIPTEN_KEEPALIVE void abflatNormalizes(Job* job) { job->normalizes = true; }
+
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
   job->options.bounds.push_back({vertex, t});
 }

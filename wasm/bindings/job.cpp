@@ -9,6 +9,7 @@
 #include "abflat/peak_memory.h"
 #include "abflat/samples.h"
 #include "abflat/texcoord_faces.h"
+#include "abflat/unit_square.h"
 #include "mesh/triangulate.h"
 
 namespace abflat::bindings {
@@ -148,7 +149,12 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
   job.options.progress = progress;
   const auto compute = [&] {
     Result<FlattenResult> flat = flatten(job.mesh, job.options);
-    if (flat.ok() && wanted.ply) roundToSinglePrecision(job.mesh, flat.value);
+    if (!flat.ok()) return flat;
+    if (job.normalizes) fitUnitSquare(job.mesh, flat.value);
+    if (job.unwrapOptions.roundsForGltf)
+      roundForGltf(job.mesh, flat.value);
+    else if (wanted.ply)
+      roundToSinglePrecision(job.mesh, flat.value);
     return flat;
   };
   const auto arrays = [&](FlattenResult& flat) {

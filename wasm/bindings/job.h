@@ -37,6 +37,7 @@ struct Job {
   UnwrapOptions unwrapOptions;
   std::string seams = "auto";  ///< as parseSeams takes them; unwrapOptions has the edges
   bool keepsUv = false;        ///< all faces with texcoords are fixed; unwrapOptions has others
+  bool normalizes = false;     ///< a flattened mesh is moved and scaled into the unit square
   LayoutArrays layout;
   std::vector<MethodResult> methods;  ///< of a comparison
   std::string obj, ply;               ///< files, when asked for
@@ -80,8 +81,8 @@ struct WantedFiles {
   bool obj = false, ply = false;
 };
 
-/// Fills everything that resultOf() returns of a layout. `progress` as in FlattenOptions, with the
-/// stages "read" and "write" added.
+/// Fills everything that resultOf() returns of a layout, normalized and rounded as the job says.
+/// `progress` as in FlattenOptions, with the stages "read" and "write" added.
 Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// The same, `progress` as in UnwrapOptions. Texcoords are rounded to single precision, which is

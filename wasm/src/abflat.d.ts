@@ -19,6 +19,7 @@ export interface NativeModule {
   _abflatFixedCharts(job: number, count: number): number;
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatRoundsForGltf(job: number): void;
+  _abflatNormalizes(job: number): void;
   _abflatKnownOptions(job: number, t: number, straightSeams: boolean): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatAddStraight(job: number, from: number, to: number): void;

@@ -120,21 +120,25 @@ function checkThreads(): void {
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
   checkKeys(options, KEYS.flatten);
+  const { normalize, pins = [] } = options;
+  checkBoolean('normalize', normalize);
+  if (normalize && pins.length > 0)
+    throw new AbflatError('InvalidOption', 'normalize would move the pins: leave one of them out.');
   const settings = {
     kind: 'flatten',
     values: flattenNumbers(options),
     bounds: boundNumbers(options.bounds),
     straight: straightNumbers(options.straight),
+    normalizes: normalize === true,
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }
 
 function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promise<UnwrapResult> {
   checkKeys(options, KEYS.unwrap);
-  const { seams, roundsForGltf } = options;
+  const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
   const fixedCharts = chartNumbers(options.fixedCharts);
-  checkBoolean('roundsForGltf', roundsForGltf);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
@@ -143,7 +147,6 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     fixedFaces: keptFaces(options.fixedFaces),
     fixedCharts,
     known: knownArrays(options.known, fixedCharts.length > 0),
-    roundsForGltf: roundsForGltf === true,
   } as const;
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }
@@ -152,12 +155,13 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,
-  { pins, obj, ply, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
+  { pins, obj, ply, roundsForGltf, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
   request: (common: LayoutRequest) => Request,
 ): Promise<T> {
   const pinned = pinNumbers(pins);
   checkBoolean('obj', obj);
   checkBoolean('ply', ply);
+  checkBoolean('roundsForGltf', roundsForGltf);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
   client.checkUsable(signal);
@@ -168,6 +172,7 @@ function layout<T extends FlattenResult | UnwrapResult>(
     wantsObj: obj === true,
     wantsPly: ply === true,
     wantsProgress: onProgress !== undefined,
+    roundsForGltf: roundsForGltf === true,
   };
   return client.call<T>(request(common), { transfer: owned.buffers, signal, onProgress });
 }

@@ -146,13 +146,14 @@ export class Engine {
   }
 
   #flatten(request: FlattenRequest): FlattenResult {
-    const { values, bounds, straight } = request;
+    const { values, bounds, straight, normalizes } = request;
     return this.#withLayout<Report, FlattenResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetOption);
         for (let i = 0; i < bounds.length; i += 2)
           native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
         for (const [from, to] of straight) native._abflatAddStraight(job, from, to);
+        if (normalizes) native._abflatNormalizes(job);
       },
       run: this.#native._abflatFlatten,
       complete: (layout) => layout,
@@ -160,7 +161,7 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, fixedCharts, known, roundsForGltf } = request;
+    const { values, seams, seamEdges, fixedFaces, fixedCharts, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
@@ -171,7 +172,6 @@ export class Engine {
         else this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (known !== undefined) this.#heap.writeKnown(job, known);
-        if (roundsForGltf) native._abflatRoundsForGltf(job);
       },
       run: this.#native._abflatUnwrap,
       complete: (layout, job) => ({
@@ -184,7 +184,7 @@ export class Engine {
   }
 
   #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
-    { mesh, pins, wantsObj, wantsPly }: LayoutRequest,
+    { mesh, pins, wantsObj, wantsPly, roundsForGltf }: LayoutRequest,
     { set, run, complete }: LayoutSteps<R, T>,
   ): T {
     const started = performance.now();
@@ -192,6 +192,7 @@ export class Engine {
       this.#heap.writeMesh(job, mesh);
       const written = performance.now();
       set(job, this.#native);
+      if (roundsForGltf) this.#native._abflatRoundsForGltf(job);
       for (const [vertex, u, v, face] of pins) this.#native._abflatAddPin(job, vertex, u, v, face);
       this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();

@@ -40,6 +40,7 @@ export interface LayoutRequest {
   wantsObj: boolean;
   wantsPly: boolean;
   wantsProgress: boolean;
+  roundsForGltf: boolean;
 }
 
 export interface FlattenRequest extends LayoutRequest {
@@ -49,6 +50,7 @@ export interface FlattenRequest extends LayoutRequest {
   /** Vertex and t of each bound in turn. */
   bounds: number[];
   straight: [from: number, to: number][];
+  normalizes: boolean;
 }
 
 /** What is known of an earlier call, in arrays that belong to this one. */
@@ -73,7 +75,6 @@ export interface UnwrapRequest extends LayoutRequest {
   /** Of `known`. */
   fixedCharts: Uint32Array;
   known?: KnownArrays;
-  roundsForGltf: boolean;
 }
 
 export type Request =

@@ -15,10 +15,10 @@ import type { KnownArrays, PinNumbers } from './protocol.js';
 import type { KnownLayout } from './types.js';
 
 const OF_CALL = ['signal', 'transfer'];
-const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', ...OF_CALL];
+const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', 'roundsForGltf', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'],
-  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', ...OF_LAYOUT],
+  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', 'normalize', ...OF_LAYOUT],
   unwrap: [
     ...Object.keys(UNWRAP_OPTIONS),
     'seams',
@@ -26,7 +26,6 @@ export const KEYS = {
     'fixedFaces',
     'fixedCharts',
     'known',
-    'roundsForGltf',
     ...OF_LAYOUT,
   ],
   compare: ['onProgress', ...OF_CALL],

@@ -29,6 +29,8 @@ export interface FlattenOptions extends LayoutOptions, Partial<FlattenOptionValu
   bounds?: VertexBound[];
   /** Parts of the boundary that are straight in the layout, whatever t and the bounds say. */
   straight?: readonly StraightRun[];
+  /** Moves and scales the layout into [0, 1] x [0, 1], before it is checked. Not with `pins`. Default: false. */
+  normalize?: boolean;
   onProgress?: (progress: Progress) => void;
 }
 
@@ -112,7 +114,7 @@ export interface Report {
 }
 
 /**
- * `uv` is in the unit of the input: without pins the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
+ * `uv` is in the unit of the input unless it is normalized: without pins the layout has the area of the 3D surface. `vertexMap` is the identity for a plain
  * disk without unused vertices.
  */
 export type FlattenResult = Layout<Report>;

@@ -42,6 +42,11 @@ export interface LayoutOptions extends CallOptions {
   obj?: boolean;
   /** Also return the input as PLY with the new texcoords; the layout is rounded to single precision where it stays valid. */
   ply?: boolean;
+  /**
+   * `uv` becomes what a glTF holds of it, single precision with v from the top, whatever becomes of its validity: the report is about
+   * that. Default: false; `unwrap` rounds to single precision then unless that would make a chart invalid.
+   */
+  roundsForGltf?: boolean;
 }
 
 /** What became of pins. */

@@ -39,11 +39,6 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   fixedCharts?: Uint32Array;
   /** Charts that have the triangles and the outline of one of these, and the same `t` and `straightSeams`, are not flattened again. */
   known?: KnownLayout;
-  /**
-   * `uv` becomes what a glTF holds of it, single precision with v from the top, whatever becomes of the charts: the report is about that.
-   * Default: false, single precision unless that would make a chart invalid.
-   */
-  roundsForGltf?: boolean;
   onProgress?: (progress: UnwrapProgress) => void;
 }
 
