@@ -49,7 +49,7 @@ test('the theme follows the system, can be switched and is remembered', async (t
 
 test('text has contrast in both themes', async (t) => {
   // Without transitions, so that colours are what they will be.
-  const page = await openPage(t, { reducedMotion: 'reduce' });
+  const page = await openPage(t, { reducedMotion: 'reduce', mode: 'flatten' });
   await page.click('#details-toggle');
   await page.mouse.move(0, 0);
   for (const theme of ['dark', 'light']) {
@@ -70,8 +70,6 @@ test('text has contrast in both themes', async (t) => {
 
 test('text of an atlas has contrast in both themes', async (t) => {
   const page = await openPage(t, { reducedMotion: 'reduce' });
-  await page.click('#mode-unwrap');
-  await settled(page);
   await page.click('#more-toggle');
   await page.click('#more-straight-seams');
   await settled(page);
@@ -97,7 +95,7 @@ test('text of an atlas has contrast in both themes', async (t) => {
 });
 
 test('Tab reaches every control, in the order of the page', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   // By script, so that Tab begins at the beginning.
   await page.evaluate(() => document.querySelector('#details-toggle').click());
   // A chart is drawn when its size is known, in a frame after the pane has opened.
@@ -129,7 +127,7 @@ test('Tab reaches every control, in the order of the page', async (t) => {
 });
 
 test('every control has a name, results are announced', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   for (const role of ['button', 'slider', 'combobox', 'spinbutton', 'img']) {
     const all = await page.getByRole(role).all();
     const named = await page.getByRole(role, { name: /\w/ }).all();
@@ -160,7 +158,11 @@ for (const [name, width, height] of [
   ['a tablet', 820, 1180],
 ]) {
   test(`${name}: nothing is cut off sideways, every control can be reached`, async (t) => {
-    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
+    const page = await openPage(t, {
+      viewport: { width, height },
+      hasTouch: width < 1000,
+      mode: 'flatten',
+    });
     const overflow = await page.evaluate(() => {
       const root = document.documentElement;
       return [root.scrollWidth - innerWidth, root.scrollHeight - innerHeight];
@@ -201,7 +203,7 @@ for (const [name, width, height] of [
 }
 
 test('nothing moves while t is dragged', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.click('#details-toggle');
   const places = () =>
     page.evaluate(() =>

@@ -23,7 +23,7 @@ const sweepEnded = (page) =>
   page.waitForFunction(() => document.querySelector('#sweep').textContent === 'Plot against t');
 
 test('the pane opens and closes; its tabs answer to arrow keys', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   assert.ok(await page.isHidden('#details'));
   await page.click('#details-toggle');
   assert.ok(await page.isVisible('#details'));
@@ -41,7 +41,7 @@ test('the pane opens and closes; its tabs answer to arrow keys', async (t) => {
 });
 
 test('convergence: every step has its values, which are read out', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.fill('#t-number', '1');
   await settled(page);
   await page.click('#details-toggle');
@@ -71,7 +71,7 @@ test('convergence: every step has its values, which are read out', async (t) => 
 });
 
 test('what was done beyond the plain solver is noted', { skip: withoutShared }, async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   assert.ok(await page.isHidden('#notes-button'));
   await page.fill('#t-number', '1');
   await settled(page);
@@ -86,7 +86,7 @@ test('what was done beyond the plain solver is noted', { skip: withoutShared }, 
 });
 
 test('a result that is not valid says why in full', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.selectOption('#sample', 'alpha-band');
   await settled(page);
   await page.fill('#t-number', '2');
@@ -98,7 +98,7 @@ test('a result that is not valid says why in full', async (t) => {
 });
 
 test('distortion against t: point by point, valid and not, a point selects its t', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.selectOption('#sample', 'alpha-band');
   await settled(page);
   await openSweep(page);
@@ -137,7 +137,7 @@ test('distortion against t: point by point, valid and not, a point selects its t
 });
 
 test('a sweep can be stopped, and gives way to the run the user asks for', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   // So large that its ten points outlast what is done here meanwhile by far.
   await dropAndWait(page, 'large.obj', grid(150));
   await openSweep(page);

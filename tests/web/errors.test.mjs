@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
-import { drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import { choose, drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
 const SENTENCE = /^[A-Za-z].*\.$/s;
 
@@ -47,7 +47,7 @@ test('a mesh that cannot be laid out is shown, the layout is marked as the previ
 });
 
 test('an impossible t is refused, the layout of the last one stays', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await dropAndWait(page, 'waves.obj', grid(8));
   // 32 boundary vertices: t is at least 1 - 2/32 = 0.9375.
   await page.fill('#t-number', '0.93');
@@ -55,21 +55,32 @@ test('an impossible t is refused, the layout of the last one stays', async (t) =
   await settled(page);
   assert.match(await textOf(page, '#alert'), /0\.93/);
   await page.locator('#layout-note').waitFor();
-  assert.match(await textOf(page, '#layout-note'), /t = auto$/);
+  assert.match(await textOf(page, '#layout-note'), /^Still showing waves\.obj, t = auto$/);
+  assert.equal(await textOf(page, '#export'), 'Export earlier OBJ');
+  assert.match(await page.getAttribute('#export', 'title'), /waves\.obj, t = auto$/);
   await page.fill('#t-number', '1');
   await page.waitForFunction(() => document.querySelector('#alert').textContent === '');
   await settled(page);
   assert.ok(await page.isHidden('#layout-note'));
+  assert.equal(await textOf(page, '#export'), 'Export OBJ');
 });
 
 test('a number outside the range is marked and not used', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.fill('#t-number', '7');
   assert.equal(await page.getAttribute('#t-number', 'aria-invalid'), 'true');
   assert.equal(await page.inputValue('#t'), '2');
   await page.locator('#t-number').blur();
   assert.equal(await page.inputValue('#t-number'), '2');
   assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'true');
+  const reason = 't must be from 0.9 to 2. 7 was not used: it is still auto.';
+  assert.equal(await textOf(page, '#run-text'), reason);
+  assert.equal(await page.locator('#live').textContent(), reason);
+
+  await choose(page, 'unwrap');
+  await page.fill('#padding', '2.5');
+  await page.locator('#padding').blur();
+  assert.match(await textOf(page, '#run-text'), /^Padding must be from 0 to 256, whole\. 2\.5 was/);
 });
 
 test('without WebGL the page says so and still flattens', async (t) => {

@@ -8,16 +8,20 @@ import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { textStl, trianglesOf } from '../support/stl.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 /** Bytes of a canvas as a picture: any change of what is drawn changes them. */
 const picture = (page, id) => page.locator(id).screenshot();
 
 const lines = (text, keyword) => text.split('\n').filter((line) => line.startsWith(`${keyword} `));
 
-test('the first visit shows a flattened sample', async (t) => {
+test('the first visit shows a sample, unwrapped; flattened it is in one piece', async (t) => {
   const page = await openPage(t);
   assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.match(await textOf(page, '#layout-info'), /^\d+ charts?$/);
+  assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
+  await choose(page, 'flatten');
   assert.equal(await textOf(page, '#badge'), 'Valid');
   const shown = await metrics(page);
   assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'true');
@@ -30,7 +34,7 @@ test('the first visit shows a flattened sample', async (t) => {
   assert.match(await textOf(page, '#run-text'), /^Flattened in/);
 });
 
-test('every sample can be chosen and is flattened', async (t) => {
+test('every sample can be chosen and is unwrapped', async (t) => {
   const page = await openPage(t);
   const names = await page
     .locator('#sample option:not([disabled])')
@@ -51,7 +55,7 @@ test('every sample can be chosen and is flattened', async (t) => {
 });
 
 test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mesh', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const mesh = grid(8);
   await dropAndWait(page, 'waves.obj', mesh);
   assert.equal(await textOf(page, '#source'), 'waves.obj');
@@ -89,10 +93,12 @@ test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mes
       .map((corner) => corner.split('/')[0]);
   assert.deepEqual(lines(text, 'f').map(vertices), lines(mesh, 'f').map(vertices));
   assert.equal(lines(text, 'vt').length, 81);
+  const uv = lines(text, 'vt').flatMap((line) => line.split(' ').slice(1).map(Number));
+  assert.deepEqual([Math.min(...uv), Math.max(...uv)], [0, 1], 'as textures need it');
 });
 
 test('a dropped PLY comes back as PLY with its colours, an STL as OBJ', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const triangles = trianglesOf(grid(4));
   const vertices = triangles.flat().map((xyz, v) => [...xyz, v]);
   // Three vertices of its own for one triangle: a disk.
@@ -117,7 +123,8 @@ test('a dropped PLY comes back as PLY with its colours, an STL as OBJ', async (t
   assert.equal(ply.name, 'one-uv.ply');
   const vertex = elementOf(parsePly(readFileSync(ply.path)), 'vertex');
   assert.deepEqual(column(vertex, 'red'), [0, 1, 2]);
-  assert.equal(column(vertex, 's', 't').flat().length, 6);
+  const uv = column(vertex, 's', 't').flat();
+  assert.deepEqual([uv.length, Math.min(...uv), Math.max(...uv)], [6, 0, 1]);
 
   await dropAndWait(page, 'waves.stl', `${textStl(triangles)}`);
   assert.equal(await textOf(page, '#alert'), '');
@@ -131,7 +138,7 @@ test('a dropped PLY comes back as PLY with its colours, an STL as OBJ', async (t
 test('a chosen file exports what an independent judge calls valid', {
   skip: withoutShared,
 }, async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const path = tempFolder(t);
   for (const [file, bound] of [
     ['nefertiti.off', 1],
@@ -160,7 +167,7 @@ test('a chosen file exports what an independent judge calls valid', {
 test('a layout that crosses itself is called not valid, with the reason', {
   skip: withoutShared,
 }, async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.fill('#t-number', '2');
   await page.setInputFiles('#file', sharedMesh('camel-cut.obj'));
   await page.waitForFunction(() => document.querySelector('#badge').textContent === 'Not valid');
@@ -169,7 +176,7 @@ test('a layout that crosses itself is called not valid, with the reason', {
 });
 
 test('Auto untangles a boundary that crosses itself when it is free', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.selectOption('#sample', 'alpha-band');
   await settled(page);
   await page.fill('#t-number', '2');
@@ -193,7 +200,7 @@ test('Auto untangles a boundary that crosses itself when it is free', async (t) 
 });
 
 test('wireframe and distortion change the pictures', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const plain = await picture(page, '#mesh-canvas');
   await page.click('#wireframe');
   assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'true');
@@ -207,7 +214,7 @@ test('wireframe and distortion change the pictures', async (t) => {
 });
 
 test('the layout is panned, zoomed and fitted again', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const fitted = await picture(page, '#layout-canvas');
   const box = await page.locator('#layout-canvas').boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

@@ -106,6 +106,46 @@ test('a GLB gets an atlas and keeps the rest', async (t) => {
   await assertExported(page, await reread(document));
 });
 
+test('uv that textures use stay as they are unless the user wants them replaced', async (t) => {
+  const page = await openPage(t);
+  const document = scene();
+  for (const accessor of document.getRoot().listAccessors())
+    accessor.setBuffer(document.getRoot().listBuffers()[0]);
+  document.getRoot().listBuffers()[1].dispose();
+  await dropAndWait(page, 'plain.glb', await io.writeBinary(document));
+  for (const [i, primitive] of primitivesOf(document).entries()) {
+    const count = primitive.getAttribute('POSITION').getCount();
+    primitive.setAttribute(
+      'TEXCOORD_0',
+      randomRows(document, 'VEC2', Float32Array, count, { seed: i + 1 }),
+    );
+  }
+  await dropAndWait(page, 'painted.glb', await io.writeBinary(document));
+  assert.equal(await page.locator('#texcoord option:checked').textContent(), 'UV 1, new');
+  const { document: kept } = await exported(page);
+  // TEXCOORD_0 too: everything that was there.
+  assertSameButTexcoord(kept, await reread(document), 'TEXCOORD_1');
+  assert.deepEqual(flaws(atlasOf(primitivesOf(kept), { texcoord: 1 })), []);
+  await assertValidFile(kept);
+  assert.match(await textOf(page, '#run-text'), /TEXCOORD_1: textures keep theirs\.$/);
+
+  await page.selectOption('#texcoord', '0');
+  const { document: replaced } = await exported(page);
+  assertSameButTexcoord(replaced, await reread(document));
+  assert.deepEqual(flaws(atlasOf(primitivesOf(replaced))), []);
+  assert.match(await textOf(page, '#run-text'), /TEXCOORD_0: textures painted for the old/);
+  // It stays chosen for this file.
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  assert.equal(await page.inputValue('#texcoord'), '0');
+
+  for (const material of document.getRoot().listMaterials()) material.setBaseColorTexture(null);
+  await dropAndWait(page, 'untextured.glb', await io.writeBinary(document));
+  assert.ok(await page.isHidden('#texcoord'), 'no texture needs the old ones');
+  assert.deepEqual(flaws(atlasOf(primitivesOf((await exported(page)).document))), []);
+});
+
 test('a glTF of several files, dropped together or not', async (t) => {
   const page = await openPage(t);
   const document = scene();
@@ -121,7 +161,7 @@ test('a glTF of several files, dropped together or not', async (t) => {
 });
 
 test('a disk is flattened into the unit square of its texture', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const { positions, faces } = torus(24, 12);
   const document = emptyDocument();
   const patch = faces.filter((face) => face.every((v) => v % 24 < 8 && v < 120));

@@ -8,7 +8,7 @@ import { parsePng } from '../support/png.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
-import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 const RINGS = together([0, 1].map((i) => [torus(16, 8), [2.6 * i, 0, 0]]));
 
@@ -156,6 +156,7 @@ for (const [name, width, height] of [
     const seams = await page.locator('#seam-tools').boundingBox();
     assert.equal(tools.height, seams.height, 'the bars of both views are alike');
     await dropAndWait(page, 'waves.obj', grid(4));
+    await choose(page, 'flatten');
     assert.ok(await page.isHidden('#layout-tools'));
     assert.match(await textOf(page, '#run-text'), /^Flattened/);
   });

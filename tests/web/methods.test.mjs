@@ -26,7 +26,7 @@ const rows = (page) =>
     .evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.innerText)));
 
 test('Delaunay changes the layout, says what it costs, and can be taken back', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await dropAndWait(page, 'waves.obj', grid(10));
   const before = await metrics(page);
   const plain = await picture(page, '#layout-canvas');
@@ -53,7 +53,7 @@ test('Delaunay changes the layout, says what it costs, and can be taken back', a
 });
 
 test('edges that resist the Delaunay condition are marked', { skip: withoutShared }, async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.fill('#t-number', '1');
   await settled(page);
   await page.setInputFiles('#file', sharedMesh('camel-cut.obj'));
@@ -69,7 +69,7 @@ test('edges that resist the Delaunay condition are marked', { skip: withoutShare
 });
 
 test('methods are compared; a selected one is shown, marked, and not exported', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await dropAndWait(page, 'waves.obj', grid(12));
   const { path } = await exportMesh(page);
   const exported = readFileSync(path, 'utf8');
@@ -104,7 +104,7 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
 });
 
 test('Escape, another tab, closing, another t and another mesh lead back from a method', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await dropAndWait(page, 'waves.obj', grid(6));
   await compare(page);
   const lscm = page.getByRole('button', { name: /^LSCM/ });
@@ -134,7 +134,7 @@ test('Escape, another tab, closing, another t and another mesh lead back from a 
 });
 
 test('a comparison can be stopped', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await drop(page, 'large.obj', grid(150));
   await page.waitForFunction(() => document.querySelector('#source').textContent === 'large.obj');
   await settled(page);

@@ -10,9 +10,10 @@ const PATIENCE = 120_000;
 
 /**
  * Opens the page; `t.after` closes it and checks that it logged no error but those that `expected` matches. `prepare` is
- * called with the page before it loads; `headers` are those of serveFolder, other options are those of launchBrowser.
+ * called with the page before it loads, `mode: 'flatten'` chooses that; `headers` are those of serveFolder, other options are those of
+ * launchBrowser.
  */
-export async function openPage(t, { prepare, expected, headers, ...options } = {}) {
+export async function openPage(t, { prepare, expected, headers, mode, ...options } = {}) {
   const server = await serveFolder(join(ROOT, 'web/dist'), headers);
   const browser = await launchBrowser(options);
   const problems = [];
@@ -31,7 +32,14 @@ export async function openPage(t, { prepare, expected, headers, ...options } = {
   await prepare?.(page);
   await page.goto(server.url);
   await settled(page);
+  if (mode) await choose(page, mode);
   return page;
+}
+
+/** Flatten or unwrap, by their button. */
+export async function choose(page, mode) {
+  await page.click(`#mode-${mode}`);
+  await settled(page);
 }
 
 /** Waits until nothing runs any more. */

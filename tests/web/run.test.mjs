@@ -22,7 +22,7 @@ async function solving(page) {
 }
 
 test('a run in flight shows progress, leaves the page usable and can be cancelled', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.fill('#t-number', SLOW_T);
   await dropAndWait(page, 'waves.obj', grid(6));
   const before = await metrics(page);
@@ -49,7 +49,7 @@ test('a run in flight shows progress, leaves the page usable and can be cancelle
 });
 
 test('a newer mesh replaces a run in flight; Escape cancels', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.fill('#t-number', SLOW_T);
   await settled(page);
   await drop(page, 'large.obj', LARGE);
@@ -64,7 +64,7 @@ test('a newer mesh replaces a run in flight; Escape cancels', async (t) => {
 });
 
 test('of many wishes for t the last one is shown', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await page.focus('#t');
   for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowLeft');
   for (let i = 0; i < 10; i++) await page.keyboard.press('ArrowRight');

@@ -8,7 +8,16 @@ import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { CUBE, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { defects, objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-import { drop, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  choose,
+  drop,
+  dropAndWait,
+  exportMesh,
+  metrics,
+  openPage,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const picture = (page, id) => page.locator(id).screenshot();
 const TORUS = objText(torus(24, 12));
@@ -41,7 +50,7 @@ async function hues(page, id) {
 }
 
 test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await dropAndWait(page, 'torus.obj', TORUS);
   assert.equal(await textOf(page, '#alert'), '');
   assert.equal(await textOf(page, '#badge'), 'Valid');
@@ -73,7 +82,7 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
   );
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
 
-  // A disk after that is flattened again.
+  // A disk after that is flattened again, as was chosen before.
   await dropAndWait(page, 'waves.obj', grid(4));
   assert.equal(await page.getAttribute('#mode-flatten', 'aria-pressed'), 'true');
   assert.ok(await page.isEnabled('#mode-flatten'));
@@ -81,8 +90,21 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
   assert.ok(await page.isVisible('#delaunay'));
 });
 
+test('a disk that is stretched in one piece is unwrapped with one click', async (t) => {
+  const page = await openPage(t, { mode: 'flatten' });
+  await page.selectOption('#sample', 'three-balls');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Stretched');
+  assert.match(await textOf(page, '#reason'), /lengths change by \d+\s% on average/);
+  assert.match(await textOf(page, '#run-text'), /^Flattened in .*, stretched$/);
+  await page.click('#remedy');
+  await settled(page);
+  assert.equal(await page.getAttribute('#mode-unwrap', 'aria-pressed'), 'true');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+});
+
 test('the user chooses for disks, and the choice stays', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   await dropAndWait(page, 'waves.obj', grid(6));
   const flat = await picture(page, '#layout-canvas');
   await page.click('#mode-unwrap');
@@ -134,6 +156,33 @@ test('stretch, resolution and padding change the atlas, by keyboard as well', as
   assert.equal(await textOf(page, '#badge'), 'Valid');
 });
 
+test('above the limit the badge says so, and one click cuts further', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'parts.obj', objText(torus(24, 12)).replace(/^f/m, 'usemtl a\nf'));
+  await page.click('#seams-auto');
+  await settled(page);
+  assert.equal(await textOf(page, '#seams-state'), 'only what disks need');
+  assert.equal(await textOf(page, '#badge'), 'Stretched');
+  assert.match(await textOf(page, '#reason'), /^Stretch \d\.\d+; the limit is 1\.04$/);
+  assert.match(await textOf(page, '#stretch-hint'), /^only checked/);
+  const { Stretch } = await metrics(page);
+  assert.ok(Number(Stretch) > 1.04);
+  // The limit is what the user says, whether or not anything is cut to keep it.
+  await page.focus('#stretch');
+  await page.keyboard.press('End');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.ok(await page.isHidden('#remedy'));
+  for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Stretched');
+  await page.click('#remedy');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await page.getAttribute('#seams-auto', 'aria-pressed'), 'true');
+  assert.match(await textOf(page, '#stretch-hint'), /^lengths within about/);
+});
+
 test('charts have the same colours in both pictures, other than their neighbours', async (t) => {
   for (const colorScheme of ['dark', 'light']) {
     const page = await openPage(t, { colorScheme, reducedMotion: 'reduce' });
@@ -178,8 +227,9 @@ test('what was repaired is said in one line each', async (t) => {
     );
   for (const line of lines) assert.match(line, /\.$/);
   assert.match(await textOf(page, '#charts-summary'), /^\d+ charts, the largest of/);
-  // A disk has other tabs.
+  // A mesh that is flattened has other tabs.
   await dropAndWait(page, 'waves.obj', grid(4));
+  await choose(page, 'flatten');
   assert.ok(await page.isVisible('#panel-solver'));
   assert.ok(await page.isHidden('#tab-charts'));
 });

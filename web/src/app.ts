@@ -7,12 +7,13 @@ import { ChartsTab } from './charts-tab';
 import { Details } from './details';
 import { bindToggle, element } from './dom';
 import { exportFormat, exportMesh } from './export-mesh';
-import { count, counted, duration } from './format';
+import { duration } from './format';
 import type { AnyProgress, Outcome } from './lay-out';
 import { LayoutBar } from './layout-bar';
 import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
+import { Notice } from './notice';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
 import { type FlatPicture, flatPicture } from './picture';
 import { RunPanel } from './run-panel';
@@ -23,20 +24,26 @@ import { type FlattenSettings, type Settings, sameSettings } from './settings';
 import { SolverTab } from './solver-tab';
 import { flattenIfPossible } from './sweep';
 import { SweepTab } from './sweep-tab';
+import { TexcoordChoice } from './texcoord-choice';
 import { bindTheme } from './theme';
+import { isAutomatic, type Remedy, verdictOf } from './verdict';
 import type { Views } from './views';
-import { failure, kept, layoutInfo, settingsText, WORDS } from './words';
+import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './words';
 
 /** Connects the session with what is on the page. */
 export class App implements SessionEvents {
   private readonly session: Session;
-  private readonly bound = new BoundControl(() => this.session.refresh());
-  private readonly atlas = new AtlasControl(() => this.session.refresh());
+  private readonly say = (text: string) => this.run.say(text);
+  private readonly bound = new BoundControl(() => this.session.refresh(), this.say);
+  private readonly atlas = new AtlasControl(() => this.session.refresh(), this.say);
   private readonly mode = new ModeSwitch(() => this.modeChanged());
   private readonly details = new Details((tab) => {
     if (tab === 'methods') this.methods.leave();
   });
-  private readonly metrics = new MetricsPanel(() => this.showNotes());
+  private readonly metrics = new MetricsPanel(
+    () => this.showNotes(),
+    (remedy) => this.help(remedy),
+  );
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
   private readonly locks = new Locks();
@@ -63,9 +70,11 @@ export class App implements SessionEvents {
     () => this.session.refresh(),
   );
   private readonly layoutBar = new LayoutBar({
-    say: (text) => this.run.say(text),
+    say: this.say,
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
+  private readonly notice = new Notice((source) => void this.session.open(source));
+  private readonly texcoordChoice = new TexcoordChoice();
   private readonly exportButton = element('export', HTMLButtonElement);
   private readonly exportText = element('export-text', HTMLSpanElement);
   private readonly layoutNote = element('layout-note', HTMLElement);
@@ -88,11 +97,17 @@ export class App implements SessionEvents {
       packAgain: () => this.session.refresh(),
     });
     this.seams = new SeamPanel(views?.mesh ?? null, {
-      changed: () => this.session.refresh(),
-      say: (text) => this.run.say(text),
+      changed: () => {
+        this.showCutting();
+        this.session.refresh();
+      },
+      say: this.say,
     });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    bindOpen((source) => void this.session.open(source));
+    bindOpen({
+      open: (source) => void this.session.open(source),
+      refused: (reason) => showAlert(reason, this.stillShown()),
+    });
     this.exportButton.addEventListener('click', () => this.export());
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     bindToggle('delaunay', (isOn) => {
@@ -100,6 +115,7 @@ export class App implements SessionEvents {
       this.sweep.clear();
       this.session.refresh();
     });
+    this.showMode();
     void this.session.open({ kind: 'sample', name: FIRST_SAMPLE });
   }
 
@@ -114,15 +130,28 @@ export class App implements SessionEvents {
 
   /** The other kind of layout, with what belongs to it. */
   private modeChanged(): void {
-    const { mode } = this.mode;
     this.methods.leave();
     this.methods.stop();
     this.sweep.stop();
     this.seams.hide();
+    this.showMode();
+    this.session.refresh();
+  }
+
+  private showMode(): void {
+    const { mode } = this.mode;
     this.details.setMode(mode);
     this.layoutBar.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
-    this.session.refresh();
+  }
+
+  private showCutting(): void {
+    this.atlas.setCutting(isAutomatic(this.seams.options.seams));
+  }
+
+  private help(remedy: Remedy): void {
+    if (remedy === 'unwrap') this.mode.choose('unwrap');
+    else this.seams.cutFurther();
   }
 
   started(source: Source, settings: Settings | null): void {
@@ -145,16 +174,19 @@ export class App implements SessionEvents {
     this.atlas.open(summary);
     this.mode.setDisk(summary.disk);
     this.seams.open({ mesh, summary, name: source.name });
+    this.showCutting();
     this.locks.clear();
     this.shown = source;
+    if (source.kind === 'file') this.notice.show(source);
+    else this.notice.hide();
     this.views?.showMesh(mesh);
     this.sweep.clear();
     this.methods.clear();
     this.bound.setBoundaryVertices(null);
     this.showOpenSample();
     this.showTitle(source);
-    element('mesh-info', HTMLElement).textContent = counted(mesh.indices.length / 3, 'triangle');
-    this.updateExport();
+    element('mesh-info', HTMLElement).textContent = facesText(mesh, summary);
+    this.updateExport(true);
     this.markStale();
   }
 
@@ -167,9 +199,10 @@ export class App implements SessionEvents {
     this.showDetails(outcome);
     this.updateExport();
     this.markStale(outcome.settings);
-    const verdict = report.valid ? '' : ', not valid';
+    const { badge } = verdictOf(outcome);
+    const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
     const { done } = WORDS[outcome.mode];
-    this.finish(`${done} in ${duration(report.timings.total)}${verdict}${kept(outcome)}`, false);
+    this.finish(`${done} in ${duration(report.timings.total)}${but}${kept(outcome)}`, false);
   }
 
   private showDetails(outcome: Outcome): void {
@@ -189,16 +222,22 @@ export class App implements SessionEvents {
   cancelled(): void {
     this.showOpenSample();
     // Without a mesh there is nothing to do again.
-    this.finish('Cancelled', this.shown !== null && (this.markStale() || this.outcome === null));
+    const isStale = this.markStale();
+    this.finish('Cancelled', this.shown !== null && (isStale || this.outcome === null));
+    this.nameExport(isStale);
   }
 
   failed(source: Source, settings: Settings | null, error: Error): void {
-    const kept = this.outcome ? `The layout is still that of ${this.owner()}.` : '';
-    showAlert(failure(source, settings, error.message), kept);
+    showAlert(failure(source, settings, error.message), this.stillShown());
     this.showOpenSample();
     const isStale = this.markStale();
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
+    this.nameExport(isStale);
+  }
+
+  private stillShown(): string {
+    return this.outcome ? `Still showing ${this.owner()}.` : '';
   }
 
   private finish(text: string, canRepeat: boolean): void {
@@ -217,7 +256,7 @@ export class App implements SessionEvents {
     const isStale =
       this.outcome !== null &&
       (this.outcome.source !== this.shown || !sameSettings(this.outcome.settings, settings));
-    if (isStale) this.layoutNote.textContent = `Previous result: ${this.owner()}`;
+    if (isStale) this.layoutNote.textContent = `Still showing ${this.owner()}`;
     this.layoutNote.hidden = !isStale;
     element('layout-stage', HTMLElement).classList.toggle('stale', isStale);
     this.metrics.markStale(isStale ? this.owner() : null);
@@ -271,22 +310,28 @@ export class App implements SessionEvents {
   }
 
   /** Only what belongs to the mesh on screen is exported. */
-  private updateExport(): void {
-    this.exportButton.disabled = this.outcome === null || this.outcome.source !== this.shown;
-    const format = this.shown ? exportFormat(this.shown) : 'obj';
-    this.exportText.textContent = `Export ${format.toUpperCase()}`;
+  private updateExport(isNew = false): void {
     const { outcome, picture } = this;
-    const isAtlas = outcome?.mode === 'unwrap' && outcome.source === this.shown;
-    this.layoutBar.show(isAtlas ? { outcome, picture } : null);
+    const current = outcome?.source === this.shown ? outcome : null;
+    this.exportButton.disabled = current === null;
+    this.texcoordChoice.show(current, isNew);
+    this.nameExport(false);
+    this.layoutBar.show(current?.mode === 'unwrap' ? { outcome: current, picture } : null);
+  }
+
+  /** `isStale`: what would be exported is of earlier settings, and no run is about to replace it. */
+  private nameExport(isStale: boolean): void {
+    const format = this.shown ? exportFormat(this.shown) : 'obj';
+    const isEarlier = isStale && !this.exportButton.disabled;
+    this.exportText.textContent = `Export ${isEarlier ? 'earlier ' : ''}${format.toUpperCase()}`;
+    this.exportButton.title = isEarlier ? `The layout that is still shown: ${this.owner()}` : '';
   }
 
   private export(): void {
     const { outcome } = this;
     if (!outcome) return;
-    exportMesh(outcome).then(
-      ({ name, size }) =>
-        this.run.say(`Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`),
-      (error: Error) => this.notSaved(outcome, error),
+    exportMesh(outcome, this.texcoordChoice.texcoord).then(this.say, (error: Error) =>
+      this.notSaved(outcome, error),
     );
   }
 

@@ -27,7 +27,13 @@ export class AtlasControl {
   private readonly padding: NumberField<number>;
   private readonly more: MoreControl;
 
-  constructor(private readonly changed: () => void) {
+  /** Whether charts are cut until they keep within the limit. */
+  private isCutting = true;
+
+  constructor(
+    private readonly changed: () => void,
+    say: (text: string) => void,
+  ) {
     this.slider.max = String(STRETCHES.length - 1);
     this.slider.valueAsNumber = STRETCHES.indexOf(UNWRAP_DEFAULTS.maxStretch);
     this.resolution.append(
@@ -39,8 +45,9 @@ export class AtlasControl {
       UNWRAP_OPTIONS.padding,
       UNWRAP_DEFAULTS.padding,
       changed,
+      say,
     );
-    this.more = new MoreControl(changed);
+    this.more = new MoreControl(changed, say);
     this.addTicks();
     this.showStretch();
     this.slider.addEventListener('input', () => {
@@ -68,13 +75,21 @@ export class AtlasControl {
     };
   }
 
+  /** Without automatic seams the limit is only checked. */
+  setCutting(isCutting: boolean): void {
+    this.isCutting = isCutting;
+    this.showStretch();
+  }
+
   private showStretch(): void {
     const { maxStretch } = this.settings;
-    const hint = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
+    const lengths = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
+    const hint = this.isCutting ? lengths : 'only checked, Auto seams are off';
     this.value.value = String(maxStretch);
     this.hint.textContent = hint;
-    this.hint.title =
-      'Of every chart, on average over its surface: the less, the more seams and charts';
+    this.hint.title = this.isCutting
+      ? 'Of every chart, on average over its surface: the less, the more seams and charts'
+      : `${lengths}. Nothing is cut to keep them: press Auto, or Cut further beside the result`;
     this.slider.setAttribute('aria-valuetext', `${maxStretch}: ${hint}`);
     this.slider.style.setProperty('--value', String(share(maxStretch)));
   }

@@ -1,6 +1,7 @@
 import { type ChartReport, FLATTEN_DEFAULTS } from 'abflat';
 import { create, element } from './dom';
 import { type Bound, bound } from './format';
+import { refusal } from './number-field';
 
 const LEAST = 0.9;
 const MOST = 2;
@@ -24,7 +25,10 @@ export class BoundControl {
   private current = MOST;
   private isAuto = FLATTEN_DEFAULTS.t === 'auto';
 
-  constructor(private readonly changed: (t: Bound) => void) {
+  constructor(
+    private readonly changed: (t: Bound) => void,
+    private readonly say: (text: string) => void,
+  ) {
     for (const input of [this.slider, this.field]) {
       input.min = String(LEAST);
       input.max = String(MOST);
@@ -37,7 +41,10 @@ export class BoundControl {
     this.show();
     this.slider.addEventListener('input', () => this.set(this.slider.valueAsNumber));
     this.field.addEventListener('input', () => this.readField());
-    this.field.addEventListener('change', () => this.show());
+    this.field.addEventListener('change', () => {
+      if (this.field.ariaInvalid === 'true') this.refuse();
+      this.show();
+    });
     this.field.addEventListener('keydown', (event) => this.onKey(event));
     this.auto.addEventListener('click', () => {
       if (this.isAuto) return this.set(this.current);
@@ -100,6 +107,11 @@ export class BoundControl {
     this.current = t;
     this.showSlider();
     this.changed(t);
+  }
+
+  private refuse(): void {
+    const kept = this.isAuto ? 'auto' : bound(this.current);
+    this.say(refusal('t', this.field.value, `from ${LEAST} to ${MOST}`, kept));
   }
 
   private onKey(event: KeyboardEvent): void {

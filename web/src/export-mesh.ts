@@ -1,4 +1,5 @@
 import { download } from './download';
+import { count } from './format';
 import type { Outcome } from './lay-out';
 import { isGltf, type Source } from './session';
 
@@ -8,23 +9,33 @@ export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
   return /\.ply$/i.test(source.name) ? 'ply' : 'obj';
 }
 
-/** Offers the result as NAME-uv with the ending of its format. */
-export async function exportMesh(outcome: Outcome): Promise<{ name: string; size: number }> {
+/**
+ * Offers the result as NAME-uv with the ending of its format, of a glTF with the coordinates as TEXCOORD_`texcoord`. Returns what was
+ * done, for people.
+ */
+export async function exportMesh(outcome: Outcome, texcoord: number): Promise<string> {
   const { source } = outcome;
   const format = exportFormat(source);
-  const bytes = await bytesOf(outcome, format);
+  const bytes = await bytesOf(outcome, format, texcoord);
   if (!bytes) throw new Error(`The result came without ${format.toUpperCase()}.`);
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
   download(name, TYPES[format], bytes);
-  return { name, size: bytes.length };
+  const exported = `Exported ${name}, ${count(Math.ceil(bytes.length / 1024))}\u202fKB`;
+  return outcome.gltf?.freeTexcoord ? `${exported}. ${setText(texcoord)}` : exported;
+}
+
+function setText(texcoord: number): string {
+  return texcoord === 0
+    ? 'The new UVs are in TEXCOORD_0: textures painted for the old ones no longer fit.'
+    : `The new UVs are in TEXCOORD_${texcoord}: textures keep theirs.`;
 }
 
 const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };
 
 async function bytesOf(
-  { mode, gltf, result }: Outcome,
+  { gltf, result }: Outcome,
   format: keyof typeof TYPES,
+  texcoord: number,
 ): Promise<Uint8Array | undefined> {
-  // A layout in the unit of the mesh would repeat a texture as often as the mesh is large.
-  return format === 'glb' ? gltf?.write(result, { normalize: mode === 'flatten' }) : result[format];
+  return format === 'glb' ? gltf?.write(result, texcoord) : result[format];
 }

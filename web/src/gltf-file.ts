@@ -3,27 +3,32 @@
 import { type Document, type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import type { Layout } from 'abflat';
-import { documentMesh, type SetTexcoordsOptions, setTexcoords } from 'abflat/gltf';
+import { documentMesh, freeTexcoord, setTexcoords } from 'abflat/gltf';
 import type { ArrayMesh } from './mesh';
 import type { FileSource } from './session';
 
 export interface GltfFile {
   mesh: ArrayMesh;
-  /** The file as GLB, with the coordinates of a layout of `mesh`. */
-  write(layout: Layout<unknown>, options: SetTexcoordsOptions): Promise<Uint8Array>;
+  /** The first set of coordinates that no texture needs as it is: 0 where no texture uses that. */
+  freeTexcoord: number;
+  /** The file as GLB, with the coordinates of a layout of `mesh` as TEXCOORD_`texcoord`. */
+  write(layout: Layout<unknown>, texcoord: number): Promise<Uint8Array>;
 }
 
 export async function readGltf({ file, name, others }: FileSource): Promise<GltfFile> {
   const source = await open(name, file, others);
   refuseCompressed(name, source);
-  const { positions, indices, texcoords, materials } = documentMesh(await io().readJSON(source));
-  if (indices.length === 0) throw new Error(`${name} has no triangles.`);
+  const document = await io().readJSON(source);
+  const { positions, indices, texcoords, materials } = documentMesh(document);
+  if (indices.length === 0)
+    throw new Error(`${name} has no triangles, so there is nothing to unwrap.`);
   return {
     mesh: { positions, indices, texcoords, materials },
-    async write(layout, options) {
+    freeTexcoord: freeTexcoord(document),
+    async write(layout, texcoord) {
       // What was read is not kept: it would take several times the memory of the file.
       const document = await io().readJSON(source);
-      setTexcoords(documentMesh(document), layout, options);
+      setTexcoords(documentMesh(document), layout, { texcoord });
       joinBuffers(document);
       return io().writeBinary(document);
     },

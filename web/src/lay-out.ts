@@ -54,7 +54,14 @@ export async function layOut(
   const file = format === 'glb' ? {} : { [format]: true };
   if (settings.mode === 'flatten') {
     const { mode, ...options } = settings;
-    const result = await abflat.flatten(input, { ...options, ...file, ...watch });
+    const result = await abflat.flatten(input, {
+      ...options,
+      ...file,
+      // In the unit of the mesh it would repeat a texture as often as the mesh is large.
+      normalize: true,
+      roundsForGltf: format === 'glb',
+      ...watch,
+    });
     return { mode, source, mesh, gltf, settings, result };
   }
   const { mode, kept, ...options } = settings;

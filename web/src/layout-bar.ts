@@ -37,6 +37,7 @@ export class LayoutBar {
       SCALE,
       'auto',
       () => undefined,
+      events.say,
     );
     this.buttons = [
       this.bind('layout-png', (shown) => this.savePng(shown)),

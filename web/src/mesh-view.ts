@@ -33,6 +33,9 @@ const CLEAR_FACING = 0.4;
 /** Where others are first seen from, and the steepest first look at a surface that faces up or down. */
 const USUAL_FRONT = new Vector3(0.42, 0.2, 1).normalize();
 const STEEPEST = (40 * Math.PI) / 180;
+/** A surface that faces mostly up or down, such as a car without its floor, has its front where others have it. */
+const LEVEL = 0.6;
+const USUAL_AROUND = Math.PI / 7;
 
 /** The mesh in 3D. */
 export class MeshView {
@@ -249,7 +252,7 @@ function frontOf(mesh: DisplayMesh, otherwise: Vector3): Vector3 {
   if (clarity < CLEAR_FACING) return otherwise;
   const [x, y, z] = direction;
   const elevation = Math.asin(Math.min(1, Math.max(-1, y)));
-  const around = Math.hypot(x, z) > 0.2 ? Math.atan2(x, z) : Math.PI / 7;
+  const around = Math.hypot(x, z) > LEVEL ? Math.atan2(x, z) : USUAL_AROUND;
   const polar = Math.PI / 2 - Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
   return new Vector3().setFromSphericalCoords(1, polar, around);
 }

@@ -1,9 +1,10 @@
-import type { ChartReport, Report, UnwrapReport } from 'abflat';
+import type { Report, UnwrapReport } from 'abflat';
 import { atlasNotes } from './atlas-notes';
 import { create, element } from './dom';
-import { count, counted, duration, measure, sentence } from './format';
+import { count, counted, duration, measure } from './format';
 import type { Outcome } from './lay-out';
 import { notes } from './notes';
+import { type Remedy, type Verdict, verdictOf } from './verdict';
 
 /** `S` is what it is the measure of. */
 interface Metric<S> {
@@ -13,44 +14,46 @@ interface Metric<S> {
   isBad?(subject: S): boolean;
 }
 
-const OF_DISK: Metric<ChartReport>[] = [
+const AS_IN_FILE = 'Faces of the mesh as it came: triangles, quads and larger polygons';
+
+const OF_DISK: Metric<Report>[] = [
   {
     label: 'Angular distortion',
     title: 'Mean over all corners of ((x - α)/α)², x in the layout, α in 3D',
-    value: (chart) => measure(chart.angularDistortion),
+    value: ({ charts: [chart] }) => measure(chart.angularDistortion),
   },
   {
     label: 'Length distortion',
     title:
       'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
-    value: (chart) => measure(chart.lengthDistortion),
+    value: ({ charts: [chart] }) => measure(chart.lengthDistortion),
   },
   {
     label: 'Crossings',
     title: 'Pairs of boundary edges that cross or touch',
-    value: (chart) => count(chart.boundaryCrossings),
-    isBad: (chart) => chart.boundaryCrossings > 0,
+    value: ({ charts: [chart] }) => count(chart.boundaryCrossings),
+    isBad: ({ charts: [chart] }) => chart.boundaryCrossings > 0,
   },
   {
     label: 'Flipped',
     title: 'Triangles of the layout that are not positively oriented',
-    value: (chart) => count(chart.flippedTriangles),
-    isBad: (chart) => chart.flippedTriangles > 0,
+    value: ({ charts: [chart] }) => count(chart.flippedTriangles),
+    isBad: ({ charts: [chart] }) => chart.flippedTriangles > 0,
   },
   {
     label: 'Faces',
-    title: 'Triangles of the layout',
-    value: (chart) => count(chart.faces),
+    title: AS_IN_FILE,
+    value: ({ input }) => count(input.faces),
   },
   {
     label: 'Boundary vertices',
     title: 'Vertices on the boundary',
-    value: (chart) => count(chart.boundaryVertices),
+    value: ({ charts: [chart] }) => count(chart.boundaryVertices),
   },
   {
     label: 'Newton steps',
     title: 'Steps of the solver',
-    value: (chart) => count(chart.iterations),
+    value: ({ charts: [chart] }) => count(chart.iterations),
   },
 ];
 
@@ -89,8 +92,8 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
   },
   {
     label: 'Faces',
-    title: 'Triangles of the mesh',
-    value: ({ input }) => count(input.triangles),
+    title: AS_IN_FILE,
+    value: ({ input }) => count(input.faces),
   },
 ];
 
@@ -100,18 +103,36 @@ const TIME: Metric<{ timings: { total: number } }> = {
   value: ({ timings }) => duration(timings.total),
 };
 
-/** The numbers of a result and whether it is valid. */
+const GRADES: Record<Verdict['badge'], string> = {
+  Valid: 'good',
+  Stretched: 'warn',
+  'Not valid': 'bad',
+};
+
+const REMEDIES: Record<Remedy, { label: string; title: string }> = {
+  cut: {
+    label: 'Cut further',
+    title: 'Keep these seams and add automatic ones until every chart is within the limit',
+  },
+  unwrap: { label: 'Unwrap', title: 'Cut the mesh where that keeps lengths' },
+};
+
+/** The numbers of a result, and how good it is. */
 export class MetricsPanel {
   private readonly panel = element('result', HTMLElement);
   private readonly badge = element('badge', HTMLElement);
   private readonly reason = element('reason', HTMLElement);
   private readonly notesButton = element('notes-button', HTMLButtonElement);
-  private verdict = '';
+  private readonly remedyButton = element('remedy', HTMLButtonElement);
+  private verdict: Verdict | null = null;
   private readonly list = element('metrics', HTMLElement);
 
-  /** `showNotes` opens them. */
-  constructor(showNotes: () => void) {
+  /** `showNotes` opens them, `help` does what the verdict offers. */
+  constructor(showNotes: () => void, help: (remedy: Remedy) => void) {
     this.notesButton.addEventListener('click', showNotes);
+    this.remedyButton.addEventListener('click', () => {
+      if (this.verdict?.remedy) help(this.verdict.remedy);
+    });
     this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, '\u2013')));
   }
 
@@ -120,11 +141,11 @@ export class MetricsPanel {
     const items =
       outcome.mode === 'unwrap'
         ? itemsOf(OF_ATLAS, outcome.result.report)
-        : itemsOf(OF_DISK, outcome.result.report.charts[0]);
+        : itemsOf(OF_DISK, outcome.result.report);
     this.list.replaceChildren(...items, ...itemsOf([TIME], report));
-    this.badge.textContent = report.valid ? 'Valid' : 'Not valid';
-    this.badge.className = report.valid ? 'badge good' : 'badge bad';
-    this.verdict = verdict(outcome);
+    this.verdict = verdictOf(outcome);
+    this.badge.textContent = this.verdict.badge;
+    this.badge.className = `badge ${GRADES[this.verdict.badge]}`;
     const noteCount = notesOf(outcome).length;
     this.notesButton.textContent = counted(noteCount, 'note');
     this.notesButton.hidden = noteCount === 0;
@@ -134,7 +155,15 @@ export class MetricsPanel {
   /** Marks the numbers as those of an earlier state, which `owner` names; null: they are current. */
   markStale(owner: string | null): void {
     this.panel.classList.toggle('stale', owner !== null);
-    this.setReason(owner === null ? this.verdict : `Numbers of ${owner}`);
+    this.setReason(owner === null ? (this.verdict?.reason ?? '') : `Numbers of ${owner}`);
+    this.showRemedy(owner === null ? (this.verdict?.remedy ?? null) : null);
+  }
+
+  private showRemedy(remedy: Remedy | null): void {
+    this.remedyButton.hidden = remedy === null;
+    if (!remedy) return;
+    this.remedyButton.textContent = REMEDIES[remedy].label;
+    this.remedyButton.title = REMEDIES[remedy].title;
   }
 
   private setReason(text: string): void {
@@ -160,21 +189,4 @@ function notesOf(outcome: Outcome): string[] {
   return outcome.mode === 'unwrap'
     ? atlasNotes(outcome.result.report)
     : notes(outcome.result.report.charts[0]);
-}
-
-/** One sentence on why a result is valid or not. */
-export function verdict(outcome: Outcome): string {
-  return outcome.mode === 'unwrap'
-    ? atlasVerdict(outcome.result.report)
-    : diskVerdict(outcome.result.report);
-}
-
-function diskVerdict({ charts: [chart], valid }: Report): string {
-  return valid ? 'No flipped triangles, no crossings' : sentence(chart.problem);
-}
-
-function atlasVerdict({ charts, valid }: UnwrapReport): string {
-  if (valid) return 'No flipped triangles, no overlapping charts';
-  const bad = charts.filter((chart) => !chart.valid);
-  return `${count(bad.length)} of ${counted(charts.length, 'chart')}: ${bad[0].problem}`;
 }

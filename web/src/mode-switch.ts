@@ -7,7 +7,7 @@ const MODES: Mode[] = ['flatten', 'unwrap'];
 
 const HINTS: Record<Mode, string> = {
   flatten: 'one piece',
-  unwrap: 'charts, packed into a square',
+  unwrap: 'charts in a square',
 };
 
 /** Why a mesh is no disk, in two words. */
@@ -21,11 +21,11 @@ const NO_DISK: Partial<Record<StatusName, string>> = {
   HasHandles: 'handles',
 };
 
-/** Flatten or unwrap: the user's choice for disks; other meshes can only be unwrapped. */
+/** Unwrap, or for disks flatten if the user wants that; it stays chosen for later disks. */
 export class ModeSwitch {
   private readonly buttons = MODES.map((mode) => element(`mode-${mode}`, HTMLButtonElement));
   private readonly hint = element('mode-hint', HTMLElement);
-  private chosen: Mode = 'flatten';
+  private chosen: Mode = 'unwrap';
   /** Of the open mesh. */
   private disk: MeshSummary['disk'] = { ok: true, code: 'Ok', message: '' };
 
@@ -47,7 +47,8 @@ export class ModeSwitch {
     if (this.mode !== before) this.changed();
   }
 
-  private choose(mode: Mode): void {
+  /** Asks for another kind of layout, as if the user had pressed its button. */
+  choose(mode: Mode): void {
     if (mode === this.mode) return;
     this.chosen = mode;
     this.show();

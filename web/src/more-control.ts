@@ -26,7 +26,10 @@ export class MoreControl {
   private readonly keepUv: HTMLButtonElement;
   private options: MoreOptions = defaultOptions();
 
-  constructor(private readonly changed: () => void) {
+  constructor(
+    private readonly changed: () => void,
+    private readonly say: (text: string) => void,
+  ) {
     for (const name of MORE) this.add(name);
     this.keepUv = this.switchOf('more-keep-uv', 'Keep uv of the file', KEEP_UV);
     this.keepUv.hidden = true;
@@ -90,8 +93,12 @@ export class MoreControl {
 
   private addNumber(name: 't' | 'texelDensity'): void {
     const input = create('input', 'number');
-    new NumberField(input, UNWRAP_OPTIONS[name], this.options[name], (value) =>
-      this.set({ [name]: value }),
+    new NumberField(
+      input,
+      UNWRAP_OPTIONS[name],
+      this.options[name],
+      (value) => this.set({ [name]: value }),
+      this.say,
     );
     this.addRow(name, input);
   }

@@ -14,6 +14,7 @@ export class NumberField<T extends number | 'auto'> {
     private readonly rule: NumberRule,
     public value: T,
     private readonly changed: (value: T) => void,
+    say: (text: string) => void,
   ) {
     input.type = 'number';
     input.step = rule.type === 'integer' ? '1' : 'any';
@@ -23,11 +24,19 @@ export class NumberField<T extends number | 'auto'> {
     if (this.takesAuto) input.placeholder = 'auto';
     this.show();
     input.addEventListener('input', () => this.read());
-    input.addEventListener('change', () => this.show());
+    input.addEventListener('change', () => {
+      if (input.ariaInvalid === 'true') say(this.refusal);
+      this.show();
+    });
   }
 
   private get takesAuto(): boolean {
     return this.rule.words?.auto !== undefined;
+  }
+
+  private get refusal(): string {
+    const name = this.input.labels?.[0]?.textContent ?? 'The number';
+    return refusal(name, this.input.value, rangeText(this.rule), String(this.value));
   }
 
   private show(): void {
@@ -55,4 +64,19 @@ export function fits(value: number, rule: NumberRule): boolean {
     value <= atMost &&
     (rule.type !== 'integer' || Number.isInteger(value))
   );
+}
+
+/** "from 0 to 256, whole" */
+function rangeText({ above, atLeast = 0, atMost, type }: NumberRule): string {
+  const low = above === undefined ? `from ${atLeast}` : `above ${above}`;
+  const high = atMost === undefined ? '' : ` to ${atMost}`;
+  return `${low}${high}${type === 'integer' ? ', whole' : ''}`;
+}
+
+/** Why what was typed was not taken; `kept` is used still. */
+export function refusal(name: string, typed: string, range: string, kept: string): string {
+  const rule = `${name} must be ${range}.`;
+  return typed === ''
+    ? `${rule} It is still ${kept}.`
+    : `${rule} ${typed} was not used: it is still ${kept}.`;
 }

@@ -1,5 +1,7 @@
 import { SAMPLE_NAMES } from 'abflat';
+import { noMesh, sourcesOf } from './chosen-files';
 import { element } from './dom';
+import { filesOf } from './dropped-files';
 import type { Source } from './session';
 
 export const FIRST_SAMPLE = 'head';
@@ -14,20 +16,27 @@ export function titleOf(source: Source): string {
   return source.kind === 'sample' ? sampleTitle(source.name) : source.name;
 }
 
-/** Drop, file dialog and samples: three ways to choose a mesh. */
-export function bindOpen(open: (source: Source) => void): void {
-  const openFiles = (list: FileList | null | undefined) => {
-    const files = [...(list ?? [])];
-    const file = files.find(({ name }) => /\.gltf$/i.test(name)) ?? files[0];
-    const others = files.filter((other) => other !== file);
-    if (file) open({ kind: 'file', name: file.name, file, others });
-  };
-  bindDialog(openFiles);
-  bindSamples((name) => open({ kind: 'sample', name }));
-  bindDrop(openFiles);
+export interface OpenEvents {
+  open(source: Source): void;
+  /** Nothing that was chosen can be opened, for people. */
+  refused(reason: string): void;
 }
 
-type OpenFiles = (files: FileList | null | undefined) => void;
+/** Drop, paste, file dialog and samples: ways to choose a mesh. */
+export function bindOpen(events: OpenEvents): void {
+  const openFiles = (files: File[]) => {
+    if (files.length === 0) return;
+    const [source] = sourcesOf(files);
+    if (source) events.open(source);
+    else events.refused(noMesh(files));
+  };
+  bindDialog(openFiles);
+  bindSamples((name) => events.open({ kind: 'sample', name }));
+  bindDrop(openFiles, events.refused);
+  bindPaste(openFiles);
+}
+
+type OpenFiles = (files: File[]) => void;
 
 /** Shows which sample is open; none for a file. */
 export function showSample(name: string | null): void {
@@ -38,7 +47,7 @@ function bindDialog(openFiles: OpenFiles): void {
   const input = element('file', HTMLInputElement);
   element('open', HTMLButtonElement).addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
-    openFiles(input.files);
+    openFiles([...(input.files ?? [])]);
     // So that choosing the same file again is a change.
     input.value = '';
   });
@@ -56,7 +65,7 @@ function bindSamples(openSample: (name: string) => void): void {
   select.addEventListener('change', () => openSample(select.value));
 }
 
-function bindDrop(openFiles: OpenFiles): void {
+function bindDrop(openFiles: OpenFiles, refused: (reason: string) => void): void {
   const overlay = element('drop', HTMLElement);
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   window.addEventListener('dragover', (event) => {
@@ -69,9 +78,18 @@ function bindDrop(openFiles: OpenFiles): void {
     if (!event.relatedTarget) overlay.hidden = true;
   });
   window.addEventListener('drop', (event) => {
-    if (!hasFiles(event)) return;
+    if (!event.dataTransfer || !hasFiles(event)) return;
     event.preventDefault();
     overlay.hidden = true;
-    openFiles(event.dataTransfer?.files);
+    filesOf(event.dataTransfer).then(openFiles, (error: Error) => refused(error.message));
+  });
+}
+
+function bindPaste(openFiles: OpenFiles): void {
+  window.addEventListener('paste', (event) => {
+    const files = [...(event.clipboardData?.files ?? [])];
+    if (files.length === 0) return;
+    event.preventDefault();
+    openFiles(files);
   });
 }

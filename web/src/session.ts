@@ -1,6 +1,7 @@
 import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
 import { asDisk } from './as-disk';
 import { Background } from './background';
+import { counted } from './format';
 import type { GltfFile } from './gltf-file';
 import { type AnyProgress, layOut, type Outcome } from './lay-out';
 import type { DisplayMesh } from './mesh';
@@ -15,6 +16,8 @@ export interface FileSource {
   file: File;
   /** What came with it: a glTF may be of several files. */
   others: File[];
+  /** All meshes that were chosen at once, this one included. */
+  together: FileSource[];
 }
 
 export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
@@ -192,14 +195,22 @@ export class Session {
       const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal);
       return { source, input: mesh, mesh, summary, gltf };
     }
+    if (source.file.size === 0) throw new Error(`${source.name} is empty.`);
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
     };
     const mesh = await abflat.load(input, { signal });
     const summary = await abflat.inspect(input, { signal });
+    if (mesh.indices.length === 0) throw new Error(withoutFaces(source.name, summary));
     return { source, input, mesh, summary };
   }
+}
+
+function withoutFaces(name: string, { vertices }: MeshSummary): string {
+  const content =
+    vertices > 0 ? `${counted(vertices, 'vertex', 'vertices')} but no faces` : 'no faces';
+  return `${name} has ${content}, so there is nothing to unwrap. Save it with its faces.`;
 }
 
 async function bytesOf(file: File): Promise<ArrayBuffer> {

@@ -1,5 +1,7 @@
+import type { MeshSummary } from 'abflat';
 import { bound, count, counted } from './format';
 import type { Flattened, Outcome } from './lay-out';
+import type { DisplayMesh } from './mesh';
 import { changedOptions } from './more-options';
 import { titleOf } from './open-mesh';
 import type { Source } from './session';
@@ -26,6 +28,12 @@ export function settingsText(settings: Settings): string {
     return [along, `stretch up to ${maxStretch}`, size, ...changedOptions(settings)].join(', ');
   }
   return `t = ${bound(settings.t)}${settings.delaunay ? ', Delaunay' : ''}`;
+}
+
+/** "500 polygons, 968 triangles"; of a mesh of triangles their number. */
+export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): string {
+  const triangles = counted(indices.length / 3, 'triangle');
+  return faces === indices.length / 3 ? triangles : `${counted(faces, 'polygon')}, ${triangles}`;
 }
 
 /** What went wrong as a sentence that names the mesh. */

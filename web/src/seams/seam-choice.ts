@@ -12,6 +12,8 @@ export interface SeamChoice {
   sources: SeamSources;
   /** Two vertices per edge: these, and not those of the sources. */
   edges: Uint32Array | null;
+  /** Automatic seams beside `edges`. */
+  isCutFurther?: boolean;
 }
 
 export const AUTOMATIC: SeamChoice = {
@@ -31,9 +33,10 @@ export function seamWords({ auto, uv, material, sharp }: SeamSources): string {
 }
 
 /** As options of `unwrap`. */
-export function seamOptions({ sources, edges }: SeamChoice): {
+export function seamOptions({ sources, edges, isCutFurther }: SeamChoice): {
   seams: string;
   seamEdges?: Uint32Array;
 } {
-  return edges ? { seams: 'none', seamEdges: edges } : { seams: seamWords(sources) };
+  if (!edges) return { seams: seamWords(sources) };
+  return { seams: isCutFurther ? 'auto' : 'none', seamEdges: edges };
 }

@@ -50,7 +50,9 @@ export class SeamModel {
    * atlas on screen is not yet that of the choice.
    */
   get own(): EdgeFlags {
-    const pairs = this.choice.edges ?? this.found.get(this.choice) ?? this.shownPairs;
+    const { edges, isCutFurther } = this.choice;
+    const listed = isCutFurther ? null : edges;
+    const pairs = listed ?? this.found.get(this.choice) ?? this.shownPairs;
     this.wanted ??= flagsOf(this.graph, pairs ?? new Uint32Array());
     return this.wanted;
   }
@@ -97,7 +99,17 @@ export class SeamModel {
   }
 
   setEdges(edges: Uint32Array): void {
-    this.change({ ...this.choice, edges });
+    this.change({ sources: this.choice.sources, edges });
+  }
+
+  /** Adds automatic seams to those asked for. */
+  cutFurther(): void {
+    const { sources, edges } = this.choice;
+    this.change(
+      edges
+        ? { sources, edges, isCutFurther: true }
+        : { sources: { ...sources, auto: true }, edges },
+    );
   }
 
   undo(): boolean {

@@ -38,7 +38,7 @@ export class SeamPanel {
     this.sources = new SourceControl((sources) => {
       this.model?.setSources(sources);
       this.changed();
-    });
+    }, events.say);
     this.files = new SeamFiles({
       text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
       meshName: () => this.meshName,
@@ -72,6 +72,12 @@ export class SeamPanel {
 
   get options(): ReturnType<typeof seamOptions> {
     return seamOptions(this.choice);
+  }
+
+  /** Adds automatic seams to those asked for. */
+  cutFurther(): void {
+    this.model?.cutFurther();
+    this.changed();
   }
 
   /** Another mesh, with automatic seams. */

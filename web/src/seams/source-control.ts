@@ -1,5 +1,6 @@
 import { element } from '../dom';
 import { counted } from '../format';
+import { refusal } from '../number-field';
 import type { SeamChoice, SeamSources } from './seam-choice';
 
 /** What the open mesh has to cut along. */
@@ -22,7 +23,10 @@ export class SourceControl {
   private sources: SeamSources = NO_SOURCES;
   private angle = USUAL_SHARP;
 
-  constructor(private readonly changed: (sources: SeamSources) => void) {
+  constructor(
+    private readonly changed: (sources: SeamSources) => void,
+    say: (text: string) => void,
+  ) {
     this.switches.forEach((button, i) => {
       const name = SWITCHES[i];
       button.addEventListener('click', () =>
@@ -35,6 +39,8 @@ export class SourceControl {
     this.degrees.valueAsNumber = this.angle;
     this.degrees.addEventListener('input', () => this.readDegrees());
     this.degrees.addEventListener('change', () => {
+      if (this.degrees.ariaInvalid === 'true')
+        say(refusal('Sharp', this.degrees.value, 'above 0 to 180 degrees', `${this.angle}°`));
       this.degrees.valueAsNumber = this.angle;
       this.degrees.setAttribute('aria-invalid', 'false');
     });
@@ -46,7 +52,7 @@ export class SourceControl {
   }
 
   /** While edges are listed none of the sources counts: a press on one begins anew with it. */
-  show({ sources, edges }: SeamChoice): void {
+  show({ sources, edges, isCutFurther }: SeamChoice): void {
     this.sources = edges ? NO_SOURCES : sources;
     this.switches.forEach((button, i) => {
       button.setAttribute('aria-pressed', String(this.sources[SWITCHES[i]]));
@@ -58,7 +64,8 @@ export class SourceControl {
       this.angle = sharp;
       this.degrees.valueAsNumber = sharp;
     }
-    this.state.textContent = stateText(this.sources, edges);
+    this.state.textContent = stateText(this.sources, edges, isCutFurther);
+    this.state.title = this.state.textContent;
   }
 
   private readDegrees(): void {
@@ -71,8 +78,9 @@ export class SourceControl {
   }
 }
 
-function stateText(sources: SeamSources, edges: Uint32Array | null): string {
-  if (edges) return `edited: ${counted(edges.length / 2, 'edge')}`;
+function stateText(sources: SeamSources, edges: Uint32Array | null, isCutFurther = false): string {
+  if (edges)
+    return `edited: ${counted(edges.length / 2, 'edge')}${isCutFurther ? ', cut further' : ''}`;
   const { auto, uv, material, sharp } = sources;
   return auto || uv || material || sharp !== null ? '' : 'only what disks need';
 }

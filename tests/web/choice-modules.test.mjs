@@ -1,0 +1,123 @@
+// What the page makes of files that are dropped together, and of results: modules that need no page.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { loadModule as load } from './modules.mjs';
+
+const files = (...names) => names.map((name) => new File(['x'], name));
+
+test('a mesh is found among its files in any order; of several all are offered', async () => {
+  const { sourcesOf } = await load('chosen-files');
+  const names = (list) => sourcesOf(files(...list)).map(({ name }) => name);
+  const parts = ['x.mtl', 'x.png', 'x.obj'];
+  for (let turn = 0; turn < parts.length; turn++) {
+    const [source, ...more] = sourcesOf(files(...parts));
+    assert.deepEqual([source.name, more.length], ['x.obj', 0]);
+    assert.deepEqual(source.others.map(({ name }) => name).sort(), ['x.mtl', 'x.png']);
+    parts.push(parts.shift());
+  }
+  assert.deepEqual(names(['b.ply', 'a.STL', 'n.txt']), ['b.ply', 'a.STL']);
+  assert.deepEqual(names(['b.ply', 's.gltf', 's.bin']), ['s.gltf', 'b.ply']);
+  assert.deepEqual(names(['picture.png']), []);
+  // What it is its content tells.
+  assert.deepEqual(names(['scan.data', 'scan.png']), ['scan.data']);
+  const all = sourcesOf(files('a.obj', 'b.obj', 'c.obj'));
+  for (const source of all) assert.deepEqual(source.together, all);
+});
+
+test('why nothing can be opened is a sentence with the name of the file', async () => {
+  const { noMesh } = await load('chosen-files');
+  assert.match(noMesh(files('cat.png')), /^cat\.png is no mesh\. Open an OBJ, .*\.$/);
+  assert.match(noMesh(files('cat.png', 'dog.png')), /^None of these 2 files is a mesh\. .*\.$/);
+});
+
+const chart = (symmetricDirichlet, more = {}) => ({ symmetricDirichlet, valid: true, ...more });
+const atlas = (maxStretch, seams, charts, valid = true) => ({
+  mode: 'unwrap',
+  settings: { maxStretch, seams },
+  result: { report: { charts, valid } },
+});
+
+test('the badge of an atlas tells valid, stretched and not valid apart', async () => {
+  const { verdictOf } = await load('verdict');
+  const badge = (outcome) => verdictOf(outcome).badge;
+  assert.equal(badge(atlas(1.04, 'auto', [chart(1.04), chart(1.01)])), 'Valid');
+  const stretched = verdictOf(atlas(1.04, 'none', [chart(1.83), chart(1.2), chart(1)]));
+  assert.deepEqual(stretched, {
+    badge: 'Stretched',
+    reason: 'Stretch up to 1.83 in 2 of 3 charts; the limit is 1.04',
+    remedy: 'cut',
+  });
+  assert.equal(
+    verdictOf(atlas(1.04, 'material', [chart(1.0402)])).reason,
+    'Stretch 1.0402; the limit is 1.04',
+  );
+  // Automatic seams have done what they can.
+  assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
+  // Charts that the user keeps are not judged.
+  assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { fixed: true })])), 'Valid');
+  assert.equal(badge(atlas(1.04, 'none', [chart(Number.NaN)])), 'Valid');
+  const bad = atlas(
+    1.04,
+    'auto',
+    [chart(3), chart(1, { valid: false, problem: 'it folds' })],
+    false,
+  );
+  assert.deepEqual(verdictOf(bad), {
+    badge: 'Not valid',
+    reason: '1 of 2 charts: it folds',
+    remedy: null,
+  });
+});
+
+test('the badge of a mesh in one piece turns with its lengths', async () => {
+  const { verdictOf } = await load('verdict');
+  const disk = (lengthDistortion, valid = true) =>
+    verdictOf({
+      mode: 'flatten',
+      result: {
+        report: { valid, charts: [{ lengthDistortion, problem: 'the boundary crosses itself' }] },
+      },
+    });
+  assert.equal(disk(0.2).badge, 'Valid');
+  assert.deepEqual([disk(4.81).badge, disk(4.81).remedy], ['Stretched', 'unwrap']);
+  assert.match(disk(4.81).reason, /lengths change by 219\s% on average/);
+  assert.deepEqual(disk(4.81, false).reason, 'The boundary crosses itself');
+});
+
+test('a number that was not used is said with its range and what is used instead', async () => {
+  const { refusal } = await load('number-field');
+  assert.equal(
+    refusal('t', '7', 'from 0.9 to 2', 'auto'),
+    't must be from 0.9 to 2. 7 was not used: it is still auto.',
+  );
+  assert.equal(
+    refusal('Padding', '', 'from 0 to 256, whole', '2'),
+    'Padding must be from 0 to 256, whole. It is still 2.',
+  );
+});
+
+test('faces are those of the file: polygons beside their triangles', async () => {
+  const { facesText } = await load('words');
+  const mesh = { indices: new Uint32Array(3 * 968) };
+  assert.equal(facesText(mesh, { faces: 500 }), '500 polygons, 968 triangles');
+  assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');
+});
+
+test('cutting further adds automatic seams to those chosen, and can be undone', async () => {
+  const { SeamModel } = await load('seams/seam-model');
+  const { seamOptions } = await load('seams/seam-choice');
+  const model = new SeamModel(() => {
+    throw new Error('No edge is needed.');
+  });
+  model.setSources({ auto: false, uv: false, material: true, sharp: null });
+  model.cutFurther();
+  assert.deepEqual(seamOptions(model.choice), { seams: 'auto,material' });
+  const edges = Uint32Array.of(1, 2);
+  model.setEdges(edges);
+  assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
+  model.cutFurther();
+  assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
+  model.undo();
+  assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
+});

@@ -1,0 +1,45 @@
+/** More than a mesh and its textures: somebody has dropped a disk. */
+const MOST_FILES = 1000;
+
+/** The files that were dropped, with those in dropped folders. */
+export async function filesOf(dropped: DataTransfer): Promise<File[]> {
+  // At once: what was dropped can be read in this task only.
+  const plain = [...dropped.files];
+  const entries = [...dropped.items].map((item) => item.webkitGetAsEntry());
+  if (!entries.some((entry) => entry?.isDirectory)) return plain;
+  const files: File[] = [];
+  for (const entry of entries) if (entry) await gather(entry, files);
+  if (files.length === 0)
+    throw new Error('The folder is empty. Drop a mesh, or a folder with one.');
+  return files;
+}
+
+async function gather(entry: FileSystemEntry, files: File[]): Promise<void> {
+  if (isFile(entry)) files.push(await fileOf(entry));
+  else if (isFolder(entry)) for (const inner of await entriesOf(entry)) await gather(inner, files);
+  if (files.length > MOST_FILES)
+    throw new Error(
+      `The folder holds more than ${MOST_FILES} files. Drop only the mesh and what belongs to it.`,
+    );
+}
+
+const isFile = (entry: FileSystemEntry): entry is FileSystemFileEntry => entry.isFile;
+const isFolder = (entry: FileSystemEntry): entry is FileSystemDirectoryEntry => entry.isDirectory;
+
+const fileOf = (entry: FileSystemFileEntry) =>
+  new Promise<File>((resolve, reject) => {
+    entry.file(resolve, reject);
+  });
+
+/** A reader gives some at a time, and none when there are no more. */
+async function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const all: FileSystemEntry[] = [];
+  for (;;) {
+    const some = await new Promise<FileSystemEntry[]>((resolve, reject) => {
+      reader.readEntries(resolve, reject);
+    });
+    if (some.length === 0) return all;
+    all.push(...some);
+  }
+}
