@@ -14,7 +14,8 @@ export class Notice {
     const others = opened.together.filter((source) => source !== opened);
     this.hide();
     if (others.length === 0) return;
-    const text = create('p', 'alert-text', sentence(opened, others));
+    const text = create('p', '', sentence(opened, others));
+    text.title = opened.name;
     const buttons = others.slice(0, OFFERED).map((source) => {
       const button = create('button', 'tool', `Open ${source.name}`);
       button.type = 'button';
@@ -36,6 +37,6 @@ export class Notice {
 
 function sentence({ name }: FileSource, others: FileSource[]): string {
   const more = others.length - OFFERED;
-  const rest = more > 0 ? `, ${others.length} meshes wait` : '';
-  return `One mesh at a time: this is ${name}${rest}.`;
+  const rest = more > 0 ? `, of ${others.length + 1} meshes` : '';
+  return `One mesh at a time${rest}: this is ${name}.`;
 }
