@@ -18,8 +18,10 @@ export async function setup(purposes = PURPOSES) {
   if (major < LEAST_NODE) {
     throw new Failure(`abflat needs Node ${LEAST_NODE} or newer; this is ${process.version}.`);
   }
-  await installSystemPackages(purposes);
-  await installNodeModules();
+  // Neither needs the other, and both mostly wait for the network.
+  const done = await Promise.allSettled([installSystemPackages(purposes), installNodeModules()]);
+  const failed = done.find(({ status }) => status === 'rejected');
+  if (failed) throw failed.reason;
 }
 
 function missing(purposes) {
@@ -92,7 +94,8 @@ async function installNodeModules() {
   const mark = join(ROOT, 'node_modules/.abflat-setup');
   if (existsSync(mark) && readFileSync(mark, 'utf8') === hash) return;
   console.log('Installing npm packages (TypeScript, Vite, three.js, test tools).');
-  await mustRun('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error']);
+  const args = ['ci', '--no-audit', '--no-fund', '--loglevel=error'];
+  await mustRun('npm', args, { capture: true });
   writeFileSync(mark, hash);
 }
 

@@ -3,6 +3,7 @@
 import { join } from 'node:path';
 import { buildBench } from '../tests/bench/support/meshes.mjs';
 import { buildNative, buildWasm, buildWeb } from './build.mjs';
+import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
 import { BUILD } from './lib/paths.mjs';
 import { findChrome } from './lib/requirements.mjs';
@@ -15,21 +16,33 @@ const SANITIZER_ENV = {
   ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
   ABFLAT_DISKS: '48', // an instrumented program is slow
 };
-const WITHOUT = { title: (what) => what, folder: 'native', env: {} };
+const WITHOUT = {
+  title: (what) => what,
+  purposes: ['build', 'test'],
+  folder: 'native',
+  env: {},
+};
 const SANITIZED = {
   title: (what) => `${what}, sanitizers`,
+  purposes: ['build', 'test'],
   folder: 'sanitize',
   env: SANITIZER_ENV,
 };
 
 const program = () => buildNative({ tests: true });
-const sanitizedProgram = () => cmakeBuild('sanitize', { settings: { ABFLAT_SANITIZE: 'ON' } });
+
+const sanitizedProgram = () =>
+  cmakeBuild('sanitize', {
+    settings: { ABFLAT_SANITIZE: 'ON' },
+    targets: ['abflat', 'abflat_core_tests'],
+  });
 
 /** Files of tests/FOLDER for node, some of them at a time. `env` is asked for once all is built. */
 function node(folder, needs, { kind = WITHOUT, what = 'node', env = () => ({}) } = {}) {
   return {
     name: folder,
     title: `tests/${folder} (${kind.title(what)})`,
+    purposes: kind.purposes,
     needs,
     jobs: (options) =>
       nodeJobs(folder, { ...kind.env, ...env() }, { ...options, kind: kind.folder }),
@@ -41,6 +54,7 @@ function catch2(folder, needs, { kind = WITHOUT } = {}) {
   return {
     name: folder,
     title: `tests/${folder} (${kind.title('Catch2')})`,
+    purposes: kind.purposes,
     needs,
     jobs: (options) =>
       catchJobs(join(BUILD, kind.folder, 'tests/abflat_core_tests'), kind.env, options),
@@ -69,6 +83,15 @@ export const SANITIZED_SUITES = [
   node('native', [sanitizedProgram], { kind: SANITIZED }),
 ];
 
+/** What `npm run lint` checks. */
+const LINT = {
+  name: 'lint',
+  title: 'lint',
+  purposes: ['build', 'lint'],
+  needs: CHECKED_BUILDS,
+  jobs: checkJobs,
+};
+
 const without = (...names) => SUITES.filter(({ name }) => !names.includes(name));
 
 /** Names for several at once. */
@@ -78,4 +101,6 @@ export const GROUPS = {
   browser: SUITES.filter(({ name }) => name === 'web'),
   sanitize: SANITIZED_SUITES,
   long: [...SUITES, ...LONG_SUITES],
+  lint: [LINT],
+  ci: [...SANITIZED_SUITES, ...SUITES, LINT],
 };

@@ -37,6 +37,29 @@ function choose(names) {
   return [...new Set(names.flatMap((name) => known.get(name)))];
 }
 
+/** Builds what the suites need. Resolves to the builds that failed, and why. */
+async function buildFor(suites) {
+  const broken = new Map();
+  for (const build of new Set(suites.flatMap(({ needs }) => needs))) {
+    try {
+      await build();
+    } catch (error) {
+      if (!(error instanceof Failure)) throw error;
+      console.error(error.message);
+      broken.set(build, error.message);
+    }
+  }
+  return broken;
+}
+
+/** The jobs of a suite, or one that has failed because something could not be built. */
+function jobsOf({ needs, jobs }, broken, options) {
+  const reason = needs.map((build) => broken.get(build)).find(Boolean);
+  if (reason === undefined) return jobs(options);
+  const result = { passed: 0, failed: 1, skipped: 0, output: `Not run. ${reason}\n` };
+  return [{ name: 'build', run: async () => result }];
+}
+
 function show({ title, parts }) {
   console.log(`\n== ${title}`);
   for (const part of parts) {
@@ -68,8 +91,11 @@ await runMain(async () => {
     allowPositionals: true,
   });
   const suites = choose(positionals.length > 0 ? positionals : ['default']);
-  await setup(['build', 'test']);
-  for (const build of new Set(suites.flatMap(({ needs }) => needs))) await build();
-  const runs = suites.map(({ title, jobs }) => ({ title, jobs: jobs(values) }));
+  await setup([...new Set(suites.flatMap(({ purposes }) => purposes))]);
+  const broken = await buildFor(suites);
+  const runs = suites.map((suite) => ({
+    title: suite.title,
+    jobs: jobsOf(suite, broken, values),
+  }));
   if (!summarize(await runPool(runs, Number(JOBS), show))) process.exitCode = 1;
 });

@@ -83,7 +83,8 @@ export const REQUIREMENTS = [
     name: 'Ninja or Make',
     purpose: 'build',
     why: 'runs the compiler for CMake',
-    present: () => which('ninja') ?? which('make'),
+    // Make waits for a whole target before it begins the next.
+    present: () => which('ninja') ?? (which('apt-get') ? undefined : which('make')),
     apt: ['ninja-build'],
     dnf: ['ninja-build'],
     pacman: ['ninja'],

@@ -2,27 +2,40 @@
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
+import { after } from 'node:test';
 import { ROOT } from '../../scripts/lib/paths.mjs';
-import { launchBrowser, serveFolder } from '../../web/scripts/browser.mjs';
+import { newContext, serveFolder, startBrowser } from '../../web/scripts/browser.mjs';
 
 /** Nothing here is a race with the clock: this only ends a test that would never end. */
 const PATIENCE = 120_000;
 
+/** Browsers that the tests of a file share, one with WebGL and one without. */
+const browsers = new Map();
+after(() => Promise.all([...browsers.values()].map((browser) => browser.close())));
+
+async function sharedBrowser(webgl) {
+  if (!browsers.get(webgl)?.isConnected()) browsers.set(webgl, await startBrowser({ webgl }));
+  return browsers.get(webgl);
+}
+
 /**
- * Opens the page; `t.after` closes it and checks that it logged no error but those that `expected` matches. `prepare` is
- * called with the page before it loads, `mode: 'flatten'` chooses that; `headers` are those of serveFolder, other options are those of
- * launchBrowser.
+ * Opens the page in a context of its own; `t.after` closes it and checks that it logged no error but those that `expected` matches. `prepare`
+ * is called with the page before it loads, `mode: 'flatten'` chooses that; `headers` are those of serveFolder, other options are those of
+ * newContext.
  */
-export async function openPage(t, { prepare, expected, headers, mode, ...options } = {}) {
+export async function openPage(
+  t,
+  { prepare, expected, headers, mode, webgl = true, ...options } = {},
+) {
   const server = await serveFolder(join(ROOT, 'web/dist'), headers);
-  const browser = await launchBrowser(options);
+  const context = await newContext(await sharedBrowser(webgl), options);
   const problems = [];
   t.after(async () => {
-    await browser.close();
+    await context.close();
     server.close();
     assert.deepEqual(problems, [], 'errors in the console of the page');
   });
-  const page = browser.context.pages()[0] ?? (await browser.context.newPage());
+  const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
   page.on('console', (message) => {
     if (message.type() === 'error' && !expected?.test(message.text()))

@@ -1,7 +1,6 @@
 // A real browser on the built page, for tests and screenshots.
 
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
@@ -34,26 +33,28 @@ export async function serveFolder(folder, headers = ISOLATED) {
   };
 }
 
-/** Starts a browser with an empty profile. `context` are playwright's options of a context. */
-export async function launchBrowser({ webgl = true, ...context } = {}) {
+/** Starts a browser with an empty profile. */
+export function startBrowser({ webgl = true } = {}) {
   const executablePath = findChrome();
   if (!executablePath)
     throw new Error('There is no Chromium or Chrome; name one with CHROME_PATH.');
-  const profile = mkdtempSync(join(tmpdir(), 'abflat-browser-'));
-  const browser = await chromium.launchPersistentContext(profile, {
-    executablePath,
-    headless: true,
-    args: [...FLAGS, ...(webgl ? SOFTWARE_GL : NO_GL)],
+  const args = [...FLAGS, ...(webgl ? SOFTWARE_GL : NO_GL)];
+  return chromium.launch({ executablePath, headless: true, args });
+}
+
+/** Pages of their own in a browser: they share no storage or cache with others. `options` are playwright's. */
+export function newContext(browser, options = {}) {
+  return browser.newContext({
     viewport: { width: 1280, height: 720 },
     colorScheme: 'dark',
     acceptDownloads: true,
-    ...context,
+    ...options,
   });
-  return {
-    context: browser,
-    close: async () => {
-      await browser.close();
-      rmSync(profile, { recursive: true, force: true });
-    },
-  };
+}
+
+/** A browser with one context. */
+export async function launchBrowser({ webgl, ...options } = {}) {
+  const browser = await startBrowser({ webgl });
+  const context = await newContext(browser, options);
+  return { context, close: () => browser.close() };
 }

@@ -52,7 +52,7 @@ async function plotAgainstT(page) {
 async function photograph(url, meshes, theme, output) {
   const browser = await launchBrowser({ colorScheme: theme, viewport: VIEWPORT });
   try {
-    const page = browser.context.pages()[0] ?? (await browser.context.newPage());
+    const page = await browser.context.newPage();
     page.setDefaultTimeout(PATIENCE);
     await page.goto(url);
     for (const mesh of meshes) {

@@ -1,0 +1,52 @@
+// Sources that can be read together, one after another as one translation unit: most of the time of
+// clang-tidy goes into headers, which are then read once.
+
+/** The name that a line at the margin declares, if it does. */
+function declared(line) {
+  const type = line.match(/^(?:template <.*> )?(?:struct|class|union|enum(?: class)?|using) (\w+)/);
+  const other = line.match(/^[\w:][^={(]*?(\w+)(?:\[[^\]]*\])*(?: =|\(|\{|;|$)/);
+  return type?.[1] ?? other?.[1];
+}
+
+const namesIn = (text) => new Set(text.split('\n').map(declared).filter(Boolean));
+
+/** Names that a source declares for itself alone, in its unnamed namespace or as static. */
+export function ownNames(text) {
+  const blocks = text.match(/^namespace \{$[\s\S]*?^\} {2}\/\/ namespace$/gm) ?? [];
+  const statics = text.match(/^static .*$/gm) ?? [];
+  return namesIn([...blocks, ...statics].join('\n'));
+}
+
+const wordsOf = (text) => new Set(text.match(/\b[A-Za-z_]\w*/g));
+
+const share = (names, words) => [...names].some((name) => words.has(name));
+
+/** All names that a source uses or its headers declare. */
+function knownNames({ text, headers }) {
+  const names = wordsOf(text);
+  for (const header of headers) for (const name of namesIn(header)) names.add(name);
+  return names;
+}
+
+/**
+ * Splits `sources` (`{ text, headers, flags }`, where `headers` are the texts of all headers) into lists of at most
+ * `most`. Those of one list have the same flags, and none knows a name that another one declares for itself.
+ */
+export function batches(sources, most) {
+  const found = [];
+  for (const source of sources) {
+    const names = ownNames(source.text);
+    const words = knownNames(source);
+    const hasRoom = ({ flags, list }) => flags === source.flags && list.length < most;
+    const agrees = (batch) => !share(names, batch.words) && !share(batch.names, words);
+    let batch = found.find((each) => hasRoom(each) && agrees(each));
+    if (!batch) {
+      batch = { flags: source.flags, list: [], names: new Set(), words: new Set() };
+      found.push(batch);
+    }
+    batch.list.push(source);
+    for (const name of names) batch.names.add(name);
+    for (const word of words) batch.words.add(word);
+  }
+  return found.map(({ list }) => list);
+}

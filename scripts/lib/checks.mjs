@@ -1,0 +1,66 @@
+// The checks of `npm run lint`, as jobs: `{ name, run }`, where `run` resolves to
+// `{ passed, failed, skipped, output }`.
+
+import { join } from 'node:path';
+import { buildNative, buildWasm, buildWeb } from '../build.mjs';
+import { JOBS } from './cmake.mjs';
+import { BUILD, ROOT } from './paths.mjs';
+import { Failure, run } from './run.mjs';
+import { filesBelow } from './stamp.mjs';
+import { tidyWorker } from './tidy.mjs';
+
+const CPP_FOLDERS = ['core/include', 'core/src', 'native', 'wasm/bindings', 'tests/core'];
+const BIOME = join(ROOT, 'node_modules/.bin/biome');
+
+/** What the checks need: the compile commands, and the types, which both builds check. */
+export const CHECKED_BUILDS = [buildNative, buildWasm, buildWeb];
+
+const cppFiles = () => filesBelow(CPP_FOLDERS).filter((path) => /\.(h|cpp)$/.test(path));
+
+/** `fix` formats instead of complaining. */
+const COMMANDS = {
+  generated: (fix) => ['node', 'scripts/generate.mjs', ...(fix ? [] : ['--check'])],
+  biome: (fix) => {
+    const colors = process.stdout.isTTY ? [] : ['--colors=off'];
+    return [BIOME, ...(fix ? ['check', '--write'] : ['ci']), ...colors, '.'];
+  },
+  clangFormat: (fix) => {
+    const mode = fix ? ['-i'] : ['--dry-run', '-Werror'];
+    return ['clang-format', ...mode, '--style=file', ...cppFiles()];
+  },
+};
+
+function job(name, check) {
+  const runCheck = async () => {
+    const { isClean, output } = await check();
+    return { passed: isClean ? 1 : 0, failed: isClean ? 0 : 1, skipped: 0, output };
+  };
+  return { name, run: () => runCheck().catch(asFailed) };
+}
+
+/** A check that could not be carried out has failed; the others still run. */
+function asFailed(error) {
+  if (!(error instanceof Failure)) throw error;
+  return { passed: 0, failed: 1, skipped: 0, output: `${error.message}\n` };
+}
+
+/** Those that format, or say what is not formatted. */
+export const formatJobs = ({ fix = false } = {}) =>
+  Object.entries(COMMANDS).map(([name, commandOf]) =>
+    job(name, async () => {
+      const [program, ...args] = commandOf(fix);
+      const { code, output } = await run(program, args, { capture: true });
+      return { isClean: code === 0, output };
+    }),
+  );
+
+/** All checks. clang-tidy is as many jobs as there are cores, which share its work. */
+export function checkJobs() {
+  let worker;
+  const tidy = () => {
+    worker ??= tidyWorker(join(BUILD, 'native'));
+    return worker();
+  };
+  const tidyJobs = Array.from({ length: Number(JOBS) }, (_, i) => job(`clangTidy ${i + 1}`, tidy));
+  return [...tidyJobs, ...formatJobs()];
+}

@@ -1,0 +1,94 @@
+// clang-tidy over the sources of core and native. Sources are read in batches; those that were clean are left out
+// until they, or a header that they include, change.
+
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { batches } from './batches.mjs';
+import { includeScanner } from './includes.mjs';
+import { BUILD, ROOT } from './paths.mjs';
+import { run } from './run.mjs';
+import { fingerprint, stamp } from './stamp.mjs';
+
+const FOLDER = join(BUILD, 'tidy');
+const MOST = 12;
+/** By this name the analyzer knows that what it includes is to be looked at like itself. */
+const BATCH = 'UnifiedSource.cpp';
+/** A batch includes sources, which is what this check warns of. */
+const BATCH_CHECKS = '--checks=-bugprone-suspicious-include';
+
+const escaped = (path) => path.replaceAll(/[.+*?^$()[\]{}|\\]/g, '\\$&');
+
+/** The sources that were compiled, each once, in the way that batches wants them and with their stamps. */
+function sources(database) {
+  const filesOf = includeScanner();
+  const common = fingerprint([join(ROOT, '.clang-tidy')]);
+  const compiled = JSON.parse(readFileSync(join(database, 'compile_commands.json'), 'utf8'));
+  const entries = new Map(compiled.map((entry) => [entry.file, entry]));
+  return [...entries.values()]
+    .filter(({ file }) => /^(core|native)\//.test(relative(ROOT, file)) && existsSync(file))
+    .map(({ file, command, directory }) => {
+      const flags = command.slice(0, command.lastIndexOf(' -o '));
+      const files = filesOf(file);
+      return {
+        file,
+        text: readFileSync(file, 'utf8'),
+        headers: files.filter((each) => each !== file).map((each) => readFileSync(each, 'utf8')),
+        flags,
+        directory,
+        mark: stamp(`tidy-${relative(ROOT, file).replaceAll('/', '-')}`),
+        hash: `${common} ${fingerprint(files)} ${flags}`,
+      };
+    });
+}
+
+/** Runs clang-tidy on a file that is compiled as `source` is. */
+async function clangTidy(file, { flags, directory }, folder, args = []) {
+  const command = `${flags} -o checked.o -c ${file}`;
+  const database = JSON.stringify([{ directory, command, file }]);
+  writeFileSync(join(folder, 'compile_commands.json'), database);
+  return run('clang-tidy', ['-p', folder, '--quiet', ...args, file], { capture: true });
+}
+
+/**
+ * Reads the sources of a batch as one, or each alone where that cannot be. Resolves to the sources that are clean
+ * and to what is said about the others. `folder` is for files of its own.
+ */
+export async function checkBatch(list, folder, root = ROOT) {
+  mkdirSync(folder, { recursive: true });
+  const file = join(folder, BATCH);
+  writeFileSync(file, list.map((source) => `#include "${source.file}"\n`).join(''));
+  const filter = `--header-filter=^${escaped(root)}/(core/include|core/src|native/src)/.*\\.(h|cpp)$`;
+  const together = await clangTidy(file, list[0], folder, [BATCH_CHECKS, filter]);
+  if (together.code === 0) return { clean: list, output: '' };
+  if (!together.output.includes('[clang-diagnostic-error]'))
+    return { clean: [], output: together.output };
+  const clean = [];
+  let output = '';
+  for (const source of list) {
+    const alone = await clangTidy(source.file, source, folder);
+    if (alone.code === 0) clean.push(source);
+    else output += alone.output;
+  }
+  return { clean, output };
+}
+
+/**
+ * A function that checks batches until none is left and resolves to `{ isClean, output }`; several calls share them.
+ * `database` is a build folder with compile_commands.json.
+ */
+export function tidyWorker(database) {
+  rmSync(FOLDER, { recursive: true, force: true });
+  const stale = sources(database).filter(({ mark, hash }) => !mark.isFresh(hash));
+  const waiting = [...batches(stale, MOST).entries()].sort(([, a], [, b]) => b.length - a.length);
+  return async () => {
+    const result = { isClean: true, output: '' };
+    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+      const [index, list] = next;
+      const { clean, output } = await checkBatch(list, join(FOLDER, String(index)));
+      for (const { mark, hash } of clean) mark.set(hash);
+      result.isClean &&= clean.length === list.length;
+      result.output += output;
+    }
+    return result;
+  };
+}
