@@ -154,6 +154,8 @@ test('what goes wrong leaves the document as it was, and is said with its place'
   assert.deepEqual(bytes(), before);
 
   const invalid = { code: 'InvalidOption' };
+  assert.throws(() => unwrap({ texcoord: 1 }), { ...invalid, message: /await createAbflat/ });
+  await assert.rejects(abflat.unwrap(document), /no positions.*unwrap of "abflat\/gltf"/);
   assert.throws(() => unwrap(abflat, { texcoord: 0.5 }), invalid);
   assert.throws(() => unwrap(abflat, { groupBy: 'node' }), invalid);
   assert.throws(() => unwrap(abflat, { overwrite: 1 }), invalid);

@@ -128,6 +128,9 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     'LICENSE',
     'CHANGELOG.md',
     'examples/unwrap.mjs',
+    // For what does not read "exports".
+    'gltf/package.json',
+    'three/package.json',
     'dist/index.d.ts',
     ...MODULES.map((module) => `dist/${module}`),
   ]) {
@@ -139,7 +142,9 @@ test('npm pack contains the licences, the changes, an example and no sources', (
   assert.deepEqual(
     files.filter(
       (path) =>
-        !/^(dist\/|examples\/|(package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(path),
+        !/^(dist\/|examples\/|((gltf\/|three\/)?package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(
+          path,
+        ),
     ),
     [],
   );

@@ -194,3 +194,18 @@ test('require gives the package, where Node can', () => {
   if (process.features.require_module) assert.equal(stdout, 'true\n', stderr);
   else assert.match(stderr, /ERR_REQUIRE_ESM.*import\(\)/s);
 });
+
+test('a worker of the page takes the package as the page does', NEEDS_CHROME, async () => {
+  const root = join(folder, 'in-worker');
+  mkdirSync(root);
+  cpSync(DIST, join(root, 'dist'), { recursive: true });
+  const text = script('./dist/index.js').replace(
+    '(document.body.textContent = text)',
+    'postMessage(text)',
+  );
+  writeFileSync(join(root, 'worker.js'), text);
+  const start = `new Worker('worker.js', { type: 'module' }).onmessage = ({ data }) => (document.body.textContent = data);`;
+  writeFileSync(join(root, 'index.html'), page(`<script type="module">${start}</script>`));
+  assert.equal(await shown(await serve(root)), 'valid: true simd');
+  assert.match(await shown(await serve(root, ISOLATED)), /^valid: true (simd|threads)$/);
+});

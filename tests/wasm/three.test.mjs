@@ -199,6 +199,11 @@ test('unwrapGeometry takes geometry without an index, and interleaved attributes
 test('unwrapGeometry refuses geometry without positions, and says what is wrong with others', async () => {
   await assert.rejects(unwrapGeometry(abflat, new THREE.BufferGeometry()), /position/);
   const box = new THREE.BoxGeometry();
+  await assert.rejects(unwrapGeometry(abflat, new THREE.Mesh(box)), /mesh\.geometry/);
+  await assert.rejects(unwrapGeometry(createAbflat(), box), /await createAbflat/);
+  await assert.rejects(unwrapGeometry(abflat, box, { attribute: 1 }), { code: 'InvalidOption' });
+  for (const mesh of [box, new THREE.Mesh(box)])
+    await assert.rejects(abflat.unwrap(mesh), /no positions.*unwrapGeometry of "abflat\/three"/);
   await assert.rejects(unwrapGeometry(abflat, box, { maxStretch: 0 }), { code: 'InvalidOption' });
   box.attributes.position.array[4] = Number.NaN;
   await assert.rejects(unwrapGeometry(abflat, box), { code: 'InvalidMesh' });
@@ -245,4 +250,35 @@ test('unwrapGeometry takes userData of any kind along', async () => {
   assert.equal(geometry.userData.onClick, onClick);
   geometry.userData.more = true;
   assert.equal(box.userData.more, undefined);
+});
+
+test('unwrapGeometry takes half floats, points of a plane and indices that are left over as they are drawn', async () => {
+  const plane = new THREE.PlaneGeometry(2, 1, 4, 4);
+  const wanted = (await unwrapGeometry(abflat, plane)).result.uv;
+  const { count } = plane.attributes.position;
+  const half = new THREE.Float16BufferAttribute(new Uint16Array(3 * count), 3);
+  const flat = new THREE.BufferAttribute(new Float32Array(2 * count), 2);
+  for (const [i, [x, y, z]] of rows(plane.attributes.position).entries()) {
+    half.setXYZ(i, x, y, z);
+    flat.setXY(i, x, y);
+  }
+  for (const position of [half, flat]) {
+    const other = plane.clone().setAttribute('position', position);
+    other.setIndex([...plane.index.array, 0, 1]);
+    const { geometry, result } = await unwrapGeometry(abflat, other);
+    assert.deepEqual(result.uv, wanted);
+    const made = geometry.attributes.position;
+    assert.equal(made.isFloat16BufferAttribute, position.isFloat16BufferAttribute);
+    assert.equal(made.getX(7), position.getX(result.vertexMap[7]));
+    assert.equal(geometry.index.count, plane.index.count);
+  }
+});
+
+test('unwrapGeometry takes what a BatchedMesh holds', async () => {
+  const batch = new THREE.BatchedMesh(2, 200, 1000);
+  batch.addGeometry(new THREE.BoxGeometry());
+  batch.addGeometry(new THREE.SphereGeometry(1, 8, 6).translate(3, 0, 0));
+  const { result } = await unwrapGeometry(abflat, batch.geometry);
+  assert.ok(result.report.valid);
+  assert.equal(result.indices.length, 999);
 });

@@ -7,7 +7,7 @@ import { setTexcoords } from './gltf/texcoords.js';
 import { freeTexcoord } from './gltf/texture-sets.js';
 import { neededFor } from './needed-arrays.js';
 import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types.js';
-import { checkBoolean, checkFunction } from './validate.js';
+import { checkAbflat, checkBoolean, checkFunction } from './validate.js';
 
 export {
   type DocumentMesh,
@@ -55,6 +55,7 @@ export function unwrap(
 ): Transform {
   const { texcoord = 0, groupBy = 'scene', onAtlas, ...rest } = options;
   const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
+  checkAbflat(abflat);
   check({ texcoord, overwrite, groupBy, onAtlas });
   const transform = async (document: Document): Promise<void> => {
     const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;

@@ -11,6 +11,17 @@ interface Owned<T extends OwnedMesh> {
   buffers: ArrayBuffer[];
 }
 
+const WANTED = 'The mesh must be { positions, indices } or { bytes, name }';
+
+/** For what other libraries take for a mesh. */
+function hintFor(mesh: object): string {
+  if ('isBufferGeometry' in mesh || 'isObject3D' in mesh)
+    return ': for geometry of three.js there is unwrapGeometry of "abflat/three"';
+  if ('getRoot' in mesh)
+    return ': for documents of glTF-Transform there is unwrap of "abflat/gltf"';
+  return '';
+}
+
 const invalid = (message: string) => new AbflatError('InvalidMesh', message);
 
 /** The mesh in buffers of its own: copies, or the caller's, which are detached by that. */
@@ -40,8 +51,7 @@ function move<T extends OwnedMesh>(mesh: T): T {
 }
 
 function checkMesh(mesh: unknown): OwnedMesh {
-  if (tagOf(mesh) !== 'Object')
-    throw invalid('The mesh must be { positions, indices } or { bytes, name }.');
+  if (tagOf(mesh) !== 'Object') throw invalid(`${WANTED}.`);
   return 'bytes' in (mesh as object) ? checkFile(mesh as object) : checkArrays(mesh as object);
 }
 
@@ -70,6 +80,8 @@ const WHOLE = ['Uint32Array', 'Uint16Array', 'Uint8Array'];
 const OTHERS = ['Array', 'Int8Array', 'Int16Array', 'Int32Array'];
 
 function checkArrays(mesh: Partial<Record<keyof MeshArrays, unknown>>): OwnedArrays {
+  if (mesh.positions === undefined)
+    throw invalid(`${WANTED}; it has no positions${hintFor(mesh)}.`);
   const positions = reals('positions', mesh.positions);
   checkMultiple('positions', positions, 3);
   const indices =

@@ -3,12 +3,14 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  Float16BufferAttribute,
   InstancedBufferGeometry,
   type InterleavedBufferAttribute,
 } from 'three';
 import { neededFor } from './needed-arrays.js';
 import { indexArray, pickRows } from './rows.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
+import { checkAbflat, checkString } from './validate.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
@@ -27,29 +29,40 @@ export async function unwrapGeometry(
   geometry: BufferGeometry,
   { attribute = 'uv', ...options }: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
+  checkAbflat(abflat);
+  checkString('attribute', attribute);
   const result = await abflat.unwrap(neededFor(options, meshOf(geometry)), options);
   return { geometry: withUv(geometry, result, attribute), result };
 }
 
 function meshOf(geometry: BufferGeometry): MeshArrays {
+  if (!(geometry as Partial<BufferGeometry> | undefined)?.isBufferGeometry)
+    throw new TypeError('unwrapGeometry needs a BufferGeometry; that of a mesh is mesh.geometry.');
   const position = geometry.getAttribute('position') as Attribute | undefined;
   if (!position)
     throw new TypeError('unwrapGeometry needs a geometry with the attribute position.');
-  const { count } = position;
-  const positions = new Float64Array(3 * count);
-  for (let i = 0; i < count; ++i)
-    for (let k = 0; k < 3; ++k) positions[3 * i + k] = position.getComponent(i, k);
-  const indices = geometry.index
-    ? new Uint32Array(geometry.index.array)
-    : Uint32Array.from({ length: count }, (_, i) => i);
+  const positions = numbersOf(position, 3);
+  const corners =
+    geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, vertex) => vertex);
+  // As many as are drawn: what is left over makes no triangle.
+  const indices = new Uint32Array(corners).subarray(0, corners.length - (corners.length % 3));
   const mesh: MeshArrays = { positions, indices };
   const uv = geometry.getAttribute('uv') as Attribute | undefined;
-  if (uv)
-    mesh.texcoords = Float64Array.from({ length: 2 * count }, (_, i) =>
-      uv.getComponent(i >> 1, i % 2),
-    );
+  if (uv) mesh.texcoords = numbersOf(uv, 2);
   if (geometry.groups.length > 0) mesh.materials = materialsOf(geometry, indices.length / 3);
   return mesh;
+}
+
+/** The first components of each row as the numbers that they mean, 0 where an attribute has fewer. */
+function numbersOf(attribute: Attribute, size: 2 | 3): Float64Array {
+  const { count, itemSize } = attribute;
+  const out = new Float64Array(size * count);
+  for (let i = 0; i < count; ++i) {
+    out[size * i] = attribute.getX(i);
+    if (itemSize > 1) out[size * i + 1] = attribute.getY(i);
+    if (itemSize > 2 && size > 2) out[size * i + 2] = attribute.getZ(i);
+  }
+  return out;
 }
 
 /** By triangle; 0 where no group says which. */
@@ -108,7 +121,8 @@ function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
         offset: attribute.offset,
       })
     : pickRows(attribute.array, rows, { size: itemSize });
-  const made = new BufferAttribute(picked, itemSize, normalized);
+  const Kind = 'isFloat16BufferAttribute' in attribute ? Float16BufferAttribute : BufferAttribute;
+  const made = new Kind(picked as Uint16Array, itemSize, normalized);
   made.name = attribute.name;
   if (!isInterleaved) {
     made.gpuType = attribute.gpuType;

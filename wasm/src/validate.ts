@@ -66,6 +66,14 @@ export function checkFunction(name: string, value: unknown): void {
     throw invalid(`${name} must be a function.`);
 }
 
+/** Of the functions that are no methods of it. */
+export function checkAbflat(abflat: unknown): void {
+  if (typeof (abflat as { unwrap?: unknown } | null | undefined)?.unwrap !== 'function')
+    throw invalid(
+      'The first argument must be what createAbflat resolves to: await createAbflat().',
+    );
+}
+
 export function checkAddress(name: string, value: unknown): void {
   if (value === undefined || typeof (value as { href?: unknown } | null)?.href === 'string') return;
   if (typeof value !== 'string' || value === '')
