@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
-import { CUBE, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
+import { CUBE, CUBE_OF_PARTS, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { defects, objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import {
@@ -294,6 +294,28 @@ for (const [name, width, height] of [
   ['a phone', 390, 844],
   ['a narrow phone', 360, 740],
 ]) {
+  test(`${name}: sources of seams stay in their panel, and the verdict can be read`, async (t) => {
+    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
+    await dropAndWait(page, 'parts.obj', CUBE_OF_PARTS);
+    await page.click('#seams-sharp');
+    await settled(page);
+    const panel = await page.locator('#unwrap-options').boundingBox();
+    for (const id of ['seams-auto', 'seams-uv', 'seams-material', 'seams-sharp', 'sharp-box']) {
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box.x >= panel.x && box.x + box.width <= panel.x + panel.width, `${id} is inside`);
+      assert.ok(box.height <= 30, `${id} is of one line`);
+    }
+    await dropAndWait(page, 'torus.obj', TORUS);
+    await page.click('#seams-auto');
+    await settled(page);
+    for (const id of ['badge', 'reason', 'remedy', 'stretch-hint']) {
+      const hidden = await page
+        .locator(`#${id}`)
+        .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+      assert.ok(hidden <= 0, `${id} can be read in full`);
+    }
+  });
+
   test(`${name}: the options of an atlas fit, and can be reached by Tab`, async (t) => {
     const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
     await dropAndWait(page, 'torus.obj', TORUS);

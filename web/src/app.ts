@@ -106,7 +106,10 @@ export class App implements SessionEvents {
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     bindOpen({
       open: (source) => void this.session.open(source),
-      refused: (reason) => showAlert(reason, this.stillShown()),
+      refused: (reason) => {
+        showAlert(reason, this.stillShown(this.markStale()));
+        this.say('Nothing was opened');
+      },
     });
     this.exportButton.addEventListener('click', () => this.export());
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
@@ -228,16 +231,18 @@ export class App implements SessionEvents {
   }
 
   failed(source: Source, settings: Settings | null, error: Error): void {
-    showAlert(failure(source, settings, error.message), this.stillShown());
-    this.showOpenSample();
     const isStale = this.markStale();
+    showAlert(failure(source, settings, error.message), this.stillShown(isStale));
+    this.showOpenSample();
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
     this.nameExport(isStale);
   }
 
-  private stillShown(): string {
-    return this.outcome ? `Still showing ${this.owner()}.` : '';
+  /** `isStale`: other settings were asked for since. */
+  private stillShown(isStale: boolean): string {
+    if (!this.outcome) return '';
+    return `Still showing ${isStale ? this.owner() : titleOf(this.outcome.source)}.`;
   }
 
   private finish(text: string, canRepeat: boolean): void {

@@ -84,7 +84,7 @@ export class AtlasControl {
   private showStretch(): void {
     const { maxStretch } = this.settings;
     const lengths = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
-    const hint = this.isCutting ? lengths : 'only checked, Auto seams are off';
+    const hint = this.isCutting ? lengths : 'only checked: Auto is off';
     this.value.value = String(maxStretch);
     this.hint.textContent = hint;
     this.hint.title = this.isCutting

@@ -4,6 +4,7 @@ import { type Document, type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import type { Layout } from 'abflat';
 import { documentMesh, freeTexcoord, setTexcoords } from 'abflat/gltf';
+import { count } from './format';
 import type { ArrayMesh } from './mesh';
 import type { FileSource } from './session';
 
@@ -40,9 +41,21 @@ const io = () => new WebIO().registerExtensions(ALL_EXTENSIONS);
 async function open(name: string, file: File, others: File[]): Promise<JSONDocument> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const isBinary = new TextDecoder().decode(bytes.subarray(0, 4)) === 'glTF';
-  if (isBinary) return io().binaryToJSON(bytes);
+  if (isBinary) {
+    checkLength(name, bytes);
+    return io().binaryToJSON(bytes);
+  }
   const json = parse(name, new TextDecoder().decode(bytes));
   return { json, resources: await resources(name, json, others) };
+}
+
+/** A GLB says how long it is. */
+function checkLength(name: string, bytes: Uint8Array): void {
+  const length = bytes.length < 12 ? 12 : new DataView(bytes.buffer).getUint32(8, true);
+  if (bytes.length < length)
+    throw new Error(
+      `${name} is truncated: ${count(bytes.length)} of ${count(length)} bytes are there. Copy or download it again.`,
+    );
 }
 
 function parse(name: string, text: string): JSONDocument['json'] {

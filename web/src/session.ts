@@ -200,12 +200,20 @@ export class Session {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
     };
-    const mesh = await abflat.load(input, { signal });
+    const mesh = await abflat.load(input, { signal }).catch((error: unknown) => {
+      throw isUnknownFormat(error) ? new Error(unsupported(source.name)) : error;
+    });
     const summary = await abflat.inspect(input, { signal });
     if (mesh.indices.length === 0) throw new Error(withoutFaces(source.name, summary));
     return { source, input, mesh, summary };
   }
 }
+
+const isUnknownFormat = (error: unknown) =>
+  error instanceof Error && 'code' in error && error.code === 'UnreadableFile';
+
+const unsupported = (name: string) =>
+  `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`;
 
 function withoutFaces(name: string, { vertices }: MeshSummary): string {
   const content =
