@@ -65,6 +65,7 @@ function catch2(folder, needs, { kind = WITHOUT } = {}) {
 export const SUITES = [
   catch2('core', [program]),
   node('native', [program]),
+  node('faults', [program]),
   node('bench', [program, buildBench]),
   node('wasm', [program, buildWasm]),
   node('web', [program, buildWasm, buildWeb], {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,8 +17,9 @@ constexpr const char* kStandardStream = "-";
 
 struct UnwrapCommand {
   std::string input, output;
-  std::size_t texcoord = 0;  ///< set of a glTF that is written
-  std::string report;        ///< empty: none is wanted
+  bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
+  std::optional<std::size_t> texcoord;  ///< set of a glTF that is written; none: auto
+  std::string report;                   ///< empty: none is wanted
   UnwrapOptionValues options;
   SeamSources seams;
   std::string seamFile;  ///< edges to cut along; empty: none
@@ -32,8 +34,9 @@ struct UnwrapCommand {
 
 struct FlattenCommand {
   std::string input, output;
-  std::size_t texcoord = 0;  ///< set of a glTF that is written
-  std::string report;        ///< empty: none is wanted
+  bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
+  std::optional<std::size_t> texcoord;  ///< set of a glTF that is written; none: auto
+  std::string report;                   ///< empty: none is wanted
   FlattenOptionValues options;
   std::string bounds;    ///< file with bounds of single vertices; empty: none
   std::string straight;  ///< file with straight runs; empty: none
@@ -43,6 +46,7 @@ struct FlattenCommand {
 
 struct InspectCommand {
   std::string input;
+  bool allowsOutside = false;
   bool json = false;
 };
 
@@ -53,6 +57,7 @@ struct SampleCommand {
 
 struct SweepCommand {
   std::string input;
+  bool allowsOutside = false;
   std::vector<double> t = {2, 1.05, 1,
                            0.968};  ///< those of the paper's table 2; kAutoT may be among them
   std::string csv;                  ///< file to write; empty: a table for people
@@ -60,6 +65,7 @@ struct SweepCommand {
 
 struct CompareCommand {
   std::string input;
+  bool allowsOutside = false;
   std::string json;  ///< file to write; empty: a table for people
 };
 

@@ -92,7 +92,7 @@ int runCompare(const CompareCommand& command) {
   };
   OutputFile out(command.json.empty() ? kStandardStream : command.json);
   if (const Status s = out.check(); !s.ok()) return ended(s);
-  const Result<InputMesh> input = readInput(command.input);
+  const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status);
   ProgressLine line(isErrorTerminal());
   CompareOptions options;
@@ -107,11 +107,9 @@ int runCompare(const CompareCommand& command) {
     return ended({comparison.status.code, comparison.status.code == StatusCode::OutOfMemory
                                               ? comparison.status.message
                                               : name + ": " + comparison.status.message});
-  const Status written = out.write(command.json.empty() ? tableText(comparison.value, name)
-                                                        : compareJson(comparison.value, name));
-  if (!written.ok()) return ended(written);
-  const Status committed = out.commit();
-  return committed.ok() ? static_cast<int>(ExitCode::Valid) : ended(committed);
+  const Status written = out.writeNow(command.json.empty() ? tableText(comparison.value, name)
+                                                           : compareJson(comparison.value, name));
+  return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 
 }  // namespace abflat::cli

@@ -16,6 +16,8 @@ struct FlattenJob {
 
   static constexpr Repeated kRepeated = Repeated::Join;
 
+  static bool keepsTexcoords(const FlattenCommand&) { return false; }
+
   static void addNotes(const std::vector<std::string>& notes, abflat::Report& report) {
     if (report.charts.empty()) return;  // there is only an error to report
     std::vector<std::string>& out = report.charts.front().fallbacks;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/appearance.h"
 #include "abflat/gltf.h"
 #include "abflat/io.h"
 
@@ -18,11 +19,8 @@ struct InputMesh {
   std::shared_ptr<const gltf::Source> gltf;
   Appearance look;  ///< of other formats, once readLook has been called
   std::string path;
+  ReadResource readResource;  ///< of files that it refers to
 };
-
-/// All bytes of a file, or of standard input when `path` is "-".
-/// Errors: UnreadableFile; the message names the file.
-Result<std::string> readBytes(const std::string& path);
 
 /// What a command makes of vertices that a glTF repeats where normals or texcoords change.
 enum class Repeated {
@@ -30,9 +28,14 @@ enum class Repeated {
   Join  ///< unless the mesh is a disk as it is
 };
 
+struct ReadOptions {
+  Repeated repeated = Repeated::Join;
+  bool allowsOutside = false;  ///< files that the mesh refers to may be anywhere
+};
+
 /// Reads a mesh from a file with the files that it refers to, or from standard input when `path` is
 /// "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
-Result<InputMesh> readInput(const std::string& path, Repeated repeated = Repeated::Join);
+Result<InputMesh> readInput(const std::string& path, const ReadOptions& options);
 
 /// Reads what a glTF can say of the mesh beyond its shape, also from files that the input refers
 /// to. A glTF has that already.

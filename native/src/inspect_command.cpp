@@ -15,15 +15,15 @@ int runInspect(const InspectCommand& command) {
     complain(status.message);
     return exitCodeOf(status.code);
   };
-  const Result<InputMesh> input = readInput(command.input);
+  const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status);
   const Result<MeshSummary> summary =
       orOutOfMemory(name, [&]() -> Result<MeshSummary> { return inspect(input.value.mesh); });
   if (!summary.ok()) return ended(summary.status);
   OutputFile out(kStandardStream);
   const Status written =
-      out.write(command.json ? inspectJson(summary.value, command.input)
-                             : inspectText(summary.value, name, input.value.notes));
+      out.writeNow(command.json ? inspectJson(summary.value, command.input)
+                                : inspectText(summary.value, name, input.value.notes));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

@@ -33,6 +33,8 @@ int main(int argc, char** argv) {
   using namespace abflat;
   // A reader that goes away is an output that cannot be written, which has its own exit code.
   std::signal(SIGPIPE, SIG_IGN);
+  // So is a file that grows beyond what the user's limits allow.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return std::visit(cli::Runner{}, cli::parseArguments(argc, argv));
   } catch (const std::bad_alloc&) {

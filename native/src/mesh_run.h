@@ -41,6 +41,7 @@ struct ExtraFile {
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   kRepeated         see readInput
 ///   addNotes          to a report
+///   keepsTexcoords    whether all that the input has are in the result
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
 ///   extraFiles       further files, as a vector of ExtraFile<Outcome>
@@ -98,14 +99,12 @@ class MeshRun {
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
     progress_.show({"read", 0, 0, 0});
-    Result<InputMesh> input = readInput(command_.input, Job::kRepeated);
+    Result<InputMesh> input = readInput(command_.input, {Job::kRepeated, command_.allowsOutside});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
     notes_ = input_.notes;
-    if (input_.gltf && writtenFormat(command_.output) == FileFormat::Gltf)
-      for (const std::string& note : staleNotes(*input_.gltf, command_.texcoord))
-        notes_.push_back(note);
+    if (input_.gltf && writtenFormat(command_.output) == FileFormat::Gltf) chooseTexcoords();
     // The names cannot tell when one of them has no ending or is a link.
     const FileFormat written = writtenFormat(command_.output);
     if (input_.format != written && command_.output != kStandardStream &&
@@ -119,6 +118,18 @@ class MeshRun {
     });
   }
 
+  /// Textures of a glTF stay right unless the user says otherwise.
+  void chooseTexcoords() {
+    const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
+    if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
+    if (texcoord_ > 0 && !isChosen) {
+      notes_.push_back("a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_" +
+                       std::to_string(texcoord_) + "; --texcoord 0 replaces the old ones");
+      if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});
+    }
+    for (const std::string& note : staleNotes(*input_.gltf, texcoord_)) notes_.push_back(note);
+  }
+
   /// Adds what only the caller of the core knows.
   void complete(Report& report) const {
     report.path = command_.input;
@@ -129,32 +140,32 @@ class MeshRun {
     report.timings.total = secondsSince(start_);
   }
 
-  /// All files are complete before any gets its name.
+  /// All files are complete before any gets its name, and all get theirs or none.
   Status writeAll(Outcome& result) {
     progress_.show({"write", 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
     const std::string name = inputName(command_.input);
-    const Result<std::string> layout = placed(name, [&] {
+    Result<std::string> layout = placed(name, [&] {
       if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
-      return layoutText(input_, command_.output, command_.texcoord, result.uv, result.cornerUv);
+      return layoutText(input_, command_.output, texcoord_, result.uv, result.cornerUv);
     });
     if (!layout.ok()) return layout.status;
     notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());
-    if (Status s = layout_.write(layout.value); !s.ok()) return s;
+    if (Status s = layout_.write(std::move(layout.value)); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
-      const Result<std::string> text =
-          placed(name, [&] { return extraTexts_[i](input_.mesh, result); });
+      Result<std::string> text = placed(name, [&] { return extraTexts_[i](input_.mesh, result); });
       if (!text.ok()) return text.status;
-      if (Status s = extras_[i].write(text.value); !s.ok()) return s;
+      if (Status s = extras_[i].write(std::move(text.value)); !s.ok()) return s;
     }
     writeSeconds_ = secondsSince(begin);
     complete(result.report);
-    if (report_)
+    std::vector<OutputFile*> files = {&layout_};
+    for (OutputFile& file : extras_) files.push_back(&file);
+    if (report_) {
       if (Status s = report_->write(Job::json(result.report)); !s.ok()) return s;
-    if (Status s = layout_.commit(); !s.ok()) return s;
-    for (OutputFile& file : extras_)
-      if (Status s = file.commit(); !s.ok()) return s;
-    return report_ ? report_->commit() : Status{};
+      files.push_back(&*report_);
+    }
+    return OutputFile::commit(files);
   }
 
   /// What is known about the input goes into the report with the error.
@@ -166,8 +177,7 @@ class MeshRun {
           status.code != StatusCode::OutOfMemory)
         report.input = inspect(input_.mesh);
       complete(report);
-      Status written = report_->write(Job::json(report));
-      if (written.ok()) written = report_->commit();
+      const Status written = report_->writeNow(Job::json(report));
       if (!written.ok()) complainCleared(written);
     }
     return ended(status);
@@ -193,6 +203,7 @@ class MeshRun {
   std::vector<std::function<Result<std::string>(const PolygonMesh&, const Outcome&)>> extraTexts_;
   InputMesh input_;
   std::vector<std::string> notes_;  ///< about reading and writing, one sentence each
+  std::size_t texcoord_ = command_.texcoord.value_or(0);  ///< set of a glTF that is written
   double readSeconds_ = 0, writeSeconds_ = 0;
 };
 

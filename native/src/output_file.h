@@ -1,7 +1,7 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "abflat/status.h"
 
@@ -18,20 +18,38 @@ class OutputFile {
 
   /// Whether it looks possible to write there: asked before long work. Errors: CannotWrite.
   Status check() const;
-  /// Errors: CannotWrite.
-  Status write(std::string_view bytes);
-  /// Makes what was written visible under its name. Errors: CannotWrite.
-  Status commit();
+  /// Puts the bytes on the disk, under another name; those of a direct output wait. Errors:
+  /// CannotWrite.
+  Status write(std::string bytes);
+
+  /// Makes what was written to all of these visible, or nothing of it: direct outputs come first,
+  /// then files get their names one by one, and lose them again where one cannot have its own or
+  /// the program is interrupted. Errors: CannotWrite.
+  static Status commit(const std::vector<OutputFile*>& files);
+
+  /// Both, of this file alone.
+  Status writeNow(std::string bytes);
 
  private:
   Status failure(const std::string& reason) const;
-  Status writeDirectly(std::string_view bytes) const;
+  template <class Call>
+  std::string withFreshName(const Call& call) const;
   int openTemporary();
+  Status writeDirectly() const;
+  Status keepOld();
+  Status takeName();
+  Status syncFolder() const;
+  Status undo();
+  void settle();
+  static Status takeNames(const std::vector<OutputFile*>& files);
 
   std::string name_;       ///< as the user wrote it
   std::string target_;     ///< behind symbolic links
   std::string temporary_;  ///< empty when there is none
-  bool isDirect_ = false;
+  std::string old_;        ///< what the target was, under another name; empty when there is none
+  std::string bytes_;      ///< of a direct output
+  bool isDirect_ = false, hasName_ = false;
+  bool isOldInPlace_ = false;  ///< as well
 };
 
 }  // namespace abflat::cli

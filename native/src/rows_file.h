@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "abflat/status.h"
-#include "input_file.h"
 #include "paths.h"
+#include "read_file.h"
 
 namespace abflat::cli {
 

@@ -25,11 +25,10 @@ int runSample(const SampleCommand& command) {
   OutputFile out(command.output);
   Status status = out.check();
   if (status.ok()) {
-    const Result<std::string> text =
+    Result<std::string> text =
         orOutOfMemory("sample " + command.name, [&] { return sampleText(command); });
     status = text.status;
-    if (status.ok()) status = out.write(text.value);
-    if (status.ok()) status = out.commit();
+    if (status.ok()) status = out.writeNow(std::move(text.value));
   }
   if (!status.ok()) complain(status.message);
   return exitCodeOf(status.code);

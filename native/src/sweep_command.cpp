@@ -88,7 +88,7 @@ int runSweep(const SweepCommand& command) {
   };
   OutputFile out(command.csv.empty() ? kStandardStream : command.csv);
   if (const Status s = out.check(); !s.ok()) return ended(s);
-  const Result<InputMesh> input = readInput(command.input);
+  const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status);
   std::vector<Row> rows;
   for (const double t : command.t) {
@@ -100,9 +100,7 @@ int runSweep(const SweepCommand& command) {
     if (!status.ok() && status.code != StatusCode::InfeasibleBound)
       return ended({status.code, name + ": " + status.message});
   }
-  if (const Status s = out.write(command.csv.empty() ? tableText(rows) : csvText(rows)); !s.ok())
-    return ended(s);
-  const Status written = out.commit();
+  const Status written = out.writeNow(command.csv.empty() ? tableText(rows) : csvText(rows));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

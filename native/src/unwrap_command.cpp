@@ -18,6 +18,8 @@ struct UnwrapJob {
 
   static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them, and tells
 
+  static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }
+
   static void addNotes(const std::vector<std::string>& notes, UnwrapReport& report) {
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
   }

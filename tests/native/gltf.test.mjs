@@ -23,6 +23,7 @@ async function unwrapped(at, input, output, ...options) {
     'r.json',
     '--resolution',
     '512',
+    ...(options.includes('--texcoord') ? [] : ['--texcoord', '0']),
     ...options,
   ];
   const { code, stderr } = await runAbflat(args, { cwd: at() });

@@ -70,6 +70,10 @@ Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>&
                              const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
                              const GltfMakeOptions& options);
 
+/// N of a TEXCOORD_N that takes nothing from any texture: 0 where no texture of the triangles
+/// samples that, otherwise the first set that no primitive has and no texture samples.
+std::size_t freeTexcoord(const gltf::Source& source);
+
 /// What new texcoords make stale, one sentence each.
 std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);
 

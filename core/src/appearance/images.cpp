@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace abflat {
 namespace {
@@ -33,7 +34,10 @@ std::size_t Images::numberOf(const std::string& folder, std::string path) {
 std::size_t Images::read(const std::string& folder, const std::string& path) {
   const std::string name = path.substr(folderOf(path).size());
   Result<std::string> bytes = readResource_(isAbsolute(path) ? path : folder + path);
-  if (!bytes.ok() && name != path) bytes = readResource_(folder + name);
+  if (!bytes.ok() && name != path) {
+    Result<std::string> beside = readResource_(folder + name);
+    if (beside.ok()) bytes = std::move(beside);
+  }
   if (!bytes.ok()) {
     out_.notes.push_back("the image " + path + " is left out: " + bytes.status.message);
     return kNoImage;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "appearance/color.h"
 #include "appearance/images.h"
@@ -182,8 +183,9 @@ void readObjAppearance(std::string_view bytes, const PolygonMesh& mesh,
   std::vector<std::string> lines;  // behind mtllib, which some programs repeat for each object
   ObjAppearanceReader(mesh, out).run(bytes, lines);
   Libraries libraries(readResource, out);
-  for (auto line = lines.begin(); line != lines.end(); ++line)
-    if (std::find(lines.begin(), line, *line) == line) libraries.add(*line);
+  std::set<std::string_view> known;
+  for (const std::string& line : lines)
+    if (known.insert(line).second) libraries.add(line);
   if (libraries.found().empty()) return;
   Images images(readResource, out);
   for (const std::string& name : mesh.materialNames)

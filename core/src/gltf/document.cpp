@@ -36,6 +36,7 @@ class DocumentReader {
     const Field root(&out_.json, "", complaints_);
     readBuffers(root, ownBuffer, hasOwnBuffer);
     if (!resourceError_.ok()) return resourceError_;
+    for (const std::string& buffer : out_.buffers) out_.size += buffer.size();
     for (const Field& view : root["bufferViews"].items()) out_.views.push_back(readView(view));
     for (const Field& a : root["accessors"].items()) out_.accessors.push_back(readAccessor(a));
     const std::size_t materials = root["materials"].items().size();
@@ -49,13 +50,30 @@ class DocumentReader {
   }
 
  private:
+  /// Which buffers any view refers to. Others are not read: nothing of them would be used.
+  static std::vector<bool> usedBuffers(const Field& root, std::size_t buffers) {
+    std::vector<bool> out(buffers);
+    for (const Field& view : root["bufferViews"].items()) {
+      const std::size_t buffer = view["buffer"].requiredIndex(buffers, "buffers");
+      if (buffer != kNone) out[buffer] = true;
+    }
+    return out;
+  }
+
   void readBuffers(const Field& root, std::string_view ownBuffer, bool hasOwnBuffer) {
-    for (const Field& buffer : root["buffers"].items()) {
+    const std::vector<Field> buffers = root["buffers"].items();
+    const std::vector<bool> isUsed = usedBuffers(root, buffers.size());
+    for (const Field& buffer : buffers) {
       if (!complaints_.none()) return;
+      if (!isUsed[out_.buffers.size()]) {
+        out_.buffers.emplace_back();
+        continue;
+      }
       const std::size_t length = buffer["byteLength"].count();
       const std::string uri = buffer["uri"].text();
       std::string bytes;
-      if (!buffer["uri"].isPresent() && hasOwnBuffer && out_.buffers.empty())
+      const bool isFirst = out_.buffers.empty();
+      if (!buffer["uri"].isPresent() && hasOwnBuffer && isFirst)
         bytes = std::string(ownBuffer);
       else if (!buffer["uri"].isPresent())
         buffer.complain("has no uri, and the file has no buffer of its own for it");
@@ -155,6 +173,10 @@ class DocumentReader {
     out.view = accessor["bufferView"].index(views, "bufferViews");
     out.offset = accessor["byteOffset"].count(0);
     out.count = accessor["count"].count();
+    if (out.view == kNone && out.count > out_.size)
+      accessor.complain("asks for " + std::to_string(out.count) +
+                        " elements without a bufferView, but the file has only " +
+                        std::to_string(out_.size) + " bytes");
     out.shape = shape(accessor);
     out.isNormalized = accessor["normalized"].flag();
     const std::size_t size = out.shape.size();
@@ -298,6 +320,7 @@ Result<Document> readDocument(std::string_view bytes, const std::string& fileNam
   out.isBinary = container.value.isBinary;
   out.json = std::move(json.value);
   out.otherChunks = container.value.others;
+  out.size = bytes.size();
   const Status status =
       DocumentReader(out, readResource).read(container.value.buffer, container.value.hasBuffer);
   if (!status.ok()) return status;

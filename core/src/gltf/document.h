@@ -82,8 +82,9 @@ struct Document {
   std::string fileName;
   bool isBinary = false;
   Json json;
-  std::vector<std::string> buffers;
-  std::string otherChunks;  ///< of a .glb, as they are in the file
+  std::size_t size = 0;              ///< in bytes, with all buffers
+  std::vector<std::string> buffers;  ///< those that no view refers to are empty
+  std::string otherChunks;           ///< of a .glb, as they are in the file
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;
   std::vector<std::vector<Primitive>> meshes;

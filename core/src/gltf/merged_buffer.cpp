@@ -23,40 +23,22 @@ std::vector<Interval> united(std::vector<Interval> intervals) {
   return out;
 }
 
-/// What is in `whole` but in none of `holes`, which are united.
-void subtract(Interval whole, const std::vector<Interval>& holes, std::vector<Interval>& out) {
-  for (const Interval& hole : holes) {
-    if (hole.second <= whole.first) continue;
-    if (hole.first >= whole.second) break;
-    if (hole.first > whole.first) out.emplace_back(whole.first, hole.first);
-    whole.first = hole.second;
-    if (whole.first >= whole.second) return;
-  }
-  if (whole.first < whole.second) out.push_back(whole);
-}
-
 }  // namespace
 
 MergedBuffer::MergedBuffer(const Document& document, const std::vector<bool>& isLeft) {
   const std::size_t buffers = document.buffers.size();
-  std::vector<std::vector<Interval>> used(buffers), left(buffers);
+  std::vector<std::vector<Interval>> used(buffers);
   for (std::size_t v = 0; v < document.views.size(); ++v) {
     const BufferView& view = document.views[v];
-    (isLeft[v] ? left : used)[view.buffer].emplace_back(view.offset, view.offset + view.length);
+    if (!isLeft[v]) used[view.buffer].emplace_back(view.offset, view.offset + view.length);
   }
   kept_.resize(buffers);
-  for (std::size_t b = 0; b < buffers; ++b) {
-    const std::string& buffer = document.buffers[b];
-    const std::vector<Interval> live = united(std::move(used[b]));
-    std::vector<Interval> dropped, kept;
-    for (const Interval& hole : united(std::move(left[b]))) subtract(hole, live, dropped);
-    subtract({0, buffer.size()}, dropped, kept);
-    for (const Interval& range : kept) {
+  for (std::size_t b = 0; b < buffers; ++b)
+    for (const Interval& range : united(std::move(used[b]))) {
       align(kAlignment, range.first % kAlignment);
       kept_[b].push_back({range.first, range.second, bytes_.size()});
-      bytes_.append(buffer, range.first, range.second - range.first);
+      bytes_.append(document.buffers[b], range.first, range.second - range.first);
     }
-  }
 }
 
 std::size_t MergedBuffer::offsetOf(const BufferView& view) const {

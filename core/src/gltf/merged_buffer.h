@@ -7,8 +7,8 @@
 
 namespace abflat::gltf {
 
-/// All buffers of a file as one, without the bytes that only left views hold. Every byte keeps its
-/// alignment.
+/// All buffers of a file as one, without the bytes that no view holds, or only left ones. Every
+/// byte keeps its alignment.
 class MergedBuffer {
  public:
   /// `isLeft` is by view.

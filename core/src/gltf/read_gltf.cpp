@@ -5,6 +5,7 @@
 #include <map>
 
 #include "abflat/gltf.h"
+#include "gltf/budget.h"
 #include "gltf/container.h"
 #include "gltf/elements.h"
 #include "gltf/source.h"
@@ -32,7 +33,7 @@ std::array<double, 3> moved(const Matrix& m, const double* p) {
 class ModelReader {
  public:
   ModelReader(Source& source, GltfModel& model)
-      : source_(source), document_(source.document), model_(model) {}
+      : source_(source), document_(source.document), model_(model), budget_(document_.size) {}
 
   Status read() {
     Result<std::vector<MeshPlace>> places = meshPlaces(document_);
@@ -73,6 +74,8 @@ class ModelReader {
     Part part{
         m, p, 0, static_cast<std::uint32_t>(model_.mesh.faceCount()), 0, place.determinant < 0};
     if (Status s = findGroup(m, p, place.matrix, part.group); !s.ok()) return s;
+    const std::size_t corners = cornersOf(primitive, document_.accessors[positions].count);
+    if (!budget_.take(corners)) return tooMuch(m, p);
     std::vector<std::uint32_t> vertices;
     if (Status s = readVertices(m, p, source_.groups[part.group], vertices); !s.ok()) return s;
     const std::vector<std::uint32_t> triangles = asTriangles(primitive.mode, std::move(vertices));
@@ -81,6 +84,32 @@ class ModelReader {
     addFaces(triangles, part, primitive.material);
     source_.parts.push_back(part);
     return {};
+  }
+
+  Status tooMuch(std::size_t mesh, std::size_t primitive) const {
+    return failure(mesh, primitive,
+                   " makes more of the file than its " + std::to_string(document_.size) +
+                       " bytes are worth: too many meshes use the same bytes");
+  }
+
+  /// Before anything is made of them: a triangle for each entry of a strip or fan.
+  std::size_t cornersOf(const Primitive& primitive, std::size_t vertices) const {
+    const std::size_t perEntry = primitive.mode == Mode::Triangles ? 1 : 3;
+    if (primitive.indices == kNone) return perEntry * vertices;
+    const Accessor& indices = document_.accessors[primitive.indices];
+    return perEntry * indices.count + (indices.sparse ? indices.sparse->count : 0);
+  }
+
+  /// Vertices, and values of their attributes.
+  std::size_t elementsOfGroup(const Primitive& primitive, std::size_t vertices) const {
+    std::size_t out = vertices;
+    for (const Attributes* list : allAttributes(primitive))
+      for (const auto& attribute : *list) {
+        const Accessor& accessor = document_.accessors[attribute.second];
+        if (accessor.view != kNone) out += vertices;
+        if (accessor.sparse) out += accessor.sparse->count;
+      }
+    return out;
   }
 
   /// Numbers of the vertices, one for each corner, strip or fan entry.
@@ -126,6 +155,7 @@ class ModelReader {
       return failure(m, p, ".attributes.POSITION has not three coordinates for each vertex");
     if (positions.count > kMostVertices - mesh.vertexCount())
       return failure(m, p, " is more than 4294967294 vertices can be, with those before it");
+    if (!budget_.take(elementsOfGroup(primitive, positions.count))) return tooMuch(m, p);
     for (const Attributes* list : allAttributes(primitive))
       for (const auto& [name, accessor] : *list)
         if (const std::string s = problemOf(accessor, positions.count); !s.empty())
@@ -219,6 +249,7 @@ class ModelReader {
   Source& source_;
   const Document& document_;
   GltfModel& model_;
+  Budget budget_;
   std::map<Attributes, std::size_t> groupOf_;  ///< of the present mesh, by sorted accessors
   std::map<std::size_t, std::size_t> materials_;
   std::size_t leftOut_ = 0, unused_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -117,8 +118,8 @@ class HeaderReader {
     if (e.name.empty() || !parseInteger(word, count) || count < 0 || !takeWord(words).empty())
       return here("expected 'element NAME COUNT'");
     e.count = static_cast<std::uint64_t>(count);
-    for (const PlyElement& other : header_.elements)
-      if (other.name == e.name) return here("a second element " + quoted(e.name));
+    if (!elementNames_.insert(e.name).second) return here("a second element " + quoted(e.name));
+    propertyNames_.clear();
     header_.elements.push_back(std::move(e));
     return {};
   }
@@ -138,7 +139,7 @@ class HeaderReader {
     p.name = takeWord(words);
     if (p.name.empty() || !takeWord(words).empty())
       return here("expected 'property TYPE NAME' or 'property list TYPE TYPE NAME'");
-    if (e.find(p.name) != kNoIndex)
+    if (!propertyNames_.insert(p.name).second)
       return here("a second property " + quoted(p.name) + " of element " + quoted(e.name));
     e.hasLists = e.hasLists || p.isList;
     e.leastBytes += sizeOf(p.isList ? p.countType : p.type);
@@ -198,6 +199,7 @@ class HeaderReader {
 
   std::string_view bytes_, rest_, fileName_;
   PlyHeader header_;
+  std::set<std::string_view> elementNames_, propertyNames_;  ///< the latter of the last element
 };
 
 }  // namespace

@@ -39,7 +39,8 @@ CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
                   wrapped("CSV file to write instead of printing a table; - for standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
-  setUsage(*sub, "abflat sweep IN [--t LIST] [--csv FILE]");
+  addAllowOutside(*sub, c.allowsOutside);
+  setUsage(*sub, "abflat sweep IN [OPTIONS]");
   sub->footer(
       "A t that is not possible for the mesh, or gives no valid layout, is a row that says "
       "so.\n\n" +
@@ -61,7 +62,8 @@ CLI::App* addCompare(CLI::App& app, CompareCommand& c) {
                           "for standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
-  setUsage(*sub, "abflat compare IN [--json FILE]");
+  addAllowOutside(*sub, c.allowsOutside);
+  setUsage(*sub, "abflat compare IN [OPTIONS]");
   sub->footer(
       "A method that gives no valid layout is a row that says so; the exit code is 0 all the "
       "same.\n\n" +

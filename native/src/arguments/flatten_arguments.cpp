@@ -26,6 +26,7 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
       ->type_name("FILE");
   addPins(*sub, c.pins, "");
   addTexcoordSet(*sub, c.texcoord);
+  addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());

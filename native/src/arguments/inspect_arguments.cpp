@@ -9,7 +9,8 @@ CLI::App* addInspect(CLI::App& app, InspectCommand& c) {
   sub->group("Commands");
   addInput(*sub, c.input);
   sub->add_flag("--json", c.json, "print JSON instead of a table");
-  setUsage(*sub, "abflat inspect IN [--json]");
+  addAllowOutside(*sub, c.allowsOutside);
+  setUsage(*sub, "abflat inspect IN [OPTIONS]");
   sub->footer("The exit code is 0 for every mesh that can be read, disk or not.\n");
   return sub;
 }

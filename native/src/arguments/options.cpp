@@ -120,14 +120,32 @@ void addPins(CLI::App& app, std::string& pins, const std::string& where) {
       ->type_name("FILE");
 }
 
-void addTexcoordSet(CLI::App& app, std::size_t& set) {
-  const auto isSet = [](double n) { return n >= 0 && n <= 7 && n == std::floor(n); };
-  app.add_option("--texcoord", set,
-                 wrapped("set of a glTF that gets the texcoords, from 0 on; others stay, so that 1 "
-                         "is for a lightmap beside the textures"))
-      ->check(numberCheck("from 0 to 7, whole", isSet))
-      ->default_str("0")
+void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set) {
+  const auto take = [&set](const std::string& text) {
+    constexpr double kLast = 7;
+    double number = 0;
+    set.reset();
+    if (text == "auto") return;
+    if (!isNumber(text, number) || !(number >= 0 && number <= kLast) ||
+        number != std::floor(number))
+      throw CLI::ValidationError("--texcoord",
+                                 "'" + text + "' is not auto or a whole number from 0 to 7");
+    set = static_cast<std::size_t>(number);
+  };
+  app.add_option_function<std::string>(
+         "--texcoord", take,
+         wrapped(
+             "set of a glTF that gets the texcoords, from 0 on; others stay, so that 1 is for a "
+             "lightmap beside the textures (auto = 0, or where a texture uses that, the first "
+             "set that the file does not have)"))
+      ->default_str("auto")
       ->type_name("NUMBER");
+}
+
+void addAllowOutside(CLI::App& app, bool& allowsOutside) {
+  app.add_flag("--allow-outside", allowsOutside,
+               wrapped("read buffers, material files and images that the mesh names wherever they "
+                       "are; without it only in the folder of the mesh and below"));
 }
 
 void addReport(CLI::App& app, std::string& report) {

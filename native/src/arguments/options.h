@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,10 @@ void addInput(CLI::App& app, std::string& input);
 void addOutput(CLI::App& app, std::string& output);
 /// `where`: what their uv are.
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
-void addTexcoordSet(CLI::App& app, std::size_t& set);
+/// None is auto.
+void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set);
+/// Whether files that the mesh refers to may be anywhere.
+void addAllowOutside(CLI::App& app, bool& allowsOutside);
 void addReport(CLI::App& app, std::string& report);
 void addQuiet(CLI::App& app, bool& quiet);
 

@@ -124,6 +124,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addTexcoordSet(*sub, c.texcoord);
+  addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
   sub->footer(exitCodeHelp());

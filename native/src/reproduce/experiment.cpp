@@ -63,7 +63,7 @@ Result<std::vector<fs::path>> meshFiles(const std::string& folder) {
 }
 
 Result<InputMesh> load(const Model& model) {
-  if (!model.path.empty()) return readInput(model.path);
+  if (!model.path.empty()) return readInput(model.path, {});
   return orOutOfMemory(model.name, [&]() -> Result<InputMesh> {
     InputMesh out;
     for (const Sample& sample : samples())

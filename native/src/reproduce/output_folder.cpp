@@ -19,9 +19,7 @@ Status OutputFolder::prepare() const {
 }
 
 Status OutputFolder::write(const std::string& name, std::string_view bytes) const {
-  OutputFile file((fs::path(path_) / name).string());
-  if (Status s = file.write(bytes); !s.ok()) return s;
-  return file.commit();
+  return OutputFile((fs::path(path_) / name).string()).writeNow(std::string(bytes));
 }
 
 }  // namespace abflat::cli

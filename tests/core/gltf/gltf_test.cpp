@@ -129,7 +129,56 @@ TEST_CASE("a merged buffer keeps what is used, and its alignment", "[gltf]") {
       CHECK(offset % 8 == view.offset % 8);
     }
   }
-  CHECK(gltf::MergedBuffer(document, {true, true, true, true}).bytes().size() < 46);
+  CHECK(gltf::MergedBuffer(document, {true, true, true, true}).bytes().empty());
+}
+
+/// The error of reading this JSON with a buffer of that many bytes, all zero.
+std::string errorOf(const std::string& json, std::size_t bufferSize) {
+  return readAlone(test::glbOf(json, std::string(bufferSize, '\0'))).status.message;
+}
+
+/// Of an accessor without a view, with these entries beside its type.
+std::string withoutView(const std::string& entries) {
+  return R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": {SIZE}}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "accessors": [{"componentType": 5126, "type": "VEC3", )" +
+         entries + R"(}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})";
+}
+
+TEST_CASE("a file gets no more elements than it has bytes without paying for them", "[gltf]") {
+  const std::string refused = "a.glb: accessors[0] asks for ";
+  for (const std::string count : {"600000000", "9007199254740991", "1e15", "4294967296"}) {
+    CHECK(errorOf(withoutView("\"count\": " + count), 36).substr(0, refused.size()) == refused);
+    const std::string sparse = R"("sparse": {"count": 1, "indices": {"bufferView": 0,
+      "componentType": 5125}, "values": {"bufferView": 0}}, "count": )";
+    CHECK(errorOf(withoutView(sparse + count), 36).substr(0, refused.size()) == refused);
+  }
+  for (const std::string count :
+       {"-1", "0.5", "1e400", "-1e300", "9007199254740993", "\"3\"", "[]"})
+    CHECK(errorOf(withoutView("\"count\": " + count), 36).substr(0, 7) == "a.glb: ");
+  CHECK(errorOf(withoutView("\"count\": 9"), 36).empty());
+}
+
+TEST_CASE("meshes that share bytes do not multiply them without end", "[gltf]") {
+  constexpr std::size_t kVertices = 3000;
+  const auto shared = [&](std::size_t meshes, const std::string& primitive) {
+    std::string json = R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": {SIZE}}],
+      "bufferViews": [{"buffer": 0, "byteLength": 36000}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3000, "type": "VEC3"},
+        {"bufferView": 0, "componentType": 5121, "count": 36000, "type": "SCALAR"}],
+      "meshes": [)";
+    for (std::size_t m = 0; m < meshes; ++m)
+      json += std::string(m == 0 ? "" : ",") + R"({"primitives": [{"attributes": {"POSITION": 0})" +
+              primitive + "}]}";
+    return errorOf(json + "]}", 12 * kVertices);
+  };
+  CHECK(shared(50, "").empty());
+  const std::string refused = "too many meshes use the same bytes";
+  for (const std::string primitive : {"", ",\"indices\": 1", ",\"indices\": 1, \"mode\": 5",
+                                      ",\"targets\": [{\"POSITION\": 0}]"}) {
+    const std::string error = shared(1500, primitive);
+    CHECK(error.find(refused) != std::string::npos);
+  }
 }
 
 // A file may hold anything: it is read, or there is a sentence that names it.

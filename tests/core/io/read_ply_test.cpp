@@ -136,6 +136,28 @@ TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
       "a.ply:9: ", "triangle strips");
 }
 
+// Each name compared with all others would take minutes.
+TEST_CASE("PLY: any number of properties and elements is taken, no name twice", "[ply]") {
+  constexpr int kNames = 300000;
+  std::string elements, properties, row;
+  for (int i = 0; i < kNames; ++i) {
+    elements += "element e" + std::to_string(i) + " 0\nproperty int x\n";
+    properties += "property uchar p" + std::to_string(i) + "\n";
+    row += " 1";
+  }
+  const std::string head = "ply\nformat ascii 1.0\n" + elements +
+                           "element vertex 1\nproperty float x\nproperty float y\n"
+                           "property float z\n" +
+                           properties;
+  const Result<PolygonMesh> r = ply(head + "end_header\n1 2 3" + row + "\n");
+  INFO(r.status.message.substr(0, 200));
+  REQUIRE(r.ok());
+  CHECK(r.value.positions == std::vector<double>{1, 2, 3});
+  const std::string line = "a.ply:" + std::to_string(3 * kNames + 7) + ":";
+  checkError(head + "property int p7\nend_header\n", line, "a second property 'p7'");
+  checkError(head + "element e7 0\nend_header\n", line, "a second element 'e7'");
+}
+
 TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
   const std::string good = plyFile("ascii", {vertices(), faces()});
   const auto changed = [&](const std::string& what, const std::string& to) {

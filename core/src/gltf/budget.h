@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+namespace abflat::gltf {
+
+/// How many elements a file may make of its bytes. Accessors, primitives and meshes may share
+/// bytes, so that a small file could ask for any number of vertices; honest ones share a few times.
+class Budget {
+ public:
+  explicit Budget(std::size_t fileSize) : left_(std::max(kLeast, kPerByte * fileSize)) {}
+
+  /// False where there is no room for so many more.
+  bool take(std::size_t elements) {
+    if (elements > left_) return false;
+    left_ -= elements;
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kLeast = std::size_t{1} << 20, kPerByte = 8;
+
+  std::size_t left_;
+};
+
+}  // namespace abflat::gltf

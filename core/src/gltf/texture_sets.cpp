@@ -1,0 +1,98 @@
+#include <set>
+#include <string_view>
+
+#include "abflat/gltf.h"
+#include "gltf/source.h"
+#include "gltf/triangles.h"
+
+namespace abflat {
+namespace gltf {
+namespace {
+
+/// A member, or nothing.
+const Json* memberOf(const Json& json, const char* key) {
+  const auto found = json.is_object() ? json.find(key) : json.end();
+  return found == json.end() ? nullptr : &*found;
+}
+
+/// A number counted from 0, or `fallback`.
+std::size_t numberOf(const Json* json, std::size_t fallback) {
+  return json != nullptr && json->is_number_unsigned() ? json->get<std::size_t>() : fallback;
+}
+
+bool isTextureInfo(std::string_view key, const Json& json) {
+  constexpr std::string_view kEnd = "Texture";
+  return key.size() >= kEnd.size() && key.substr(key.size() - kEnd.size()) == kEnd &&
+         memberOf(json, "index") != nullptr;
+}
+
+/// KHR_texture_transform may put another set in place.
+std::size_t setOf(const Json& texture) {
+  const std::size_t set = numberOf(memberOf(texture, "texCoord"), 0);
+  const Json* const extensions = memberOf(texture, "extensions");
+  const Json* const transform =
+      extensions == nullptr ? nullptr : memberOf(*extensions, "KHR_texture_transform");
+  return transform == nullptr ? set : numberOf(memberOf(*transform, "texCoord"), set);
+}
+
+/// Of all textures of a material, those of its extensions too.
+void addSets(const Json& material, std::set<std::size_t>& sets) {
+  if (!material.is_object()) return;
+  for (const auto& member : material.items()) {
+    if (member.key() == "extras") continue;
+    if (isTextureInfo(member.key(), member.value())) sets.insert(setOf(member.value()));
+    addSets(member.value(), sets);
+  }
+}
+
+/// Materials that extensions of a primitive name, as those of variants.
+void addMaterials(const Json& json, std::set<std::size_t>& materials) {
+  if (!json.is_structured()) return;
+  for (const auto& member : json.items()) {
+    if (json.is_object() && member.key() == "material")
+      materials.insert(numberOf(&member.value(), kNone));
+    addMaterials(member.value(), materials);
+  }
+}
+
+class TextureSets {
+ public:
+  explicit TextureSets(const Document& document) {
+    std::set<std::size_t> materials;
+    for (std::size_t m = 0; m < document.meshes.size(); ++m)
+      for (std::size_t p = 0; p < document.meshes[m].size(); ++p) {
+        const Primitive& primitive = document.meshes[m][p];
+        if (!hasTriangles(primitive.mode)) continue;
+        materials.insert(primitive.material);
+        const Json& json = document.json["meshes"][m]["primitives"][p];
+        if (const Json* extensions = memberOf(json, "extensions"))
+          addMaterials(*extensions, materials);
+        for (const auto& attribute : primitive.attributes) names_.insert(attribute.first);
+      }
+    const Json* const list = memberOf(document.json, "materials");
+    for (const std::size_t m : materials)
+      if (list != nullptr && m < list->size()) addSets((*list)[m], sampled_);
+  }
+
+  bool isSampled(std::size_t set) const { return sampled_.count(set) > 0; }
+  bool isTaken(std::size_t set) const {
+    return isSampled(set) || names_.count("TEXCOORD_" + std::to_string(set)) > 0;
+  }
+
+ private:
+  std::set<std::size_t> sampled_;
+  std::set<std::string> names_;  ///< of attributes
+};
+
+}  // namespace
+}  // namespace gltf
+
+std::size_t freeTexcoord(const gltf::Source& source) {
+  const gltf::TextureSets sets(source.document);
+  if (!sets.isSampled(0)) return 0;
+  std::size_t out = 1;
+  while (sets.isTaken(out)) ++out;
+  return out;
+}
+
+}  // namespace abflat
