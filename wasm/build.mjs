@@ -47,15 +47,14 @@ function ownStarter(text, file) {
 
 /**
  * Emscripten's script, small: its names say nothing, while ours stay readable. The engine instantiates the module itself, so bundlers
- * need not find a file here.
+ * need not find one here. Newer releases of Emscripten start threads from the script by its name.
  */
-function ownScript(text, file) {
+function ownScript(text, built, name) {
   const address = new RegExp(
-    `new URL\\((['"])${file}\\1,\\s*import\\.meta\\.url\\)\\.toString\\(\\)`,
+    `new URL\\((['"])${built}\\.wasm\\1,\\s*import\\.meta\\.url\\)\\.(toString\\(\\)|href)`,
   );
-  if (address.test(text)) return transformSync(text.replace(address, "''"), { minify: true }).code;
-  console.error(`Emscripten's script should name ${file}, and does not.`);
-  process.exit(1);
+  const own = text.replace(address, "''").replaceAll(`${built}.mjs`, `${name}.js`);
+  return transformSync(own, { minify: true }).code;
 }
 
 /** Workers in one file each, beside the script of Emscripten: one request less for each module, and nothing that bundlers share. */
@@ -91,7 +90,7 @@ for (const [build, { folder, built, name }] of Object.entries(MODULES)) {
   const wasm = readFileSync(pathOf(folder, `${built}.wasm`));
   writeFileSync(join(DIST, `${name}.wasm`), labelled(wasm, build));
   // Not .mjs, which some servers send without a type.
-  writeFileSync(join(DIST, `${name}.js`), ownScript(read(`${built}.mjs`), `${built}.wasm`));
+  writeFileSync(join(DIST, `${name}.js`), ownScript(read(`${built}.mjs`), built, name));
   // What a thread begins with; newer releases of Emscripten have it in the module's script.
   const starter = `${built}.worker.js`;
   if (existsSync(pathOf(folder, starter)))

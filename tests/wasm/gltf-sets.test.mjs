@@ -195,4 +195,12 @@ test('a document without triangles stays as it is', async () => {
   for (const groupBy of ['scene', 'mesh', 'primitive'])
     await document.transform(unwrap(abflat, { groupBy }));
   assert.deepEqual(lines.listSemantics(), ['POSITION']);
+
+  const nothing = primitiveOf(document, { ...sphere(3), faces: [] });
+  const ball = primitiveOf(document, sphere(3));
+  addMesh(document, 'nothing', nothing, document.createPrimitive());
+  addMesh(document, 'ball', ball);
+  for (const groupBy of ['mesh', 'primitive', 'scene'])
+    await document.transform(unwrap(abflat, { groupBy, overwrite: true }));
+  assert.ok(ball.getAttribute('TEXCOORD_0'));
 });

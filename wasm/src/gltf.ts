@@ -66,7 +66,9 @@ export function unwrap(
     if (wanted.length < all.length) tellKept(document, set, all.length - wanted.length, all.length);
     const unwrapped = await unwrapGroups(
       abflat,
-      grouped(wanted, groupBy).map((members) => documentMesh(document, members)),
+      grouped(wanted, groupBy)
+        .map((members) => documentMesh(document, members))
+        .filter(({ indices }) => indices.length > 0),
       settings,
     );
     for (const { parts, result } of unwrapped)
