@@ -79,17 +79,19 @@ const script = (entry, settings = '') => `
 const page = (tag) => `<!doctype html><link rel="icon" href="data:,">${tag}<body></body>`;
 
 /** A site whose script esbuild has bundled, with the files that are copied into it. */
-function bundled(name, text, { format = 'esm', files = {} } = {}) {
+function bundled(name, text, { format = 'esm', files = {}, folder: path = '' } = {}) {
   const root = join(folder, name);
   mkdirSync(root);
   const tag =
-    format === 'esm' ? '<script type="module" src="main.js">' : '<script defer src="main.js">';
+    format === 'esm'
+      ? `<script type="module" src="${path}main.js">`
+      : '<script defer src="main.js">';
   writeFileSync(join(root, 'index.html'), page(`${tag}</script>`));
   buildSync({
     stdin: { contents: text, resolveDir: ROOT },
     bundle: true,
     format,
-    outfile: join(root, 'main.js'),
+    outfile: join(root, path, 'main.js'),
     logLevel: 'silent',
   });
   for (const [path, from] of Object.entries(files))
@@ -122,6 +124,15 @@ for (const [format, missing] of CASES)
       assert.match(await shown(await serve(root, ISOLATED)), /^valid: true (simd|threads)$/);
     },
   );
+
+test(
+  'where the development server of Vite has lost the files, the error says what mends it',
+  NEEDS_CHROME,
+  async () => {
+    const root = bundled('vite-lost', script('abflat'), { folder: 'node_modules/.vite/deps/' });
+    assert.match(await shown(await serve(root)), /abflat-simd\.wasm: 404.*optimizeDeps/);
+  },
+);
 
 test(
   'baseUrl takes an address with or without a slash, a URL, and the place of another origin',

@@ -9,13 +9,18 @@ const COPY =
   'A bundler may have left it out, as esbuild and Rollup do. Then copy the files (cp -r node_modules/abflat/dist public/abflat) ' +
   "and say where they are (createAbflat({ baseUrl: '/abflat/' })).";
 
+const VITE =
+  "The development server of Vite lost it: set optimizeDeps: { exclude: ['abflat'] } in vite.config.js.";
+
+const adviceFor = ({ pathname }: URL) => (pathname.includes('/.vite/') ? VITE : COPY);
+
 export const browser: Platform = {
   fileIn: (folder, name) =>
     new URL(name, new URL(textOf(folder).replace(/\/*$/, '/'), page())).href,
 
   async loadModule(build, address) {
     const url = address ? new URL(textOf(address), page()) : wasmFile(build);
-    const advice = address ? '' : ` ${COPY}`;
+    const advice = address ? '' : ` ${adviceFor(url)}`;
     const response = await fetchFile(url, advice);
     try {
       return await WebAssembly.compile(await response.arrayBuffer());
