@@ -22,12 +22,16 @@ const CONTENTS = {
   ],
 };
 
+export const PRODUCTS = Object.keys(CONTENTS);
+
+/** Names of files in scripts/licenses, and folders of npm packages. */
+export const contentsOf = (product) => CONTENTS[product];
+
 function licenseText(entry) {
   if (!entry.startsWith('node_modules/')) return readFileSync(join(FOLDER, `${entry}.txt`), 'utf8');
   const folder = join(ROOT, entry);
-  const { name, version, homepage } = JSON.parse(
-    readFileSync(join(folder, 'package.json'), 'utf8'),
-  );
+  const json = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  const { name, version, homepage = `https://www.npmjs.com/package/${name}` } = json;
   const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
   if (!file) throw new Error(`${entry} has no licence file`);
   return `${name} ${version}\n${homepage}\n\n${readFileSync(join(folder, file), 'utf8')}`;

@@ -1,0 +1,91 @@
+// What a product contains, as a CycloneDX bill of materials: the same list as the licences.
+
+import { spawnSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { contentsOf } from './licenses.mjs';
+import { ROOT } from './paths.mjs';
+import { Failure } from './run.mjs';
+
+const PREFIXES = ['/usr/local', '/usr', '/opt/homebrew'];
+
+/** `files`: where CMake looks for the version, below a prefix. */
+const LIBRARIES = {
+  eigen: {
+    license: 'MPL-2.0',
+    files: ['share/eigen3/cmake/Eigen3ConfigVersion.cmake'],
+  },
+  fast_float: {
+    license: 'MIT',
+    files: ['lib', 'share'].map((place) => `${place}/cmake/FastFloat/FastFloatConfigVersion.cmake`),
+  },
+  'nlohmann-json': {
+    license: 'MIT',
+    files: ['share/cmake/nlohmann_json/nlohmann_jsonConfigVersion.cmake'],
+  },
+  cli11: { license: 'BSD-3-Clause', files: ['share/cmake/CLI11/CLI11ConfigVersion.cmake'] },
+  emscripten: { license: 'MIT', versionOf: emscriptenVersion },
+  // Parts of Emscripten, which has its own copies.
+  musl: { license: 'MIT', versionOf: () => `emscripten-${emscriptenVersion()}` },
+  'llvm-runtimes': {
+    license: 'Apache-2.0 WITH LLVM-exception',
+    versionOf: () => `emscripten-${emscriptenVersion()}`,
+  },
+};
+
+function emscriptenVersion() {
+  const { stdout } = spawnSync('emcc', ['--version'], { encoding: 'utf8' });
+  return stdout?.match(/^emcc .*?(\d+\.\d+\.\d+)/)?.[1];
+}
+
+function versionIn(files) {
+  const paths = PREFIXES.flatMap((prefix) => files.map((file) => join(prefix, file)));
+  const found = paths.find((path) => existsSync(path));
+  return found && readFileSync(found, 'utf8').match(/set\(PACKAGE_VERSION "([^"]+)"\)/)?.[1];
+}
+
+function libraryOf(entry) {
+  const { license, files, versionOf = () => versionIn(files) } = LIBRARIES[entry];
+  const version = versionOf();
+  if (!version) throw new Failure(`The version of ${entry} cannot be found; is it installed?`);
+  const [, url] = readFileSync(join(ROOT, `scripts/licenses/${entry}.txt`), 'utf8').split('\n');
+  return { name: entry, version, license, url, purl: `pkg:generic/${entry}@${version}` };
+}
+
+function packageOf(folder) {
+  const json = JSON.parse(readFileSync(join(ROOT, folder, 'package.json'), 'utf8'));
+  const { name, version, license, homepage = `https://www.npmjs.com/package/${name}` } = json;
+  const purl = `pkg:npm/${name.replace('@', '%40')}@${version}`;
+  return { name, version, license, url: homepage, purl };
+}
+
+/** Of `product`: native, wasm or web. The same bytes for the same contents. */
+export function billOfMaterials(product) {
+  const { version } = JSON.parse(readFileSync(join(ROOT, 'wasm/package.json'), 'utf8'));
+  const components = contentsOf(product)
+    .map((entry) => (entry.startsWith('node_modules/') ? packageOf(entry) : libraryOf(entry)))
+    .map(({ name, version, license, url, purl }) => ({
+      type: 'library',
+      'bom-ref': purl,
+      name,
+      version,
+      licenses: [{ expression: license }],
+      purl,
+      externalReferences: [{ type: 'website', url }],
+    }));
+  return {
+    bomFormat: 'CycloneDX',
+    specVersion: '1.5',
+    version: 1,
+    metadata: {
+      component: {
+        type: product === 'wasm' ? 'library' : 'application',
+        'bom-ref': `abflat-${product}`,
+        name: `abflat-${product}`,
+        version,
+        licenses: [{ expression: 'MIT' }],
+      },
+    },
+    components,
+  };
+}
