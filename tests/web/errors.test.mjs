@@ -3,7 +3,16 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
-import { choose, drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  choose,
+  drop,
+  dropAndWait,
+  exportMesh,
+  metrics,
+  openPage,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const SENTENCE = /^[A-Za-z].*\.$/s;
 
@@ -58,6 +67,8 @@ test('an impossible t is refused, the layout of the last one stays', async (t) =
   assert.match(await textOf(page, '#layout-note'), /^Still showing waves\.obj, t = auto$/);
   assert.equal(await textOf(page, '#export'), 'Export earlier OBJ');
   assert.match(await page.getAttribute('#export', 'title'), /waves\.obj, t = auto$/);
+  assert.equal((await exportMesh(page)).name, 'waves-uv.obj');
+  assert.match(await textOf(page, '#run-text'), /^Exported waves-uv\.obj, .*, t = auto$/);
   await page.fill('#t-number', '1');
   await page.waitForFunction(() => document.querySelector('#alert').textContent === '');
   await settled(page);

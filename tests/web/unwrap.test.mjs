@@ -56,7 +56,7 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.equal(await page.getAttribute('#mode-unwrap', 'aria-pressed'), 'true');
   assert.ok(await page.isDisabled('#mode-flatten'));
-  assert.match(await textOf(page, '#mode-hint'), /^no disk: closed$/);
+  assert.match(await textOf(page, '#mode-hint'), /^Closed surface: only Unwrap$/);
   assert.ok(await page.isHidden('#flatten-options'));
   assert.ok(await page.isVisible('#stretch'));
   assert.ok(await page.isHidden('#delaunay'));
@@ -216,10 +216,10 @@ test('what was repaired is said in one line each', async (t) => {
   const lines = await page.locator('#atlas-notes li').allInnerTexts();
   assert.equal(lines.length, Number.parseInt(button, 10));
   for (const pattern of [
-    /^\d+ faces? repeats? another one: in charts of their own, faces? \d+/,
-    /^\d+ edges? (has|have) more than two faces: cut, edges? \d+–\d+/,
-    /^\d+ faces? (has|have) fewer than three corners: uv of the neighbours, faces? \d+/,
-    /^\d+ edges? lies? between faces that are turned over: cut/,
+    /^\d+ faces? repeats? (another and has a chart of its|others and have charts of their) own: faces? \d+/,
+    /^\d+ edges? (has|have) more than two faces and became (a seam|seams): edges? \d+–\d+/,
+    /^\d+ faces? (has|have) fewer than three corners and took the UVs of the neighbours: faces? \d+/,
+    /^\d+ edges? lies? between faces of opposite orientation and became (a seam|seams): /,
   ])
     assert.ok(
       lines.some((line) => pattern.test(line)),

@@ -335,8 +335,11 @@ export class App implements SessionEvents {
   private export(): void {
     const { outcome } = this;
     if (!outcome) return;
-    exportMesh(outcome, this.texcoordChoice.texcoord).then(this.say, (error: Error) =>
-      this.notSaved(outcome, error),
+    // The title of the button says when the layout is an earlier one.
+    const { title } = this.exportButton;
+    exportMesh(outcome, this.texcoordChoice.texcoord).then(
+      (done) => this.say(title ? `${done}. ${title}` : done),
+      (error: Error) => this.notSaved(outcome, error),
     );
   }
 

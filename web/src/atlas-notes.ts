@@ -41,41 +41,43 @@ function repairs(repair: RepairReport): string[] {
     [
       mergedVertices,
       () =>
-        `${counted(mergedVertices, 'vertex lies', 'vertices lie')} where another one does: taken as one`,
+        `${counted(mergedVertices, 'duplicate vertex was', 'duplicate vertices were')} treated as one`,
     ],
     [
       collapsedFaces.length,
       () =>
-        `${counted(collapsedFaces.length, 'face has', 'faces have')} fewer than three corners: uv of the neighbours, ${faces(collapsedFaces)}`,
+        `${counted(collapsedFaces.length, 'face has', 'faces have')} fewer than three corners and took the UVs of the neighbours: ${faces(collapsedFaces)}`,
     ],
     [
       splitFaces.length,
       () =>
-        `${counted(splitFaces.length, 'face touches itself', 'faces touch themselves')}: split there, ${faces(splitFaces)}`,
+        `${counted(splitFaces.length, 'face touches itself and was split', 'faces touch themselves and were split')} there: ${faces(splitFaces)}`,
     ],
     [
       duplicateFaces.length,
       () =>
-        `${counted(duplicateFaces.length, 'face repeats', 'faces repeat')} another one: in charts of their own, ${faces(duplicateFaces.map(([face]) => face))}`,
+        `${counted(duplicateFaces.length, 'face repeats another and has a chart of its own', 'faces repeat others and have charts of their own')}: ${faces(duplicateFaces.map(([face]) => face))}`,
     ],
     [
       nonManifoldEdges.length,
       () =>
-        `${counted(nonManifoldEdges.length, 'edge has', 'edges have')} more than two faces: cut, ${edges(nonManifoldEdges)}`,
+        `${counted(nonManifoldEdges.length, 'edge has', 'edges have')} more than two faces and ${became(nonManifoldEdges)}: ${edges(nonManifoldEdges)}`,
     ],
     [
       orientationConflicts.length,
       () =>
-        `${counted(orientationConflicts.length, 'edge lies', 'edges lie')} between faces that are turned over: cut, ${edges(orientationConflicts)}`,
+        `${counted(orientationConflicts.length, 'edge lies', 'edges lie')} between faces of opposite orientation and ${became(orientationConflicts)}: ${edges(orientationConflicts)}`,
     ],
     [
       degenerateTriangles,
       () =>
-        `${counted(degenerateTriangles, 'triangle has', 'triangles have')} no area: laid out by made-up angles`,
+        `${counted(degenerateTriangles, 'triangle has', 'triangles have')} no area and got made-up angles`,
     ],
   ];
   return kinds.filter(([size]) => size > 0).map(([, text]) => text());
 }
+
+const became = ({ length }: unknown[]) => (length === 1 ? 'became a seam' : 'became seams');
 
 function places(what: string, names: string[]): string {
   const shown = names.slice(0, NAMED).join(', ');
@@ -93,7 +95,7 @@ function topology({
     );
   if (filledHoles > 0)
     notes.push(
-      `${counted(filledHoles, 'hole takes', 'holes take')} no seam: laid out as if filled`,
+      `${counted(filledHoles, 'hole was treated as filled and needs no seam', 'holes were treated as filled and need no seams')}`,
     );
   return notes;
 }

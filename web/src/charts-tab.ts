@@ -62,5 +62,5 @@ function summary({ charts, seams, quasiConformalMean }: UnwrapReport): string {
   const which = charts.length > 1 ? ', the largest' : '';
   const sizes = `${counted(charts.length, 'chart')}${which} of ${counted(largest, 'triangle')}`;
   const cuts = seams.edges > 0 ? `cut along ${counted(seams.edges, 'edge')}` : 'nothing was cut';
-  return `${sizes}; ${cuts}; mean ratio of stretches ${measure(quasiConformalMean)}`;
+  return `${sizes}; ${cuts}; average stretch ratio ${measure(quasiConformalMean)}`;
 }

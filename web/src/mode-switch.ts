@@ -10,15 +10,15 @@ const HINTS: Record<Mode, string> = {
   unwrap: 'charts in a square',
 };
 
-/** Why a mesh is no disk, in two words. */
+/** Why a mesh cannot be flattened, in two words. */
 const NO_DISK: Partial<Record<StatusName, string>> = {
-  DegenerateFace: 'faces without area',
-  NonManifoldEdge: 'edges of three faces',
-  InconsistentOrientation: 'faces turned over',
-  MultipleComponents: 'several pieces',
-  ClosedSurface: 'closed',
-  MultipleBoundaryLoops: 'several holes',
-  HasHandles: 'handles',
+  DegenerateFace: 'Faces without area',
+  NonManifoldEdge: 'Edges of three faces',
+  InconsistentOrientation: 'Faces turned over',
+  MultipleComponents: 'Several pieces',
+  ClosedSurface: 'Closed surface',
+  MultipleBoundaryLoops: 'Several holes',
+  HasHandles: 'Handles',
 };
 
 /** Unwrap, or for disks flatten if the user wants that; it stays chosen for later disks. */
@@ -63,7 +63,7 @@ export class ModeSwitch {
     const { ok, code, message } = this.disk;
     this.buttons[0].disabled = !ok;
     const reason = NO_DISK[code as StatusName];
-    this.hint.textContent = ok ? HINTS[this.mode] : `no disk${reason ? `: ${reason}` : ''}`;
+    this.hint.textContent = ok ? HINTS[this.mode] : `${reason ?? 'No disk'}: only Unwrap`;
     this.hint.title = ok ? '' : `${sentence(message)}.`;
     document.body.dataset.mode = this.mode;
   }

@@ -119,7 +119,7 @@ export class SeamEditor {
     const text =
       path.length > 0
         ? `Vertex ${paths.start} to ${place}: cut ${counted(path.length, 'edge')}, ${length} long`
-        : `From vertex ${paths.start}: click where the cut ends, Esc to let go`;
+        : `From vertex ${paths.start}: click where the cut ends, Esc cancels`;
     this.mark({ ...NO_MARKS, cut: this.pairs(model, path), vertices }, text);
   }
 
@@ -129,7 +129,7 @@ export class SeamEditor {
     const isOwn = edges.some((e) => model.own[e]);
     const seam = `Seam of ${counted(edges.length, 'edge')}`;
     if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, INVITATIONS.join);
-    else if (!isOwn) this.mark(NO_MARKS, `${seam}: needed, its chart is no disk without`);
+    else if (!isOwn) this.mark(NO_MARKS, `${seam}: needed to keep its chart a disk`);
     else this.mark({ ...NO_MARKS, joined: this.pairs(model, edges), vertices }, `${seam}: join`);
   }
 
@@ -162,7 +162,7 @@ export class SeamEditor {
     this.events.say(
       count > 0
         ? `Joined ${counted(count, 'edge')}`
-        : 'This seam is needed: its chart is no disk without it',
+        : 'This seam is needed to keep its chart a disk',
     );
     if (count > 0) this.events.changed();
   }
@@ -196,7 +196,7 @@ export class SeamEditor {
   private step(way: 'undo' | 'redo'): void {
     if (!this.model?.[way]()) return;
     this.paths = null;
-    this.events.say(way === 'undo' ? 'Undone' : 'Done again');
+    this.events.say(way === 'undo' ? 'Undone' : 'Redone');
     this.events.changed();
   }
 
