@@ -124,6 +124,42 @@ test('two clicks cut along the shortest path, and the charts follow', async (t) 
   assert.equal(await textOf(page, '#seams-state'), '');
 });
 
+test('a cut is kept and cut further where charts are stretched, and edits go on from there', async (t) => {
+  const page = await openPage(t, STILL);
+  await dropAndWait(page, 'ball.obj', objText(sphere(6)));
+  await page.click('#seams-auto');
+  await settled(page);
+  const state = () => textOf(page, '#seams-state');
+  const cut = async (from, to) => {
+    await clickAt(page, from);
+    await clickAt(page, to);
+    await settled(page);
+  };
+  await cut([0.44, 0.5], [0.56, 0.5]);
+  const own = await state();
+  assert.match(own, /^edited: \d+ edges?$/);
+  assert.equal(await textOf(page, '#badge'), 'Stretched');
+  await page.click('#remedy');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await state(), `${own}, cut further`);
+  // The slider cuts again.
+  const before = await charts(page);
+  await page.focus('#stretch');
+  await page.keyboard.press('Home');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.ok((await charts(page)) >= before);
+  const further = Number((await metrics(page))['Seam length']);
+  await cut([0.5, 0.4], [0.5, 0.6]);
+  assert.match(await state(), /^edited: \d+ edges$/);
+  assert.ok(Number((await metrics(page))['Seam length']) >= further, 'nothing was joined');
+  await page.click('#seam-undo');
+  await page.click('#seam-undo');
+  await settled(page);
+  assert.equal(await state(), own);
+});
+
 test('Escape lets go, a drag turns the view, Alt does the other thing, Shift goes on', async (t) => {
   const page = await openPage(t, STILL);
   await openGrid(page, 4);
