@@ -76,7 +76,7 @@ export const SUITES = [
 ];
 
 /** What only `npm run test:long` runs beside those, with the long tests of both. */
-export const LONG_SUITES = [];
+export const LONG_SUITES = [node('bundlers', [buildWasm])];
 
 /** What runs again with an instrumented program. */
 export const SANITIZED_SUITES = [

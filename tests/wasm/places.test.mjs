@@ -36,13 +36,19 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Serves a folder with types for pages and scripts alone, as servers without much configuration do. */
-async function serve(root, headers = {}) {
+/**
+ * Serves a folder with types for pages and scripts alone, as servers without much configuration do. `headers` are those of all files, or
+ * of the pages.
+ */
+async function serve(root, headers = {}, { onPages = false } = {}) {
   const types = { '.html': 'text/html', '.js': 'text/javascript' };
   const server = createServer((request, response) => {
     const file = fileFor(root, request.url);
     const type = file && types[extname(file)];
-    response.writeHead(file ? 200 : 404, { ...headers, ...(type && { 'Content-Type': type }) });
+    response.writeHead(file ? 200 : 404, {
+      ...(!onPages || type === 'text/html' ? headers : {}),
+      ...(type && { 'Content-Type': type }),
+    });
     response.end(file && readFileSync(file));
   });
   servers.push(server);
@@ -166,6 +172,20 @@ test(
     });
     assert.equal(await shown(await serve(root, policy(`blob: ${other}`))), 'valid: true simd');
     assert.match(await shown(await serve(root, policy(other))), /worker-src.*blob:/);
+  },
+);
+
+test(
+  'an isolated page whose scripts lack the header of theirs hears of it',
+  NEEDS_CHROME,
+  async () => {
+    const root = bundled('header', script('abflat', "{ baseUrl: '/abflat/' }"), {
+      files: { abflat: DIST },
+    });
+    assert.match(
+      await shown(await serve(root, ISOLATED, { onPages: true })),
+      /UnreadableFile Cannot load the worker.*without the header Cross-Origin-Embedder-Policy/,
+    );
   },
 );
 

@@ -66,9 +66,12 @@ function notLoaded(address?: Address): AbflatError {
   const [place, advice] = address
     ? [addressOf(address), '']
     : ['a script beside its module', ` ${COPY}`];
+  const header = globalThis.crossOriginIsolated
+    ? 'it is served without the header Cross-Origin-Embedder-Policy that the page has, '
+    : '';
   return new AbflatError(
     'UnreadableFile',
-    `Cannot load the worker of abflat from ${place}: it is not there, it is served with a type that is no script's, or worker-src of ` +
+    `Cannot load the worker of abflat from ${place}: it is not there, it is served with a type that is no script's, ${header}or worker-src of ` +
       `the page's content security policy forbids it (from another origin it needs blob: and that origin).${advice}`,
   );
 }
