@@ -95,7 +95,7 @@ test('a disk that is stretched in one piece is unwrapped with one click', async 
   await page.selectOption('#sample', 'three-balls');
   await settled(page);
   assert.equal(await textOf(page, '#badge'), 'Stretched');
-  assert.match(await textOf(page, '#reason'), /lengths change by \d+\s% on average/);
+  assert.match(await textOf(page, '#reason'), /^Lengths change by \d+\s% on average/);
   assert.match(await textOf(page, '#run-text'), /^Flattened in .*, stretched$/);
   await page.click('#remedy');
   await settled(page);

@@ -75,8 +75,6 @@ function rangeText({ above, atLeast = 0, atMost, type }: NumberRule): string {
 
 /** Why what was typed was not taken; `kept` is used still. */
 export function refusal(name: string, typed: string, range: string, kept: string): string {
-  const rule = `${name} must be ${range}.`;
-  return typed === ''
-    ? `${rule} It is still ${kept}.`
-    : `${rule} ${typed} was not used: it is still ${kept}.`;
+  const unused = typed === '' ? '' : `${typed} was not used: `;
+  return `${unused}${name} must be ${range}. It is still ${kept}.`;
 }

@@ -27,7 +27,7 @@ function ofDisk({ charts: [chart], valid }: Report): Verdict {
   if (!(change > MOST_CHANGE))
     return { badge: 'Valid', reason: 'No flipped triangles, no crossings', remedy: null };
   const percent = `${count(100 * change)}\u202f%`;
-  const reason = `No overlaps, but lengths change by ${percent} on average. With seams they change less`;
+  const reason = `Lengths change by ${percent} on average: seams would help`;
   return { badge: 'Stretched', reason, remedy: 'unwrap' };
 }
 
