@@ -4,7 +4,7 @@
 
 import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { extname, join, normalize, sep } from 'node:path';
+import { extname, join, normalize, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { ROOT, WEB_DIST } from './lib/paths.mjs';
@@ -44,8 +44,18 @@ export function fileFor(folder, requestPath) {
   return existsSync(full) && statSync(full).isFile() ? full : undefined;
 }
 
-/** What a browser asks of a page that wants threads: nothing of other origins that did not agree to it. */
-export const ISOLATED = JSON.parse(readFileSync(join(ROOT, 'web/headers.json'), 'utf8'));
+/** What Vite names after its content never changes: with it the page goes on when the connection is lost. */
+const FOREVER = 'public, max-age=31536000, immutable';
+
+const isHashed = (folder, file) => relative(folder, file).split(sep)[0] === 'assets';
+
+/** What the page is sent with. */
+export const HEADERS = JSON.parse(readFileSync(join(ROOT, 'web/headers.json'), 'utf8'));
+
+/** Of these, what a browser asks of a page that wants threads: nothing of other origins that did not agree to it. */
+export const ISOLATED = Object.fromEntries(
+  Object.entries(HEADERS).filter(([name]) => name.startsWith('Cross-Origin')),
+);
 
 export function createStaticServer(folder, headers = {}) {
   return createServer((request, response) => {
@@ -61,7 +71,7 @@ export function createStaticServer(folder, headers = {}) {
     response.writeHead(200, {
       'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
       'Content-Length': statSync(file).size,
-      'Cache-Control': 'no-cache',
+      'Cache-Control': isHashed(folder, file) ? FOREVER : 'no-cache',
       'X-Content-Type-Options': 'nosniff',
       ...headers,
     });
@@ -113,7 +123,7 @@ export async function serve(args) {
     options: { host: { type: 'string', default: '127.0.0.1' }, port: { type: 'string' } },
   });
   const asked = values.port ?? process.env.PORT;
-  const server = createStaticServer(WEB_DIST, ISOLATED);
+  const server = createStaticServer(WEB_DIST, HEADERS);
   const port = await listen(
     server,
     values.host,

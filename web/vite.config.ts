@@ -1,11 +1,14 @@
 import { defineConfig } from 'vite';
 import headers from './headers.json';
 
+/** Vite's own client, for development, has inline styles. */
+const { 'Content-Security-Policy': _, ...isolation } = headers;
+
 export default defineConfig({
   base: './',
   build: { target: 'es2022', chunkSizeWarningLimit: 900 },
   // With them the browser gives the page threads.
-  server: { headers },
+  server: { headers: isolation },
   preview: { headers },
   worker: { format: 'es' },
   // The package finds its worker and its .wasm relative to its own file.

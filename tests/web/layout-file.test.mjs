@@ -223,7 +223,7 @@ test('colours of areas do not depend on the scale, and end at half and double', 
 });
 
 test('a picture that no browser can draw is refused with what to do', async () => {
-  const { pictureSize } = await loadModule('layout-file/png-file');
+  const { pictureSize } = await loadModule('layout-file/picture-size');
   assert.deepEqual(pictureSize({ resolution: 4096, tiles: 3 }), { width: 12288, height: 4096 });
   assert.throws(
     () => pictureSize({ resolution: 4096, tiles: 5 }),

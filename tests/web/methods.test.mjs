@@ -88,6 +88,7 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
     await picture(page, '#mesh-canvas'),
   ];
   await page.getByRole('button', { name: /^Tutte/ }).click();
+  await page.locator('#method-note').waitFor();
   assert.match(await textOf(page, '#method-note-text'), /^Comparison, not exported: Tutte/);
   assert.match(await textOf(page, '#layout-info'), /^Tutte/);
   assert.match(await textOf(page, '#reason'), /^Numbers of waves\.obj, t = auto$/);
@@ -120,7 +121,7 @@ test('Escape, another tab, closing, another t and another mesh lead back from a 
     await page.click('#tab-methods');
     await lscm.focus();
     await page.keyboard.press('Enter');
-    assert.ok(await page.isVisible('#method-note'), name);
+    await page.locator('#method-note').waitFor();
     assert.equal(await lscm.getAttribute('aria-pressed'), 'true');
     await leave();
     await settled(page);

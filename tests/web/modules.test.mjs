@@ -81,25 +81,6 @@ test('numbers keep three digits and a bounded length', async () => {
   }
 });
 
-test('charts that meet differ in colour, a chart is of one colour', async () => {
-  const { chartColors } = await load('chart-colors');
-  const { weld } = await load('weld');
-  // A strip of 40 triangles in pieces, each pair a chart.
-  const positions = Float64Array.from(
-    Array.from({ length: 40 }, (_, f) => [f, f + 1, f + 2].flatMap((i) => [i, i % 2, 0])).flat(),
-  );
-  const indices = Uint32Array.from({ length: 120 }, (_, c) => c);
-  const charts = Uint32Array.from({ length: 40 }, (_, f) => f >> 1);
-  const places = weld(positions, 3);
-  assert.equal(new Set(places).size, 42);
-  const colors = chartColors(indices, charts, places);
-  for (let f = 0; f < 40; f += 2) {
-    assert.equal(colors[f], colors[f + 1]);
-    if (f > 0) assert.notEqual(colors[f], colors[f - 1]);
-  }
-  assert.deepEqual(chartColors(indices, charts, places), colors);
-});
-
 test('notes: why a layout is not valid, what was done, which vertices are tightened', async () => {
   const { notes } = await load('notes');
   assert.deepEqual(notes({ problem: '', fallbacks: [], bounds: [], delaunay: null }), []);

@@ -50,6 +50,7 @@ async function startSession(t) {
         log.push(`failed ${source.name} ${textOf(settings)} ${error.message}`),
     },
     () => wish,
+    { mesh: async () => ({}), outcome: async () => ({}) },
   );
   /** Opens a mesh, or lays the open one out again, with other settings. */
   const open = (source, settings) => {

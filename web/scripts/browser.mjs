@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
-import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { createStaticServer, HEADERS, listen } from '../../scripts/serve.mjs';
 
 const FLAGS = [
   '--no-sandbox',
@@ -19,7 +19,7 @@ const SOFTWARE_GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsa
 const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
 
 /** Serves a folder on a free port of this machine, as npm start does unless there are other `headers`. */
-export async function serveFolder(folder, headers = ISOLATED) {
+export async function serveFolder(folder, headers = HEADERS) {
   if (!existsSync(join(folder, 'index.html')))
     throw new Error(`${folder} has no index.html: run "npm run build:web" first.`);
   const server = createStaticServer(folder, headers);

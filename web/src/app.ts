@@ -6,6 +6,7 @@ import { Locks } from './charts/locks';
 import { ChartsTab } from './charts-tab';
 import { Details } from './details';
 import { bindToggle, element } from './dom';
+import type { FlatDrawing } from './drawing/drawing';
 import { exportFormat, exportMesh } from './export-mesh';
 import { duration } from './format';
 import type { AnyProgress, Outcome } from './lay-out';
@@ -15,7 +16,6 @@ import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
 import { Notice } from './notice';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
-import { type FlatPicture, flatPicture } from './picture';
 import { RunPanel } from './run-panel';
 import { SeamPanel } from './seams/seam-panel';
 import type { Opened, SessionEvents, Source } from './session';
@@ -29,9 +29,11 @@ import { bindTheme } from './theme';
 import { isAutomatic, type Remedy, verdictOf } from './verdict';
 import type { Views } from './views';
 import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './words';
+import { Workshop } from './workshop/workshop';
 
 /** Connects the session with what is on the page. */
 export class App implements SessionEvents {
+  private readonly workshop = new Workshop();
   private readonly session: Session;
   private readonly say = (text: string) => this.run.say(text);
   private readonly bound = new BoundControl(() => this.session.refresh(), this.say);
@@ -63,13 +65,13 @@ export class App implements SessionEvents {
         (abflat, input, signal) => abflat.compare(input, { signal, onProgress }),
         signal,
       ),
-    (method, comparison) => this.showMethod(method, comparison),
+    (method, comparison) => void this.showMethod(method, comparison),
   );
   private readonly run = new RunPanel(
     () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
     () => this.session.refresh(),
   );
-  private readonly layoutBar = new LayoutBar({
+  private readonly layoutBar = new LayoutBar(this.workshop, {
     say: this.say,
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
@@ -81,22 +83,24 @@ export class App implements SessionEvents {
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
   private delaunay = false;
+  /** The method whose layout is looked at. */
+  private method: MethodResult | null = null;
   /** The last result. */
   private outcome: Outcome | null = null;
-  /** That of the last result; null without WebGL. */
-  private picture: FlatPicture | null = null;
+  /** That of the last result. */
+  private drawing: FlatDrawing | null = null;
 
   constructor(
     abflat: Promise<Abflat>,
     private readonly views: Views | null,
   ) {
-    this.session = new Session(abflat, this, () => this.settings);
+    this.session = new Session(abflat, this, () => this.settings, this.workshop);
     this.charts = new ChartsTab(views, this.locks, {
       // What is under way would move what has just been locked.
       locked: () => this.session.isBusy && this.session.refresh(),
       packAgain: () => this.session.refresh(),
     });
-    this.seams = new SeamPanel(views?.mesh ?? null, {
+    this.seams = new SeamPanel(views?.mesh ?? null, this.workshop, {
       changed: () => {
         this.showCutting();
         this.session.refresh();
@@ -164,6 +168,7 @@ export class App implements SessionEvents {
       settings ? `${doing} with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
       verb,
     );
+    if (settings?.mode === 'unwrap') void this.seams.prepare();
     document.body.setAttribute('aria-busy', 'true');
     this.markStale(settings ?? this.settings);
   }
@@ -172,7 +177,7 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened({ source, mesh, summary }: Opened): void {
+  opened({ source, mesh, summary, drawing }: Opened): void {
     hideAlert();
     this.atlas.open(summary);
     this.mode.setDisk(summary.disk);
@@ -182,7 +187,7 @@ export class App implements SessionEvents {
     this.shown = source;
     if (source.kind === 'file') this.notice.show(source);
     else this.notice.hide();
-    this.views?.showMesh(mesh);
+    this.views?.showMesh(drawing);
     this.sweep.clear();
     this.methods.clear();
     this.bound.setBoundaryVertices(null);
@@ -193,11 +198,12 @@ export class App implements SessionEvents {
     this.markStale();
   }
 
-  laidOut(outcome: Outcome): void {
+  laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
     hideAlert();
     this.outcome = outcome;
-    this.showResult(outcome);
+    this.drawing = drawing;
+    this.showResult(outcome, drawing);
     this.metrics.show(outcome);
     this.showDetails(outcome);
     this.updateExport();
@@ -211,7 +217,7 @@ export class App implements SessionEvents {
   private showDetails(outcome: Outcome): void {
     if (outcome.mode === 'unwrap') {
       this.locks.show(outcome);
-      this.charts.show(outcome.result.report, this.picture);
+      this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);
       this.seams.show(outcome);
       return;
     }
@@ -268,22 +274,28 @@ export class App implements SessionEvents {
     return isStale;
   }
 
-  private showResult(outcome: Outcome): void {
-    this.picture = this.views?.showOutcome(outcome) ?? null;
+  private showResult(outcome: Outcome, drawing: FlatDrawing): void {
+    this.views?.showOutcome(outcome, drawing);
     element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
   }
 
   /** Shows the layout of another method in place of the result, which stays what is exported; null: the result again. */
-  private showMethod(method: MethodResult | null, comparison: Comparison): void {
-    element('method-note', HTMLElement).hidden = method === null;
-    if (!this.outcome) return;
-    this.metrics.markStale(method ? this.owner() : null);
+  private async showMethod(method: MethodResult | null, comparison: Comparison): Promise<void> {
+    this.method = method;
+    const { outcome, drawing } = this;
     if (!method) {
-      this.showResult(this.outcome);
+      element('method-note', HTMLElement).hidden = true;
+      this.metrics.markStale(null);
+      if (outcome && drawing) this.showResult(outcome, drawing);
       return;
     }
-    const picture = flatPicture({ ...comparison, uv: method.uv }, this.outcome.mesh, null);
-    this.views?.showFlat(picture, { ...method, bounds: [], delaunay: null });
+    if (!outcome) return;
+    const layout = { ...comparison, uv: method.uv };
+    const other = await this.workshop.layout(layout, outcome.mesh, null);
+    if (this.method !== method || this.outcome !== outcome) return;
+    element('method-note', HTMLElement).hidden = false;
+    this.metrics.markStale(this.owner());
+    this.views?.showFlat(other, { ...method, bounds: [], delaunay: null });
     element('layout-info', HTMLElement).textContent = method.title;
     element('method-note-text', HTMLElement).textContent =
       `Comparison, not exported: ${method.title}`;
@@ -316,12 +328,14 @@ export class App implements SessionEvents {
 
   /** Only what belongs to the mesh on screen is exported. */
   private updateExport(isNew = false): void {
-    const { outcome, picture } = this;
+    const { outcome, drawing } = this;
     const current = outcome?.source === this.shown ? outcome : null;
+    const chartColors = drawing?.chartColors;
     this.exportButton.disabled = current === null;
     this.texcoordChoice.show(current, isNew);
     this.nameExport(false);
-    this.layoutBar.show(current?.mode === 'unwrap' ? { outcome: current, picture } : null);
+    const isAtlas = current?.mode === 'unwrap' && chartColors;
+    this.layoutBar.show(isAtlas ? { outcome: current, chartColors } : null);
   }
 
   /** `isStale`: what would be exported is of earlier settings, and no run is about to replace it. */
@@ -337,7 +351,7 @@ export class App implements SessionEvents {
     if (!outcome) return;
     // The title of the button says when the layout is an earlier one.
     const { title } = this.exportButton;
-    exportMesh(outcome, this.texcoordChoice.texcoord).then(
+    exportMesh(outcome, this.texcoordChoice.texcoord, this.workshop).then(
       (done) => this.say(title ? `${done}. ${title}` : done),
       (error: Error) => this.notSaved(outcome, error),
     );

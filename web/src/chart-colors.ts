@@ -1,60 +1,79 @@
-/** Colours there are; --chart-0 and so on in the style sheet. */
-export const CHART_COLORS = 10;
+import { ChartNeighbours } from './chart-neighbours';
 
-/**
- * A colour for every triangle, by the number of its chart: the same for all triangles of a chart, another one for charts that
- * meet in 3D as far as there are colours. `places`: which vertices are one in 3D.
- */
-export function chartColors(
-  indices: Uint32Array,
-  chartOfTriangle: Uint32Array,
-  places: Uint32Array,
-): Float32Array {
-  const neighbours = neighbouringCharts(indices, chartOfTriangle, places);
-  const uses = new Array<number>(CHART_COLORS).fill(0);
-  const colorOf = new Map<number, number>();
-  // The largest first: they are seen most, and have most neighbours.
-  const sizes = new Map<number, number>();
-  for (const chart of chartOfTriangle) sizes.set(chart, (sizes.get(chart) ?? 0) + 1);
-  const order = [...sizes.keys()].sort(
-    (a, b) => (sizes.get(b) ?? 0) - (sizes.get(a) ?? 0) || a - b,
-  );
-  for (const chart of order) {
-    const near = new Array<number>(CHART_COLORS).fill(0);
-    for (const other of neighbours.get(chart) ?? []) {
-      const color = colorOf.get(other);
-      if (color !== undefined) near[color] += 1;
-    }
-    let best = 0;
-    for (let c = 1; c < CHART_COLORS; ++c)
-      if (near[c] < near[best] || (near[c] === near[best] && uses[c] < uses[best])) best = c;
-    colorOf.set(chart, best);
-    uses[best] += 1;
-  }
-  return Float32Array.from(chartOfTriangle, (chart) => colorOf.get(chart) ?? 0);
+/** Colours there are; --chart-0 and so on in the style sheet. */
+export const CHART_COLORS = 9;
+
+/** An atlas as far as its colours depend on it. */
+export interface ColoredAtlas {
+  indices: Uint32Array;
+  /** A number that is none for a triangle without area. */
+  chartOfTriangle: Uint32Array;
+  chartCount: number;
+  /** Edges of the charts' outlines, as pairs of vertices. */
+  edges: Uint32Array;
+  /** Which vertices are one in 3D. */
+  places: Uint32Array;
+  uv: Float64Array;
 }
 
-/** Charts that share a place with each chart. */
-function neighbouringCharts(
-  indices: Uint32Array,
-  chartOfTriangle: Uint32Array,
-  places: Uint32Array,
-): Map<number, Set<number>> {
-  const chartsAt = new Map<number, number[]>();
-  indices.forEach((v, c) => {
-    const chart = chartOfTriangle[Math.floor(c / 3)];
-    const here = chartsAt.get(places[v]);
-    if (!here) chartsAt.set(places[v], [chart]);
-    else if (!here.includes(chart)) here.push(chart);
-  });
-  const found = new Map<number, Set<number>>();
-  for (const charts of chartsAt.values())
-    for (const a of charts)
-      for (const b of charts) {
-        if (a === b) continue;
-        const known = found.get(a);
-        if (known) known.add(b);
-        else found.set(a, new Set([b]));
-      }
-  return found;
+/**
+ * The number of a colour for each chart: another one for charts that share an edge of the surface, and as far as there are colours also
+ * for those that touch in a point or lie side by side in the layout.
+ */
+export function chartColors(atlas: ColoredAtlas): Float32Array {
+  const near = new ChartNeighbours(atlas);
+  const colors = new Float32Array(atlas.chartCount).fill(-1);
+  const uses = new Array<number>(CHART_COLORS).fill(0);
+  for (const chart of coloringOrder(near.byEdge)) {
+    const costs = [near.byEdge, near.byPoint, near.inLayout].map((neighbours) => {
+      const taken = new Array<number>(CHART_COLORS).fill(0);
+      for (const other of neighbours[chart]) if (colors[other] >= 0) taken[colors[other]] += 1;
+      return taken;
+    });
+    const order = [...costs, uses];
+    let best = 0;
+    for (let c = 1; c < CHART_COLORS; ++c) if (isLess(order, c, best)) best = c;
+    colors[chart] = best;
+    uses[best] += 1;
+  }
+  return colors;
+}
+
+/** Whether colour `a` is better than `b`: by the first list in which they differ. */
+function isLess(lists: number[][], a: number, b: number): boolean {
+  const found = lists.find((list) => list[a] !== list[b]);
+  return found !== undefined && found[a] < found[b];
+}
+
+/**
+ * The chart with the fewest neighbours last, and so on with those that are left: then none has many neighbours before it. On a sphere
+ * it has at most 5, on a surface with three handles at most 8.
+ */
+function coloringOrder(neighbours: Set<number>[]): number[] {
+  const degrees = neighbours.map(({ size }) => size);
+  const buckets: number[][] = [];
+  const put = (chart: number) => {
+    buckets[degrees[chart]] ??= [];
+    buckets[degrees[chart]].push(chart);
+  };
+  for (let chart = 0; chart < degrees.length; ++chart) put(chart);
+  const isTaken = new Uint8Array(degrees.length);
+  const order: number[] = [];
+  for (let degree = 0; order.length < degrees.length; ) {
+    const chart = buckets[degree]?.pop();
+    if (chart === undefined) {
+      degree += 1;
+      continue;
+    }
+    if (isTaken[chart] || degrees[chart] !== degree) continue;
+    isTaken[chart] = 1;
+    order.push(chart);
+    for (const other of neighbours[chart]) {
+      if (isTaken[other]) continue;
+      degrees[other] -= 1;
+      put(other);
+    }
+    degree = Math.max(0, degree - 1);
+  }
+  return order.reverse();
 }

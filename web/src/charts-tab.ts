@@ -4,7 +4,6 @@ import { ChartTable } from './charts/chart-table';
 import type { Locks } from './charts/locks';
 import { create, element } from './dom';
 import { counted, measure } from './format';
-import { colorOfCharts, type FlatPicture } from './picture';
 import type { Views } from './views';
 
 export interface ChartsTabEvents {
@@ -39,12 +38,12 @@ export class ChartsTab {
     this.pack.addEventListener('click', () => events.packAgain());
   }
 
-  show(report: UnwrapReport, picture: FlatPicture | null): void {
+  show(report: UnwrapReport, colors: Float32Array | null): void {
     const lines = atlasNotes(report);
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
-    this.table.show(report, picture && colorOfCharts(picture, report.charts.length));
+    this.table.show(report, colors);
     this.showLocks();
     this.pack.disabled = false;
   }

@@ -1,8 +1,7 @@
-import type { Color } from 'three';
+import { type Color, InstancedInterleavedBuffer, InterleavedBufferAttribute, Sphere } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { perCorner } from './mesh';
 
 /** Edges as lines of a width in css pixels. */
 export class EdgeLines {
@@ -18,13 +17,18 @@ export class EdgeLines {
     this.object.renderOrder = 1;
   }
 
-  /** `points` has 3 coordinates per vertex, `edges` are pairs of vertices. */
-  show(points: Float32Array, edges: Uint32Array): void {
-    const ends = perCorner(points, 3, edges);
+  /** xyz of both ends of each edge. */
+  show(ends: Float32Array): void {
     this.object.geometry.dispose();
-    this.object.geometry = new LineSegmentsGeometry();
-    this.object.geometry.setPositions(ends);
-    this.object.visible = edges.length > 0;
+    // As setPositions() makes it, which would go through all edges for a box and a sphere.
+    const geometry = new LineSegmentsGeometry();
+    const buffer = new InstancedInterleavedBuffer(ends, 6, 1);
+    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(buffer, 3, 0));
+    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(buffer, 3, 3));
+    geometry.instanceCount = ends.length / 6;
+    geometry.boundingSphere = new Sphere();
+    this.object.geometry = geometry;
+    this.object.visible = ends.length > 0;
   }
 
   /** In css pixels. */

@@ -2,6 +2,7 @@ import { download } from './download';
 import { count } from './format';
 import type { Outcome } from './lay-out';
 import { isGltf, type Source } from './session';
+import type { Workshop } from './workshop/workshop';
 
 /** A file goes back in the format it came in where that holds texcoords. */
 export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
@@ -13,14 +14,19 @@ export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
  * Offers the result as NAME-uv with the ending of its format, of a glTF with the coordinates as TEXCOORD_`texcoord`. Returns what was
  * done, for people.
  */
-export async function exportMesh(outcome: Outcome, texcoord: number): Promise<string> {
+export async function exportMesh(
+  outcome: Outcome,
+  texcoord: number,
+  workshop: Workshop,
+): Promise<string> {
   const { source } = outcome;
   const format = exportFormat(source);
-  const bytes = await bytesOf(outcome, format, texcoord);
-  if (!bytes) throw new Error(`The result came without ${format.toUpperCase()}.`);
+  const file = format === 'glb' ? await workshop.glb(outcome, texcoord) : outcome.result[format];
+  if (!file) throw new Error(`The result came without ${format.toUpperCase()}.`);
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
-  download(name, TYPES[format], bytes);
-  const exported = `Exported ${name}, ${count(Math.ceil(bytes.length / 1024))}\u202fKB`;
+  download(name, TYPES[format], file);
+  const size = file instanceof Blob ? file.size : file.length;
+  const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`;
   return outcome.gltf?.freeTexcoord ? `${exported}. ${setText(texcoord)}` : exported;
 }
 
@@ -31,11 +37,3 @@ function setText(texcoord: number): string {
 }
 
 const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };
-
-async function bytesOf(
-  { gltf, result }: Outcome,
-  format: keyof typeof TYPES,
-  texcoord: number,
-): Promise<Uint8Array | undefined> {
-  return format === 'glb' ? gltf?.write(result, texcoord) : result[format];
-}

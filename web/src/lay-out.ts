@@ -1,10 +1,10 @@
 import type { Abflat, FlattenResult, Progress, UnwrapProgress, UnwrapResult } from 'abflat';
 import type { Kept } from './charts/locks';
 import { exportFormat } from './export-mesh';
-import type { GltfFile } from './gltf-file';
 import type { DisplayMesh } from './mesh';
 import type { Opened, Source } from './session';
 import type { FlattenSettings, Settings, UnwrapSettings } from './settings';
+import type { GltfFile } from './workshop/gltf-file';
 
 export type AnyProgress = Progress | UnwrapProgress;
 

@@ -3,11 +3,11 @@ import { element } from './dom';
 import { download } from './download';
 import { count } from './format';
 import type { Unwrapped } from './lay-out';
-import { atlasPng, heatMapPng, pictureSize } from './layout-file/png-file';
-import { type AtlasDrawing, atlasSvg } from './layout-file/svg-text';
+import { pictureSize } from './layout-file/picture-size';
+import type { AtlasDrawing } from './layout-file/svg-text';
 import { NumberField } from './number-field';
-import { colorOfCharts, type FlatPicture, outcomePicture } from './picture';
 import type { Mode } from './settings';
+import type { Workshop } from './workshop/workshop';
 
 export interface LayoutBarEvents {
   say(text: string): void;
@@ -17,8 +17,8 @@ export interface LayoutBarEvents {
 /** An atlas that can be saved. */
 interface Shown {
   outcome: Unwrapped;
-  /** Null without WebGL. */
-  picture: FlatPicture | null;
+  /** The number of each chart's colour. */
+  chartColors: Float32Array;
 }
 
 /** Millimetres for a unit of the mesh. */
@@ -31,7 +31,10 @@ export class LayoutBar {
   private readonly buttons: HTMLButtonElement[];
   private shown: Shown | null = null;
 
-  constructor(private readonly events: LayoutBarEvents) {
+  constructor(
+    private readonly workshop: Workshop,
+    private readonly events: LayoutBarEvents,
+  ) {
     this.scale = new NumberField<number | 'auto'>(
       element('layout-scale', HTMLInputElement),
       SCALE,
@@ -67,19 +70,18 @@ export class LayoutBar {
 
   private async savePng(shown: Shown): Promise<void> {
     const drawing = drawingOf(shown);
-    this.save(shown, 'layout.png', await atlasPng(drawing), sizeText(drawing));
+    const size = sizeText(drawing);
+    this.save(shown, 'layout.png', await this.workshop.png(drawing), size);
   }
 
   private async saveHeatMap(shown: Shown): Promise<void> {
     const drawing = drawingOf(shown);
-    const file = await heatMapPng(drawing, pictureOf(shown).mesh.positions);
-    this.save(shown, 'heat-map.png', file, sizeText(drawing));
+    const size = sizeText(drawing);
+    this.save(shown, 'heat-map.png', await this.workshop.heatMap(drawing, shown.outcome), size);
   }
 
   private async saveSvg(shown: Shown): Promise<void> {
-    const file = new Blob([atlasSvg(drawingOf(shown), this.scale.value)], {
-      type: 'image/svg+xml',
-    });
+    const file = await this.workshop.svg(drawingOf(shown), this.scale.value);
     this.save(shown, 'layout.svg', file, `${count(Math.ceil(file.size / 1024))}\u202fKB`);
   }
 
@@ -90,10 +92,8 @@ export class LayoutBar {
   }
 }
 
-const pictureOf = ({ outcome, picture }: Shown) => picture ?? outcomePicture(outcome);
-
-function drawingOf(shown: Shown): AtlasDrawing {
-  const { result, mesh } = shown.outcome;
+function drawingOf({ outcome, chartColors }: Shown): AtlasDrawing {
+  const { result, mesh } = outcome;
   const { charts, atlas } = result.report;
   const { resolution, tiles, texelDensity } = atlas;
   return {
@@ -105,17 +105,17 @@ function drawingOf(shown: Shown): AtlasDrawing {
     resolution,
     tiles,
     texelDensity,
-    colors: colorsOf(pictureOf(shown), charts.length),
+    colors: colorsOf(chartColors),
   };
 }
 
 /** As css has them, in the theme that is on. */
-function colorsOf(picture: FlatPicture, chartCount: number): string[] {
+function colorsOf(chartColors: Float32Array): string[] {
   const style = getComputedStyle(document.documentElement);
   const palette = Array.from({ length: CHART_COLORS }, (_, i) =>
     style.getPropertyValue(`--chart-${i}`).trim(),
   );
-  return Array.from(colorOfCharts(picture, chartCount), (color) => palette[color]);
+  return Array.from(chartColors, (color) => palette[color]);
 }
 
 function sizeText(drawing: AtlasDrawing): string {

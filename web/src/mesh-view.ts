@@ -1,26 +1,17 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Mesh,
-  PerspectiveCamera,
-  Scene,
-  Spherical,
-  Vector3,
-} from 'three';
+import { PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { checkerCells } from './checker';
+import { type Drawing, type FirstView, type FlatDrawing, FRAME } from './drawing/drawing';
+import { type Direction, frontOf } from './drawing/front';
 import { EdgeLines } from './edge-lines';
 import { fitInView } from './fit-in-view';
-import type { DisplayMesh } from './mesh';
-import { facing, perCorner, toCorners, vertexNormals } from './mesh';
+import { facingOf } from './mesh';
 import type { Palette } from './palette';
-import type { FlatPicture, Picture } from './picture';
 import { DOT, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seams/seam-overlay';
 import { Sight } from './seams/sight';
+import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
-import { toUnitSphere } from './unit-sphere';
 
 const FIELD_OF_VIEW = 32;
 /** Share of the view's width or height that a fitted mesh takes. */
@@ -28,15 +19,6 @@ const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
-/** A surface that faces one way as clearly as this is first seen from there. */
-const CLEAR_FACING = 0.4;
-/** Where others are first seen from, and the steepest first look at a surface that faces up or down. */
-const USUAL_FRONT = new Vector3(0.42, 0.2, 1).normalize();
-const STEEPEST = (40 * Math.PI) / 180;
-/** A surface that faces mostly up or down, such as a car without its floor, has its front where others have it. */
-const LEVEL = 0.6;
-const USUAL_AROUND = Math.PI / 7;
-
 /** The mesh in 3D. */
 export class MeshView {
   private readonly stage: Stage;
@@ -44,18 +26,18 @@ export class MeshView {
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   private readonly controls: OrbitControls;
   private readonly material = createSurfaceMaterial();
-  private readonly surface = new Mesh(new BufferGeometry(), this.material);
+  private readonly surface: SlicedSurface;
   private readonly boundary = new EdgeLines(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private readonly seams = new SeamOverlay();
-  /** The chart of each shown triangle. */
-  private pieces = new Float32Array();
-  private front = new Vector3(0, 0, 1);
-  /** Corners of the shown triangles, within the unit sphere. */
-  private corners: Float32Array = new Float32Array();
+  /** `FRAME` of each shown chart. */
+  private frames: Float32Array = new Float32Array();
+  private first: FirstView = { front: [0, 0, 1], outline: new Float32Array() };
   /** Until the user turns or zooms, the mesh stays fitted whatever happens to the pane. */
   private isFitted = true;
   private isFlat = false;
+  private isAtlas = false;
+  private palette: Palette | null = null;
   private flatPaint: SurfacePaint = SurfacePaint.Checker;
   private showsDistortion = false;
   private wireOpacity = 0.5;
@@ -70,8 +52,8 @@ export class MeshView {
       () => this.draw(),
       () => this.resized(),
     );
-    this.surface.frustumCulled = false;
-    this.scene.add(this.surface, this.boundary.object, this.dots.object, this.seams.object);
+    this.surface = new SlicedSurface(this.stage.renderer, this.material);
+    this.scene.add(this.surface.object, this.boundary.object, this.dots.object, this.seams.object);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -85,32 +67,24 @@ export class MeshView {
     this.stage.resize();
   }
 
-  /** Shows a mesh, with a checkerboard when it is flattened. Keeps the point of view unless `isNew`. */
-  show(picture: Picture | FlatPicture, isNew: boolean): void {
-    const { mesh, edges, normals = vertexNormals(mesh) } = picture;
-    const flat = 'errors' in picture ? picture : null;
-    const geometry = new BufferGeometry();
-    const unit = toUnitSphere(mesh);
-    this.corners = perCorner(unit, 3, mesh.indices);
-    geometry.setAttribute('position', new BufferAttribute(this.corners, 3));
-    geometry.setAttribute('normal', new BufferAttribute(perCorner(normals, 3, mesh.indices), 3));
-    const cells = flat ? checkerCells(flat.mesh) : new Float32Array((2 * unit.length) / 3);
-    geometry.setAttribute('uv', new BufferAttribute(perCorner(cells, 2, mesh.indices), 2));
-    const perTriangle = flat?.errors ?? new Float32Array(mesh.indices.length / 3);
-    geometry.setAttribute('error', new BufferAttribute(toCorners(perTriangle), 1));
-    const charts = flat?.chartColors ?? new Float32Array(perTriangle.length);
-    geometry.setAttribute('chart', new BufferAttribute(toCorners(charts), 1));
-    this.pieces = Float32Array.from(flat?.charts ?? charts);
-    geometry.setAttribute('piece', new BufferAttribute(toCorners(this.pieces), 1));
-    this.surface.geometry.dispose();
-    this.surface.geometry = geometry;
-    this.boundary.show(unit, edges);
-    this.dots.show(perCorner(unit, 3, flat?.tightened ?? new Uint32Array()));
-    this.flatPaint = flat?.chartColors ? SurfacePaint.Charts : SurfacePaint.Checker;
-    this.isFlat = flat !== null;
-    this.paint();
-    if (!isNew) return;
-    this.front = frontOf(mesh, USUAL_FRONT);
+  /** Shows a mesh, with a checkerboard or its charts when it is flattened. Keeps the point of view unless the mesh was just opened. */
+  show(drawing: Drawing | FlatDrawing): void {
+    const { mesh } = drawing;
+    const flat = 'marks' in drawing ? drawing : null;
+    const { position, normal, uv } = mesh;
+    this.surface.show({ position, normal, ...(uv && { uv }), ...flat?.marks }, () => {
+      this.boundary.show(mesh.edges);
+      this.dots.show(mesh.dots);
+      this.isAtlas = Boolean(flat?.chartColors);
+      this.colorBoundary();
+      this.flatPaint = this.isAtlas ? SurfacePaint.Charts : SurfacePaint.Checker;
+      this.isFlat = flat !== null;
+      this.paint();
+    });
+    this.frames = mesh.frames;
+    this.stage.invalidate();
+    if (!mesh.first) return;
+    this.first = mesh.first;
     this.reset();
   }
 
@@ -130,10 +104,16 @@ export class MeshView {
     this.stage.invalidate();
   }
 
+  private colorBoundary(): void {
+    if (this.palette)
+      this.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+  }
+
   setPalette(palette: Palette): void {
     this.stage.renderer.setClearColor(palette.background);
     paintSurface(this.material, palette);
-    this.boundary.setColor(palette.boundary);
+    this.palette = palette;
+    this.colorBoundary();
     this.dots.setColor(palette.tightened);
     this.seams.setPalette(palette);
     this.wireOpacity = palette.wireOpacity;
@@ -158,22 +138,23 @@ export class MeshView {
 
   /** Looks at one chart. */
   goTo(chart: number): void {
-    const part = partOf(this.corners, this.pieces, chart);
-    const positions = Float64Array.from(part);
-    const indices = Uint32Array.from({ length: part.length / 3 }, (_, v) => v);
+    const frame = this.frames.subarray(FRAME.size * chart, FRAME.size * (chart + 1));
+    if (!(frame[FRAME.low] <= frame[FRAME.high])) return;
     const now = this.camera.position.clone().sub(this.controls.target).normalize();
-    this.look(part, frontOf({ positions, indices }, now));
+    const area = frame.subarray(FRAME.area, FRAME.area + 3);
+    this.look(cornersOf(frame), frontOf(facingOf(area, frame[FRAME.total]), now.toArray()));
     this.isFitted = false;
   }
 
   reset(): void {
-    this.look(this.corners, this.front);
+    this.look(this.first.outline, this.first.front);
     this.isFitted = true;
   }
 
-  /** `front`: from the points (xyz each) to the eye. */
-  private look(points: Float32Array, front: Vector3): void {
+  /** `direction`: from the points (xyz each) to the eye. */
+  private look(points: Float32Array, direction: Direction): void {
     this.stopDamping();
+    const front = new Vector3(...direction);
     const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
     const { target, distance } = fitInView(points, front, up * this.camera.aspect, up);
     this.controls.target.copy(target);
@@ -208,6 +189,11 @@ export class MeshView {
   }
 
   private draw(): void {
+    if (this.surface && !this.surface.advance()) {
+      // What is on screen stays until all of the next surface is there.
+      this.stage.invalidate();
+      return;
+    }
     // With damping, update() moves on and asks for the next frame through its change event.
     this.controls?.update();
     this.stage?.renderer.render(this.scene, this.camera);
@@ -246,22 +232,10 @@ export class MeshView {
   }
 }
 
-/** Unit vector from the mesh to the point from which it is first seen, `otherwise` where it faces nowhere; y is up. */
-function frontOf(mesh: DisplayMesh, otherwise: Vector3): Vector3 {
-  const { direction, clarity } = facing(mesh);
-  if (clarity < CLEAR_FACING) return otherwise;
-  const [x, y, z] = direction;
-  const elevation = Math.asin(Math.min(1, Math.max(-1, y)));
-  const around = Math.hypot(x, z) > LEVEL ? Math.atan2(x, z) : USUAL_AROUND;
-  const polar = Math.PI / 2 - Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
-  return new Vector3().setFromSphericalCoords(1, polar, around);
-}
-
-/** The corners (xyz each) of one chart's triangles. */
-function partOf(corners: Float32Array, pieces: Float32Array, chart: number): Float32Array {
-  const part: number[] = [];
-  pieces.forEach((piece, f) => {
-    if (piece === chart) for (let i = 9 * f; i < 9 * f + 9; ++i) part.push(corners[i]);
+/** The corners of a chart's box, xyz each. */
+function cornersOf(frame: Float32Array): Float32Array {
+  return Float32Array.from({ length: 24 }, (_, i) => {
+    const [corner, d] = [Math.floor(i / 3), i % 3];
+    return frame[((corner >> d) & 1 ? FRAME.high : FRAME.low) + d];
   });
-  return Float32Array.from(part);
 }

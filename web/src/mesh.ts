@@ -44,24 +44,48 @@ export function boundingBox(points: Float64Array, size: number, vertices: Uint32
 
 /** Edges with exactly one triangle, as pairs of vertices in the direction of their triangle. */
 export function boundaryEdges(indices: Uint32Array): Uint32Array {
-  const vertexCount = indices.reduce((most, v) => Math.max(most, v), -1) + 1;
-  const uses = new Map<number, number>();
-  const key = (a: number, b: number) => Math.min(a, b) * vertexCount + Math.max(a, b);
   const next = (h: number) => (h % 3 === 2 ? h - 2 : h + 1);
-  for (let h = 0; h < indices.length; ++h) {
-    const k = key(indices[h], indices[next(h)]);
-    uses.set(k, (uses.get(k) ?? 0) + 1);
-  }
-  const edges: number[] = [];
+  // A hash table of half-edges: the first one of each edge, with how often the edge was met, up to 2.
+  let slotCount = 16;
+  while (slotCount < 2 * indices.length) slotCount *= 2;
+  const slots = new Int32Array(slotCount).fill(-1);
+  const uses = new Uint8Array(indices.length);
+  let boundarySize = 0;
   for (let h = 0; h < indices.length; ++h) {
     const [a, b] = [indices[h], indices[next(h)]];
-    if (uses.get(key(a, b)) === 1) edges.push(a, b);
+    const [low, high] = a < b ? [a, b] : [b, a];
+    let hash = Math.imul(low, 0x9e3779b1) ^ Math.imul(high, 0x85ebca6b);
+    hash ^= hash >>> 15;
+    for (let slot = hash & (slotCount - 1); ; slot = (slot + 1) & (slotCount - 1)) {
+      const first = slots[slot];
+      if (first < 0) slots[slot] = h;
+      else if (!isEdge(indices[first], indices[next(first)], low, high)) continue;
+      const own = first < 0 ? h : first;
+      if (uses[own] < 2) boundarySize += uses[own]++ === 0 ? 1 : -1;
+      break;
+    }
   }
-  return Uint32Array.from(edges);
+  const edges = new Uint32Array(2 * boundarySize);
+  let size = 0;
+  for (let h = 0; h < indices.length; ++h) {
+    if (uses[h] !== 1) continue;
+    edges[size++] = indices[h];
+    edges[size++] = indices[next(h)];
+  }
+  return edges;
 }
 
+const isEdge = (a: number, b: number, low: number, high: number) =>
+  (a === low && b === high) || (a === high && b === low);
+
 /** Vector areas of all triangles, 3 per triangle: normal times area. */
-function areaVectors({ positions: p, indices }: DisplayMesh): Float64Array {
+export function areaVectors({
+  positions: p,
+  indices,
+}: {
+  positions: Float64Array | Float32Array;
+  indices: Uint32Array;
+}): Float64Array {
   const areas = new Float64Array(indices.length);
   for (let c = 0; c < indices.length; c += 3) {
     const [i, j, k] = [3 * indices[c], 3 * indices[c + 1], 3 * indices[c + 2]];
@@ -92,10 +116,10 @@ export function triangleAreas(p: Float64Array, size: number, indices: Uint32Arra
 export function vertexNormals(mesh: DisplayMesh): Float32Array {
   const areas = areaVectors(mesh);
   const sums = new Float64Array(mesh.positions.length);
-  mesh.indices.forEach((v, c) => {
-    const f = c - (c % 3);
+  for (let c = 0; c < mesh.indices.length; ++c) {
+    const [v, f] = [mesh.indices[c], c - (c % 3)];
     for (let d = 0; d < 3; ++d) sums[3 * v + d] += areas[f + d];
-  });
+  }
   const normals = new Float32Array(sums.length);
   for (let i = 0; i < sums.length; i += 3) {
     const length = Math.hypot(sums[i], sums[i + 1], sums[i + 2]);
@@ -108,10 +132,7 @@ export function vertexNormals(mesh: DisplayMesh): Float32Array {
  * The direction that an open surface faces, and how clearly: 1 for a plane, 0 for a closed surface.
  * The vector areas of a surface sum to that of its hole.
  */
-export function facing(mesh: DisplayMesh): {
-  direction: [number, number, number];
-  clarity: number;
-} {
+export function facing(mesh: DisplayMesh): Facing {
   const areas = areaVectors(mesh);
   const sum = [0, 0, 0];
   let total = 0;
@@ -119,12 +140,19 @@ export function facing(mesh: DisplayMesh): {
     for (let d = 0; d < 3; ++d) sum[d] += areas[i + d];
     total += Math.hypot(areas[i], areas[i + 1], areas[i + 2]);
   }
-  const length = Math.hypot(sum[0], sum[1], sum[2]);
+  return facingOf(sum, total);
+}
+
+export interface Facing {
+  direction: [number, number, number];
+  clarity: number;
+}
+
+/** Of a surface with this sum of vector areas and this area. */
+export function facingOf([x, y, z]: ArrayLike<number> & Iterable<number>, total: number): Facing {
+  const length = Math.hypot(x, y, z);
   if (length === 0) return { direction: [0, 0, 1], clarity: 0 };
-  return {
-    direction: [sum[0] / length, sum[1] / length, sum[2] / length],
-    clarity: length / total,
-  };
+  return { direction: [x / length, y / length, z / length], clarity: length / total };
 }
 
 /** Values per vertex (`size` numbers each) copied to every corner, as drawing without an index needs it. */
@@ -134,15 +162,16 @@ export function perCorner(
   indices: Uint32Array,
 ): Float32Array {
   const corners = new Float32Array(size * indices.length);
-  indices.forEach((v, c) => {
+  for (let c = 0; c < indices.length; ++c) {
+    const v = indices[c];
     for (let d = 0; d < size; ++d) corners[size * c + d] = values[size * v + d];
-  });
+  }
   return corners;
 }
 
 /** One value per triangle copied to its three corners. */
-export function toCorners(perTriangle: Float32Array): Float32Array {
+export function toCorners(perTriangle: Float32Array | Uint32Array): Float32Array {
   const corners = new Float32Array(3 * perTriangle.length);
-  for (let c = 0; c < corners.length; ++c) corners[c] = perTriangle[Math.floor(c / 3)];
+  for (let f = 0; f < perTriangle.length; ++f) corners.fill(perTriangle[f], 3 * f, 3 * f + 3);
   return corners;
 }

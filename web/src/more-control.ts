@@ -44,6 +44,7 @@ export class MoreControl {
       const isOpen = this.panel.hidden;
       this.panel.hidden = !isOpen;
       this.button.setAttribute('aria-expanded', String(isOpen));
+      if (isOpen) this.panel.scrollIntoView({ block: 'nearest' });
     });
   }
 

@@ -17,6 +17,8 @@ export interface Palette {
   tightened: Color;
   /** Round the unit square. */
   frame: Color;
+  /** Between charts. */
+  seam: Color;
   /** Of what a click on the surface would cut. */
   cut: Color;
   charts: Color[];
@@ -44,6 +46,7 @@ export function readPalette(): Palette {
     flipped: color('flipped'),
     tightened: color('tightened'),
     frame: color('frame'),
+    seam: color('seam'),
     cut: color('cut'),
     charts: Array.from({ length: CHART_COLORS }, (_, i) => color(`chart-${i}`)),
     ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),

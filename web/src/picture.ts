@@ -1,7 +1,7 @@
 import type { ChartReport } from 'abflat';
 import { angleErrors } from './angle-error';
 import { chartColors } from './chart-colors';
-import type { Flattened, Outcome, Unwrapped } from './lay-out';
+import type { Unwrapped } from './lay-out';
 import type { DisplayMesh, FlatMesh } from './mesh';
 import { boundaryEdges, vertexNormals } from './mesh';
 import { weld } from './weld';
@@ -24,7 +24,7 @@ export interface FlatPicture extends Picture {
   tightened: Uint32Array;
   /** Edges that cannot be made Delaunay, as pairs of vertices. */
   resisting: Uint32Array;
-  /** The number of each triangle's colour when it is an atlas of charts in the unit square. */
+  /** The number of each chart's colour when it is an atlas of charts in the unit square. */
   chartColors?: Float32Array;
   /** The chart of each triangle of an atlas. */
   charts?: Uint32Array;
@@ -33,7 +33,7 @@ export interface FlatPicture extends Picture {
 }
 
 /** The arrays of a result, as abflat gives them. */
-interface Layout {
+export interface LayoutArrays {
   uv: Float64Array;
   indices: Uint32Array;
   vertexMap: Uint32Array;
@@ -45,43 +45,35 @@ export function meshPicture(mesh: DisplayMesh): Picture {
   return { mesh, edges: edgesOfOne(mesh.indices, weld(mesh.positions, 3)) };
 }
 
-export function outcomePicture(outcome: Outcome): FlatPicture {
-  return outcome.mode === 'unwrap' ? atlasPicture(outcome) : diskPicture(outcome);
-}
+/** Of an unwrapped mesh what is drawn. */
+export type AtlasArrays = Pick<
+  Unwrapped['result'],
+  'uv' | 'indices' | 'vertexMap' | 'positions' | 'chartOfTriangle'
+>;
 
-function diskPicture({ result, mesh }: Flattened): FlatPicture {
-  return flatPicture(result, mesh, result.report.charts[0]);
-}
-
-function atlasPicture({ result, mesh: input }: Unwrapped): FlatPicture {
-  const { uv, indices, vertexMap, chartOfTriangle } = result;
-  const positions = result.positions ?? pick(input.positions, 3, vertexMap);
+export function atlasPicture(
+  atlas: AtlasArrays,
+  { tiles, chartCount }: { tiles: number; chartCount: number },
+  input: DisplayMesh,
+): FlatPicture {
+  const { uv, indices, vertexMap, chartOfTriangle } = atlas;
+  const positions = positionsOf(atlas, input);
   const mesh = { positions, indices, uv };
   const none = new Uint32Array();
+  const edges = edgesOfOne(indices, weld(uv, 2));
+  const places = weld(positions, 3);
   return {
     mesh,
-    edges: edgesOfOne(indices, weld(uv, 2)),
+    edges,
     // A seam is no edge of the surface.
     normals: pick(vertexNormals(input), 3, vertexMap),
     errors: angleErrors(mesh),
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
-    tiles: result.report.atlas.tiles,
-    chartColors: chartColors(indices, chartOfTriangle, weld(positions, 3)),
+    tiles,
+    chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
   };
-}
-
-/** The number of each chart's colour. */
-export function colorOfCharts(
-  { charts, chartColors }: FlatPicture,
-  chartCount: number,
-): Float32Array {
-  const colors = new Float32Array(chartCount);
-  charts?.forEach((chart, f) => {
-    if (chart < chartCount) colors[chart] = chartColors?.[f] ?? 0;
-  });
-  return colors;
 }
 
 /** Boundary edges where some vertices are one: `same` names the one for each. */
@@ -98,14 +90,17 @@ function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
   return boundaryEdges(joined.subarray(0, size));
 }
 
+/** What a report says of vertices and edges. */
+export type MarkedChart = Pick<ChartReport, 'bounds' | 'delaunay'>;
+
 /** `input` has the positions when the layout comes without; without a `chart` nothing is marked. */
 export function flatPicture(
-  layout: Layout,
+  layout: LayoutArrays,
   input: DisplayMesh,
-  chart: ChartReport | null,
+  chart: MarkedChart | null,
 ): FlatPicture {
   const { uv, indices, vertexMap } = layout;
-  const positions = layout.positions ?? pick(input.positions, 3, vertexMap);
+  const positions = positionsOf(layout, input);
   const mesh = { positions, indices, uv };
   const edges = boundaryEdges(indices);
   const bounded = new Set(chart?.bounds.map(({ vertex }) => vertex));
@@ -116,7 +111,7 @@ export function flatPicture(
 }
 
 /** Edges of the layout, as pairs of its vertices, that are `asked` for by vertices of the input. */
-function edgesOf({ indices, vertexMap }: Layout, asked: [number, number][]): Uint32Array {
+function edgesOf({ indices, vertexMap }: LayoutArrays, asked: [number, number][]): Uint32Array {
   const key = (a: number, b: number) => `${Math.min(a, b)} ${Math.max(a, b)}`;
   const left = new Set(asked.map(([a, b]) => key(a, b)));
   const found: number[] = [];
@@ -127,6 +122,14 @@ function edgesOf({ indices, vertexMap }: Layout, asked: [number, number][]): Uin
   return Uint32Array.from(found);
 }
 
+/** Of the vertices of a layout; `input` has them when it comes without. */
+export function positionsOf(
+  { positions, vertexMap }: Pick<LayoutArrays, 'positions' | 'vertexMap'>,
+  input: Pick<DisplayMesh, 'positions'>,
+): Float64Array {
+  return positions ?? pick(input.positions, 3, vertexMap);
+}
+
 /** The rows of `size` numbers that `rows` names. */
 function pick<T extends Float64Array | Float32Array>(
   values: T,
@@ -135,8 +138,7 @@ function pick<T extends Float64Array | Float32Array>(
 ): T {
   const Kind = values.constructor as new (length: number) => T;
   const picked = new Kind(size * rows.length);
-  rows.forEach((row, i) => {
-    picked.set(values.subarray(size * row, size * row + size), size * i);
-  });
+  for (let i = 0; i < rows.length; ++i)
+    for (let d = 0; d < size; ++d) picked[size * i + d] = values[size * rows[i] + d];
   return picked;
 }

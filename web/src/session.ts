@@ -1,11 +1,12 @@
 import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
 import { asDisk } from './as-disk';
 import { Background } from './background';
+import type { Drawing, FlatDrawing } from './drawing/drawing';
 import { counted } from './format';
-import type { GltfFile } from './gltf-file';
 import { type AnyProgress, layOut, type Outcome } from './lay-out';
-import type { DisplayMesh } from './mesh';
+import type { ArrayMesh, DisplayMesh } from './mesh';
 import type { Settings } from './settings';
+import type { GltfFile } from './workshop/gltf-file';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
 export type Source = { kind: 'sample'; name: string } | FileSource;
@@ -28,7 +29,7 @@ export interface SessionEvents {
   progress(progress: AnyProgress): void;
   /** A mesh was read. */
   opened(opened: Opened): void;
-  laidOut(outcome: Outcome): void;
+  laidOut(outcome: Outcome, drawing: FlatDrawing): void;
   cancelled(): void;
   /** `settings` is null when the mesh could not be read. */
   failed(source: Source, settings: Settings | null, error: Error): void;
@@ -39,8 +40,18 @@ export interface Opened {
   input: MeshInput;
   mesh: DisplayMesh;
   summary: MeshSummary;
+  /** What the views show of it. */
+  drawing: Drawing;
   /** Of a glTF, which abflat knows as arrays. */
   gltf?: GltfFile;
+}
+
+/** What else the session needs to be done with meshes, away from the page. */
+export interface Helpers {
+  mesh(mesh: DisplayMesh): Promise<Drawing>;
+  outcome(outcome: Outcome): Promise<FlatDrawing>;
+  gltf(source: FileSource): Promise<GltfFile>;
+  joined(mesh: ArrayMesh): Promise<ArrayMesh>;
 }
 
 /** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
@@ -67,6 +78,7 @@ export class Session {
     private readonly events: SessionEvents,
     /** What the user asks for now. */
     private readonly settings: () => Settings,
+    private readonly helpers: Helpers,
   ) {}
 
   /** Reads a mesh and lays it out. On failure the previous one stays. */
@@ -146,8 +158,10 @@ export class Session {
           if (controller === this.running) this.events.progress(progress);
         },
       });
+      if (controller !== this.running) return;
+      const drawing = await this.helpers.outcome(outcome);
       if (controller === this.running) this.outcome = outcome;
-      this.end(controller, () => this.events.laidOut(outcome));
+      this.end(controller, () => this.events.laidOut(outcome, drawing));
     } catch (error) {
       this.end(controller, () => this.events.failed(opened.source, settings, toError(error)));
     }
@@ -186,14 +200,18 @@ export class Session {
     const abflat = await this.abflat;
     if (source.kind === 'sample') {
       const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
-      const summary = await abflat.inspect(mesh, { signal });
-      return { source, input: mesh, mesh, summary };
+      const [summary, drawing] = await Promise.all([
+        abflat.inspect(mesh, { signal }),
+        this.helpers.mesh(mesh),
+      ]);
+      return { source, input: mesh, mesh, summary, drawing };
     }
     if (isGltf(source)) {
-      const { readGltf } = await import('./gltf-file');
-      const gltf = await readGltf(source);
-      const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal);
-      return { source, input: mesh, mesh, summary, gltf };
+      const gltf = await this.helpers.gltf(source);
+      const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal, (mesh) =>
+        this.helpers.joined(mesh),
+      );
+      return { source, input: mesh, mesh, summary, drawing: await this.helpers.mesh(mesh), gltf };
     }
     if (source.file.size === 0) throw new Error(`${source.name} is empty.`);
     const input: MeshFile = {
@@ -203,9 +221,12 @@ export class Session {
     const mesh = await abflat.load(input, { signal }).catch((error: unknown) => {
       throw isUnknownFormat(error) ? new Error(unsupported(source.name)) : error;
     });
-    const summary = await abflat.inspect(input, { signal });
+    const [summary, drawing] = await Promise.all([
+      abflat.inspect(input, { signal }),
+      this.helpers.mesh(mesh),
+    ]);
     if (mesh.indices.length === 0) throw new Error(withoutFaces(source.name, summary));
-    return { source, input, mesh, summary };
+    return { source, input, mesh, summary, drawing };
   }
 }
 

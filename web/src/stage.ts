@@ -21,6 +21,7 @@ export class Stage {
     });
     if (!context) throw new NoWebGl('The browser offers no WebGL 2.');
     this.renderer = new WebGLRenderer({ canvas, context });
+    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(parentOf(canvas));
   }
 

@@ -1,4 +1,4 @@
-/** Also read by the script in index.html, which sets the theme before the first paint. */
+/** Also read by public/theme.js, which sets the theme before the first paint. */
 const KEY = 'abflat-theme';
 
 const root = document.documentElement;

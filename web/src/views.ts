@@ -1,11 +1,10 @@
 import { bindToggle, element } from './dom';
+import type { Drawing, FlatDrawing } from './drawing/drawing';
 import type { Outcome } from './lay-out';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
-import type { DisplayMesh } from './mesh';
 import { MeshView } from './mesh-view';
 import { readPalette } from './palette';
-import { type FlatPicture, meshPicture, outcomePicture } from './picture';
 import type { Source } from './session';
 import { RAMP_MOST } from './shader-parts';
 
@@ -39,8 +38,8 @@ export class Views {
   }
 
   /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
-  showMesh(mesh: DisplayMesh): void {
-    this.mesh.show(meshPicture(mesh), true);
+  showMesh(drawing: Drawing): void {
+    this.mesh.show(drawing);
   }
 
   /** Shows one chart clearer than the others; null: all alike. */
@@ -54,24 +53,21 @@ export class Views {
     this.layout.goTo(chart);
   }
 
-  /** Returns the picture. */
-  showOutcome(outcome: Outcome): FlatPicture {
-    const picture = outcomePicture(outcome);
+  showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
     const isDisk = outcome.mode === 'flatten';
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;
-    this.showFlat(picture, isDisk ? outcome.result.report.charts[0] : null, isNew);
-    return picture;
+    this.showFlat(drawing, isDisk ? outcome.result.report.charts[0] : null, isNew);
   }
 
   /** Another layout of the mesh that is shown; `marked` is null when nothing is. */
-  showFlat(picture: FlatPicture, marked: Marked | null, isNew = false): void {
+  showFlat(drawing: FlatDrawing, marked: Marked | null, isNew = false): void {
     this.lightChart(null);
     // The point of view was chosen when the mesh was opened.
-    this.mesh.show(picture, false);
-    this.layout.show(picture, isNew);
+    this.mesh.show(drawing);
+    this.layout.show(drawing, isNew);
     showMarksLegend(marked);
   }
 }

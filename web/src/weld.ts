@@ -1,3 +1,5 @@
+import type { ArrayMesh } from './mesh';
+
 /** For every point (`size` coordinates each) the first one that has the same coordinates. */
 export function weld(points: Float64Array, size: number): Uint32Array {
   const count = points.length / size;
@@ -22,4 +24,10 @@ export function weld(points: Float64Array, size: number): Uint32Array {
     first[v] = slots[slot];
   }
   return first;
+}
+
+/** The mesh with its vertices joined where they are at one place. A joined vertex had several texcoords, so there are none. */
+export function joined({ positions, indices, materials }: ArrayMesh): ArrayMesh {
+  const first = weld(positions, 3);
+  return { positions, indices: indices.map((vertex) => first[vertex]), materials };
 }

@@ -1,27 +1,11 @@
 import { triangleAreas } from '../mesh';
-import { tileGrid } from '../tiles';
 import { type ChartLines, chartLines } from './chart-lines';
 import { HEAT_STEPS, heatColor, heatSteps } from './heat';
+import { pictureSize } from './picture-size';
 import type { AtlasDrawing } from './svg-text';
 
-/** What browsers draw at most. */
-export const MOST_PIXELS = 16_384;
 const INK = '#1b2430';
 const [THIN, THICK] = [1, 2];
-
-/** Pixels of the picture, or why there can be none. */
-export function pictureSize({ resolution, tiles }: AtlasDrawing): {
-  width: number;
-  height: number;
-} {
-  const [columns, rows] = tileGrid(tiles);
-  const [width, height] = [resolution * columns, resolution * rows];
-  if (Math.max(width, height) > MOST_PIXELS)
-    throw new Error(
-      `pictures have at most ${MOST_PIXELS} pixels along a side; lower the resolution, or save SVG`,
-    );
-  return { width, height };
-}
 
 /** A pixel per texel: charts in their colours, edges thin, outlines thick, transparent between charts. */
 export async function atlasPng(drawing: AtlasDrawing): Promise<Blob> {
@@ -49,8 +33,8 @@ export async function heatMapPng(drawing: AtlasDrawing, positions: Float64Array)
 
 /** A canvas with a pixel per texel; v goes up, rows go down. */
 class Painter {
-  private readonly canvas = document.createElement('canvas');
-  private readonly context: CanvasRenderingContext2D;
+  private readonly canvas = new OffscreenCanvas(1, 1);
+  private readonly context: OffscreenCanvasRenderingContext2D;
 
   constructor(private readonly drawing: AtlasDrawing) {
     const { width, height } = pictureSize(drawing);
@@ -104,9 +88,9 @@ class Painter {
     );
   }
 
-  file(): Promise<Blob> {
-    return new Promise((resolve, reject) => {
-      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(noMemory())), 'image/png');
+  async file(): Promise<Blob> {
+    return this.canvas.convertToBlob({ type: 'image/png' }).catch(() => {
+      throw noMemory();
     });
   }
 

@@ -37,8 +37,8 @@ export class SeamOverlay {
 
   /** `points` has xyz per vertex. */
   show(points: Float32Array, { cut, joined, vertices }: SeamMarks): void {
-    this.cut.show(points, cut);
-    this.joined.show(points, joined);
+    this.cut.show(perCorner(points, 3, cut));
+    this.joined.show(perCorner(points, 3, joined));
     this.vertices.show(perCorner(points, 3, vertices));
   }
 

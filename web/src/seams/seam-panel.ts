@@ -3,16 +3,14 @@ import { showAlert } from '../alert';
 import type { Unwrapped } from '../lay-out';
 import type { DisplayMesh } from '../mesh';
 import type { MeshView } from '../mesh-view';
-import { toUnitSphere } from '../unit-sphere';
-import { weld } from '../weld';
+import type { Workshop } from '../workshop/workshop';
 import { AUTOMATIC, type SeamChoice, seamOptions } from './seam-choice';
 import { pairsOf } from './seam-edges';
 import { SeamEditor, type SeamEditorEvents } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
-import { SeamModel } from './seam-model';
+import { SeamModel, type Surface } from './seam-model';
 import { SourceControl } from './source-control';
-import { surfaceGraph } from './surface-graph';
 
 /** A mesh whose seams can be edited. */
 export interface Editable {
@@ -28,11 +26,14 @@ export class SeamPanel {
   private model: SeamModel | null = null;
   private isUnwrapped = false;
   private readonly files: SeamFiles;
-  private meshName = '';
+  private mesh: Editable | null = null;
+  /** Of the mesh, as soon as it is needed. */
+  private surface: Surface | null = null;
 
   /** Without a `view` there are the sources only. */
   constructor(
     view: MeshView | null,
+    private readonly workshop: Workshop,
     private readonly events: SeamEditorEvents,
   ) {
     this.sources = new SourceControl((sources) => {
@@ -41,7 +42,7 @@ export class SeamPanel {
     }, events.say);
     this.files = new SeamFiles({
       text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
-      meshName: () => this.meshName,
+      meshName: () => this.mesh?.name ?? '',
       chosen: (name) => this.openFile(name),
       failed: showAlert,
       say: events.say,
@@ -81,15 +82,25 @@ export class SeamPanel {
   }
 
   /** Another mesh, with automatic seams. */
-  open({ mesh, summary, name }: Editable): void {
-    this.meshName = name;
-    this.model = new SeamModel(() => ({
-      graph: surfaceGraph(mesh, placesOf(mesh, summary.disk.ok), mesh.faces),
-      solid: { points: toUnitSphere(mesh), indices: mesh.indices },
-    }));
+  open(mesh: Editable): void {
+    const { summary } = mesh;
+    this.mesh = mesh;
+    this.surface = null;
+    this.model = new SeamModel(() => {
+      if (!this.surface) throw new Error('Seams are edited before prepare().');
+      return this.surface;
+    });
     this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
     this.sources.show(this.choice);
     this.hide();
+  }
+
+  /** Before the mesh is unwrapped: with the atlas there is then what it takes to edit its seams. */
+  async prepare(): Promise<void> {
+    const { mesh } = this;
+    if (!mesh || this.surface) return;
+    const surface = await this.workshop.surface(mesh.mesh, mesh.summary.disk.ok);
+    if (mesh === this.mesh) this.surface ??= surface;
   }
 
   /** There is nothing to edit until the open mesh has an atlas. */
@@ -100,7 +111,7 @@ export class SeamPanel {
   }
 
   show({ result, settings }: Unwrapped): void {
-    if (!this.model) return;
+    if (!this.model || !this.surface) return;
     const { seams, seamEdges } = this.options;
     this.model.show(result.seams, settings.seams === seams && settings.seamEdges === seamEdges);
     if (this.isUnwrapped) this.editor?.update();
@@ -114,10 +125,4 @@ export class SeamPanel {
     this.editor?.update();
     this.events.changed();
   }
-}
-
-/** A disk is cut where its vertices are apart, also where they are at one place. */
-function placesOf({ positions }: DisplayMesh, isDisk: boolean): Uint32Array {
-  if (isDisk) return Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
-  return weld(positions, 3);
 }

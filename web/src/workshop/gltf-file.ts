@@ -1,52 +1,81 @@
-// glTF files as one mesh, and back with its new coordinates. Loaded when the first one is opened.
+// glTF files as one mesh, and back with its new coordinates.
 
 import { type Document, type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
-import type { Layout } from 'abflat';
 import { documentMesh, freeTexcoord, setTexcoords } from 'abflat/gltf';
-import { count } from './format';
-import type { ArrayMesh } from './mesh';
-import type { FileSource } from './session';
+import { count } from '../format';
+import type { ArrayMesh } from '../mesh';
+import type { LayoutArrays } from '../picture';
+
+/** A document as it was when it was read: copies that the browser keeps where the page need not hold them. */
+export interface GltfFiles {
+  file: File;
+  /** Those that it refers to. */
+  others: File[];
+}
 
 export interface GltfFile {
   mesh: ArrayMesh;
   /** The first set of coordinates that no texture needs as it is: 0 where no texture uses that. */
   freeTexcoord: number;
-  /** The file as GLB, with the coordinates of a layout of `mesh` as TEXCOORD_`texcoord`. */
-  write(layout: Layout<unknown>, texcoord: number): Promise<Uint8Array>;
+  files: GltfFiles;
 }
 
-export async function readGltf({ file, name, others }: FileSource): Promise<GltfFile> {
-  const source = await open(name, file, others);
+export async function readGltf(file: File, others: File[]): Promise<GltfFile> {
+  const { name } = file;
+  const { source, used } = await open(file, others);
   refuseCompressed(name, source);
   const document = await io().readJSON(source);
   const { positions, indices, texcoords, materials } = documentMesh(document);
   if (indices.length === 0)
     throw new Error(`${name} has no triangles, so there is nothing to unwrap.`);
+  const [copy, ...copies] = used.map(
+    ({ name, bytes }) => new File([bytes as Uint8Array<ArrayBuffer>], name),
+  );
   return {
     mesh: { positions, indices, texcoords, materials },
     freeTexcoord: freeTexcoord(document),
-    async write(layout, texcoord) {
-      // What was read is not kept: it would take several times the memory of the file.
-      const document = await io().readJSON(source);
-      setTexcoords(documentMesh(document), layout, { texcoord });
-      joinBuffers(document);
-      return io().writeBinary(document);
-    },
+    files: { file: copy, others: copies },
   };
+}
+
+/** The file as GLB, with the coordinates of a layout of its mesh. */
+export async function writeGltf(
+  { file, others }: GltfFiles,
+  layout: LayoutArrays,
+  texcoord: number,
+): Promise<Blob> {
+  const { source } = await open(file, others);
+  const document = await io().readJSON(source);
+  setTexcoords(documentMesh(document), layout, { texcoord });
+  joinBuffers(document);
+  const bytes = await io().writeBinary(document);
+  return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
 }
 
 const io = () => new WebIO().registerExtensions(ALL_EXTENSIONS);
 
-async function open(name: string, file: File, others: File[]): Promise<JSONDocument> {
+/** What was read of which file. */
+interface Used {
+  name: string;
+  bytes: Uint8Array;
+}
+
+async function open(file: File, others: File[]): Promise<{ source: JSONDocument; used: Used[] }> {
+  const { name } = file;
   const bytes = new Uint8Array(await file.arrayBuffer());
   const isBinary = new TextDecoder().decode(bytes.subarray(0, 4)) === 'glTF';
   if (isBinary) {
     checkLength(name, bytes);
-    return io().binaryToJSON(bytes);
+    return { source: await io().binaryToJSON(bytes), used: [{ name, bytes }] };
   }
   const json = parse(name, new TextDecoder().decode(bytes));
-  return { json, resources: await resources(name, json, others) };
+  const found = await resources(name, json, others);
+  const byUri = [...found].map(([uri, { bytes }]) => [uri, bytes]);
+  return {
+    source: { json, resources: Object.fromEntries(byUri) },
+    used: [{ name, bytes }, ...found.values()],
+  };
 }
 
 /** A GLB says how long it is. */
@@ -71,14 +100,14 @@ async function resources(
   name: string,
   { buffers = [], images = [] }: JSONDocument['json'],
   others: File[],
-): Promise<JSONDocument['resources']> {
-  const found: JSONDocument['resources'] = {};
+): Promise<Map<string, Used>> {
+  const found = new Map<string, Used>();
   for (const { uri } of [...buffers, ...images]) {
     if (uri === undefined || uri.startsWith('data:')) continue;
     const wanted = decodeURIComponent(uri).split('/').at(-1);
     const file = others.find((other) => other.name === wanted);
     if (!file) throw new Error(`${name} needs ${wanted}: open or drop both files together.`);
-    found[uri] = new Uint8Array(await file.arrayBuffer());
+    found.set(uri, { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
   }
   return found;
 }

@@ -1,0 +1,73 @@
+// What axe-core finds, of contrasts, names, roles and labels: nothing, in either theme.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import axe from 'axe-core';
+import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
+import { drop, dropAndWait, openPage, settled } from './page.mjs';
+
+/** By rule, with the place and what is wrong there. */
+async function findings(page) {
+  return page.evaluate(async () => {
+    const { violations } = await globalThis.axe.run(document, {
+      rules: { 'label-content-name-mismatch': { enabled: true } },
+    });
+    return violations.flatMap(({ id, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id}: ${target}: ${failureSummary}`),
+    );
+  });
+}
+
+/** Without transitions, so that colours are what they will be. */
+async function openWithAxe(t) {
+  const page = await openPage(t, { reducedMotion: 'reduce' });
+  await page.evaluate(axe.source);
+  return page;
+}
+
+async function assertNothingFound(page, what) {
+  await page.mouse.move(0, 0);
+  for (let i = 0; i < 2; ++i) {
+    const theme = await page.evaluate(() => document.documentElement.dataset.theme);
+    assert.deepEqual(await findings(page), [], `${what}, ${theme}`);
+    await page.click('#theme');
+    await page.mouse.move(0, 0);
+  }
+}
+
+test('axe finds nothing in a flattened mesh and its details', async (t) => {
+  const page = await openWithAxe(t);
+  await assertNothingFound(page, 'flattened');
+  await page.click('#details-toggle');
+  await page.click('#distortion');
+  await assertNothingFound(page, 'details');
+  await page.click('#tab-methods');
+  await page.click('#compare');
+  await page.waitForFunction(() => document.querySelector('.method-table'));
+  await page.locator('.method-name').nth(1).click();
+  await page.locator('#method-note').waitFor();
+  await assertNothingFound(page, 'methods');
+});
+
+test('axe finds nothing in an atlas, its options and its charts', async (t) => {
+  const page = await openWithAxe(t);
+  await dropAndWait(page, 'cube.obj', CUBE_OF_PARTS);
+  for (const id of ['#seams-uv', '#seams-sharp', '#more-toggle']) await page.click(id);
+  await page.click('#more-straight-seams');
+  await settled(page);
+  await page.click('#details-toggle');
+  await page.locator('.lock').first().click();
+  await assertNothingFound(page, 'atlas');
+});
+
+test('axe finds nothing in a message and in a layout that is not valid', async (t) => {
+  const page = await openWithAxe(t);
+  await page.selectOption('#sample', 'alpha-band');
+  await settled(page);
+  await page.fill('#t-number', '2');
+  await settled(page);
+  await drop(page, 'nothing.obj', 'v 0 0 0\n');
+  await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
+  await settled(page);
+  await assertNothingFound(page, 'message');
+});

@@ -1,0 +1,90 @@
+// With large meshes the page answers as with small ones: whatever goes through all triangles runs in workers.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
+import { grid } from '../support/small-meshes.mjs';
+import { objText, torus } from '../support/surfaces.mjs';
+import { dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
+
+/** Counts how often each part of the page's own scripts runs in its main thread; returns what gives the part that ran most often. */
+async function countRuns(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Profiler.enable');
+  await session.send('Profiler.startPreciseCoverage', { callCount: true, detailed: true });
+  return async () => {
+    const { result } = await session.send('Profiler.takePreciseCoverage');
+    const parts = result
+      .filter(({ url }) => /\/assets\/.*js$/.test(url))
+      .flatMap(({ functions }) =>
+        functions.flatMap(({ functionName, ranges }) =>
+          ranges.map(({ count, startOffset }) => ({ count, functionName, startOffset })),
+        ),
+      );
+    assert.ok(parts.length > 0, 'the scripts are looked at');
+    return parts.reduce((most, part) => (part.count > most.count ? part : most));
+  };
+}
+
+/** As good as none of the triangles; the rest are frames, charts, boundary edges and names. */
+const SHARE = 1 / 4;
+
+async function assertIdle(mostRun, faces, doing) {
+  const { count, functionName, startOffset } = await mostRun();
+  assert.ok(
+    count < SHARE * faces,
+    `${doing}: ${functionName || 'a function'} at ${startOffset} runs ${count} times for ${faces} triangles`,
+  );
+}
+
+const SURFACE = torus(120, 60);
+/** Of quads. */
+const FACES = 2 * SURFACE.faces.length;
+
+/** All that is done with a mesh from drop to saved. */
+async function assertIdleThroughout(page, name, content) {
+  const mostRun = await countRuns(page);
+  await dropAndWait(page, name, content);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  await assertIdle(mostRun, FACES, 'opened and unwrapped');
+  await page.click('#distortion');
+  await page.click('#theme');
+  await page.setViewportSize({ width: 1000, height: 800 });
+  await assertIdle(mostRun, FACES, 'looked at');
+  await exportMesh(page);
+  await assertIdle(mostRun, FACES, 'exported');
+  for (const id of ['#layout-png', '#layout-heat', '#layout-svg'])
+    await Promise.all([page.waitForEvent('download'), page.click(id)]);
+  await assertIdle(mostRun, FACES, 'pictures saved');
+  await page.click('#details-toggle');
+  await page.click('#tab-charts');
+  await page.locator('.chart-name').first().click();
+  await assertIdle(mostRun, FACES, 'a chart looked at');
+}
+
+test('a large OBJ keeps the page idle, from drop to saved', async (t) => {
+  const page = await openPage(t);
+  await assertIdleThroughout(page, 'ring.obj', objText(SURFACE));
+});
+
+test('a large GLB keeps the page idle, from drop to saved', async (t) => {
+  const document = emptyDocument();
+  addMesh(document, 'ring', primitiveOf(document, SURFACE));
+  const page = await openPage(t);
+  await assertIdleThroughout(page, 'ring.glb', await io.writeBinary(document));
+});
+
+test('a large disk keeps the page idle, with marks and by other methods', async (t) => {
+  const page = await openPage(t);
+  const mostRun = await countRuns(page);
+  const n = 80;
+  await dropAndWait(page, 'waves.obj', grid(n));
+  await page.click('#delaunay');
+  await settled(page);
+  await page.click('#details-toggle');
+  await page.click('#tab-methods');
+  await page.click('#compare');
+  await page.getByRole('button', { name: /^Tutte/ }).click();
+  await page.locator('#method-note').waitFor();
+  await assertIdle(mostRun, 2 * n * n, 'compared');
+});

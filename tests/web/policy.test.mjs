@@ -1,0 +1,110 @@
+// The page under a strict content security policy, and without a connection.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
+import { grid } from '../support/small-meshes.mjs';
+import { objText, sphere, torus } from '../support/surfaces.mjs';
+import { drop, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
+
+/** Nothing but the page's own files; `wasm-unsafe-eval` lets WebAssembly run, and nothing else. */
+const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'";
+const ISOLATED = {
+  'Cross-Origin-Opener-Policy': 'same-origin',
+  'Cross-Origin-Embedder-Policy': 'require-corp',
+};
+
+async function glb() {
+  const document = emptyDocument();
+  addMesh(document, 'ball', primitiveOf(document, sphere(5)));
+  return io.writeBinary(document);
+}
+
+/** A document with its buffer in a data URI. */
+async function gltf() {
+  const document = emptyDocument();
+  addMesh(document, 'ring', primitiveOf(document, torus(12, 8)));
+  const { json, resources } = await io.writeJSON(document);
+  for (const buffer of json.buffers) {
+    const bytes = Buffer.from(resources[buffer.uri]).toString('base64');
+    buffer.uri = `data:application/octet-stream;base64,${bytes}`;
+  }
+  return JSON.stringify(json);
+}
+
+/** All that the page can do, once. */
+async function doEverything(page) {
+  await dropAndWait(page, 'ball.glb', await glb());
+  await exportMesh(page);
+  await dropAndWait(page, 'ring.gltf', await gltf());
+  assert.equal(await textOf(page, '#alert'), '');
+  await exportMesh(page);
+  for (const id of ['#layout-png', '#layout-heat', '#layout-svg'])
+    await Promise.all([page.waitForEvent('download'), page.click(id)]);
+  await page.click('#theme');
+  await dropAndWait(page, 'waves.obj', grid(6));
+  await page.click('#mode-flatten');
+  await settled(page);
+  await page.click('#details-toggle');
+  await page.click('#tab-sweep');
+  await page.click('#sweep');
+  await page.waitForFunction(() => document.querySelector('#sweep').textContent !== 'Stop');
+  await page.click('#tab-methods');
+  await page.click('#compare');
+  await page.waitForFunction(() => document.querySelector('.method-table'));
+  await exportMesh(page);
+}
+
+for (const [name, headers] of [
+  ['with threads', { ...ISOLATED, 'Content-Security-Policy': POLICY }],
+  ['without threads', { 'Content-Security-Policy': POLICY }],
+  ['as npm start sends it', undefined],
+])
+  test(`nothing violates a strict policy, ${name}`, async (t) => {
+    // Violations in workers are in the console, which is looked at in the end.
+    const page = await openPage(t, {
+      headers,
+      prepare: (page) =>
+        page.addInitScript(() => {
+          globalThis.violations = [];
+          document.addEventListener(
+            'securitypolicyviolation',
+            ({ violatedDirective, blockedURI }) =>
+              globalThis.violations.push(`${violatedDirective} ${blockedURI}`),
+          );
+        }),
+    });
+    await doEverything(page);
+    assert.deepEqual(await page.evaluate(() => globalThis.violations), []);
+  });
+
+test('the theme is there before anything is painted', async (t) => {
+  const page = await openPage(t, {
+    colorScheme: 'light',
+    prepare: (page) =>
+      page.addInitScript(() => {
+        // The first time that there is a body, nothing of it has been painted yet.
+        new MutationObserver((_, observer) => {
+          if (!document.body) return;
+          globalThis.themeAtFirst = document.documentElement.dataset.theme;
+          observer.disconnect();
+        }).observe(document, { childList: true, subtree: true });
+      }),
+  });
+  assert.equal(await page.evaluate(() => globalThis.themeAtFirst), 'light');
+});
+
+test('once loaded the page needs no connection, also after a run was cancelled', async (t) => {
+  const page = await openPage(t);
+  await page.context().setOffline(true);
+  await doEverything(page);
+  // The worker that is cancelled is replaced.
+  await drop(page, 'ball.obj', objText(sphere(90)));
+  await page.locator('#cancel:enabled').waitFor();
+  await page.waitForFunction(() => document.body.ariaBusy);
+  await page.click('#cancel');
+  await settled(page);
+  await dropAndWait(page, 'ring.obj', objText(torus(12, 8)));
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+});

@@ -1,0 +1,109 @@
+// The page in windows of many sizes: the views come first, everything else stays in reach.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
+import { dropAndWait, openPage, settled } from './page.mjs';
+
+/** Of the height of the window. */
+const SHARE = 0.6;
+
+const VIEWS = ['#mesh-canvas', '#layout-canvas'];
+
+/** The pictures get their size in the frame after that of their pane. */
+async function resize(page, width, height) {
+  await page.setViewportSize({ width, height });
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
+}
+
+async function assertRoom(page, { width, height }, what) {
+  await resize(page, width, height);
+  for (const id of VIEWS) {
+    const box = await page.locator(id).boundingBox();
+    assert.ok(box.height >= SHARE * height, `${id}, ${what}: ${box.height} of ${height}`);
+    assert.ok(box.x >= 0 && box.x + box.width <= width, `${id}, ${what}`);
+  }
+  const overflow = await page.evaluate(() => {
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return [scrollWidth - innerWidth, scrollHeight - innerHeight];
+  });
+  assert.ok(Math.max(...overflow) <= 0, `${what}: the page itself does not scroll`);
+}
+
+const WINDOWS = [
+  { width: 1280, height: 720 },
+  { width: 900, height: 700 },
+  { width: 1920, height: 1080 },
+];
+
+test('the views have most of the window, and each control of the dock can be reached', async (t) => {
+  const page = await openPage(t);
+  for (const size of WINDOWS) await assertRoom(page, size, `flatten, ${size.width}`);
+  await page.click('#mode-unwrap');
+  await settled(page);
+  await page.click('#more-toggle');
+  for (const size of WINDOWS) {
+    await assertRoom(page, size, `unwrap, ${size.width}`);
+    const dock = await page.locator('.dock').boundingBox();
+    for (const control of await page.locator('.dock :is(button, input, select):visible').all()) {
+      await control.scrollIntoViewIfNeeded();
+      const box = await control.boundingBox();
+      const name = await control.getAttribute('id');
+      assert.ok(
+        box.y >= dock.y && box.y + box.height <= dock.y + dock.height + 1,
+        `${name} is shown`,
+      );
+      assert.ok(box.x >= dock.x && box.x + box.width <= dock.x + dock.width, `${name} is shown`);
+    }
+  }
+});
+
+test('labels and names never push anything out of its place', async (t) => {
+  const page = await openPage(t);
+  const name = `${'a-mesh-with-a-very-long-name-'.repeat(3)}.obj`;
+  await dropAndWait(page, name, CUBE_OF_PARTS);
+  // All sources, with a state beside them.
+  for (const id of ['#seams-uv', '#seams-material', '#seams-sharp']) {
+    await page.click(id);
+    await settled(page);
+  }
+  for (const [width, height] of [
+    [1280, 720],
+    [900, 700],
+    [700, 800],
+    [390, 844],
+    [320, 640],
+  ]) {
+    await resize(page, width, height);
+    const spilt = await page.evaluate(() => {
+      const parts = [...document.querySelectorAll('.sources > *, .bar > *, .bar-group > *')];
+      return parts
+        .filter((part) => part.checkVisibility())
+        .filter((part) => {
+          const own = part.getBoundingClientRect();
+          const around = part.parentElement.closest('.ask, .bar').getBoundingClientRect();
+          return own.left < around.left || own.right > around.right + 0.5;
+        })
+        .map((part) => part.id || part.className);
+    });
+    assert.deepEqual(spilt, [], `${width} x ${height}`);
+    const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(sideways <= 0, `no scrolling sideways at ${width}`);
+  }
+});
+
+test('a page at 200 % shows everything, one thing above the other', async (t) => {
+  const page = await openPage(t, { viewport: { width: 640, height: 360 }, deviceScaleFactor: 2 });
+  await page.click('#mode-unwrap');
+  await settled(page);
+  for (const id of [...VIEWS, '#stretch', '#more-toggle', '#badge', '#cancel', '#layout-scale']) {
+    await page.locator(id).scrollIntoViewIfNeeded();
+    const box = await page.locator(id).boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 640, `${id} is inside`);
+    assert.ok(box.height > 0);
+  }
+  for (const id of VIEWS)
+    assert.ok((await page.locator(id).boundingBox()).height >= 120, `${id} has room`);
+});

@@ -1,0 +1,69 @@
+import { crossings } from '../crossings';
+import { boundingBox, perCorner } from '../mesh';
+import type { FlatPicture } from '../picture';
+import { tileFrames, tileGrid } from '../tiles';
+import { FLAT_FRAME, type LayoutDrawing } from './drawing';
+
+/** Crossings that are marked; more would only be a red blot. */
+const MOST_MARKS = 500;
+
+/** A layout in the plane. */
+export function drawLayout(picture: FlatPicture, chartCount: number): LayoutDrawing {
+  const { mesh, edges, tightened, resisting, chartColors, charts, tiles = 0 } = picture;
+  const { min, max } = tiles
+    ? { min: [0, 0], max: tileGrid(tiles) }
+    : boundingBox(mesh.uv, 2, mesh.indices);
+  const unit = Math.max(max[0] - min[0], max[1] - min[1]) || 1;
+  const middle: [number, number] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+  const toPlane = (uv: Float64Array) => placed(uv, middle, unit);
+  const plane = toPlane(mesh.uv);
+  const frames = tileFrames(tiles);
+  // Of an atlas the report says whether charts cross.
+  const crossed = chartColors ? new Float64Array() : crossings(mesh.uv, edges, MOST_MARKS);
+  return {
+    position: perCorner(plane, 3, mesh.indices),
+    edges: perCorner(plane, 3, edges),
+    resisting: perCorner(plane, 3, resisting),
+    dots: perCorner(plane, 3, tightened),
+    rings: toPlane(crossed),
+    tileSides: perCorner(toPlane(frames.points), 3, frames.sides),
+    tiles,
+    size: [(max[0] - min[0]) / unit, (max[1] - min[1]) / unit],
+    middle,
+    unit,
+    frames: charts ? chartFrames(plane, mesh.indices, charts, chartCount) : new Float32Array(),
+  };
+}
+
+/** From uv, 2 numbers per point, to what is drawn, 3 per point. */
+function placed(uv: Float64Array, middle: [number, number], unit: number): Float32Array {
+  const plane = new Float32Array((uv.length / 2) * 3);
+  for (let i = 0; i < uv.length / 2; ++i)
+    for (let d = 0; d < 2; ++d) plane[3 * i + d] = (uv[2 * i + d] - middle[d]) / unit;
+  return plane;
+}
+
+/** `FLAT_FRAME` of each chart. */
+function chartFrames(
+  plane: Float32Array,
+  indices: Uint32Array,
+  charts: Uint32Array,
+  chartCount: number,
+): Float32Array {
+  const { size, low, high } = FLAT_FRAME;
+  const frames = new Float32Array(size * chartCount);
+  for (let i = 0; i < frames.length; i += size) {
+    frames.fill(Infinity, i + low, i + low + 2);
+    frames.fill(-Infinity, i + high, i + high + 2);
+  }
+  for (let c = 0; c < indices.length; ++c) {
+    const i = size * charts[Math.floor(c / 3)];
+    if (i >= frames.length) continue;
+    for (let d = 0; d < 2; ++d) {
+      const x = plane[3 * indices[c] + d];
+      if (x < frames[i + low + d]) frames[i + low + d] = x;
+      if (x > frames[i + high + d]) frames[i + high + d] = x;
+    }
+  }
+  return frames;
+}

@@ -1,0 +1,81 @@
+import { checkerCells } from '../checker';
+import { areaVectors, facing, perCorner, toCorners, vertexNormals } from '../mesh';
+import type { FlatPicture, Picture } from '../picture';
+import { toUnitSphere } from '../unit-sphere';
+import { type Drawing, FRAME, type MeshDrawing, type TriangleMarks } from './drawing';
+import { axesOf, frontOf } from './front';
+import { outline } from './outline';
+
+/** A mesh that was opened. */
+export function drawMesh(picture: Picture): Drawing {
+  const { mesh } = picture;
+  const unit = toUnitSphere(mesh);
+  const front = frontOf(facing(mesh));
+  const first = { front, outline: outline(unit, mesh.indices, axesOf(front)) };
+  return { mesh: { ...surface(picture, unit), first } };
+}
+
+export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDrawing {
+  const { mesh, tightened, charts } = picture;
+  const unit = toUnitSphere(mesh);
+  return {
+    ...surface(picture, unit),
+    uv: perCorner(checkerCells(mesh), 2, mesh.indices),
+    dots: perCorner(unit, 3, tightened),
+    frames: charts
+      ? chartFrames({ positions: unit, indices: mesh.indices }, charts, chartCount)
+      : new Float32Array(),
+  };
+}
+
+export function drawMarks({ errors, charts, chartColors }: FlatPicture): TriangleMarks {
+  const none = new Float32Array(errors.length);
+  const colors =
+    charts && chartColors && Float32Array.from(charts, (chart) => chartColors[chart] ?? 0);
+  return {
+    error: toCorners(errors),
+    chart: toCorners(colors ?? none),
+    piece: toCorners(charts ?? none),
+  };
+}
+
+function surface(
+  { mesh, edges, normals = vertexNormals(mesh) }: Picture,
+  unit: Float32Array,
+): MeshDrawing {
+  return {
+    position: perCorner(unit, 3, mesh.indices),
+    normal: perCorner(normals, 3, mesh.indices),
+    edges: perCorner(unit, 3, edges),
+    dots: new Float32Array(),
+    frames: new Float32Array(),
+  };
+}
+
+/** `FRAME` of each chart, where there is one. */
+function chartFrames(
+  mesh: { positions: Float32Array; indices: Uint32Array },
+  charts: Uint32Array,
+  chartCount: number,
+): Float32Array {
+  const { positions, indices } = mesh;
+  const frames = new Float32Array(FRAME.size * chartCount);
+  for (let i = 0; i < frames.length; i += FRAME.size) {
+    frames.fill(Infinity, i + FRAME.low, i + FRAME.low + 3);
+    frames.fill(-Infinity, i + FRAME.high, i + FRAME.high + 3);
+  }
+  const areas = areaVectors(mesh);
+  for (let c = 0; c < indices.length; ++c) {
+    const i = FRAME.size * charts[Math.floor(c / 3)];
+    if (i >= frames.length) continue;
+    for (let d = 0; d < 3; ++d) {
+      const x = positions[3 * indices[c] + d];
+      if (x < frames[i + FRAME.low + d]) frames[i + FRAME.low + d] = x;
+      if (x > frames[i + FRAME.high + d]) frames[i + FRAME.high + d] = x;
+    }
+    if (c % 3 !== 0) continue;
+    for (let d = 0; d < 3; ++d) frames[i + FRAME.area + d] += areas[c + d];
+    frames[i + FRAME.total] += Math.hypot(areas[c], areas[c + 1], areas[c + 2]);
+  }
+  return frames;
+}

@@ -1,0 +1,14 @@
+import type { FlatPicture } from '../picture';
+import { drawLayout } from './draw-layout';
+import { drawFlatMesh, drawMarks } from './draw-mesh';
+import type { FlatDrawing } from './drawing';
+
+/** Both views of a layout; `chartCount` is that of an atlas, 0 of a disk. */
+export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing {
+  return {
+    mesh: drawFlatMesh(picture, chartCount),
+    layout: drawLayout(picture, chartCount),
+    marks: drawMarks(picture),
+    chartColors: picture.chartColors ?? null,
+  };
+}

@@ -1,0 +1,75 @@
+// What the views draw: arrays that go to the graphics card as they are. They are made in the workshop, so that no loop over all triangles keeps
+// the page from answering.
+
+/** One number per corner of each triangle. */
+export interface TriangleMarks {
+  /** Angle error. */
+  error: Float32Array;
+  /** Number of the chart's colour. */
+  chart: Float32Array;
+  /** Number of the chart itself. */
+  piece: Float32Array;
+}
+
+/** How a mesh is first seen. */
+export interface FirstView {
+  /** Unit vector from the mesh to the eye. */
+  front: [number, number, number];
+  /** Points, xyz each, that fit in a view from there only where all of the mesh does. */
+  outline: Float32Array;
+}
+
+/** The box of one chart, xyz of its lowest and of its highest corner, and the sum of its vector areas and of its areas. */
+export const FRAME = { size: 10, low: 0, high: 3, area: 6, total: 9 };
+/** The same in the plane: u and v of the lowest and of the highest corner. */
+export const FLAT_FRAME = { size: 4, low: 0, high: 2 };
+
+export interface MeshDrawing {
+  /** xyz per corner, in the unit sphere. */
+  position: Float32Array;
+  /** xyz per corner. */
+  normal: Float32Array;
+  /** In checker cells, 2 per corner; none before the mesh is flattened. */
+  uv?: Float32Array;
+  /** Boundary edges, xyz of both ends. */
+  edges: Float32Array;
+  /** Tightened vertices, xyz each. */
+  dots: Float32Array;
+  /** Of a mesh that was opened. */
+  first?: FirstView;
+  /** `FRAME` per chart. */
+  frames: Float32Array;
+}
+
+/** In a plane where the layout's centre is 0 and its longer side is 1; points have xyz. */
+export interface LayoutDrawing {
+  position: Float32Array;
+  edges: Float32Array;
+  /** Edges that resist the Delaunay condition. */
+  resisting: Float32Array;
+  dots: Float32Array;
+  /** Crossings of the boundary. */
+  rings: Float32Array;
+  /** Sides of the tiles. */
+  tileSides: Float32Array;
+  tiles: number;
+  size: [number, number];
+  /** In uv: what is at 0, and the length of a unit. */
+  middle: [number, number];
+  unit: number;
+  /** `FLAT_FRAME` per chart. */
+  frames: Float32Array;
+}
+
+/** A mesh before it is flattened. */
+export interface Drawing {
+  mesh: MeshDrawing;
+}
+
+/** A mesh with its layout. */
+export interface FlatDrawing extends Drawing {
+  layout: LayoutDrawing;
+  marks: TriangleMarks;
+  /** The number of each chart's colour; none of a disk. */
+  chartColors: Float32Array | null;
+}

@@ -1,0 +1,51 @@
+/**
+ * The points (xyz each) that `indices` names and that bound the others wherever they are seen along a direction in the plane of `front` and `right` or of
+ * `front` and `top`: corners of the convex hulls of both projections.
+ */
+export function outline(
+  points: Float32Array,
+  indices: Uint32Array,
+  { front, right, top }: Record<'front' | 'right' | 'top', readonly number[]>,
+): Float32Array {
+  const used = usedVertices(points.length / 3, indices);
+  const along = (direction: readonly number[]) =>
+    Float64Array.from(used, (v) => {
+      const [x, y, z] = [points[3 * v], points[3 * v + 1], points[3 * v + 2]];
+      return x * direction[0] + y * direction[1] + z * direction[2];
+    });
+  const depth = along(front);
+  const corners = [right, top].flatMap((axis) => hull(along(axis), depth));
+  return Float32Array.from(
+    corners.flatMap((i) => [...points.subarray(3 * used[i], 3 * used[i] + 3)]),
+  );
+}
+
+function usedVertices(count: number, indices: Uint32Array): Uint32Array {
+  const isUsed = new Uint8Array(count);
+  for (const v of indices) isUsed[v] = 1;
+  let size = 0;
+  for (const each of isUsed) size += each;
+  const used = new Uint32Array(size);
+  for (let v = 0, i = 0; v < count; ++v) if (isUsed[v]) used[i++] = v;
+  return used;
+}
+
+/** Indices of the corners of the convex hull of points in the plane (Andrew's monotone chain). */
+export function hull(x: Float64Array, y: Float64Array): number[] {
+  const order = Uint32Array.from(x, (_, i) => i).sort((a, b) => x[a] - x[b] || y[a] - y[b]);
+  const turn = (a: number, b: number, c: number) =>
+    (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
+  const half = (sign: number) => {
+    const chain: number[] = [];
+    for (const i of order) {
+      while (
+        chain.length > 1 &&
+        sign * turn(chain[chain.length - 2], chain[chain.length - 1], i) <= 0
+      )
+        chain.pop();
+      chain.push(i);
+    }
+    return chain;
+  };
+  return [...new Set([...half(1), ...half(-1)])];
+}

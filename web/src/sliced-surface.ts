@@ -1,0 +1,103 @@
+import {
+  type BufferAttribute,
+  BufferGeometry,
+  GLBufferAttribute,
+  type Material,
+  Mesh,
+  Sphere,
+  type WebGLRenderer,
+} from 'three';
+
+/** Numbers that go to the graphics card in one frame: more would keep the page from answering. */
+const SLICE = 1 << 21;
+
+const SIZES = { position: 3, normal: 3, uv: 2, error: 1, chart: 1, piece: 1 };
+
+/** What there is of each corner of the triangles. */
+export type SurfaceArrays = { position: Float32Array } & Partial<
+  Record<keyof typeof SIZES, Float32Array>
+>;
+
+/** A geometry on its way to the graphics card. */
+interface Arriving {
+  arrays: SurfaceArrays;
+  geometry: BufferGeometry;
+  buffers: WebGLBuffer[];
+  left: { buffer: WebGLBuffer; array: Float32Array; from: number }[];
+  arrived: () => void;
+}
+
+/** Triangles without an index. Others take their place as soon as all of them are on the graphics card, where they go slice by slice. */
+export class SlicedSurface {
+  readonly object: Mesh;
+  private readonly gl: WebGL2RenderingContext;
+  private arriving: Arriving | null = null;
+  private shown: SurfaceArrays | null = null;
+
+  constructor(renderer: WebGLRenderer, material: Material) {
+    this.gl = renderer.getContext() as WebGL2RenderingContext;
+    this.object = new Mesh(new BufferGeometry(), material);
+    this.object.frustumCulled = false;
+    renderer.domElement.addEventListener('webglcontextrestored', () => this.restore());
+  }
+
+  /** `arrived` is called in the frame that first shows the triangles. */
+  show(arrays: SurfaceArrays, arrived: () => void): void {
+    for (const buffer of this.arriving?.buffers ?? []) this.gl.deleteBuffer(buffer);
+    const geometry = new BufferGeometry();
+    geometry.boundingSphere = new Sphere(); // the renderer would go through all corners to sort by it
+    const left: Arriving['left'] = [];
+    for (const [name, size] of Object.entries(SIZES)) {
+      const array = arrays[name as keyof SurfaceArrays];
+      if (!array || array.length === 0) continue;
+      const buffer = this.bufferOf(array);
+      // The types know no such attribute in a geometry, which takes it all the same.
+      geometry.setAttribute(
+        name,
+        this.attributeOf(buffer, array, size) as unknown as BufferAttribute,
+      );
+      left.push({ buffer, array, from: 0 });
+    }
+    this.arriving = { arrays, geometry, buffers: left.map(({ buffer }) => buffer), left, arrived };
+  }
+
+  /** Before each frame. Returns whether nothing is missing any more. */
+  advance(): boolean {
+    const { arriving } = this;
+    if (!arriving) return true;
+    for (let budget = SLICE; budget > 0 && arriving.left.length > 0; ) {
+      const [next] = arriving.left;
+      const slice = next.array.subarray(next.from, next.from + budget);
+      this.gl.bindBuffer(this.gl.ARRAY_BUFFER, next.buffer);
+      this.gl.bufferSubData(this.gl.ARRAY_BUFFER, next.array.BYTES_PER_ELEMENT * next.from, slice);
+      next.from += slice.length;
+      budget -= slice.length;
+      if (next.from === next.array.length) arriving.left.shift();
+    }
+    if (arriving.left.length > 0) return false;
+    this.arriving = null;
+    this.shown = arriving.arrays;
+    this.object.geometry.dispose();
+    this.object.geometry = arriving.geometry;
+    arriving.arrived();
+    return true;
+  }
+
+  private attributeOf(buffer: WebGLBuffer, array: Float32Array, size: number): GLBufferAttribute {
+    const bytes = array.BYTES_PER_ELEMENT as 4;
+    return new GLBufferAttribute(buffer, this.gl.FLOAT, size, bytes, array.length / size);
+  }
+
+  private bufferOf({ byteLength }: Float32Array): WebGLBuffer {
+    const buffer = this.gl.createBuffer();
+    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, buffer);
+    this.gl.bufferData(this.gl.ARRAY_BUFFER, byteLength, this.gl.STATIC_DRAW);
+    return buffer;
+  }
+
+  /** All buffers are lost with the context. */
+  private restore(): void {
+    const arrays = this.arriving?.arrays ?? this.shown;
+    if (arrays) this.show(arrays, this.arriving?.arrived ?? (() => undefined));
+  }
+}

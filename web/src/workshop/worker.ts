@@ -1,0 +1,68 @@
+// The other side of workshop.ts: what takes a loop over all triangles is done here, away from the page.
+
+import { expose, transfer } from 'comlink';
+import { drawFlat } from '../drawing/draw';
+import { drawMesh } from '../drawing/draw-mesh';
+import type { Drawing, FlatDrawing } from '../drawing/drawing';
+import { atlasPng, heatMapPng } from '../layout-file/png-file';
+import { type AtlasDrawing, atlasSvg } from '../layout-file/svg-text';
+import type { ArrayMesh, DisplayMesh } from '../mesh';
+import {
+  type AtlasArrays,
+  atlasPicture,
+  flatPicture,
+  type LayoutArrays,
+  type MarkedChart,
+  meshPicture,
+  positionsOf,
+} from '../picture';
+import { makeSurface } from '../seams/make-surface';
+import type { Surface } from '../seams/seam-model';
+import { joined } from '../weld';
+import { buffersOf } from './buffers';
+import { type GltfFiles, readGltf, writeGltf } from './gltf-file';
+
+const tasks = {
+  mesh: (mesh: DisplayMesh): Drawing => handedOver(drawMesh(meshPicture(mesh))),
+
+  layout: (layout: LayoutArrays, input: DisplayMesh, chart: MarkedChart | null): FlatDrawing =>
+    handedOver(drawFlat(flatPicture(layout, input, chart), 0)),
+
+  atlas: (
+    atlas: AtlasArrays,
+    size: { tiles: number; chartCount: number },
+    input: DisplayMesh,
+  ): FlatDrawing => handedOver(drawFlat(atlasPicture(atlas, size, input), size.chartCount)),
+
+  surface: (mesh: DisplayMesh, isDisk: boolean): Surface => handedOver(makeSurface(mesh, isDisk)),
+
+  png: (drawing: AtlasDrawing): Promise<Blob> => atlasPng(drawing),
+
+  heatMap: (
+    drawing: AtlasDrawing,
+    layout: Parameters<typeof positionsOf>[0],
+    input: Parameters<typeof positionsOf>[1],
+  ): Promise<Blob> => heatMapPng(drawing, positionsOf(layout, input)),
+
+  gltf: async (file: File, others: File[]) => {
+    const read = await readGltf(file, others);
+    return transfer(read, buffersOf(read.mesh));
+  },
+
+  glb: (files: GltfFiles, layout: LayoutArrays, texcoord: number): Promise<Blob> =>
+    writeGltf(files, layout, texcoord),
+
+  joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
+
+  svg: (drawing: AtlasDrawing, millimetres: number | 'auto'): Blob =>
+    new Blob([atlasSvg(drawing, millimetres)], { type: 'image/svg+xml' }),
+};
+
+export type Tasks = typeof tasks;
+
+/** Given away, not copied. */
+function handedOver<T extends object>(value: T): T {
+  return transfer(value, buffersOf(value));
+}
+
+expose(tasks);
