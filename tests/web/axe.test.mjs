@@ -19,8 +19,8 @@ async function findings(page) {
 }
 
 /** Without transitions, so that colours are what they will be. */
-async function openWithAxe(t) {
-  const page = await openPage(t, { reducedMotion: 'reduce' });
+async function openWithAxe(t, mode) {
+  const page = await openPage(t, { reducedMotion: 'reduce', mode });
   await page.evaluate(axe.source);
   return page;
 }
@@ -36,7 +36,7 @@ async function assertNothingFound(page, what) {
 }
 
 test('axe finds nothing in a flattened mesh and its details', async (t) => {
-  const page = await openWithAxe(t);
+  const page = await openWithAxe(t, 'flatten');
   await assertNothingFound(page, 'flattened');
   await page.click('#details-toggle');
   await page.click('#distortion');
@@ -61,7 +61,7 @@ test('axe finds nothing in an atlas, its options and its charts', async (t) => {
 });
 
 test('axe finds nothing in a message and in a layout that is not valid', async (t) => {
-  const page = await openWithAxe(t);
+  const page = await openWithAxe(t, 'flatten');
   await page.selectOption('#sample', 'alpha-band');
   await settled(page);
   await page.fill('#t-number', '2');

@@ -75,7 +75,7 @@ test('a large GLB keeps the page idle, from drop to saved', async (t) => {
 });
 
 test('a large disk keeps the page idle, with marks and by other methods', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   const mostRun = await countRuns(page);
   const n = 80;
   await dropAndWait(page, 'waves.obj', grid(n));

@@ -39,7 +39,7 @@ const WINDOWS = [
 ];
 
 test('the views have most of the window, and each control of the dock can be reached', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   for (const size of WINDOWS) await assertRoom(page, size, `flatten, ${size.width}`);
   await page.click('#mode-unwrap');
   await settled(page);
