@@ -63,8 +63,9 @@ struct Prepared {
   std::vector<std::uint32_t> cornerUv;
 };
 
-Result<Prepared> prepare(const PolygonMesh& mesh) {
-  Surface surface = buildSurface(mesh);
+Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
+  Surface surface = buildSurface(mesh, pulse);
+  if (pulse.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
   if (!surface.summary.disk.ok()) return surface.summary.disk;
   Prepared out;
   out.chart = makeDiskChart(mesh, surface);
@@ -86,7 +87,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   if (!monitor.tell("connectivity", 0)) return aborted;
 
-  Result<Prepared> prepared = prepare(mesh);
+  Result<Prepared> prepared = prepare(mesh, Pulse([&] { return monitor.tell("connectivity", 0); }));
   if (!prepared.ok()) return prepared.status;
   const DiskChart& chart = prepared.value.chart;
   Result<StraightPlaces> straight = straightPlaces(chart, options.straight);

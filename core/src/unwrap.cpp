@@ -183,10 +183,12 @@ class Unwrapping {
   }
 
   Status seeSurface() {
-    report_.input = inspect(mesh_);
+    const Pulse pulse([this] { return monitor_.tell(kSurface); });
+    report_.input = inspect(mesh_, pulse);
     // A mesh that is a disk may be one because it has been cut: it is taken as it is.
-    welded_ = weld(mesh_, !report_.input.disk.ok());
-    surface_ = buildSurface(welded_.mesh);
+    if (!pulse.isStopped()) welded_ = weld(mesh_, !report_.input.disk.ok(), pulse);
+    if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
+    if (pulse.isStopped()) return {};
     if (surface_.table.vertex.empty())
       return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
     report_.repair = repairReport(welded_, surface_);

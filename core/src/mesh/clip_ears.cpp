@@ -19,9 +19,10 @@ double squaredDistance(const Point2& a, const Point2& b) {
 /// goes, because an ear that holds a corner holds a reflex one, which is not the next to go.
 class EarClipper {
  public:
-  EarClipper(std::vector<Point2> points, const std::vector<std::uint8_t>& keep)
+  EarClipper(std::vector<Point2> points, const std::vector<std::uint8_t>& keep, const Pulse& pulse)
       : points_(std::move(points)),
         keep_(keep),
+        pulse_(pulse),
         n_(static_cast<std::uint32_t>(points_.size())),
         next_(n_),
         previous_(n_),
@@ -33,7 +34,7 @@ class EarClipper {
       previous_[k] = k == 0 ? n_ - 1 : k - 1;
     }
     for (std::uint32_t k = 0; k < n_; ++k) noteReflex(k);
-    for (std::uint32_t k = 0; k < n_; ++k) ears_.push({quality(k), k, 0});
+    for (std::uint32_t k = 0; k < n_ && pulse_.beat(kSteps); ++k) ears_.push({quality(k), k, 0});
   }
 
   /// Triangles as local corner indices.
@@ -41,6 +42,7 @@ class EarClipper {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t some = 0;
     for (std::uint32_t left = n_; left > 3; --left) {
+      if (!pulse_.beat(kSteps)) return triangles;
       const std::uint32_t ear = takeBest(), before = previous_[ear], after = next_[ear];
       triangles.push_back({before, ear, after});
       next_[before] = after;
@@ -60,6 +62,7 @@ class EarClipper {
 
  private:
   static constexpr std::uint32_t kGone = 0xffffffffu;
+  static constexpr std::size_t kSteps = 16;  ///< that a corner is worth
 
   struct Ear {
     double quality;
@@ -99,6 +102,7 @@ class EarClipper {
 
   std::vector<Point2> points_;
   const std::vector<std::uint8_t>& keep_;  ///< corners that should not become ears
+  const Pulse& pulse_;
   std::uint32_t n_;
   std::vector<std::uint32_t> next_, previous_;  ///< round what is left
   std::vector<std::uint32_t> turn_;             ///< of each corner's valid entry in ears_, or kGone
@@ -110,8 +114,9 @@ class EarClipper {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> clipEars(std::vector<std::array<double, 2>> points,
-                                                   const std::vector<std::uint8_t>& keep) {
-  return EarClipper(std::move(points), keep).run();
+                                                   const std::vector<std::uint8_t>& keep,
+                                                   const Pulse& pulse) {
+  return EarClipper(std::move(points), keep, pulse).run();
 }
 
 }  // namespace abflat

@@ -4,13 +4,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "pulse.h"
+
 namespace abflat {
 
 /// n - 2 triangles, as places in `points`, that together have every edge of a polygon exactly once,
 /// whatever its shape; the polygon's own where it is simple and counter-clockwise. Corners to
-/// `keep` become no ears where that can be helped.
+/// `keep` become no ears where that can be helped. Some of them where `pulse` has stopped.
 std::vector<std::array<std::uint32_t, 3>> clipEars(std::vector<std::array<double, 2>> points,
-                                                   const std::vector<std::uint8_t>& keep);
+                                                   const std::vector<std::uint8_t>& keep,
+                                                   const Pulse& pulse = {});
 
 /// Twice the area of a triangle, positive counter-clockwise.
 inline double turnOf(const std::array<double, 2>& a, const std::array<double, 2>& b,

@@ -35,7 +35,8 @@ struct CornerTable {
 /// Polygon edges are matched by their two vertices, diagonals only inside their own face, so a
 /// diagonal never becomes a non-manifold edge. Linear in the mesh apart from sorting within one
 /// vertex.
-CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t vertexCount);
+CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t vertexCount,
+                             const Pulse& pulse = {});
 
 /// The half-edge that leaves the same vertex next in clockwise order; kNone when the boundary is in
 /// between.

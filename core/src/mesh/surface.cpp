@@ -93,13 +93,18 @@ std::int64_t cutEulerCharacteristic(const Surface& s) {
 
 }  // namespace
 
-Surface buildSurface(const PolygonMesh& mesh) {
+Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse) {
   Surface s;
-  s.triangulation = triangulate(mesh);
-  s.table = buildCornerTable(s.triangulation, mesh.vertexCount());
+  s.triangulation = triangulate(mesh, pulse);
+  if (pulse.isStopped()) return {};
+  s.table = buildCornerTable(s.triangulation, mesh.vertexCount(), pulse);
+  // What follows are passes of some ten nanoseconds a triangle each.
+  if (!pulse.beat(s.table.vertex.size())) return {};
   s.fans = findFans(s.table, mesh.vertexCount());
+  if (!pulse.beat(s.table.vertex.size())) return {};
   s.boundaryLoops = findBoundaryLoops(s.table);
   const Components components = findComponents(s.table);
+  if (!pulse.beat(s.table.vertex.size())) return {};
 
   MeshSummary& m = s.summary;
   const std::size_t referenced = countReferenced(mesh);

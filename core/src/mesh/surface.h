@@ -17,6 +17,10 @@ struct Surface {
 };
 
 /// Never fails on a mesh that passes validateArrays; summary.disk says whether it can be flattened.
-Surface buildSurface(const PolygonMesh& mesh);
+/// Of a pulse that has stopped comes nothing of use.
+Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {});
+
+/// As without a pulse, which has no use for what comes once it has stopped.
+MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse);
 
 }  // namespace abflat

@@ -44,7 +44,7 @@ void appendTriangle(const PolygonMesh& mesh, std::uint32_t f,
 
 }  // namespace
 
-Triangulation triangulate(const PolygonMesh& mesh) {
+Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse) {
   Triangulation out;
   const std::size_t triangles = mesh.faceVertices.size() - 2 * mesh.faceCount();
   out.vertex.reserve(3 * triangles);
@@ -52,7 +52,7 @@ Triangulation triangulate(const PolygonMesh& mesh) {
   out.isDiagonal.reserve(3 * triangles);
   out.face.reserve(triangles);
   std::vector<std::uint8_t> valence;
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1], n = end - begin;
     if (n == 3) {
       appendTriangle(mesh, f, {0, 1, 2}, out);
@@ -67,7 +67,8 @@ Triangulation triangulate(const PolygonMesh& mesh) {
       appendTriangle(mesh, f, {0, 2, 3}, out);
       continue;
     }
-    for (const auto& local : clipEars(std::move(points), keep)) appendTriangle(mesh, f, local, out);
+    for (const auto& local : clipEars(std::move(points), keep, pulse))
+      appendTriangle(mesh, f, local, out);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
+#include "pulse.h"
 
 namespace abflat {
 
@@ -18,6 +19,6 @@ struct Triangulation {
 
 /// Convex quads are cut from their first corner to the third, others by ear clipping in the plane
 /// of each face's area vector; concave faces keep their shape.
-Triangulation triangulate(const PolygonMesh& mesh);
+Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse = {});
 
 }  // namespace abflat

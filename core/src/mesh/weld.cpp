@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "io/vertex_table.h"
 #include "mesh/corner_table.h"
 
 namespace abflat {
@@ -124,13 +124,13 @@ double halfDiagonal(const std::vector<double>& positions) {
 
 }  // namespace
 
-Welding weldVertices(const std::vector<double>& positions, double tolerance) {
+Welding weldVertices(const std::vector<double>& positions, double tolerance, const Pulse& pulse) {
   const auto n = static_cast<std::uint32_t>(positions.size() / 3);
   Welding out;
   out.reach = 2 * tolerance * halfDiagonal(positions);
   out.ofVertex.resize(n);
   Places places(positions, out.reach);
-  for (std::uint32_t v = 0; v < n; ++v) {
+  for (std::uint32_t v = 0; v < n && pulse.beat(); ++v) {
     const std::uint32_t found = places.find(v);
     out.ofVertex[v] = found == kNone ? v : found;
     if (found == kNone) {
@@ -143,23 +143,18 @@ Welding weldVertices(const std::vector<double>& positions, double tolerance) {
   return out;
 }
 
-Welding weldEqualVertices(const std::vector<double>& positions) {
+Welding weldEqualVertices(const std::vector<double>& positions, const Pulse& pulse) {
   const auto n = static_cast<std::uint32_t>(positions.size() / 3);
-  const auto at = [&](std::uint32_t v) { return &positions[3 * static_cast<std::size_t>(v)]; };
-  std::vector<std::uint32_t> order(n);
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
-    const double *p = at(u), *q = at(v);
-    for (std::size_t d = 0; d < 3; ++d)
-      if (p[d] != q[d]) return p[d] < q[d];
-    return u < v;
-  });
   Welding out;
   out.ofVertex.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool isNew = i == 0 || !std::equal(at(order[i]), at(order[i]) + 3, at(order[i - 1]));
-    out.ofVertex[order[i]] = isNew ? order[i] : out.ofVertex[order[i - 1]];
-    out.merged += !isNew;
+  VertexTable table(n);
+  std::vector<std::uint32_t> first;  // of each place
+  for (std::uint32_t v = 0; v < n && pulse.beat(); ++v) {
+    const double* p = &positions[3 * static_cast<std::size_t>(v)];
+    const std::uint32_t place = table.vertexAt(p[0], p[1], p[2]);
+    if (place == first.size()) first.push_back(v);
+    out.ofVertex[v] = first[place];
+    out.merged += first[place] != v;
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
+#include "pulse.h"
 
 namespace abflat {
 
@@ -21,14 +22,15 @@ constexpr double kWeldTolerance = 1e-7;
 /// Vertices no further apart than the tolerance times the diagonal of the bounding box. A vertex
 /// joins the first one that stands for others, so places never grow beyond the tolerance. Linear in
 /// the vertices, wherever they are. `positions` are xyz and finite.
-Welding weldVertices(const std::vector<double>& positions, double tolerance = kWeldTolerance);
+Welding weldVertices(const std::vector<double>& positions, double tolerance = kWeldTolerance,
+                     const Pulse& pulse = {});
 
 /// Those of the same coordinates.
-Welding weldEqualVertices(const std::vector<double>& positions);
+Welding weldEqualVertices(const std::vector<double>& positions, const Pulse& pulse = {});
 
 /// Those of the same coordinates, and others within the tolerance where the surface would be open
 /// between them; no two different places of one face, so detail below the tolerance stays. Vertices
 /// that no face uses are left out: they stay apart, and the bounding box is that of the others.
-Welding weldSurface(const PolygonMesh& mesh);
+Welding weldSurface(const PolygonMesh& mesh, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -24,14 +24,14 @@ bool haveCommon(const std::vector<std::uint32_t>& a, const std::vector<std::uint
 /// Merges places that are near each other, one group of them after the other.
 class Merger {
  public:
-  Merger(const PolygonMesh& mesh, const Welding& near, Welding equal)
-      : mesh_(mesh), near_(near), equal_(std::move(equal)), of_(equal_.ofVertex) {
+  Merger(const PolygonMesh& mesh, const Welding& near, Welding equal, const Pulse& pulse)
+      : mesh_(mesh), near_(near), equal_(std::move(equal)), pulse_(pulse), of_(equal_.ofVertex) {
     findGroups();
     findFaces();
   }
 
   Welding run() {
-    for (std::size_t i = 0, j = 0; i < grouped_.size(); i = j) {
+    for (std::size_t i = 0, j = 0; i < grouped_.size() && pulse_.beat(); i = j) {
       while (j < grouped_.size() && group(grouped_[j]) == group(grouped_[i])) ++j;
       if (j - i <= kMostPlaces) mergeGroup(&grouped_[i], &grouped_[i] + (j - i));
     }
@@ -47,42 +47,49 @@ class Merger {
   }
 
  private:
-  struct Incidence {
-    std::uint32_t place, corner;
-    bool operator<(const Incidence& o) const {
-      return place != o.place ? place < o.place : corner < o.corner;
-    }
-  };
-
   std::uint32_t group(std::uint32_t place) const { return near_.ofVertex[place]; }
   std::uint32_t placeAt(std::uint32_t c) const { return equal_.ofVertex[mesh_.faceVertices[c]]; }
 
   /// Places that have others near them, group by group.
   void findGroups() {
     std::vector<std::uint32_t> count(of_.size(), 0);
-    for (std::uint32_t v = 0; v < of_.size(); ++v) count[group(v)] += of_[v] == v;
-    for (std::uint32_t v = 0; v < of_.size(); ++v)
-      if (of_[v] == v && count[group(v)] > 1) grouped_.push_back(v);
-    std::stable_sort(grouped_.begin(), grouped_.end(),
-                     [this](std::uint32_t a, std::uint32_t b) { return group(a) < group(b); });
+    for (std::uint32_t v = 0; v < of_.size() && pulse_.beat(); ++v) count[group(v)] += of_[v] == v;
+    std::uint32_t sum = 0;
+    std::vector<std::uint32_t> begin(of_.size(), kNone);
+    for (std::uint32_t g = 0; g < of_.size(); ++g) {
+      if (count[g] < 2) continue;
+      begin[g] = sum;
+      sum += count[g];
+    }
+    if (pulse_.isStopped()) return;
+    grouped_.resize(sum);
+    for (std::uint32_t v = 0; v < of_.size() && pulse_.beat(); ++v)
+      if (of_[v] == v && begin[group(v)] != kNone) grouped_[begin[group(v)]++] = v;
   }
 
   void findFaces() {
     std::vector<std::uint8_t> isGrouped(of_.size(), 0);
     for (const std::uint32_t v : grouped_) isGrouped[v] = 1;
-    faceOfCorner_.reserve(mesh_.faceVertices.size());
-    for (std::uint32_t f = 0; f < mesh_.faceCount(); ++f)
+    firstCorner_.assign(of_.size() + 1, 0);
+    const auto corners = static_cast<std::uint32_t>(mesh_.faceVertices.size());
+    for (std::uint32_t c = 0; c < corners && pulse_.beat(); ++c)
+      if (isGrouped[placeAt(c)]) ++firstCorner_[placeAt(c) + 1];
+    for (std::size_t v = 0; v < of_.size(); ++v) firstCorner_[v + 1] += firstCorner_[v];
+    cornersAt_.resize(firstCorner_.back());
+    faceOfCorner_.assign(corners, 0);
+    if (pulse_.isStopped()) return;
+    std::vector<std::uint32_t> next = firstCorner_;
+    for (std::uint32_t f = 0; f < mesh_.faceCount() && pulse_.beat(); ++f)
       for (std::uint32_t c = mesh_.faceOffsets[f]; c < mesh_.faceOffsets[f + 1]; ++c) {
-        faceOfCorner_.push_back(f);
-        if (isGrouped[placeAt(c)]) incidences_.push_back({placeAt(c), c});
+        faceOfCorner_[c] = f;
+        if (isGrouped[placeAt(c)]) cornersAt_[next[placeAt(c)]++] = c;
       }
-    std::sort(incidences_.begin(), incidences_.end());
   }
 
   template <class Visit>
   void forCorners(std::uint32_t place, const Visit& visit) const {
-    auto i = std::lower_bound(incidences_.begin(), incidences_.end(), Incidence{place, 0});
-    for (; i != incidences_.end() && i->place == place; ++i) visit(i->corner);
+    for (std::uint32_t i = firstCorner_[place]; i < firstCorner_[place + 1]; ++i)
+      visit(cornersAt_[i]);
   }
 
   /// Whether an edge there has one face only.
@@ -157,10 +164,13 @@ class Merger {
   const PolygonMesh& mesh_;
   const Welding& near_;
   Welding equal_;
+  const Pulse& pulse_;
   std::vector<std::uint32_t> of_;       ///< per vertex that stands for its coordinates
   std::vector<std::uint32_t> grouped_;  ///< places
   std::vector<std::uint32_t> faceOfCorner_;
-  std::vector<Incidence> incidences_;  ///< of places that are grouped
+  std::vector<std::uint32_t> firstCorner_;  ///< of each place in cornersAt_, which has none unless
+                                            ///< the place is grouped
+  std::vector<std::uint32_t> cornersAt_;
 };
 
 /// In order.
@@ -192,11 +202,14 @@ Welding weldUsed(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used
 
 }  // namespace
 
-Welding weldSurface(const PolygonMesh& mesh) {
+Welding weldSurface(const PolygonMesh& mesh, const Pulse& pulse) {
   const std::vector<std::uint32_t> used = usedVertices(mesh);
-  Welding near = weldUsed(mesh, used, [](const auto& p) { return weldVertices(p); });
-  if (near.isExact) return near;
-  return Merger(mesh, near, weldUsed(mesh, used, weldEqualVertices)).run();
+  Welding near =
+      weldUsed(mesh, used, [&](const auto& p) { return weldVertices(p, kWeldTolerance, pulse); });
+  if (near.isExact || pulse.isStopped()) return near;
+  Welding equal = weldUsed(mesh, used, [&](const auto& p) { return weldEqualVertices(p, pulse); });
+  if (pulse.isStopped()) return equal;
+  return Merger(mesh, near, std::move(equal), pulse).run();
 }
 
 }  // namespace abflat

@@ -57,13 +57,14 @@ class FaceSplitter {
 /// Faces that have the same vertices.
 class Repetitions {
  public:
-  explicit Repetitions(const PolygonMesh& mesh) : mesh_(mesh) {
+  Repetitions(const PolygonMesh& mesh, const Pulse& pulse) : mesh_(mesh) {
     layer_.assign(mesh.faceCount(), 0);
     original_.assign(mesh.faceCount(), kNone);
     std::vector<Key> keys(mesh.faceCount());
-    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) keys[f] = {hash(f), f};
+    for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) keys[f] = {hash(f), f};
+    if (pulse.isStopped()) return;
     std::sort(keys.begin(), keys.end());
-    for (std::size_t i = 1; i < keys.size(); ++i)
+    for (std::size_t i = 1; i < keys.size() && pulse.beat(); ++i)
       for (std::size_t j = i; j-- > 0 && keys[j].first == keys[i].first;)
         if (repeats(keys[i].second, keys[j].second)) break;
   }
@@ -106,8 +107,8 @@ class Repetitions {
 };
 
 /// Gives faces that repeat others vertices of their own: one for each vertex and layer.
-void separateLayers(WeldedMesh& out) {
-  const Repetitions repetitions(out.mesh);
+void separateLayers(const Pulse& pulse, WeldedMesh& out) {
+  const Repetitions repetitions(out.mesh, pulse);
   struct Copy {
     std::uint32_t vertex, layer, corner;
   };
@@ -134,7 +135,7 @@ void separateLayers(WeldedMesh& out) {
 }
 
 void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& placeOf,
-                    WeldedMesh& out) {
+                    const Pulse& pulse, WeldedMesh& out) {
   out.cornerFor.assign(input.faceVertices.size(), kNone);
   std::vector<std::uint32_t> anyAt(input.vertexCount(), kNone);
   for (std::uint32_t c = static_cast<std::uint32_t>(out.inputCorner.size()); c-- > 0;) {
@@ -142,7 +143,7 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
     anyAt[placeOf[input.faceVertices[out.inputCorner[c]]]] = c;
   }
   std::vector<std::uint32_t> inFaceAt(input.vertexCount(), kNone);
-  for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
+  for (std::uint32_t f = 0; f < input.faceCount() && pulse.beat(); ++f) {
     const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
     const auto placeAt = [&](std::uint32_t c) { return placeOf[input.faceVertices[c]]; };
     for (std::uint32_t c = end; c-- > begin;)
@@ -158,10 +159,10 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
 
 }  // namespace
 
-WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse) {
   Welding welding;
   if (byPosition) {
-    welding = weldSurface(mesh);
+    welding = weldSurface(mesh, pulse);
   } else {
     welding.ofVertex.resize(mesh.vertexCount());
     std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
@@ -174,7 +175,7 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
   out.inputCorner.reserve(mesh.faceVertices.size());
   FaceSplitter splitter(mesh.positions);
   std::vector<std::uint32_t> places;
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
     places.clear();
     for (std::uint32_t c = begin; c < end; ++c)
@@ -193,8 +194,9 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition) {
       out.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(out.mesh.faceVertices.size()));
     }
   }
-  findCornersFor(mesh, welding.ofVertex, out);
-  separateLayers(out);
+  if (pulse.isStopped()) return out;
+  findCornersFor(mesh, welding.ofVertex, pulse, out);
+  separateLayers(pulse, out);
   out.place = std::move(welding.ofVertex);
   return out;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
+#include "pulse.h"
 
 namespace abflat {
 
@@ -27,7 +28,7 @@ struct WeldedMesh {
 };
 
 /// `mesh` has passed validateArrays. Without `byPosition` vertices are one only where the mesh says
-/// so.
-WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true);
+/// so. What comes of a pulse that has stopped is of no use.
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Pulse& pulse = {});
 
 }  // namespace abflat
