@@ -1,0 +1,65 @@
+// Every option with any other, on surfaces of every kind: the documented exit code, a sentence or a valid result, and
+// never a crash, a hang or all of the memory. ABFLAT_FUZZ_RUNS=2000 ABFLAT_FUZZ_SEED=1 make more of them.
+
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { complaints } from '../support/atlas.mjs';
+import { randomArguments } from '../support/random-options.mjs';
+import { Random, randomSurface, surfaceText } from '../support/random-surfaces.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
+import { SCHEMA } from '../support/schema.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+
+const RUNS = Number(process.env.ABFLAT_FUZZ_RUNS ?? 60);
+const FIRST = Number(process.env.ABFLAT_FUZZ_SEED ?? 0);
+
+/** What runs away ends at 4 GB or after two minutes of work. */
+const LIMITED = ['bash', '-c', 'ulimit -v 4000000 -t 120; exec "$@"', 'limited'];
+
+const CODES = new Map(SCHEMA.exitCodes.map(({ name, code }) => [name, code]));
+const WRITTEN = [CODES.get('Valid'), CODES.get('NotValid')];
+
+const isTriangles = ({ faces }) => faces.every((f) => new Set(f).size === 3 && f.length === 3);
+
+/** What is wrong with how a run ended; empty when nothing is. */
+function checkEnd({ code, signal, stderr }, at, output) {
+  if (signal !== null || ![...CODES.values()].includes(code))
+    return `ended with ${signal ?? code}: ${stderr.slice(0, 300)}`;
+  if (WRITTEN.includes(code)) {
+    if (!existsSync(at(output))) return 'no output';
+    const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    return report.valid === (code === 0) || code === 1 ? '' : `exit ${code}, valid ${report.valid}`;
+  }
+  if (existsSync(at(output))) return `exit ${code}, but there is an output`;
+  return /^abflat: [^\n]+\n$/.test(stderr) ? '' : `exit ${code} says ${stderr.slice(0, 300)}`;
+}
+
+/** The same of what came out. */
+function checkResult(surface, at, report) {
+  if (!report.valid || !isTriangles(surface)) return [];
+  const isKept = new Set(report.repair?.collapsedFaces);
+  const text = readFileSync(at('out.obj'), 'utf8');
+  return complaints(text, report.atlas?.tiles).filter((sentence) => {
+    const face = /^face (\d+) is turned over or has no area$/.exec(sentence);
+    return !(face && (isKept.has(Number(face[1])) || report.repair.degenerateTriangles > 0));
+  });
+}
+
+for (let seed = FIRST; seed < FIRST + RUNS; seed++)
+  test(`random surface and options ${seed}`, async (t) => {
+    const random = new Random(seed);
+    const at = tempFolder(t);
+    const surface = randomSurface(random);
+    writeFileSync(at('in.obj'), surfaceText(surface));
+    const command = random.chance(0.7) ? 'unwrap' : 'flatten';
+    const output = random.pick(['out.obj', 'out.obj', 'out.obj', 'out.ply', 'out.glb']);
+    const own = randomArguments(random, command, surface, at);
+    const args = [command, 'in.obj', '-o', output, '--report', 'r.json', '-q', ...own];
+    const end = await runAbflat(args, { cwd: at(), wrapper: LIMITED });
+    const run = `abflat ${args.join(' ')}`;
+    assert.equal(checkEnd(end, at, output), '', run);
+    if (command !== 'unwrap' || output !== 'out.obj' || end.code !== 0) return;
+    const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    assert.deepEqual(checkResult(surface, at, report), [], run);
+  });
