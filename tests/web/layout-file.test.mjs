@@ -41,7 +41,7 @@ function opaqueShare({ width, height, at }) {
 }
 
 test('the PNG has a pixel per texel: charts are painted, the rest is clear', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { mode: 'flatten' });
   assert.ok(await page.isHidden('#layout-tools'), 'a disk in one piece is no atlas');
   await dropAndWait(page, 'rings.obj', objText(RINGS));
   await page.selectOption('#resolution', '512');

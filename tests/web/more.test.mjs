@@ -8,7 +8,7 @@ import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { loadModule } from './modules.mjs';
-import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 const RINGS = objText(together([0, 1, 2].map((i) => [torus(16, 8), [2.6 * i, 0, 0]])));
 
@@ -68,6 +68,7 @@ test('more options change the atlas as those of the command line do, and are nam
   ]);
   // A disk in one piece has other options.
   await dropAndWait(page, 'waves.obj', grid(4));
+  await choose(page, 'flatten');
   assert.ok(await page.isHidden('#unwrap-options'));
   assert.ok(await page.isHidden('#more'));
   await page.click('#mode-unwrap');
@@ -133,7 +134,7 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
     /face 1 is to keep its texcoords, but is flipped there/,
   );
   await page.locator('#layout-note').waitFor();
-  assert.match(await textOf(page, '#layout-note'), /^Previous result/);
+  assert.match(await textOf(page, '#layout-note'), /^Still showing folded\.obj, /);
   // The message leaves the buttons below the views free.
   await page.click('#seam-join');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#layout-svg')]);

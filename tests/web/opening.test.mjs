@@ -40,11 +40,13 @@ test('a mesh is found among what comes with it, in any order, in a folder, paste
 
   const path = tempFolder(t);
   mkdirSync(path('things/deeper'), { recursive: true });
-  writeFileSync(path('things/readme.txt'), 'two meshes');
+  writeFileSync(path('things/readme.txt'), 'one mesh');
+  writeFileSync(path('things/._ball.obj'), 'what a system keeps beside a file');
   writeFileSync(path('things/deeper/ball.obj'), objText(sphere(4)));
   await dropPaths(page, [path('things')]);
   await shows(page, 'ball.obj');
   assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#notice'), '');
 
   mkdirSync(path('nothing'));
   await dropPaths(page, [path('nothing')]);

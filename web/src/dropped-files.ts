@@ -14,7 +14,9 @@ export async function filesOf(dropped: DataTransfer): Promise<File[]> {
   return files;
 }
 
+/** Hidden files of a folder belong to the system, even where they end like meshes. */
 async function gather(entry: FileSystemEntry, files: File[]): Promise<void> {
+  if (entry.name.startsWith('.')) return;
   if (isFile(entry)) files.push(await fileOf(entry));
   else if (isFolder(entry)) for (const inner of await entriesOf(entry)) await gather(inner, files);
   if (files.length > MOST_FILES)
