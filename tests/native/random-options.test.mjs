@@ -26,6 +26,7 @@ const isTriangles = ({ faces }) => faces.every((f) => new Set(f).size === 3 && f
 function checkEnd({ code, signal, stderr }, at, output) {
   if (signal !== null || ![...CODES.values()].includes(code))
     return `ended with ${signal ?? code}: ${stderr.slice(0, 300)}`;
+  if (stderr.includes('not enough memory')) return 'all of the memory was taken';
   if (WRITTEN.includes(code)) {
     if (!existsSync(at(output))) return 'no output';
     const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));

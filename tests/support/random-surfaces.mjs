@@ -24,7 +24,10 @@ export class Random {
   }
 }
 
-const bumpy = (random) => (u, v) => [u, v, 0.2 * random.next()];
+function bumpy(random) {
+  const height = random.pick([0.05, 0.2, 0.6]);
+  return (u, v) => [u, v, height * random.next()];
+}
 
 const KINDS = {
   soup: (random) => surfaces.triangleSoup(1 + random.below(40), random.below(1e6)),
