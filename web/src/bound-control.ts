@@ -144,8 +144,8 @@ export class BoundControl {
       tick.append(create('span', 'tick-value', bound(t)));
       if (tick instanceof HTMLButtonElement) {
         tick.type = 'button';
-        tick.setAttribute('aria-label', `t = ${bound(t)}, ${name}`);
-        tick.append(create('span', 'tick-name', name));
+        tick.prepend(create('span', 'visually-hidden', 't = '));
+        tick.append(' ', create('span', 'tick-name', name));
         tick.addEventListener('click', () => this.set(t));
       }
       ticks.append(tick);
