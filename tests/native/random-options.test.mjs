@@ -5,8 +5,8 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { complaints } from '../support/atlas.mjs';
-import { randomArguments } from '../support/random-options.mjs';
-import { Random, randomSurface, surfaceText } from '../support/random-surfaces.mjs';
+import { everyChoice, randomArguments } from '../support/random-options.mjs';
+import { Random, randomSurface, SURFACE_KINDS, surfaceText } from '../support/random-surfaces.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { SCHEMA } from '../support/schema.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
@@ -47,20 +47,28 @@ function checkResult(surface, at, report) {
   });
 }
 
-for (let seed = FIRST; seed < FIRST + RUNS; seed++)
-  test(`random surface and options ${seed}`, async (t) => {
-    const random = new Random(seed);
-    const at = tempFolder(t);
-    const surface = randomSurface(random);
-    writeFileSync(at('in.obj'), surfaceText(surface));
-    const command = random.chance(0.7) ? 'unwrap' : 'flatten';
-    const output = random.pick(['out.obj', 'out.obj', 'out.obj', 'out.ply', 'out.glb']);
-    const own = randomArguments(random, command, surface, at);
-    const args = [command, 'in.obj', '-o', output, '--report', 'r.json', '-q', ...own];
-    const end = await runAbflat(args, { cwd: at(), wrapper: LIMITED });
-    const run = `abflat ${args.join(' ')}`;
-    assert.equal(checkEnd(end, at, output), '', run);
-    if (command !== 'unwrap' || output !== 'out.obj' || end.code !== 0) return;
-    const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
-    assert.deepEqual(checkResult(surface, at, report), [], run);
+async function check(t, seed, command, kind, own) {
+  const random = new Random(seed);
+  const at = tempFolder(t);
+  const surface = randomSurface(random, kind);
+  writeFileSync(at('in.obj'), surfaceText(surface));
+  const output = own ? 'out.obj' : random.pick(['out.obj', 'out.obj', 'out.ply', 'out.glb']);
+  const options = own ?? randomArguments(random, command, surface, at);
+  const args = [command, 'in.obj', '-o', output, '--report', 'r.json', '-q', ...options];
+  const end = await runAbflat(args, { cwd: at(), wrapper: LIMITED });
+  const run = `abflat ${args.join(' ')}`;
+  assert.equal(checkEnd(end, at, output), '', run);
+  if (command !== 'unwrap' || output !== 'out.obj' || end.code !== 0) return;
+  const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+  assert.deepEqual(checkResult(surface, at, report), [], run);
+}
+
+for (const own of everyChoice('unwrap'))
+  test(`${own.join(' ')} on surfaces of every kind`, async (t) => {
+    for (const kind of SURFACE_KINDS)
+      for (let seed = FIRST; seed < FIRST + 2; seed++) await check(t, seed, 'unwrap', kind, own);
   });
+
+for (let seed = FIRST; seed < FIRST + RUNS; seed++)
+  test(`random surface and options ${seed}`, (t) =>
+    check(t, seed, seed % 3 === 0 ? 'flatten' : 'unwrap'));

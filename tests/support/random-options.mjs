@@ -73,19 +73,31 @@ const ONLY = {
   },
 };
 
+const flattenOption = new Map(SCHEMA.flattenOptions.map((option) => [option.name, option]));
+
+/** The options of a command as the schema has them. */
+const optionsOf = (command) =>
+  command === 'flatten'
+    ? SCHEMA.flattenOptions
+    : SCHEMA.unwrapOptions.map((o) => (typeof o === 'string' ? flattenOption.get(o) : o));
+
+/** Every value of every option of a command that has but a few, as arguments. */
+export function everyChoice(command) {
+  return optionsOf(command).flatMap((option) => {
+    if (option.type === 'boolean') return [schemaArguments(undefined, option)];
+    const flag = `--${flagOf(option.name)}`;
+    return (option.choices ?? []).map(({ name }) => [flag, name]);
+  });
+}
+
 /** Arguments for a command, each option by some chance. `at(name)` is a file's path. */
 export function randomArguments(random, command, surface, at) {
   const file = (name, text) => {
     writeFileSync(at(name), text);
     return name;
   };
-  const flatten = new Map(SCHEMA.flattenOptions.map((option) => [option.name, option]));
-  const options =
-    command === 'flatten'
-      ? SCHEMA.flattenOptions
-      : SCHEMA.unwrapOptions.map((o) => (typeof o === 'string' ? flatten.get(o) : o));
   const out = [];
-  for (const option of options)
+  for (const option of optionsOf(command))
     if (option.name !== 'threads' && random.chance(0.25))
       out.push(...schemaArguments(random, option));
   for (const make of Object.values(ONLY[command]))

@@ -143,9 +143,11 @@ function texcoordsOf(random, { positions, faces }) {
   });
 }
 
+export const SURFACE_KINDS = Object.keys(KINDS);
+
 /** The surface of a seed; small, so that thousands of runs take minutes. */
-export function randomSurface(random) {
-  let surface = KINDS[random.pick(Object.keys(KINDS))](random);
+export function randomSurface(random, kind = random.pick(SURFACE_KINDS)) {
+  let surface = KINDS[kind](random);
   for (let i = random.below(3); i > 0; i--)
     surface = ACCIDENTS[random.pick(Object.keys(ACCIDENTS))](random, surface);
   const materials = random.chance(0.5) ? surface.faces.map(() => random.below(3)) : undefined;
