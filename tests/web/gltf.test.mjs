@@ -118,13 +118,19 @@ test('uv that textures use stay as they are unless the user wants them replaced'
   assertSameButTexcoord(kept, await reread(document), 'TEXCOORD_1');
   assert.deepEqual(flaws(atlasOf(primitivesOf(kept), { texcoord: 1 })), []);
   await assertValidFile(kept);
-  assert.match(await textOf(page, '#run-text'), /TEXCOORD_1: textures keep theirs\.$/);
+  assert.match(
+    await textOf(page, '#run-text'),
+    /^New UVs are in TEXCOORD_1, textures keep theirs\. Exported painted-uv\.glb/,
+  );
 
   await page.selectOption('#texcoord', '0');
   const { document: replaced } = await exported(page);
   assertSameButTexcoord(replaced, await reread(document));
   assert.deepEqual(flaws(atlasOf(primitivesOf(replaced))), []);
-  assert.match(await textOf(page, '#run-text'), /TEXCOORD_0: textures painted for the old/);
+  assert.match(
+    await textOf(page, '#run-text'),
+    /^New UVs replaced TEXCOORD_0: textures painted for the old/,
+  );
   // It stays chosen for this file.
   await page.focus('#stretch');
   await page.keyboard.press('ArrowLeft');

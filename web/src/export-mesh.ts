@@ -27,13 +27,13 @@ export async function exportMesh(
   download(name, TYPES[format], file);
   const size = file instanceof Blob ? file.size : file.length;
   const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`;
-  return outcome.gltf?.freeTexcoord ? `${exported}. ${setText(texcoord)}` : exported;
+  return outcome.gltf?.freeTexcoord ? `${setText(texcoord)} ${exported}` : exported;
 }
 
 function setText(texcoord: number): string {
   return texcoord === 0
-    ? 'The new UVs are in TEXCOORD_0: textures painted for the old ones no longer fit.'
-    : `The new UVs are in TEXCOORD_${texcoord}: textures keep theirs.`;
+    ? 'New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.'
+    : `New UVs are in TEXCOORD_${texcoord}, textures keep theirs.`;
 }
 
 const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };

@@ -62,7 +62,9 @@ export class RunPanel {
   /** Says something that is no run's end; a run in flight keeps its line. */
   say(text: string): void {
     this.live.textContent = text;
-    if (this.cancelButton.disabled) this.text.textContent = text;
+    if (!this.cancelButton.disabled) return;
+    this.text.textContent = text;
+    this.text.title = text;
   }
 
   /** `text` is also read out by screen readers. */
@@ -73,6 +75,7 @@ export class RunPanel {
     this.bar.classList.remove('active');
     this.bar.value = 0;
     this.text.textContent = text;
+    this.text.title = text;
     this.live.textContent = text;
     this.cancelButton.disabled = true;
     this.againButton.hidden = !canRepeat;
