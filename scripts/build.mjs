@@ -3,13 +3,14 @@
 // changed.
 // Usage: build.mjs [native] [wasm] [web]   (default: all; web includes wasm)
 
+import { cpSync, existsSync, rmSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { cmakeBuild, emscriptenEnv } from './lib/cmake.mjs';
 import { writeLicenses } from './lib/licenses.mjs';
 import { BUILD, NATIVE_PROGRAM, ROOT, WASM_DIST, WEB_DIST } from './lib/paths.mjs';
 import { Failure, mustRun, runMain } from './lib/run.mjs';
-import { unlessFresh } from './lib/stamp.mjs';
+import { stamp, unlessFresh } from './lib/stamp.mjs';
 import { setup } from './setup.mjs';
 
 const COMMON_INPUTS = [
@@ -24,10 +25,14 @@ const WASM_BUILDS = {
   'wasm-simd': { ABFLAT_WASM_SIMD: 'ON' },
   'wasm-threads': { ABFLAT_WASM_SIMD: 'ON', ABFLAT_THREADS: 'ON' },
 };
+/** Runs in all browsers of the last years, with and without isolation: good enough to begin with. */
+const FIRST_BUILD = 'wasm-simd';
 const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
   const name = folder === 'wasm-threads' ? 'abflat-threads' : 'abflat';
   return ['mjs', 'wasm'].map((type) => `build/${folder}/${name}.${type}`);
 });
+
+const FIRST_PAGE = join(BUILD, 'first-page');
 
 /** Without `tests` nothing is asked of Catch2, which only the tests need. */
 export async function buildNative({ tests = false } = {}) {
@@ -40,10 +45,31 @@ export async function buildNative({ tests = false } = {}) {
   return NATIVE_PROGRAM;
 }
 
+function compileWasm(folder) {
+  const settings = WASM_BUILDS[folder];
+  return cmakeBuild(folder, { wrapper: ['emcmake'], settings, env: emscriptenEnv() });
+}
+
+/** Whether every module has been built once, now or earlier. */
+export const hasAllWasm = () => WASM_MODULES.every((path) => existsSync(join(ROOT, path)));
+
+/** The page with one module in place of all, in a folder of its own that later builds leave alone. */
+export async function buildFirstPage() {
+  await compileWasm(FIRST_BUILD);
+  // What is built now is not what these stamps are for.
+  for (const step of ['wasm-package', 'web']) stamp(step).clear();
+  const only = FIRST_BUILD.replace('wasm-', '');
+  await npmBuild('wasm', ['--only', only]);
+  writeLicenses(WASM_DIST, 'wasm');
+  await npmBuild('web');
+  writeLicenses(WEB_DIST, 'web');
+  rmSync(FIRST_PAGE, { recursive: true, force: true });
+  cpSync(WEB_DIST, FIRST_PAGE, { recursive: true });
+  return FIRST_PAGE;
+}
+
 export async function buildWasm() {
-  const env = emscriptenEnv();
-  for (const [folder, settings] of Object.entries(WASM_BUILDS))
-    await cmakeBuild(folder, { wrapper: ['emcmake'], settings, env });
+  for (const folder of Object.keys(WASM_BUILDS)) await compileWasm(folder);
   await unlessFresh(
     'wasm-package',
     [...COMMON_INPUTS, 'wasm', ...WASM_MODULES],
@@ -63,6 +89,7 @@ export async function buildWeb() {
     'web',
     'wasm/package.json',
     'wasm/build.mjs',
+    'wasm/modules.mjs',
     'wasm/src',
     ...WASM_MODULES,
   ];
@@ -73,8 +100,8 @@ export async function buildWeb() {
   return WEB_DIST;
 }
 
-async function npmBuild(workspace) {
-  await mustRun('npm', ['run', '--silent', 'build', '--workspace', workspace]);
+async function npmBuild(workspace, args = []) {
+  await mustRun('npm', ['run', '--silent', 'build', '--workspace', workspace, '--', ...args]);
 }
 
 const STEPS = {

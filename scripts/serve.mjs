@@ -44,6 +44,15 @@ export function fileFor(folder, requestPath) {
   return existsSync(full) && statSync(full).isFile() ? full : undefined;
 }
 
+/** The first of the folders that has what a request path names, and the file. */
+function find(folders, requestPath) {
+  for (const folder of folders) {
+    const file = fileFor(folder, requestPath);
+    if (file) return { folder, file };
+  }
+  return {};
+}
+
 /** What Vite names after its content never changes: with it the page goes on when the connection is lost. */
 const FOREVER = 'public, max-age=31536000, immutable';
 
@@ -57,13 +66,14 @@ export const ISOLATED = Object.fromEntries(
   Object.entries(HEADERS).filter(([name]) => name.startsWith('Cross-Origin')),
 );
 
-export function createStaticServer(folder, headers = {}) {
+/** `folders` are looked through in their order; more may be put in later. */
+export function createStaticServer(folders, headers = {}) {
   return createServer((request, response) => {
     if (request.method !== 'GET' && request.method !== 'HEAD') {
       response.writeHead(405, { Allow: 'GET, HEAD' }).end();
       return;
     }
-    const file = fileFor(folder, request.url);
+    const { folder, file } = find([folders].flat(), request.url);
     if (!file) {
       response.writeHead(404, { 'Content-Type': 'text/plain' }).end('Not found\n');
       return;
@@ -113,8 +123,8 @@ function portOf(text) {
   return port;
 }
 
-/** Serves web/dist until the process ends. `args`: --host [ADDRESS], --port N. */
-export async function serve(args) {
+/** Serves web/dist, or `folders`, until the process ends; returns the address. `args`: --host [ADDRESS], --port N. */
+export async function serve(args, folders = WEB_DIST) {
   const plain = args.map((arg, i) =>
     arg === '--host' && !isAddress(args[i + 1]) ? '--host=0.0.0.0' : arg,
   );
@@ -123,7 +133,7 @@ export async function serve(args) {
     options: { host: { type: 'string', default: '127.0.0.1' }, port: { type: 'string' } },
   });
   const asked = values.port ?? process.env.PORT;
-  const server = createStaticServer(WEB_DIST, HEADERS);
+  const server = createStaticServer(folders, HEADERS);
   const port = await listen(
     server,
     values.host,
@@ -131,7 +141,9 @@ export async function serve(args) {
     asked === undefined,
   );
   const shown = ['0.0.0.0', '::', '127.0.0.1'].includes(values.host) ? 'localhost' : values.host;
-  console.log(`\nabflat is at http://${shown}:${port}/   (Ctrl+C ends it)`);
+  const address = `http://${shown}:${port}/`;
+  console.log(`\nabflat is at ${address}   (Ctrl+C ends it)`);
+  return address;
 }
 
 function isAddress(arg) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Installs what is missing: system packages on Debian and Ubuntu, npm packages everywhere.
-// Usage: setup.mjs [build] [test] [lint]   (default: all three)
+// Usage: setup.mjs [page] [build] [test] [lint] [coverage]   (default: build test lint)
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,9 +11,11 @@ import { Failure, mustRun, runMain, which } from './lib/run.mjs';
 import { filesBelow, fingerprint } from './lib/stamp.mjs';
 
 const LEAST_NODE = 20;
-const PURPOSES = ['build', 'test', 'lint'];
+const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage'];
+/** What is looked for unless something is named: coverage is seldom wanted. */
+const USUAL = ['build', 'test', 'lint'];
 
-export async function setup(purposes = PURPOSES) {
+export async function setup(purposes = USUAL) {
   const major = Number(process.versions.node.split('.')[0]);
   if (major < LEAST_NODE) {
     throw new Failure(`abflat needs Node ${LEAST_NODE} or newer; this is ${process.version}.`);
@@ -25,7 +27,8 @@ export async function setup(purposes = PURPOSES) {
 }
 
 function missing(purposes) {
-  return REQUIREMENTS.filter(({ purpose, present }) => purposes.includes(purpose) && !present());
+  const wanted = new Set(purposes.includes('build') ? [...purposes, 'page'] : purposes);
+  return REQUIREMENTS.filter(({ purpose, present }) => wanted.has(purpose) && !present());
 }
 
 async function installSystemPackages(purposes) {

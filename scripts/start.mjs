@@ -1,15 +1,38 @@
 #!/usr/bin/env node
-// Sets up, builds everything and serves the page. Usage: npm start [-- --host [ADDRESS] --port N]
+// Sets up and builds what the page needs, and serves it. The first time it is there as soon as one WebAssembly module is;
+// the others follow meanwhile. Usage: npm start [-- --host [ADDRESS] --port N]
 
-import { buildNative, buildWasm, buildWeb } from './build.mjs';
-import { runMain } from './lib/run.mjs';
+import { buildFirstPage, buildWasm, buildWeb, hasAllWasm } from './build.mjs';
+import { WEB_DIST } from './lib/paths.mjs';
+import { Failure, runMain } from './lib/run.mjs';
 import { serve } from './serve.mjs';
 import { setup } from './setup.mjs';
 
-await runMain(async () => {
-  await setup(['build']);
-  await buildNative();
+async function buildAll() {
   await buildWasm();
   await buildWeb();
-  await serve(process.argv.slice(2));
+}
+
+/** Serves what there is, and everything once it is built. What a page that is open may still ask for stays. */
+async function serveMeanwhile(args) {
+  const folders = [await buildFirstPage()];
+  const address = await serve(args, folders);
+  console.log('Building the rest: faster with threads, and for browsers without vectors.\n');
+  try {
+    await buildAll();
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    console.error(`\n${error.message}\nThe page stays as it is, without threads.`);
+    return;
+  }
+  folders.unshift(WEB_DIST);
+  console.log(`\nAll is built: load ${address} again for threads.`);
+}
+
+await runMain(async () => {
+  const args = process.argv.slice(2);
+  await setup(['page']);
+  if (!hasAllWasm()) return serveMeanwhile(args);
+  await buildAll();
+  await serve(args);
 });

@@ -5,8 +5,9 @@ import { buildBench } from '../tests/bench/support/meshes.mjs';
 import { buildNative, buildWasm, buildWeb } from './build.mjs';
 import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
+import { profileIn } from './lib/coverage.mjs';
 import { BUILD } from './lib/paths.mjs';
-import { findChrome } from './lib/requirements.mjs';
+import { findChrome, findClang } from './lib/requirements.mjs';
 import { catchJobs, nodeJobs } from './lib/suites.mjs';
 
 /** A finding ends the program in a way that no documented exit code can be taken for. */
@@ -29,11 +30,27 @@ const SANITIZED = {
   env: SANITIZER_ENV,
 };
 
+/** Where instrumented programs write what they have run through. */
+export const PROFILES = join(BUILD, 'coverage/profiles');
+const COVERED = {
+  title: (what) => `${what}, coverage`,
+  purposes: ['build', 'test', 'coverage'],
+  folder: 'coverage',
+  env: { ABFLAT_BIN: join(BUILD, 'coverage/abflat'), LLVM_PROFILE_FILE: profileIn(PROFILES) },
+};
+
 const program = () => buildNative({ tests: true });
 
 const sanitizedProgram = () =>
   cmakeBuild('sanitize', {
     settings: { ABFLAT_SANITIZE: 'ON' },
+    targets: ['abflat', 'abflat_core_tests'],
+  });
+
+const coveredProgram = () =>
+  cmakeBuild('coverage', {
+    settings: { ABFLAT_COVERAGE: 'ON' },
+    first: { CMAKE_CXX_COMPILER: findClang() },
     targets: ['abflat', 'abflat_core_tests'],
   });
 
@@ -82,6 +99,12 @@ export const LONG_SUITES = [node('bundlers', [buildWasm])];
 export const SANITIZED_SUITES = [
   catch2('core', [sanitizedProgram], { kind: SANITIZED }),
   node('native', [sanitizedProgram], { kind: SANITIZED }),
+];
+
+/** What `npm run coverage` counts. */
+export const COVERED_SUITES = [
+  catch2('core', [coveredProgram], { kind: COVERED }),
+  node('native', [coveredProgram], { kind: COVERED }),
 ];
 
 /** What `npm run lint` checks. */

@@ -1,6 +1,7 @@
 // What abflat needs from the system: how to see that it is there, why, and where it comes from.
 
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { isProgram, which } from './run.mjs';
 
@@ -43,6 +44,16 @@ export function findChrome() {
   return [...onPath, ...CHROME_PLACES.filter(isProgram)].find((path) => !isSnapStub(path));
 }
 
+/** clang++ where what it links into programs that count or check themselves is installed. */
+export function findClang() {
+  const clang = which('clang++');
+  if (clang === undefined) return undefined;
+  const { stdout } = spawnSync(clang, ['-print-runtime-dir'], { encoding: 'utf8' });
+  const folder = stdout?.trim() ?? '';
+  const files = existsSync(folder) ? readdirSync(folder) : [];
+  return files.some((name) => name.startsWith('libclang_rt.profile')) ? clang : undefined;
+}
+
 /** Debian's emcc does not bring the acorn module that its optimiser loads. */
 export const DEBIAN_NODE_MODULES = '/usr/share/nodejs';
 
@@ -55,8 +66,9 @@ function emccWorks() {
 }
 
 /**
- * `purpose` is what it is needed for. `apt`, `dnf`, `pacman`, `brew` are package names there; a
- * manager without an entry does not have it, then `other` says where it comes from.
+ * `purpose` is what it is needed for; building all needs what the page needs as well. `apt`, `dnf`,
+ * `pacman`, `brew` are package names there; a manager without an entry does not have it, then `other`
+ * says where it comes from.
  */
 export const REQUIREMENTS = [
   {
@@ -71,7 +83,7 @@ export const REQUIREMENTS = [
   },
   {
     name: 'CMake',
-    purpose: 'build',
+    purpose: 'page',
     why: 'drives the C++ builds',
     present: () => which('cmake'),
     apt: ['cmake'],
@@ -81,7 +93,7 @@ export const REQUIREMENTS = [
   },
   {
     name: 'Ninja or Make',
-    purpose: 'build',
+    purpose: 'page',
     why: 'runs the compiler for CMake',
     // Make waits for a whole target before it begins the next.
     present: () => which('ninja') ?? (which('apt-get') ? undefined : which('make')),
@@ -92,7 +104,7 @@ export const REQUIREMENTS = [
   },
   {
     name: 'Emscripten',
-    purpose: 'build',
+    purpose: 'page',
     why: 'compiles the core to WebAssembly',
     present: emccWorks,
     apt: ['emscripten', 'node-acorn'],
@@ -102,7 +114,7 @@ export const REQUIREMENTS = [
   },
   {
     name: 'Eigen',
-    purpose: 'build',
+    purpose: 'page',
     why: 'sparse linear algebra of the solver',
     present: () => header('eigen3/Eigen/Core', 'Eigen/Core'),
     apt: ['libeigen3-dev'],
@@ -112,7 +124,7 @@ export const REQUIREMENTS = [
   },
   {
     name: 'fast_float',
-    purpose: 'build',
+    purpose: 'page',
     why: 'reads the numbers in mesh files',
     present: () => header('fast_float/fast_float.h'),
     apt: ['libfast-float-dev'],
@@ -122,7 +134,7 @@ export const REQUIREMENTS = [
   },
   {
     name: 'nlohmann-json',
-    purpose: 'build',
+    purpose: 'page',
     why: 'writes the report',
     present: () => header('nlohmann/json.hpp'),
     apt: ['nlohmann-json3-dev'],
@@ -160,6 +172,16 @@ export const REQUIREMENTS = [
     pacman: ['chromium'],
     other: 'Chrome or Chromium; on Ubuntu: sudo snap install chromium',
     isNotInUbuntu: true,
+  },
+  {
+    name: 'clang with its runtime, llvm-cov',
+    purpose: 'coverage',
+    why: 'count which lines the tests reach',
+    present: () => findClang() && (which('llvm-cov') ?? which('llvm-cov-14')),
+    apt: ['clang', 'libclang-rt-dev', 'llvm'],
+    dnf: ['clang', 'compiler-rt', 'llvm'],
+    pacman: ['clang', 'compiler-rt', 'llvm'],
+    brew: ['llvm'],
   },
   {
     name: 'clang-format',

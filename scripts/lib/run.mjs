@@ -29,8 +29,8 @@ export function isProgram(path) {
 
 /**
  * Runs a program and returns `{ code, output }`. Options: `cwd`, `env` (added to the environment),
- * `capture` (collect stdout + stderr in `output` instead of showing them), `echo` (collect and
- * show), `seconds` (then it is ended).
+ * `capture` (collect stdout + stderr in `output` instead of showing them; 'stdout': that alone, stderr is
+ * dropped), `echo` (collect and show), `seconds` (then it is ended).
  */
 export function run(program, args, options = {}) {
   const { cwd = ROOT, env = {}, capture = false, echo = false, seconds = 0 } = options;
@@ -47,7 +47,7 @@ export function run(program, args, options = {}) {
       seconds > 0 ? setTimeout(() => endLate(child, program, seconds), seconds * 1000) : undefined;
     if (piped) {
       collect(child.stdout, chunks, echo && process.stdout);
-      collect(child.stderr, chunks, echo && process.stderr);
+      collect(child.stderr, capture === 'stdout' ? [] : chunks, echo && process.stderr);
     }
     child.on('error', (error) => {
       clearTimeout(timer);

@@ -1,7 +1,15 @@
 // Remembers what a step was made from, so that it can be left out when nothing changed.
 
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { BUILD, ROOT } from './paths.mjs';
 
@@ -44,6 +52,7 @@ export function stamp(name) {
       mkdirSync(dirname(path), { recursive: true });
       writeFileSync(path, hash);
     },
+    clear: () => rmSync(path, { force: true }),
   };
 }
 

@@ -6,7 +6,7 @@ import { basename, join } from 'node:path';
 import { BUILD, ROOT } from './paths.mjs';
 import { run } from './run.mjs';
 
-const SECONDS = 20 * 60;
+const SECONDS = 40 * 60;
 /** All tests of Catch2: without an argument it leaves those out that are tagged [.long]. */
 const EVERYTHING = '*';
 

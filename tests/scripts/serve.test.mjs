@@ -81,3 +81,17 @@ test('takes the next free port, or says that the asked one is taken', async () =
   assert.notEqual(next, taken);
   await assert.rejects(start(taken, false), /Port \d+ is in use/);
 });
+
+test('what is built later comes first, and files of before stay', async () => {
+  const later = join(folder, 'later');
+  mkdirSync(later);
+  writeFileSync(join(later, 'index.html'), '<p>later');
+  const folders = [join(folder, 'site')];
+  const server = createStaticServer(folders);
+  servers.push(server);
+  const port = await listen(server, '127.0.0.1', 0, false);
+  assert.equal((await get(port, '/')).text, '<p>page');
+  folders.unshift(later);
+  assert.equal((await get(port, '/')).text, '<p>later');
+  assert.equal((await get(port, '/sub/a%20b.wasm')).text, 'wasm');
+});

@@ -52,6 +52,12 @@ test('without a known package manager it says what to install and why', () => {
   assert.doesNotMatch(stdout, /clang-tidy/, 'not needed for building');
 });
 
+test('the page needs neither a native compiler nor what tests and lint need', () => {
+  const { stdout } = setup('page');
+  assert.match(stdout, /CMake: .*[\s\S]*Emscripten: /);
+  assert.doesNotMatch(stdout, /C\+\+ compiler|CLI11|Catch2|Chromium|clang-/);
+});
+
 test('Homebrew and dnf get their own package names', () => {
   fake('dnf');
   assert.match(setup('build').stderr, /^ {2}sudo dnf install gcc-c\+\+ cmake ninja-build/m);
@@ -92,5 +98,5 @@ test('a failing apt-get is named', () => {
 test('an unknown purpose is refused', () => {
   const { status, stderr } = setup('party');
   assert.equal(status, 1);
-  assert.match(stderr, /Unknown purpose "party"; known are: build, test, lint\./);
+  assert.match(stderr, /Unknown purpose "party"; known are: page, build, test, lint, coverage\./);
 });

@@ -1,0 +1,86 @@
+// The WebAssembly modules of build/wasm*, with their scripts, as the package names them.
+
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { transformSync } from 'esbuild';
+
+const BUILD = join(dirname(fileURLToPath(import.meta.url)), '../build');
+/** Folder below build/, base name there and in dist/ of every build in src/builds.ts. */
+const MODULES = {
+  plain: { folder: 'wasm', built: 'abflat', name: 'abflat' },
+  simd: { folder: 'wasm-simd', built: 'abflat', name: 'abflat-simd' },
+  threads: { folder: 'wasm-threads', built: 'abflat-threads', name: 'abflat-threads' },
+};
+export const BUILDS = Object.keys(MODULES);
+/** Base names in dist/. */
+export const NAMES = Object.values(MODULES).map(({ name }) => name);
+
+const pathOf = ({ folder, built }, ending) => join(BUILD, folder, `${built}${ending}`);
+
+/** A file that `builds` lack, if any. */
+export const missingModule = (builds) =>
+  builds
+    .flatMap((build) => ['.mjs', '.wasm'].map((ending) => pathOf(MODULES[build], ending)))
+    .find((path) => !existsSync(path));
+
+/** The module with a section "abflat.build" that says which build it is; all lengths fit in one byte. */
+function labelled(bytes, build) {
+  const name = Buffer.from('abflat.build');
+  const content = Buffer.concat([Buffer.from([name.length]), name, Buffer.from(build)]);
+  return Buffer.concat([bytes, Buffer.from([0, content.length]), content]);
+}
+
+/** As bundlers have to see it: the address of a script that is there as it is, no module of theirs. */
+const IGNORED = '/* webpackIgnore: true */ /* turbopackIgnore: true */ /* @vite-ignore */';
+
+/**
+ * What a thread begins with, so that bundlers leave its import alone and a thread that cannot start is an error of its worker, which
+ * ends the run: of a promise that nobody looks at, nobody would hear. The engine always says which script is to be loaded, so there is
+ * no other one.
+ */
+function ownStarter(text, file) {
+  const found = text.match(
+    /\(e\.data\.urlOrBlob\s*\?\s*import\(e\.data\.urlOrBlob\)\s*:\s*import\((['"])\.\/(\S+?)\1\)\)(\.then\(.*?Module\s*=\s*instance;?\s*\}\))/s,
+  );
+  if (found?.[2] !== file) {
+    throw new Error(`The script that starts a thread should import ${file}, and does not.`);
+  }
+  const load = `import(${IGNORED} e.data.urlOrBlob)${found[3]}`;
+  const tell = '.catch((error) => setTimeout(() => { throw error; }))';
+  return text.replace(found[0], load + tell);
+}
+
+/**
+ * Emscripten's script, small: its names say nothing, while ours stay readable. The engine instantiates the module itself, so bundlers
+ * need not find one here. Newer releases of Emscripten start threads from the script by its name.
+ */
+function ownScript(text, built, name) {
+  const address = new RegExp(
+    `new URL\\((['"])${built}\\.wasm\\1,\\s*import\\.meta\\.url\\)\\.(toString\\(\\)|href)`,
+  );
+  const own = text.replace(address, "''").replaceAll(`${built}.mjs`, `${name}.js`);
+  return transformSync(own, { minify: true }).code;
+}
+
+/**
+ * Puts the modules of `builds` into `dist`. The first one stands in for those that are not among them, under their names: a module says
+ * which one it is, so whoever wants another is told so and takes the next.
+ */
+export function placeModules(dist, builds = BUILDS) {
+  for (const [wanted, { name }] of Object.entries(MODULES)) {
+    const build = builds.includes(wanted) ? wanted : builds[0];
+    const module = MODULES[build];
+    const read = (ending) => readFileSync(pathOf(module, ending), 'utf8');
+    const wasm = readFileSync(pathOf(module, '.wasm'));
+    writeFileSync(join(dist, `${name}.wasm`), labelled(wasm, build));
+    // Not .mjs, which some servers send without a type.
+    writeFileSync(join(dist, `${name}.js`), ownScript(read('.mjs'), module.built, name));
+    // What a thread begins with; newer releases of Emscripten have it in the module's script.
+    if (existsSync(pathOf(module, '.worker.js')))
+      writeFileSync(
+        join(dist, `${name}.worker.js`),
+        ownStarter(read('.worker.js'), `${module.built}.mjs`),
+      );
+  }
+}
