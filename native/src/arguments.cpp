@@ -9,6 +9,13 @@
 namespace abflat::cli {
 namespace {
 
+/// The first word that looks like an option and is none.
+std::string unknownOption(const CLI::App& command) {
+  for (const std::string& word : command.remaining())
+    if (word.size() > 1 && word[0] == '-') return word;
+  return {};
+}
+
 std::string usageError(const CLI::App& app, const CLI::Error& error) {
   const auto named = app.get_subcommands();
   std::string what = error.what();
@@ -17,6 +24,8 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
            "'; known are unwrap, flatten, inspect, sample, sweep, compare, reproduce";
   else if (named.empty())
     what = "name a command: unwrap, flatten, inspect, sample, sweep, compare or reproduce";
+  else if (const std::string option = unknownOption(*named.front()); !option.empty())
+    what = "there is no option '" + option + "'; write a file of that name as ./" + option;
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
@@ -63,7 +72,8 @@ Command parseArguments(int argc, const char* const* argv) {
     if (sweepApp->parsed()) checkTogether(sweep);
     if (compareApp->parsed()) checkTogether(compare);
   } catch (const CLI::Success& request) {
-    return Finished{app.exit(request)};
+    const int code = app.exit(request);
+    return Finished{std::cout.flush() ? code : static_cast<int>(ExitCode::CannotWrite)};
   } catch (const CLI::ParseError& error) {
     std::cerr << usageError(app, error);
     return Finished{static_cast<int>(ExitCode::Usage)};

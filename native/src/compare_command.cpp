@@ -107,8 +107,9 @@ int runCompare(const CompareCommand& command) {
     return ended({comparison.status.code, comparison.status.code == StatusCode::OutOfMemory
                                               ? comparison.status.message
                                               : name + ": " + comparison.status.message});
-  const Status written = out.writeNow(command.json.empty() ? tableText(comparison.value, name)
-                                                           : compareJson(comparison.value, name));
+  const Status written =
+      out.writeNow(command.json.empty() ? tableText(comparison.value, printable(name))
+                                        : compareJson(comparison.value, name));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

@@ -85,13 +85,12 @@ void takeOver(int file, const std::string& replaced) {
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path) : name_(outputName(path)) {
-  if (path == kStandardStream) {
-    isDirect_ = true;
-    return;
-  }
-  target_ = resolved(path);
+  isDirect_ = isStandardOutput(path);
+  if (isDirect_) return;
   struct stat info {};
-  isDirect_ = stat(target_.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
+  // A pipe that /dev/fd leads to has no path of its own.
+  isDirect_ = stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
+  target_ = isDirect_ ? path : resolved(path);
 }
 
 OutputFile::~OutputFile() {
@@ -109,7 +108,7 @@ Status OutputFile::check() const {
   const std::string folder = folderOf(target_);
   std::error_code ignored;  // what cannot be looked up is not there
   if (fs::is_directory(target_, ignored)) return failure("it is a folder; name a file in it");
-  if (fs::is_symlink(target_, ignored)) return failure(std::strerror(ELOOP));
+  if (!isDirect_ && fs::is_symlink(target_, ignored)) return failure(std::strerror(ELOOP));
   if (!fs::is_directory(folder, ignored))
     return failure(fs::exists(folder, ignored) ? folder + " is not a folder"
                                                : "there is no folder " + folder);

@@ -15,8 +15,12 @@ std::string endingOf(const std::string& path) {
   return ending;
 }
 
+bool isStandardOutput(const std::string& path) {
+  return path == kStandardStream || path == "/dev/stdout";
+}
+
 bool isSameTarget(const std::string& a, const std::string& b) {
-  if (a == kStandardStream || b == kStandardStream) return a == b;
+  if (isStandardOutput(a) || isStandardOutput(b)) return isStandardOutput(a) && isStandardOutput(b);
   std::error_code ignored;  // a name that cannot be looked up is compared as it is written
   if (fs::is_other(a, ignored)) return false;
   if (fs::exists(a, ignored) && fs::exists(b, ignored)) return fs::equivalent(a, b, ignored);

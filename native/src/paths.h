@@ -7,6 +7,8 @@ namespace abflat::cli {
 /// Ending of a file name with its dot, in lower case; empty when there is none.
 std::string endingOf(const std::string& path);
 
+bool isStandardOutput(const std::string& path);
+
 /// Whether writing to both would mix or lose one of them: the same file under whatever name, or
 /// standard output twice. Devices such as /dev/null take any number of writers.
 bool isSameTarget(const std::string& a, const std::string& b);

@@ -34,9 +34,9 @@ class Reproduction {
  private:
   static void announce(const Experiment& e, std::size_t number, std::size_t count) {
     const std::string& problem = e.status().message;
-    std::fprintf(stderr, "[%zu/%zu] %s: %s\n", number, count, e.model().name.c_str(),
+    std::fprintf(stderr, "[%zu/%zu] %s: %s\n", number, count, printable(e.model().name).c_str(),
                  e.status().ok() ? (std::to_string(e.summary().triangles) + " faces").c_str()
-                                 : problem.c_str());
+                                 : printable(problem).c_str());
   }
 
   Status add(Experiment& e) {

@@ -8,7 +8,21 @@
 
 namespace abflat::cli {
 
-void complain(const std::string& message) { std::fprintf(stderr, "abflat: %s\n", message.c_str()); }
+std::string printable(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    const bool isLong = byte == 0xC2 && next >= 0x80 && next < 0xA0;  // U+0080 to U+009F
+    out += byte < 0x20 || byte == 0x7F || isLong ? '?' : text[i];
+    i += isLong;
+  }
+  return out;
+}
+
+void complain(const std::string& message) {
+  std::fprintf(stderr, "abflat: %s\n", printable(message).c_str());
+}
 
 bool isErrorTerminal() {
   const char* term = std::getenv("TERM");

@@ -6,7 +6,10 @@
 
 namespace abflat::cli {
 
-/// "abflat: MESSAGE" on standard error.
+/// Without what a terminal takes as a command: names and words of a file may hold anything.
+std::string printable(const std::string& text);
+
+/// "abflat: MESSAGE" on standard error, in one line.
 void complain(const std::string& message);
 
 bool isErrorTerminal();

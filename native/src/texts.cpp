@@ -4,6 +4,8 @@
 #include <sstream>
 #include <vector>
 
+#include "terminal.h"
+
 namespace abflat::cli {
 namespace {
 
@@ -35,7 +37,7 @@ std::string resultText(const Report& report, const std::string& inputName,
   const ChartReport& c = report.charts.front();
   std::ostringstream out;
   out << std::setprecision(3);
-  out << inputName << " -> " << outputName << "\n"
+  out << printable(inputName) << " -> " << printable(outputName) << "\n"
       << "  " << counted(report.input.faces, "face", "faces") << ", "
       << counted(report.input.vertices, "vertex", "vertices") << ", "
       << counted(c.boundaryVertices, "boundary vertex", "boundary vertices") << "\n"
@@ -50,7 +52,7 @@ std::string resultText(const Report& report, const std::string& inputName,
         << counted(c.delaunay->edges, "interior edge", "interior edges") << " violated, before "
         << c.delaunay->violatedBefore << "; angles " << c.delaunay->angularDistortionBefore
         << " before\n";
-  for (const std::string& fallback : c.fallbacks) out << "  " << fallback << "\n";
+  for (const std::string& fallback : c.fallbacks) out << "  " << printable(fallback) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
 }
@@ -59,7 +61,7 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
                        const std::string& outputName) {
   std::ostringstream out;
   out << std::setprecision(3);
-  out << inputName << " -> " << outputName << "\n"
+  out << printable(inputName) << " -> " << printable(outputName) << "\n"
       << "  " << counted(report.input.faces, "face", "faces") << ", "
       << counted(report.input.vertices, "vertex", "vertices") << ", "
       << counted(report.input.components, "component", "components") << "\n";
@@ -77,7 +79,7 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << report.atlas.resolution << " x " << report.atlas.resolution << ", "
       << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
       << " texels per unit\n";
-  for (const std::string& note : report.notes) out << "  " << note << "\n";
+  for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
 }
@@ -89,7 +91,7 @@ std::string inspectText(const MeshSummary& s, const std::string& name,
     out << "  " << std::left << std::setw(24) << label << std::right << std::setw(10) << value
         << "\n";
   };
-  out << name << "\n";
+  out << printable(name) << "\n";
   row("vertices", s.vertices);
   row("  without faces", s.unreferencedVertices);
   row("faces", s.faces);
@@ -109,7 +111,7 @@ std::string inspectText(const MeshSummary& s, const std::string& name,
   row("materials", s.materials);
   row("disk", s.disk.ok() ? "yes" : "no");
   if (!s.disk.ok()) out << "  " << s.disk.message << "\n";
-  for (const std::string& note : notes) out << "  " << note << "\n";
+  for (const std::string& note : notes) out << "  " << printable(note) << "\n";
   return out.str();
 }
 

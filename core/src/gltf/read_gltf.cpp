@@ -163,7 +163,6 @@ class ModelReader {
     VertexGroup group{m, p, static_cast<std::uint32_t>(mesh.vertexCount()),
                       static_cast<std::uint32_t>(positions.count)};
     const std::vector<double> local = numbersOf(document_, positions);
-    mesh.positions.reserve(mesh.positions.size() + local.size());
     for (std::size_t v = 0; v < positions.count; ++v) {
       const std::array<double, 3> at = moved(matrix, &local[3 * v]);
       for (const double x : at)

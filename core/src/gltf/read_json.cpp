@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "gltf/field.h"
 
@@ -10,11 +11,19 @@ namespace {
 
 /// Values are visited recursively later on.
 constexpr std::size_t kMostLevels = 256;
+/// Of an object: each key is compared with all before it.
+constexpr std::size_t kMostKeys = 4096;
 
-std::size_t levels(std::string_view text) {
-  std::size_t now = 0, most = 0;
+/// What is nested, before anything is made of it.
+struct Nesting {
+  std::size_t levels = 0, keys = 0;  ///< the most of all
+};
+
+Nesting nestingOf(std::string_view text) {
+  Nesting most;
+  std::vector<std::size_t> colons;  // of each value around; only objects have some
   bool isInString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size() && most.levels <= kMostLevels; ++i) {
     const char c = text[i];
     if (isInString) {
       if (c == '\\') ++i;
@@ -22,9 +31,12 @@ std::size_t levels(std::string_view text) {
     } else if (c == '"') {
       isInString = true;
     } else if (c == '{' || c == '[') {
-      most = std::max(most, ++now);
-    } else if ((c == '}' || c == ']') && now > 0) {
-      --now;
+      colons.push_back(0);
+      most.levels = std::max(most.levels, colons.size());
+    } else if ((c == '}' || c == ']') && !colons.empty()) {
+      colons.pop_back();
+    } else if (c == ':' && !colons.empty()) {
+      most.keys = std::max(most.keys, ++colons.back());
     }
   }
   return most;
@@ -58,10 +70,13 @@ void checkExtensions(const Field& root, Complaints& complaints) {
 
 Result<Json> readJson(std::string_view text, const std::string& fileName) {
   Complaints complaints(fileName);
-  if (levels(text) > kMostLevels) {
+  if (text.empty()) complaints.add("the file is empty");
+  const Nesting nesting = nestingOf(text);
+  if (nesting.levels > kMostLevels)
     complaints.add("the JSON is nested more than " + std::to_string(kMostLevels) + " levels deep");
-    return complaints.status();
-  }
+  if (nesting.keys > kMostKeys)
+    complaints.add("the JSON has an object of more than " + std::to_string(kMostKeys) + " entries");
+  if (!complaints.none()) return complaints.status();
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) {
     complaints.add("the JSON is not valid; it may be cut off");

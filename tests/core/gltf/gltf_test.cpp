@@ -181,6 +181,28 @@ TEST_CASE("meshes that share bytes do not multiply them without end", "[gltf]") 
   }
 }
 
+// Both would take minutes if each were compared with, or moved for, all others.
+TEST_CASE("many keys of an object are refused, many meshes are read", "[gltf]") {
+  std::string keys, meshes;
+  for (int i = 0; i < 300000; ++i) {
+    const std::string comma = i == 0 ? "" : ",";
+    keys += comma + "\"k" + std::to_string(i) + "\":0";
+    meshes += comma + R"({"primitives":[{"attributes":{"POSITION":0}}]})";
+  }
+  const std::string head = R"({"asset": {"version": "2.0"}, )";
+  CHECK(readAlone(head + "\"extras\": {" + keys + "}}").status.message ==
+        "a.glb: the JSON has an object of more than 4096 entries");
+  const Result<GltfModel> model = readAlone(test::glbOf(
+      head +
+          R"("buffers": [{"byteLength": {SIZE}}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "meshes": [)" +
+          meshes + "]}",
+      std::string(36, '\0')));
+  CHECK(model.status.message.empty());
+  CHECK(model.value.mesh.faceCount() == 300000);
+}
+
 // A file may hold anything: it is read, or there is a sentence that names it.
 TEST_CASE("damaged files are refused or read, never more", "[gltf]") {
   const std::string good = octahedronGlb();
