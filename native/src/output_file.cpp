@@ -126,7 +126,7 @@ std::string OutputFile::withFreshName(const Call& call) const {
   for (int i = 0; i < kMostNames; ++i) {
     const std::string name =
         ".abflat-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".tmp";
-    const std::string path = (fs::path(folderOf(target_)) / name).string();
+    std::string path = (fs::path(folderOf(target_)) / name).string();
     if (uninterrupted([&] { return call(path.c_str()); }) >= 0) return path;
     if (errno != EEXIST) break;
   }
