@@ -299,7 +299,7 @@ for (const [name, width, height] of [
     await dropAndWait(page, 'parts.obj', CUBE_OF_PARTS);
     await page.click('#seams-sharp');
     await settled(page);
-    const panel = await page.locator('#unwrap-options').boundingBox();
+    const panel = await page.locator('.ask').boundingBox();
     for (const id of ['seams-auto', 'seams-uv', 'seams-material', 'seams-sharp', 'sharp-box']) {
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.x >= panel.x && box.x + box.width <= panel.x + panel.width, `${id} is inside`);
