@@ -106,6 +106,16 @@ test('sources that cannot be read together are read alone', NEEDS_TIDY, async ()
   const one = source('one.cpp', 'static int twice() { return 1; }\nint a() { return twice(); }\n');
   const two = source('two.cpp', 'static int twice() { return 2; }\nint b() { return twice(); }\n');
   const bad = source('bad.cpp', 'int* c() { return 0; }\n');
+  const owner = source(
+    'owner.cpp',
+    'static int side() { return 1; }\nint d() { return side(); }\n',
+  );
+  const shadow = source('shadow.cpp', 'int e() {\n  int side = 1;\n  return side;\n}\n');
+  const strict = [owner, shadow].map((each) => ({
+    ...each,
+    flags: `${each.flags} -Wshadow -Werror`,
+  }));
+  assert.deepEqual((await checkBatch(strict, join(folder, 'd'), folder)).clean, strict);
   const { clean, output } = await checkBatch([one, two, bad], join(folder, 'c'), folder);
   assert.deepEqual(names([clean]), [['one.cpp', 'two.cpp']]);
   assert.match(output, /bad\.cpp:1.*modernize-use-nullptr/);
