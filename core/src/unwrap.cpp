@@ -18,6 +18,7 @@
 #include "seam/given_seams.h"
 #include "stopwatch.h"
 #include "unwrap_atlas.h"
+#include "unwrap_certificate.h"
 #include "unwrap_chart.h"
 #include "unwrap_fixed.h"
 #include "unwrap_known.h"
@@ -107,7 +108,7 @@ void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWis
 
 /// More than seams are to allow.
 bool isStretched(const FlatChart& chart, double most) {
-  return !chart.isFixed && chart.attempt.distortion.symmetricDirichlet > most;
+  return !chart.isFixed && chart.distortion.symmetricDirichlet > most;
 }
 
 /// Whether charts are as little stretched as seams let them be.
@@ -121,7 +122,7 @@ void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& opti
   for (const FlatChart& chart : flat) {
     if (!isStretched(chart, options.maxStretch)) continue;
     ++count;
-    most = std::max(most, chart.attempt.distortion.symmetricDirichlet);
+    most = std::max(most, chart.distortion.symmetricDirichlet);
   }
   if (count == 0) return;
   char text[120];
@@ -146,11 +147,21 @@ std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
   return out;
 }
 
+/// The exponent of the power of two that brings the largest coordinate of a face to 1 to 2.
+int exponentOf(const PolygonMesh& mesh) {
+  double largest = 0;
+  for (const std::size_t v : mesh.faceVertices)
+    for (std::size_t d = 0; d < 3; ++d)
+      largest = std::max(largest, std::abs(mesh.positions[3 * v + d]));
+  return largest > 0 ? std::ilogb(largest) : 0;
+}
+
 /// One run, stage by stage.
 class Unwrapping {
  public:
-  Unwrapping(const PolygonMesh& mesh, const UnwrapOptions& options)
-      : mesh_(mesh), options_(options), monitor_(options.progress) {}
+  /// `unit`: what a length of 1 is in the mesh of the user.
+  Unwrapping(const PolygonMesh& mesh, const UnwrapOptions& options, double unit)
+      : mesh_(mesh), options_(options), unit_(unit), monitor_(options.progress) {}
 
   Result<UnwrapResult> run() {
     if (Status s = checkInput(); !s.ok()) return s;
@@ -174,7 +185,6 @@ class Unwrapping {
   CutMesh cutMesh() const { return {mesh_, welded_, surface_, set_}; }
 
   Status checkInput() const {
-    if (Status s = validateArrays(mesh_); !s.ok()) return s;
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
       return {StatusCode::InvalidOption,
               "several tiles (udim) are for a texel density, which is auto: give a number"};
@@ -262,7 +272,7 @@ class Unwrapping {
     std::vector<double> stretch;
     for (FlatChart& chart : flat_) {
       const bool isAsked = isStretched(chart, options_.maxStretch) && !chart.isCutEnough;
-      stretch.push_back(isAsked ? chart.attempt.distortion.symmetricDirichlet : 0);
+      stretch.push_back(isAsked ? chart.distortion.symmetricDirichlet : 0);
       // Unless its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }
@@ -273,22 +283,28 @@ class Unwrapping {
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
     const auto tell = [&](double share) { return monitor_.tell(kPack, share); };
-    return packAll(set_.charts, options_, *pool_, tell, flat_, packing_, report_.atlas);
+    return packAll(set_.charts, options_, unit_, *pool_, tell, flat_, packing_, report_.atlas);
   }
 
   Status finish() {
-    checkAll(set_.charts, options_, packing_, *pool_, flat_, report_);
-    fillOutput(mesh_, welded_, surface_, set_, texcoords_, flat_, out_);
+    checkAll(set_.charts, options_, unit_, *pool_, flat_, packing_, report_);
+    fillOutput(mesh_, welded_, surface_, set_, texcoords_, flat_, unit_, out_);
     const Seams seams = visibleSeams(open_);
     measureSeams(open_, seams, report_.seams);
     out_.seams = seamEdges(mesh_, welded_, surface_, seams);
     noteStretched(flat_, options_, report_.notes);
-    fillReport(set_, flat_, surface_, welded_, report_);
+    fillReport(set_, flat_, surface_, welded_, unit_, report_);
+    const Numbers numbers = options_.roundsForGltf ? Numbers::Gltf : Numbers::Double;
+    certify(welded_, flat_, numbers, out_);
+    if (options_.roundsForGltf) return {};
+    if (std::string note = foldedFansNote(mesh_, out_); !note.empty())
+      report_.notes.push_back(std::move(note));
     return {};
   }
 
   const PolygonMesh& mesh_;
   const UnwrapOptions& options_;
+  const double unit_;
   Stopwatch watch_;
   Monitor monitor_;
   UnwrapResult out_;
@@ -309,7 +325,15 @@ class Unwrapping {
 }  // namespace
 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  return Unwrapping(mesh, options).run();
+  if (Status s = validateArrays(mesh); !s.ok()) return s;
+  const int exponent = exponentOf(mesh);
+  if (exponent == 0) return Unwrapping(mesh, options, 1).run();
+  // So that nothing overflows or gets lost below, and results are the same in every unit.
+  PolygonMesh scaled = mesh;
+  for (double& x : scaled.positions) x = std::ldexp(x, -exponent);
+  UnwrapOptions inUnits = options;
+  for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
+  return Unwrapping(scaled, inUnits, std::ldexp(1.0, exponent)).run();
 }
 
 }  // namespace abflat

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "round_texcoords.h"
+#include "unwrap_rounding.h"
 
 namespace abflat {
 namespace {
@@ -17,6 +17,8 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
   for (std::size_t i = 0; i < charts.size(); ++i) {
     shapes[i].isFixed = flat[i].isFixed;
     shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
+    if (!flat[i].isFixed && flat[i].enlarged != 1)
+      for (double& x : shapes[i].uv) x *= flat[i].enlarged;
     const auto corners = charts[i].vertexOfCorner.begin();
     shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
     // Others may lie in its holes.
@@ -25,20 +27,6 @@ std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
       shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
   }
   return shapes;
-}
-
-/// Moves the layouts to their places.
-void place(const Packing& packing, std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    if (flat[i].isFixed) continue;
-    const Placement& p = packing.placements[i];
-    const std::vector<double>& from = flat[i].unpacked;
-    flat[i].uv.resize(from.size());
-    for (std::size_t k = 0; k < from.size(); k += 2) {
-      flat[i].uv[k] = p.u(&from[k]) + p.column();
-      flat[i].uv[k + 1] = p.v(&from[k]) + p.row();
-    }
-  }
 }
 
 /// What is needed to undo rounding. Charts that were packed can be placed once more.
@@ -52,17 +40,9 @@ class BeforeRounding {
     }
   }
 
-  /// Charts that have a problem since.
-  std::size_t lost(const std::vector<FlatChart>& flat) const {
-    std::size_t out = 0;
-    for (std::size_t i = 0; i < flat.size(); ++i)
-      out += !flat[i].problem.empty() && !hadProblem_[i];
-    return out;
-  }
-
   /// Validity of all without a problem has to be decided anew.
   void restore(const Packing& packing, std::vector<FlatChart>& flat) const {
-    place(packing, flat);
+    placeInAtlas(packing, flat);
     for (std::size_t i = 0; i < flat.size(); ++i) {
       if (!uvOfPinned_[i].empty()) flat[i].uv = uvOfPinned_[i];
       if (!hadProblem_[i]) flat[i].problem.clear();
@@ -83,9 +63,30 @@ double packWork(const std::vector<PackShape>& shapes) {
   return std::max(kWorkOfCorner * corners, kLeastWork);
 }
 
+/// Packs again what has to be larger, as long as it fits.
+void fitAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options, double unit,
+            Numbers numbers, ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing,
+            AtlasReport& atlas) {
+  constexpr int kMostPackings = 4;
+  for (int round = 0; round <= kMostPackings; ++round) {
+    std::vector<double> enlarged;
+    for (const FlatChart& chart : flat) enlarged.push_back(chart.enlarged);
+    const bool mayGrow = round < kMostPackings;
+    if (fitToNumbers(charts, numbers, options.resolution, mayGrow, pool, packing, flat) == 0)
+      return;
+    const auto tell = [](double) { return true; };
+    if (packAll(charts, options, unit, pool, tell, flat, packing, atlas).ok()) continue;
+    // They stay as they are, and say so.
+    for (std::size_t i = 0; i < flat.size(); ++i) flat[i].enlarged = enlarged[i];
+    placeInAtlas(packing, flat);
+    fitToNumbers(charts, numbers, options.resolution, false, pool, packing, flat);
+    return;
+  }
+}
+
 }  // namespace
 
-Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options, double unit,
                ThreadPool& pool, const std::function<bool(double)>& tell,
                std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas) {
   PackOptions how;
@@ -94,6 +95,7 @@ Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& o
   how.rotate = options.rotate;
   how.texelDensity = options.texelDensity;
   how.udim = options.udim;
+  how.unit = unit;
   how.pool = &pool;
   how.progress = tell;
   const std::vector<PackShape> shapes = shapesOf(charts, flat);
@@ -101,44 +103,37 @@ Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& o
   Result<Packing> packed = pack(shapes, how);
   if (!packed.ok()) return packed.status;
   packing = std::move(packed.value);
-  place(packing, flat);
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (flat[i].isFixed) continue;
+    packing.placements[i].a *= flat[i].enlarged;
+    packing.placements[i].b *= flat[i].enlarged;
+  }
+  placeInAtlas(packing, flat);
   atlas = {options.resolution, options.padding, static_cast<int>(packing.tiles),
            packing.utilization, packing.texelDensity};
   return {};
 }
 
-void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options,
-              const Packing& packing, ThreadPool& pool, std::vector<FlatChart>& flat,
+void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, double unit,
+              ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing,
               UnwrapReport& report) {
-  const auto check = [&] {
-    parallelFor(&pool, flat.size(), [&](std::size_t i) {
-      if (!flat[i].isGiven) checkInPlace(charts[i], flat[i]);
-    });
-  };
+  const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
   const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
-  if (options.roundsToSingle && !isFine)
+  if (isSingle && !isFine)
     report.notes.push_back("texcoords are in double precision: single is too coarse for " +
                            std::to_string(report.atlas.tiles) + " tiles");
-  if (!options.roundsForGltf && !(options.roundsToSingle && isFine)) return check();
-  const BeforeRounding before(flat);
-  for (FlatChart& chart : flat) {
-    if (chart.isGiven) continue;
-    if (!chart.isFixed)
-      roundInAtlas(chart.uv);
-    else if (options.roundsForGltf)
-      roundForGltf(chart.uv);
-    else
-      roundToSingle(chart.uv);
+  if (isSingle && isFine) {
+    const BeforeRounding before(flat);
+    const std::size_t lost = roundToSingle(charts, pool, flat);
+    if (lost == 0) return;
+    before.restore(packing, flat);
+    report.notes.push_back("texcoords are in double precision: rounded to single, " +
+                           std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
+                           " would not be valid");
   }
-  check();
-  if (options.roundsForGltf) return;  // which holds nothing else
-  const std::size_t lost = before.lost(flat);
-  if (lost == 0) return;
-  before.restore(packing, flat);
-  check();
-  report.notes.push_back("texcoords are in double precision: rounded to single, " +
-                         std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
-                         " would not be valid");
+  const Numbers numbers = options.roundsForGltf ? Numbers::Gltf : Numbers::Double;
+  fitAll(charts, options, unit, numbers, pool, flat, packing, report.atlas);
+  for (std::string& note : fittingNotes(flat, numbers)) report.notes.push_back(std::move(note));
 }
 
 }  // namespace abflat

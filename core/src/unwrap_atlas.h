@@ -10,15 +10,16 @@
 
 namespace abflat {
 
-/// Places the charts that are not fixed in the atlas. `tell` hears which share is done; when it
-/// returns false the status is Aborted.
-Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options,
+/// Places the charts that are not fixed in the atlas. `unit`: what a length of 1 is in the mesh.
+/// `tell` hears which share is done; when it returns false the status is Aborted.
+Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options, double unit,
                ThreadPool& pool, const std::function<bool(double)>& tell,
                std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas);
 
 /// Checks all charts in the atlas, rounded as the options ask for or, with a note, as they are.
-void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options,
-              const Packing& packing, ThreadPool& pool, std::vector<FlatChart>& flat,
+/// Those that are too small or too thin for that are made so that they are not, with a note.
+void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, double unit,
+              ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing,
               UnwrapReport& report);
 
 }  // namespace abflat

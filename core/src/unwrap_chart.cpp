@@ -8,16 +8,14 @@ namespace abflat {
 
 namespace {
 
-/// What no report needs: several times the memory of the layout.
-void dropUnknowns(Attempt& attempt) {
-  attempt.t = {};
-  attempt.uv = {};
-  AngleSolution& s = attempt.solution;
-  s.angles = {};
-  s.multipliers = {};
-  s.weight = {};
-  s.active = {};
-  s.activeEdge = {};
+/// What reports need; unknowns and history are several times the memory of the layout.
+void keepMeasures(Attempt& attempt, FlatChart& out) {
+  out.solver = std::move(attempt.solver);
+  out.iterations = static_cast<int>(attempt.solution.history.size());
+  out.distortion = attempt.distortion;
+  out.fallbacks = std::move(attempt.fallbacks);
+  out.pins = attempt.pins;
+  out.straight = attempt.straight;
 }
 
 }  // namespace
@@ -39,24 +37,23 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   FlatChart out;
-  out.attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
-  if (out.attempt.solution.cancelled) return out;
-  out.unpacked = inMeshUnit(chart, out.attempt);
+  Attempt attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
+  if (attempt.solution.cancelled) return out;
+  out.unpacked = inMeshUnit(chart, attempt);
   if (!wishes.pins.empty()) {
-    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, out.attempt);
-    out.uv = inMeshUnit(chart, out.attempt);
+    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);
+    out.uv = inMeshUnit(chart, attempt);
     out.isFixed = true;
   }
-  if (out.attempt.straight) out.attempt.straight->released = wishes.released;
-  out.problem = findProblem(chart, out.attempt);
-  dropUnknowns(out.attempt);
+  if (attempt.straight) attempt.straight->released = wishes.released;
+  out.problem = findProblem(chart, attempt);
+  keepMeasures(attempt, out);
   return out;
 }
 
 void checkInPlace(const DiskChart& chart, FlatChart& flat) {
   if (!flat.problem.empty()) return;
-  flat.attempt.validity = checkValidity(chart, flat.uv);
-  if (!flat.attempt.validity.valid())
+  if (!checkValidity(chart, flat.uv).valid())
     flat.problem = "valid by itself, but its smallest triangles are lost at the scale of the atlas";
 }
 

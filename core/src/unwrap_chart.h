@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
@@ -13,11 +15,19 @@ namespace abflat {
 struct FlatChart {
   std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
   std::vector<double> uv;        ///< in the atlas
-  Attempt attempt;               ///< what reports need of it: no uv, no angles
-  std::string problem;           ///< why it is not valid, one sentence; empty when it is
-  bool isFixed = false;          ///< uv are those in the atlas from the start: packing leaves them
-  bool isGiven = false;          ///< those of the input, which have been checked
-  bool isCutEnough = false;      ///< no seam was found that would stretch it less
+  std::string solver;            ///< as in Attempt
+  int iterations = 0;            ///< of the solver
+  Distortion distortion;         ///< before rounding
+  std::vector<std::string> fallbacks;
+  std::optional<PinReport> pins;
+  std::optional<StraightReport> straight;
+  std::string problem;  ///< why it is not valid, one sentence; empty when it is
+  double enlarged = 1;  ///< beside the others, so that numbers can tell its triangles apart
+  std::size_t movedVertices = 0;  ///< for the same reason
+  double movedBy = 0;             ///< the farthest of these, along an axis
+  bool isFixed = false;           ///< uv are those in the atlas from the start: packing leaves them
+  bool isGiven = false;           ///< those of the input, which have been checked
+  bool isCutEnough = false;       ///< no seam was found that would stretch it less
 };
 
 /// What one chart is asked for beyond the options.

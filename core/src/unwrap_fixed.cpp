@@ -212,8 +212,8 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
                        [&](std::size_t f) { return inputFace(mesh.welded, mesh.surface, own[f]); }};
     if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
-    out.attempt.solver = "given";
-    out.attempt.distortion = measureDistortion(chart, out.uv);
+    out.solver = "given";
+    out.distortion = measureDistortion(chart, out.uv);
     for (std::size_t f = 0; f < own.size(); ++f) faces.push_back(c.face(f));
     for (const std::size_t v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});

@@ -94,19 +94,15 @@ Outlines knownOutlines(const Known& known, const Surface& surface) {
 FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
                    std::vector<double> unpacked) {
   FlatChart out;
-  Attempt& a = out.attempt;
-  a.solver = "known";
-  a.solution.converged = true;
-  a.uv = unpacked;
-  for (double& x : a.uv) x /= chart.unit;
-  a.validity = checkSeparated(chart, a.uv);
-  if (!a.validity.valid()) return {};
-  a.distortion = measureDistortion(chart, a.uv);
+  out.solver = "known";
+  std::vector<double> uv = unpacked;
+  for (double& x : uv) x /= chart.unit;
+  if (!checkSeparated(chart, uv).valid()) return {};
+  out.distortion = measureDistortion(chart, uv);
   if (!wishes.straight.empty()) {
-    a.straight = reportStraight(chart, wishes.straight, a.uv);
-    a.straight->released = wishes.released;
+    out.straight = reportStraight(chart, wishes.straight, uv);
+    out.straight->released = wishes.released;
   }
-  a.uv = {};
   out.unpacked = std::move(unpacked);
   return out;
 }

@@ -60,9 +60,13 @@ void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Sur
                    const ChartSet& set, UnwrapResult& out) {
   const TriangleOrder order = triangleOrder(input, welded, surface);
   out.triangles.resize(3 * static_cast<std::size_t>(order.firstOfFace.back()));
+  out.triangleCorners.resize(out.triangles.size());
   out.chartOfTriangle.resize(order.firstOfFace.back());
   const auto put = [&](std::size_t i, std::array<std::uint32_t, 3> corners, std::uint32_t chart) {
-    for (std::size_t k = 0; k < 3; ++k) out.triangles[3 * i + k] = out.cornerVertex[corners[k]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      out.triangles[3 * i + k] = out.cornerVertex[corners[k]];
+      out.triangleCorners[3 * i + k] = corners[k];
+    }
     out.chartOfTriangle[i] = chart;
   };
   const auto cornerOf = [&](std::uint32_t h) {
@@ -81,22 +85,21 @@ void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Sur
 
 UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_t firstFace) {
   UnwrapChart row;
-  const Attempt& a = flat.attempt;
   row.faces = chart.surfaceTriangles();
   row.firstFace = firstFace;
   row.boundaryVertices = chart.boundary.size();
   row.filledHoles = chart.filledHoles;
   row.area = surfaceArea(chart) * chart.unit * chart.unit;
-  row.solver = a.solver;
+  row.solver = flat.solver;
   row.fixed = flat.isFixed;
-  row.iterations = static_cast<int>(a.solution.history.size());
-  row.angularDistortion = a.distortion.angular;
-  row.quasiConformalMean = a.distortion.quasiConformalMean;
-  row.quasiConformalMax = a.distortion.quasiConformalMax;
-  row.symmetricDirichlet = a.distortion.symmetricDirichlet;
-  row.pins = a.pins;
-  row.straight = a.straight;
-  row.fallbacks = a.fallbacks;
+  row.iterations = flat.iterations;
+  row.angularDistortion = flat.distortion.angular;
+  row.quasiConformalMean = flat.distortion.quasiConformalMean;
+  row.quasiConformalMax = flat.distortion.quasiConformalMax;
+  row.symmetricDirichlet = flat.distortion.symmetricDirichlet;
+  row.pins = flat.pins;
+  row.straight = flat.straight;
+  row.fallbacks = flat.fallbacks;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();
   return row;
@@ -152,10 +155,10 @@ Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, cons
 
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                 const ChartSet& set, const Texcoords& texcoords, const std::vector<FlatChart>& flat,
-                UnwrapResult& out) {
+                double unit, UnwrapResult& out) {
   for (const FlatChart& chart : flat) {
     out.uv.insert(out.uv.end(), chart.uv.begin(), chart.uv.end());
-    out.unpacked.insert(out.unpacked.end(), chart.unpacked.begin(), chart.unpacked.end());
+    for (const double x : chart.unpacked) out.unpacked.push_back(x * unit);
   }
   out.cornerUv = texcoords.ofCorner;
   std::uint32_t corner = kNone;  // where nothing of a face is left, and of no other at its place
@@ -174,19 +177,20 @@ void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surfac
 }
 
 void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const Surface& surface,
-                const WeldedMesh& welded, UnwrapReport& report) {
+                const WeldedMesh& welded, double unit, UnwrapReport& report) {
   double area = 0;
   report.valid = true;
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const std::uint32_t face = surface.triangulation.face[set.triangles[i].front()];
     report.charts.push_back(chartRow(set.charts[i], flat[i], welded.inputFace[face]));
-    const UnwrapChart& row = report.charts.back();
+    UnwrapChart& row = report.charts.back();
     area += row.area;
     report.angularDistortion += row.area * row.angularDistortion;
     report.quasiConformalMean += row.area * row.quasiConformalMean;
     report.symmetricDirichlet += row.area * row.symmetricDirichlet;
     report.seams.filledHoles += row.filledHoles;
     report.valid = report.valid && row.valid;
+    row.area = row.area * unit * unit;
   }
   for (double* mean :
        {&report.angularDistortion, &report.quasiConformalMean, &report.symmetricDirichlet})

@@ -21,13 +21,14 @@ TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
 /// Texcoords of the input's corners, one for each vertex of each chart.
 Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, const ChartSet& set);
 
-/// All of the result but its report, from charts that lie in the atlas.
+/// All of the result but its report, from charts that lie in the atlas. `unit`: what a length of 1
+/// is in the mesh of the user.
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
                 const ChartSet& set, const Texcoords& texcoords, const std::vector<FlatChart>& flat,
-                UnwrapResult& out);
+                double unit, UnwrapResult& out);
 
 /// Charts, means and validity.
 void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const Surface& surface,
-                const WeldedMesh& welded, UnwrapReport& report);
+                const WeldedMesh& welded, double unit, UnwrapReport& report);
 
 }  // namespace abflat

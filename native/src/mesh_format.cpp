@@ -51,19 +51,20 @@ FileFormat writtenFormat(const std::string& path) {
 }
 
 Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
-                               const std::vector<double>& uv,
-                               const std::vector<std::uint32_t>& cornerUv) {
+                               const WrittenLayout& now) {
   const FileFormat format = writtenFormat(path);
   const std::string_view source = input.format == format ? input.bytes : std::string_view();
-  if (format == FileFormat::Ply) return writePly(input.mesh, uv, cornerUv, source);
-  if (format == FileFormat::Obj) return writeObj(input.mesh, uv, cornerUv, source);
+  if (format == FileFormat::Ply) return writePly(input.mesh, now.uv, now.ofCorner, source);
+  if (format == FileFormat::Obj) return writeObj(input.mesh, now.uv, now.ofCorner, source);
   const bool isBinary = endingOf(path) == ".glb";
-  if (!input.gltf) return makeGltf(input.mesh, uv, cornerUv, input.look, {isBinary, set});
+  if (!input.gltf)
+    return makeGltf(input.mesh, now.uv, now.ofCorner, now.triangleCorners, input.look,
+                    {isBinary, set});
   GltfWriteOptions options;
   options.isBinary = isBinary;
   options.texcoord = set;
   options.pathToSource = pathBetween(path, input.path);
-  return writeGltf(*input.gltf, uv, cornerUv, options);
+  return writeGltf(*input.gltf, now.uv, now.ofCorner, options);
 }
 
 }  // namespace abflat::cli

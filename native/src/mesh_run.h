@@ -147,7 +147,8 @@ class MeshRun {
     const std::string name = inputName(command_.input);
     Result<std::string> layout = placed(name, [&] {
       if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
-      return layoutText(input_, command_.output, texcoord_, result.uv, result.cornerUv);
+      return layoutText(input_, command_.output, texcoord_,
+                        {result.uv, result.cornerUv, result.triangleCorners});
     });
     if (!layout.ok()) return layout.status;
     notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());

@@ -62,13 +62,18 @@ struct GltfMakeOptions {
 };
 
 /// A new .glb, or .gltf with its buffer in a data URI: the mesh as triangles with texcoords and
-/// what is known of its look, images included. A mesh and a node for each object, a primitive for
-/// each material of it, triangles in the order of the faces. Texcoords that the mesh has become set
-/// 0 where another one is written, and set 1 where set 0 is written and an image needs them. `uv`
-/// may be empty: without texcoords. Errors: CannotWrite (a .glb of 4 GB).
+/// what is known of its look, images included. `triangleCorners` has 3 face corners per triangle,
+/// by face: those of the layout, so that the file has what was checked. A mesh and a node for each
+/// object, a primitive for each material of it, triangles in the order of the faces. Texcoords that
+/// the mesh has become set 0 where another one is written, and set 1 where set 0 is written and an
+/// image needs them. `uv` may be empty: without texcoords. Errors: CannotWrite (a .glb of 4 GB).
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
-                             const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
-                             const GltfMakeOptions& options);
+                             const std::vector<std::uint32_t>& cornerUv,
+                             const std::vector<std::uint32_t>& triangleCorners,
+                             const Appearance& look, const GltfMakeOptions& options);
+
+/// Corners of the triangles that stand for the faces where there is no layout.
+std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
 
 /// N of a TEXCOORD_N that takes nothing from any texture: 0 where no texture of the triangles
 /// samples that, otherwise the first set that no primitive has and no texture samples.

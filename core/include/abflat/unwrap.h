@@ -171,6 +171,7 @@ struct UnwrapResult {
   /// 3 output vertices per triangle, by input face: as flattened, a fan where nothing of a face
   /// was. So a triangle mesh keeps all of its triangles in their order.
   std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> triangleCorners;  ///< the same as face corners of the input
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<EdgeVertices> seams;  ///< edges that were cut, each once
   UnwrapReport report;  ///< path, read and write, and the total are the caller's to fill

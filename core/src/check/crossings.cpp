@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "check/orientation.h"
+#include "check/segments.h"
 
 namespace abflat {
 namespace {
@@ -15,21 +15,6 @@ struct Box {
 
 bool disjoint(const Box& a, const Box& b) {
   return a.lo[0] > b.hi[0] || b.lo[0] > a.hi[0] || a.lo[1] > b.hi[1] || b.lo[1] > a.hi[1];
-}
-
-/// p is collinear with a, b: whether it lies between them.
-bool between(const double* a, const double* b, const double* p) {
-  for (int d = 0; d < 2; ++d)
-    if (p[d] < std::min(a[d], b[d]) || p[d] > std::max(a[d], b[d])) return false;
-  return true;
-}
-
-bool segmentsMeet(const double* a, const double* b, const double* c, const double* d) {
-  const int abc = orientation(a, b, c), abd = orientation(a, b, d);
-  const int cda = orientation(c, d, a), cdb = orientation(c, d, b);
-  if (abc * abd < 0 && cda * cdb < 0) return true;
-  return (abc == 0 && between(a, b, c)) || (abd == 0 && between(a, b, d)) ||
-         (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
 }
 
 /// The bits of x at the even places.
@@ -146,7 +131,7 @@ class EdgeTree {
   bool foldsBack(std::uint32_t i) const {
     const double *a = point(i), *b = point(i + 1), *c = point(i + 1 == n_ ? 1 : i + 2);
     if (orientation(a, b, c) != 0) return false;
-    return between(a, b, c) || between(b, c, a);
+    return isBetween(a, b, c) || isBetween(b, c, a);
   }
 
   const std::vector<double>& points_;

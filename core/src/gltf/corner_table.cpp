@@ -1,22 +1,35 @@
 #include "gltf/corner_table.h"
 
-namespace abflat::gltf {
+#include <tuple>
 
-void CornerTable::add(const Corner& corner, std::uint32_t primitive) {
-  const auto isWanted = [&](const Entry& entry) {
-    return entry.primitive == primitive && entry.corner == corner;
-  };
-  PrimitiveVertices& out = primitives_[primitive];
-  std::uint32_t at = newest_[corner.vertex];
-  while (at != kNoNumber && !isWanted(entries_[at])) at = entries_[at].older;
-  if (at == kNoNumber) {
-    at = static_cast<std::uint32_t>(entries_.size());
-    entries_.push_back({corner, primitive, static_cast<std::uint32_t>(out.corners.size()),
-                        newest_[corner.vertex]});
-    newest_[corner.vertex] = at;
-    out.corners.push_back(corner);
+#include "io/first_alike.h"
+
+namespace abflat::gltf {
+namespace {
+
+auto keyOf(const Corner& c) { return std::tie(c.primitive, c.texcoord, c.oldTexcoord, c.normal); }
+
+}  // namespace
+
+std::vector<PrimitiveVertices> verticesOf(const std::vector<Corner>& corners,
+                                          std::size_t meshVertices, std::size_t primitives) {
+  std::vector<std::uint32_t> vertex;
+  vertex.reserve(corners.size());
+  for (const Corner& corner : corners) vertex.push_back(corner.vertex);
+  const std::vector<std::uint32_t> first = firstAlike(
+      meshVertices, vertex,
+      [&](std::uint32_t a, std::uint32_t b) { return keyOf(corners[a]) < keyOf(corners[b]); });
+  std::vector<PrimitiveVertices> out(primitives);
+  std::vector<std::uint32_t>& number = vertex;  // of a corner's vertex in its primitive, from here
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    PrimitiveVertices& own = out[corners[c].primitive];
+    if (first[c] == c) {
+      number[c] = static_cast<std::uint32_t>(own.corners.size());
+      own.corners.push_back(corners[c]);
+    }
+    own.indices.push_back(number[first[c]]);
   }
-  out.indices.push_back(entries_[at].number);
+  return out;
 }
 
 }  // namespace abflat::gltf

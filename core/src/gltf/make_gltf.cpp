@@ -24,22 +24,24 @@ struct PrimitiveKey {
 class ModelMaker {
  public:
   ModelMaker(const PolygonMesh& mesh, const std::vector<double>& uv,
-             const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
+             const std::vector<std::uint32_t>& cornerUv,
+             const std::vector<std::uint32_t>& triangleCorners, const Appearance& look,
              const GltfMakeOptions& options)
-      : mesh_(mesh), uv_(uv), cornerUv_(cornerUv), look_(look), options_(options) {}
+      : mesh_(mesh),
+        uv_(uv),
+        cornerUv_(cornerUv),
+        triangleCorners_(triangleCorners),
+        look_(look),
+        options_(options) {}
 
   Result<std::string> make() {
     findPrimitives();
-    CornerTable table(mesh_.vertexCount(), keys_.size());
-    const Triangulation triangles = triangulate(mesh_);
-    for (std::size_t i = 0; i < triangles.corner.size(); ++i) {
-      const std::uint32_t primitive = primitiveOfFace_[triangles.face[i / 3]];
-      table.add(cornerOf(triangles.vertex[i], triangles.corner[i], primitive), primitive);
-    }
+    const std::vector<PrimitiveVertices> vertices =
+        verticesOf(allCorners(), mesh_.vertexCount(), keys_.size());
     // Primitives of an object are together, in the order in which objects and materials appear.
     for (std::size_t i = 0; i < keys_.size(); ++i) {
       if (i == 0 || keys_[i].object != keys_[i - 1].object) file_.addMesh(nameOf(keys_[i].object));
-      addPrimitive(table.primitives()[i], keys_[i].material);
+      addPrimitive(vertices[i], keys_[i].material);
     }
     return file_.finish(options_.isBinary);
   }
@@ -72,16 +74,29 @@ class ModelMaker {
     return !mesh_.faceTexcoords.empty() && (options_.texcoord > 0 || hasImage);
   }
 
-  Corner cornerOf(std::uint32_t vertex, std::uint32_t corner, std::uint32_t primitive) const {
+  /// Of all triangles, in the order of their faces.
+  std::vector<Corner> allCorners() const {
+    std::vector<Corner> out;
+    out.reserve(triangleCorners_.size());
+    std::size_t face = 0;
+    for (const std::uint32_t corner : triangleCorners_) {
+      while (mesh_.faceOffsets[face + 1] <= corner) ++face;
+      out.push_back(cornerOf(corner, primitiveOfFace_[face]));
+    }
+    return out;
+  }
+
+  Corner cornerOf(std::uint32_t corner, std::uint32_t primitive) const {
     Corner out;
-    out.vertex = vertex;
+    out.vertex = mesh_.faceVertices[corner];
+    out.primitive = primitive;
     if (!uv_.empty()) out.texcoord = cornerUv_[corner];
     if (keepsOld(keys_[primitive].material)) out.oldTexcoord = mesh_.faceTexcoords[corner];
     if (!look_.faceNormals.empty()) out.normal = look_.faceNormals[corner];
     return out;
   }
 
-  void addPrimitive(const CornerTable::PrimitiveVertices& vertices, std::uint32_t material) {
+  void addPrimitive(const PrimitiveVertices& vertices, std::uint32_t material) {
     Json primitive;
     primitive["attributes"] = attributesOf(vertices.corners, keepsOld(material));
     primitive["indices"] = file_.addIndices(vertices.indices, vertices.corners.size());
@@ -175,6 +190,7 @@ class ModelMaker {
   const PolygonMesh& mesh_;
   const std::vector<double>& uv_;
   const std::vector<std::uint32_t>& cornerUv_;
+  const std::vector<std::uint32_t>& triangleCorners_;
   const Appearance& look_;
   const GltfMakeOptions& options_;
   FreshFile file_;
@@ -187,10 +203,15 @@ class ModelMaker {
 }  // namespace
 }  // namespace gltf
 
+std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh) {
+  return triangulate(mesh).corner;
+}
+
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
-                             const std::vector<std::uint32_t>& cornerUv, const Appearance& look,
-                             const GltfMakeOptions& options) {
-  return gltf::ModelMaker(mesh, uv, cornerUv, look, options).make();
+                             const std::vector<std::uint32_t>& cornerUv,
+                             const std::vector<std::uint32_t>& triangleCorners,
+                             const Appearance& look, const GltfMakeOptions& options) {
+  return gltf::ModelMaker(mesh, uv, cornerUv, triangleCorners, look, options).make();
 }
 
 }  // namespace abflat

@@ -1,9 +1,19 @@
 #include "io/split_vertices.h"
 
+#include <cstring>
+
+#include "io/first_alike.h"
+
 namespace abflat {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+/// Orders doubles, those that are no numbers as well. Both zeros are one.
+std::int64_t orderOf(double x) {
+  std::int64_t bits = 0;
+  const double same = x == 0 ? 0 : x;
+  std::memcpy(&bits, &same, sizeof bits);
+  return bits;
+}
 
 }  // namespace
 
@@ -13,28 +23,30 @@ SplitVertices splitVertices(std::size_t vertexCount, const std::vector<std::uint
   SplitVertices out;
   out.ofCorner = faceVertices;
   if (uv.empty()) return out;
+  // Texcoords that are equal are one, whatever their numbers.
+  const auto isLess = [&](std::uint32_t a, std::uint32_t b) {
+    const double *p = &uv[2 * std::size_t{cornerUv[a]}], *q = &uv[2 * std::size_t{cornerUv[b]}];
+    const std::int64_t pu = orderOf(p[0]), qu = orderOf(q[0]);
+    return pu != qu ? pu < qu : orderOf(p[1]) < orderOf(q[1]);
+  };
+  const std::vector<std::uint32_t> first = firstAlike(vertexCount, faceVertices, isLess);
   out.uv.assign(2 * vertexCount, 0);
-  std::vector<std::uint32_t> texcoord(vertexCount, kNone);
-  std::vector<std::uint32_t> next(vertexCount, kNone);  // copy of the same vertex
-  for (std::size_t c = 0; c < out.ofCorner.size(); ++c) {
-    const std::uint32_t wanted = cornerUv[c];
-    const double u = uv[2 * wanted], v = uv[2 * wanted + 1];
-    std::uint32_t at = out.ofCorner[c];
-    // Texcoords that are equal are one, whatever their numbers.
-    while (texcoord[at] != kNone && (out.uv[2 * at] != u || out.uv[2 * at + 1] != v)) {
-      if (next[at] == kNone) {
-        next[at] = static_cast<std::uint32_t>(next.size());
-        next.push_back(kNone);
-        texcoord.push_back(kNone);
-        out.copied.push_back(faceVertices[c]);
-        out.uv.insert(out.uv.end(), {0, 0});
-      }
-      at = next[at];
+  std::vector<std::uint8_t> isUsed(vertexCount, 0);
+  for (std::uint32_t c = 0; c < first.size(); ++c) {
+    std::uint32_t& at = out.ofCorner[c];
+    if (first[c] != c) {
+      at = out.ofCorner[first[c]];
+      continue;
     }
-    texcoord[at] = wanted;
-    out.uv[2 * at] = u;
-    out.uv[2 * at + 1] = v;
-    out.ofCorner[c] = at;
+    if (isUsed[at]) {
+      out.copied.push_back(at);
+      at = static_cast<std::uint32_t>(out.uv.size() / 2);
+      out.uv.insert(out.uv.end(), {0, 0});
+    } else {
+      isUsed[at] = 1;
+    }
+    for (std::size_t d = 0; d < 2; ++d)
+      out.uv[2 * std::size_t{at} + d] = uv[2 * std::size_t{cornerUv[c]} + d];
   }
   return out;
 }

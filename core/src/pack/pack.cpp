@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -17,6 +18,7 @@ constexpr int kMostResolution = 32768;
 /// Rows of ten, from 1001 to 9999.
 constexpr std::uint32_t kMostTiles = 8999;
 constexpr double kLastRow = 898;  // that has all ten
+constexpr double kLeastScale = 1e-100, kMostScale = 1e100;
 
 Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 Status tooSmall(std::string text) { return {StatusCode::AtlasTooSmall, std::move(text)}; }
@@ -29,10 +31,17 @@ std::string text(T integer) {
 
 /// A positive number, rounded down to three digits.
 double roundedDown(double x) {
-  double whole = x, up = 1, down = 1;
-  for (; whole < 100 && up < 1e300; up *= 10) whole = x * (up * 10);
-  for (; whole >= 1000; down *= 10) whole = x / (down * 10);
-  return std::floor(whole) / up * down;
+  int exponent = static_cast<int>(std::floor(std::log10(x))) - 2;
+  const auto number = [&](double digits) {
+    double out = 0;
+    parseDouble(text(static_cast<int>(digits)) + "e" + text(exponent), out);
+    return out;
+  };
+  if (number(100) > x) --exponent;  // the logarithm is rounded
+  double digits = 1000;
+  while (digits > 100 && number(digits) > x) --digits;
+  const double out = number(digits);
+  return out > 0 && out <= x ? out : x;
 }
 
 std::string text(double number) {
@@ -145,11 +154,22 @@ class Packer {
     });
   }
 
+  /// Texels per length of 1 of the charts. Where none has a texel, or one more than any tile, less
+  /// or more makes no difference.
+  double scaleOf(double density) const {
+    return std::clamp(density * options_.unit, kLeastScale, kMostScale);
+  }
+
+  /// The other way round.
+  double densityOf(double scale) const {
+    return std::min(scale / options_.unit, std::numeric_limits<double>::max());
+  }
+
   /// About as many as will share one.
   std::size_t itemsOfTile() const {
     double texels = 0;
     for (const PackItem& item : items_)
-      texels += item.mass.area * options_.texelDensity * options_.texelDensity;
+      texels += item.mass.area * scaleOf(options_.texelDensity) * scaleOf(options_.texelDensity);
     const double tiles = texels / options_.resolution / options_.resolution;
     const auto count = static_cast<double>(items_.size());
     return static_cast<std::size_t>(std::ceil(count / std::max(tiles, 1.0)));
@@ -184,7 +204,7 @@ class Packer {
   }
 
   Status placeAtDensity() {
-    density_ = options_.texelDensity;
+    density_ = scaleOf(options_.texelDensity);
     tryAt(density_);
     if (placed_.fit == Fit::TooMany)
       return options_.udim ? largestIsTooLarge() : doesNotFitOneTile();
@@ -213,13 +233,14 @@ class Packer {
     const double most = sideForAll(items_);
     const double room = std::max(options_.resolution - options_.padding, 1);
     return doesNotFit("chart " + text(movable_[placed_.missing]) + " does not fit a tile",
-                      most * options_.texelDensity + options_.padding, room / most);
+                      most * density_ + options_.padding, densityOf(room / most));
   }
 
   Status doesNotFitOneTile() {
+    const double wanted = density_;
     if (Status s = placeInOneTile(); !s.ok()) return s;
-    return doesNotFit("the charts do not fit one tile",
-                      options_.resolution * (options_.texelDensity / density_), density_);
+    return doesNotFit("the charts do not fit one tile", options_.resolution * (wanted / density_),
+                      densityOf(density_));
   }
 
   /// Names what has been tried and does fit; `side` and `density` are about that.
@@ -261,7 +282,7 @@ class Packer {
   Fit fitOf(const PackOptions& options) const {
     Packer other(shapes_, options);
     if (!other.begin().ok()) return Fit::TooMany;
-    other.tryAt(options.texelDensity);
+    other.tryAt(scaleOf(options.texelDensity));
     return other.placed_.fit;
   }
 
@@ -270,7 +291,7 @@ class Packer {
     const double side = options_.resolution;
     out.tiles = std::max(placed_.tiles, static_cast<std::uint32_t>(taken_.size()));
     out.tries = tries_;
-    out.texelDensity = density_;
+    out.texelDensity = options_.texelDensity > 0 ? options_.texelDensity : densityOf(density_);
     out.scale = density_ / side;
     out.placements.resize(shapes_.size());
     double area = 0;
@@ -303,7 +324,7 @@ class Packer {
   std::vector<BitGrid> taken_;            ///< per tile, by what is fixed; may be empty
   std::vector<PackItem> items_;
   Placed placed_;
-  double density_ = 0;
+  double density_ = 0;  ///< texels per length of 1 of the charts
   int tries_ = 0;
 };
 

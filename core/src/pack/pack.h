@@ -26,7 +26,8 @@ struct PackOptions {
   /// Free texels between charts, and half of that, rounded up, to the border.
   int padding = 2;
   bool rotate = true;
-  double texelDensity = 0;  ///< texels per unit of length; 0: the most that fits one tile
+  double texelDensity = 0;  ///< texels per unit of the mesh; 0: the most that fits one tile
+  double unit = 1;          ///< of the mesh, in which a length of 1 of the charts is that long
   bool udim = false;        ///< with a density: as many tiles as it takes, not one
   /// Once all charts have a place, better ones are looked for until that many rows of texels or
   /// larger cells have been, of all charts in all poses; 0: until none is found.
@@ -51,11 +52,11 @@ struct Placement {
 };
 
 struct Packing {
-  double scale = 1;  ///< of all charts that are not fixed: uv per unit of length
+  double scale = 1;  ///< of all charts that are not fixed: uv per length of 1
   std::vector<Placement> placements;
   std::uint32_t tiles = 1;
-  double utilization = 0;  ///< area of all charts by that of all tiles
-  double texelDensity = 0;
+  double utilization = 0;   ///< area of all charts by that of all tiles
+  double texelDensity = 0;  ///< texels per unit of the mesh
   double seconds = 0;
   int tries = 0;  ///< scales that were tried
 };

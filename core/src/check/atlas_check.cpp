@@ -1,0 +1,138 @@
+#include "check/atlas_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/boundary_curves.h"
+#include "check/orientation.h"
+#include "check/overlap.h"
+
+namespace abflat {
+namespace {
+
+/// What is searched for overlaps again without the charts that were found.
+constexpr int kMostRounds = 50;
+
+struct Box {
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  bool isFinite = true;
+
+  void add(const double* p) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      isFinite = isFinite && std::isfinite(p[d]);
+      low[d] = std::min(low[d], p[d]);
+      high[d] = std::max(high[d], p[d]);
+    }
+  }
+
+  /// Within one tile, the one that has its middle.
+  bool isInTile(std::uint32_t tiles, double lowestV) const {
+    if (!isFinite) return false;
+    const double u = std::floor((low[0] + high[0]) / 2);
+    const double v = std::floor((low[1] + high[1]) / 2), row = v - lowestV;
+    return u >= 0 && u <= 9 && row >= 0 && 10 * row + u < tiles && low[0] >= u && low[1] >= v &&
+           high[0] <= u + 1 && high[1] <= v + 1;
+  }
+};
+
+class AtlasChecker {
+ public:
+  explicit AtlasChecker(const WrittenAtlas& atlas)
+      : atlas_(atlas), isWanted_(atlas.isLeftOut.size()) {
+    for (std::size_t c = 0; c < isWanted_.size(); ++c) isWanted_[c] = !atlas.isLeftOut[c];
+  }
+
+  std::vector<ChartDefect> run() {
+    checkTriangles();
+    const bool mayTouch =
+        std::find(atlas_.mayTouch.begin(), atlas_.mayTouch.end(), 1) != atlas_.mayTouch.end();
+    for (int round = 0; round < kMostRounds; ++round)
+      if (!(mayTouch ? findPair() : findPairOfCurves())) break;
+    std::stable_sort(out_.begin(), out_.end(),
+                     [](const ChartDefect& a, const ChartDefect& b) { return a.chart < b.chart; });
+    return std::move(out_);
+  }
+
+ private:
+  const double* at(std::size_t t, std::size_t k) const {
+    return &atlas_.uv[2 * std::size_t{atlas_.triangles[3 * t + k]}];
+  }
+  bool isEmpty(std::size_t t) const {
+    const std::uint32_t* v = &atlas_.triangles[3 * t];
+    return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+  }
+  bool isChecked(std::size_t t) const {
+    return atlas_.chartOf[t] < isWanted_.size() && isWanted_[atlas_.chartOf[t]];
+  }
+
+  void checkTriangles() {
+    std::vector<Box> boxes(isWanted_.size());
+    std::vector<std::size_t> flipped(isWanted_.size(), 0);
+    for (std::size_t t = 0; t < atlas_.chartOf.size(); ++t) {
+      if (!isChecked(t) || isEmpty(t)) continue;
+      for (std::size_t k = 0; k < 3; ++k) boxes[atlas_.chartOf[t]].add(at(t, k));
+      if (!boxes[atlas_.chartOf[t]].isFinite) continue;
+      const int sign = orientation(at(t, 0), at(t, 1), at(t, 2));
+      if (sign < 0 || (sign == 0 && atlas_.hasArea(t))) ++flipped[atlas_.chartOf[t]];
+    }
+    for (std::uint32_t c = 0; c < boxes.size(); ++c) {
+      if (flipped[c] > 0) report({c, ChartDefect::Flipped, flipped[c], kNoOther});
+      const bool isUsed = boxes[c].low[0] <= boxes[c].high[0];
+      if (isUsed && !boxes[c].isInTile(atlas_.tiles, atlas_.lowestV))
+        report({c, ChartDefect::Outside, 0, kNoOther});
+    }
+  }
+
+  /// The chart is not looked at again.
+  void report(const ChartDefect& defect) {
+    out_.push_back(defect);
+    isWanted_[defect.chart] = 0;
+  }
+
+  void reportPair(std::uint32_t a, std::uint32_t b) {
+    report({a, ChartDefect::Overlaps, 0, b});
+    if (a != b) report({b, ChartDefect::Overlaps, 0, a});
+  }
+
+  /// Whether charts were found that overlap or touch, by their boundaries.
+  bool findPairOfCurves() {
+    const BoundaryCurves found =
+        boundaryCurves(atlas_.uv, atlas_.triangles, atlas_.chartOf, isWanted_);
+    for (const std::uint32_t chart : found.broken) reportPair(chart, chart);
+    if (!found.broken.empty()) return true;
+    const auto wrong = findWrongCover(found.curves);
+    if (!wrong) return false;
+    const std::vector<std::uint32_t>& ends = found.curves.ends;
+    const auto chartAt = [&](std::uint32_t point) {
+      return found.chart[static_cast<std::size_t>(
+          std::upper_bound(ends.begin(), ends.end(), point) - ends.begin())];
+    };
+    reportPair(chartAt((*wrong)[0]), chartAt((*wrong)[1]));
+    return true;
+  }
+
+  /// The same by triangles, where some charts may touch each other.
+  bool findPair() {
+    std::vector<double> uv;
+    std::vector<std::uint32_t> chart;
+    for (std::size_t t = 0; t < atlas_.chartOf.size(); ++t) {
+      if (!isChecked(t)) continue;
+      for (std::size_t k = 0; k < 3; ++k) uv.insert(uv.end(), at(t, k), at(t, k) + 2);
+      chart.push_back(atlas_.chartOf[t]);
+    }
+    const auto pair = findOverlap(uv);
+    if (!pair) return false;
+    reportPair(chart[(*pair)[0]], chart[(*pair)[1]]);
+    return true;
+  }
+
+  const WrittenAtlas& atlas_;
+  std::vector<std::uint8_t> isWanted_;  ///< per chart
+  std::vector<ChartDefect> out_;
+};
+
+}  // namespace
+
+std::vector<ChartDefect> checkAtlas(const WrittenAtlas& atlas) { return AtlasChecker(atlas).run(); }
+
+}  // namespace abflat

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "check/covered_once.h"
+
+namespace abflat {
+
+/// Boundaries of charts, from their triangles alone.
+struct BoundaryCurves {
+  Curves curves;
+  std::vector<std::uint32_t> chart;   ///< per curve
+  std::vector<std::uint32_t> broken;  ///< charts whose boundary is no set of curves: an edge has
+                                      ///< more than one triangle on a side, or curves have a corner
+                                      ///< in common
+};
+
+/// `triangles` has 3 texcoords each; those of charts that are not `wanted`, and those with two
+/// equal texcoords, do not count.
+BoundaryCurves boundaryCurves(const std::vector<double>& uv,
+                              const std::vector<std::uint32_t>& triangles,
+                              const std::vector<std::uint32_t>& chartOf,
+                              const std::vector<std::uint8_t>& isWanted);
+
+}  // namespace abflat

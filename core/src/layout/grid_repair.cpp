@@ -1,0 +1,138 @@
+#include "layout/grid_repair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/orientation.h"
+#include "mesh/triangle_geometry.h"
+#include "portable_math.h"
+
+namespace abflat {
+namespace {
+
+constexpr int kMostSteps = 12;  ///< less than packing leaves free around a chart
+constexpr int kMostRounds = 60;
+constexpr double kWantedHeight = 1.5;  ///< of triangles, in steps
+
+class Repair {
+ public:
+  Repair(const DiskChart& chart, double step, std::vector<double>& uv)
+      : chart_(chart), step_(step), uv_(uv), from_(uv) {
+    first_.assign(chart.vertexCount() + std::size_t{1}, 0);
+    for (const std::uint32_t v : chart.vertexOfCorner) ++first_[v + 1];
+    for (std::size_t v = 0; v < chart.vertexCount(); ++v) first_[v + 1] += first_[v];
+    std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
+    triangles_.resize(chart.vertexOfCorner.size());
+    for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c)
+      triangles_[fill[chart.vertexOfCorner[c]]++] = c / 3;
+  }
+
+  GridRepair run() {
+    GridRepair out;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const std::vector<std::uint32_t> thin = thinVertices();
+      out.isValid = wrong_ == 0;
+      if (out.isValid) break;
+      // Near places first, so that most vertices stay close.
+      const int reach = std::min(1 + round / 4, kMostSteps);
+      bool isMoved = false;
+      for (const std::uint32_t v : thin) isMoved = move(v, reach) || isMoved;
+      if (!isMoved && reach == kMostSteps) break;
+    }
+    for (std::size_t v = 0; v < chart_.vertexCount(); ++v) {
+      const double by = std::max(std::abs(uv_[2 * v] - from_[2 * v]),
+                                 std::abs(uv_[2 * v + 1] - from_[2 * v + 1]));
+      out.moved += by > 0;
+      out.farthest = std::max(out.farthest, by);
+    }
+    return out;
+  }
+
+ private:
+  const double* corner(std::uint32_t t, std::size_t k) const {
+    return &uv_[2 * std::size_t{chart_.vertexOfCorner[3 * std::size_t{t} + k]}];
+  }
+
+  /// In steps, negative where the triangle is flipped.
+  double height(std::uint32_t t) const {
+    const double *a = corner(t, 0), *b = corner(t, 1), *c = corner(t, 2);
+    const double ux = (b[0] - a[0]) / step_, uy = (b[1] - a[1]) / step_;
+    const double vx = (c[0] - a[0]) / step_, vy = (c[1] - a[1]) / step_;
+    const double longest = std::max({norm(ux, uy), norm(vx, vy), norm(vx - ux, vy - uy)});
+    return longest > 0 ? (ux * vy - uy * vx) / longest : 0;
+  }
+
+  /// What a triangle lacks.
+  double lack(std::uint32_t t) const {
+    const double wanted = isDegenerate(chart_.angles[t]) ? 0 : kWantedHeight;
+    const double missing = std::max(wanted - height(t), 0.0);
+    return missing * missing;
+  }
+
+  double lackAround(std::uint32_t v) const {
+    double sum = 0;
+    for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) sum += lack(triangles_[i]);
+    return sum;
+  }
+
+  /// Counts the triangles that are wrong.
+  std::vector<std::uint32_t> thinVertices() {
+    std::vector<std::uint32_t> out;
+    wrong_ = 0;
+    for (std::uint32_t t = 0; t < chart_.triangleCount(); ++t) {
+      const int sign = orientation(corner(t, 0), corner(t, 1), corner(t, 2));
+      wrong_ += sign < 0 || (sign == 0 && !isDegenerate(chart_.angles[t]));
+      if (!(lack(t) > 0)) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        out.push_back(chart_.vertexOfCorner[3 * std::size_t{t} + k]);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
+  /// To the place where its triangles lack least, the nearest of those alike.
+  bool move(std::uint32_t v, int reach) {
+    double* p = &uv_[2 * std::size_t{v}];
+    const double old[2] = {p[0], p[1]};
+    double best[2] = {p[0], p[1]};
+    double least = lackAround(v);
+    if (!(least > 0)) return false;
+    for (int ring = 1; ring <= reach; ++ring)
+      for (int x = -ring; x <= ring; ++x)
+        for (int y = -ring; y <= ring; y += std::abs(x) == ring ? 1 : 2 * ring) {
+          p[0] = old[0] + x * step_;
+          p[1] = old[1] + y * step_;
+          if (!isNear(v)) continue;
+          const double now = lackAround(v);
+          if (!(now < least * (1 - 1e-9))) continue;
+          least = now;
+          best[0] = p[0];
+          best[1] = p[1];
+        }
+    p[0] = best[0];
+    p[1] = best[1];
+    return p[0] != old[0] || p[1] != old[1];
+  }
+
+  bool isNear(std::size_t v) const {
+    const double most = kMostSteps * step_;
+    return std::abs(uv_[2 * v] - from_[2 * v]) <= most &&
+           std::abs(uv_[2 * v + 1] - from_[2 * v + 1]) <= most;
+  }
+
+  const DiskChart& chart_;
+  double step_;
+  std::vector<double>& uv_;
+  const std::vector<double> from_;
+  std::vector<std::uint32_t> first_, triangles_;  ///< around each vertex
+  std::size_t wrong_ = 0;
+};
+
+}  // namespace
+
+GridRepair repairOnGrid(const DiskChart& chart, double step, std::vector<double>& uv) {
+  return Repair(chart, step, uv).run();
+}
+
+}  // namespace abflat
