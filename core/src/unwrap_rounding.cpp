@@ -87,12 +87,14 @@ bool fillTexel(int resolution, Placement& placement, FlatChart& flat) {
   return true;
 }
 
-bool isRepaired(const DiskChart& chart, Numbers numbers, FlatChart& flat) {
+/// `exact`: uv before rounding.
+bool isRepaired(const DiskChart& chart, Numbers numbers, const std::vector<double>& exact,
+                FlatChart& flat) {
   const double step = stepOf(flat.uv, numbers);
   std::vector<double> before = flat.uv;
   if (numbers == Numbers::Double)
     for (double& x : flat.uv) x = std::floor(x / step + 0.5) * step;
-  const GridRepair repair = repairOnGrid(chart, step, flat.uv);
+  const GridRepair repair = repairOnGrid(chart, exact, step, flat.uv);
   if (repair.isValid) {
     flat.problem.clear();
     checkInPlace(chart, flat);
@@ -121,10 +123,13 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
     roundTo(numbers, flat);
     return true;
   }
+  std::vector<double> exact = flat.uv;
   if (isFine(chart, numbers, flat)) return true;
-  if (!flat.isFixed && fillTexel(resolution, placement, flat) && isFine(chart, numbers, flat))
-    return true;
-  if (isRepaired(chart, numbers, flat)) return true;
+  if (!flat.isFixed && fillTexel(resolution, placement, flat)) {
+    exact = flat.uv;
+    if (isFine(chart, numbers, flat)) return true;
+  }
+  if (isRepaired(chart, numbers, exact, flat)) return true;
   const bool isSmall = boxOf(flat.uv).side() * kEnlargement <= kMostEnlargedSide;
   if (!mayGrow || flat.isFixed || !isSmall) return true;
   flat.enlarged *= kEnlargement;

@@ -96,16 +96,14 @@ for (const [name, mesh] of Object.entries(MESHES))
 
 test('defects of every kind: what is said to be valid is', async (t) => {
   const at = tempFolder(t);
-  for (const [name, mesh] of Object.entries(defects())) {
-    writeFileSync(at('in.obj'), objText(mesh));
-    for (const format of FORMATS) {
-      const { code, stderr } = await runAbflat(['unwrap', 'in.obj', '-o', `out.${format}`], {
-        cwd: at(),
-      });
-      assert.ok(code === 0 || code === 1, stderr);
-      const { flipped, overlaps, outside } = judgeFile(at(`out.${format}`));
-      if (code === 0) assert.deepEqual([flipped, overlaps, outside], [[], [], []], name);
-    }
+  writeFileSync(at('in.obj'), objText(defects()));
+  for (const format of FORMATS) {
+    const { code, stderr } = await runAbflat(['unwrap', 'in.obj', '-o', `out.${format}`], {
+      cwd: at(),
+    });
+    assert.deepEqual([code, stderr], [0, ''], format);
+    const { flipped, overlaps, outside } = judgeFile(at(`out.${format}`));
+    assert.deepEqual([flipped, overlaps, outside], [[], [], []], format);
   }
 });
 
@@ -134,7 +132,7 @@ test('the judge finds what is wrong', () => {
   ];
   const moved = (x, y) => s.map((p) => [p[0] + x, p[1] + y]);
   assert.ok(judge([s, moved(0.5, 0)]).isValid);
-  assert.deepEqual(judge([s, moved(0.2, 0.2), moved(0.5, 0)]).overlaps, [[0, 1]]);
+  assert.deepEqual(judge([s, moved(0.2, 0.2), moved(0.5, 0.5)]).overlaps, [[0, 1]]);
   assert.deepEqual(judge([s.toReversed()]).flipped, [0]);
   assert.deepEqual(judge([moved(0.6, 0)]).outside, [0]);
   assert.deepEqual(judge([[s[0], s[1], [0.25, 0]]]).flat, [0]);

@@ -16,15 +16,17 @@ constexpr double kWantedHeight = 1.5;  ///< of triangles, in steps
 
 class Repair {
  public:
-  Repair(const DiskChart& chart, double step, std::vector<double>& uv)
-      : chart_(chart), step_(step), uv_(uv), from_(uv) {
+  Repair(const DiskChart& chart, const std::vector<double>& exact, double step,
+         std::vector<double>& uv)
+      : chart_(chart), step_(step), uv_(uv), from_(uv), corners_(chart.vertexOfCorner) {
+    for (const auto& angles : chart.angles) mayBeFlat_.push_back(isDegenerate(angles));
+    addTurns(exact);
     first_.assign(chart.vertexCount() + std::size_t{1}, 0);
-    for (const std::uint32_t v : chart.vertexOfCorner) ++first_[v + 1];
+    for (const std::uint32_t v : corners_) ++first_[v + 1];
     for (std::size_t v = 0; v < chart.vertexCount(); ++v) first_[v + 1] += first_[v];
     std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
-    triangles_.resize(chart.vertexOfCorner.size());
-    for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c)
-      triangles_[fill[chart.vertexOfCorner[c]]++] = c / 3;
+    triangles_.resize(corners_.size());
+    for (std::uint32_t c = 0; c < corners_.size(); ++c) triangles_[fill[corners_[c]]++] = c / 3;
   }
 
   GridRepair run() {
@@ -49,8 +51,23 @@ class Repair {
   }
 
  private:
+  /// Triangles outside of the boundary, where it turns clockwise, so that it does not cross itself.
+  void addTurns(const std::vector<double>& exact) {
+    const std::size_t n = chart_.boundary.size();
+    const auto vertex = [&](std::size_t i) {
+      return std::size_t{chart_.vertexOfCorner[chart_.boundary[i % n]]};
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = vertex(i), at = vertex(i + 1), after = vertex(i + 2);
+      if (orientation(&exact[2 * after], &exact[2 * at], &exact[2 * before]) <= 0) continue;
+      for (const std::size_t v : {after, at, before})
+        corners_.push_back(static_cast<std::uint32_t>(v));
+      mayBeFlat_.push_back(0);
+    }
+  }
+
   const double* corner(std::uint32_t t, std::size_t k) const {
-    return &uv_[2 * std::size_t{chart_.vertexOfCorner[3 * std::size_t{t} + k]}];
+    return &uv_[2 * std::size_t{corners_[3 * std::size_t{t} + k]}];
   }
 
   /// In steps, negative where the triangle is flipped.
@@ -64,7 +81,7 @@ class Repair {
 
   /// What a triangle lacks.
   double lack(std::uint32_t t) const {
-    const double wanted = isDegenerate(chart_.angles[t]) ? 0 : kWantedHeight;
+    const double wanted = mayBeFlat_[t] ? 0 : kWantedHeight;
     const double missing = std::max(wanted - height(t), 0.0);
     return missing * missing;
   }
@@ -79,12 +96,11 @@ class Repair {
   std::vector<std::uint32_t> thinVertices() {
     std::vector<std::uint32_t> out;
     wrong_ = 0;
-    for (std::uint32_t t = 0; t < chart_.triangleCount(); ++t) {
+    for (std::uint32_t t = 0; t < mayBeFlat_.size(); ++t) {
       const int sign = orientation(corner(t, 0), corner(t, 1), corner(t, 2));
-      wrong_ += sign < 0 || (sign == 0 && !isDegenerate(chart_.angles[t]));
+      wrong_ += sign < 0 || (sign == 0 && !mayBeFlat_[t]);
       if (!(lack(t) > 0)) continue;
-      for (std::size_t k = 0; k < 3; ++k)
-        out.push_back(chart_.vertexOfCorner[3 * std::size_t{t} + k]);
+      for (std::size_t k = 0; k < 3; ++k) out.push_back(corners_[3 * std::size_t{t} + k]);
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -125,14 +141,17 @@ class Repair {
   double step_;
   std::vector<double>& uv_;
   const std::vector<double> from_;
+  std::vector<std::uint32_t> corners_;   ///< of the chart's triangles, and of those outside
+  std::vector<std::uint8_t> mayBeFlat_;  ///< per triangle
   std::vector<std::uint32_t> first_, triangles_;  ///< around each vertex
   std::size_t wrong_ = 0;
 };
 
 }  // namespace
 
-GridRepair repairOnGrid(const DiskChart& chart, double step, std::vector<double>& uv) {
-  return Repair(chart, step, uv).run();
+GridRepair repairOnGrid(const DiskChart& chart, const std::vector<double>& exact, double step,
+                        std::vector<double>& uv) {
+  return Repair(chart, exact, step, uv).run();
 }
 
 }  // namespace abflat

@@ -15,7 +15,9 @@ struct GridRepair {
 
 /// Triangles that are thinner than numbers can tell are flipped or without area once coordinates
 /// are rounded to multiples of `step`. Their vertices are moved to other multiples, at most 12
-/// steps along either axis from where they are, until each is positively oriented.
-GridRepair repairOnGrid(const DiskChart& chart, double step, std::vector<double>& uv);
+/// steps along either axis from where they are, until each is positively oriented. `exact`: the
+/// layout before rounding; where its boundary turns clockwise it still does.
+GridRepair repairOnGrid(const DiskChart& chart, const std::vector<double>& exact, double step,
+                        std::vector<double>& uv);
 
 }  // namespace abflat

@@ -6,10 +6,28 @@
 
 namespace abflat {
 
+int FreeMap::levelsFor(int longest) const {
+  return floorLog2(static_cast<std::uint32_t>(std::min(longest, width_))) + 1;
+}
+
+void FreeMap::limit(int longest) {
+  const int levels = levelsFor(longest);
+  if (levels >= levels_) return;
+  levels_ = levels;
+  words_.resize(rowBegin(levels, 0));
+  words_.shrink_to_fit();
+}
+
+int FreeMap::mostFree() const {
+  int most = 0;
+  for (const FreeRun& run : longest_) most = std::max(most, static_cast<int>(run.length));
+  return most;
+}
+
 void FreeMap::reset(int width, int height, int longest) {
   width_ = width;
   height_ = height;
-  levels_ = floorLog2(static_cast<std::uint32_t>(std::min(longest, width))) + 1;
+  levels_ = levelsFor(longest);
   // Reading 64 bits from any cell stays inside.
   stride_ = static_cast<std::size_t>(width) / 64 + 2;
   words_.assign(rowBegin(levels_, 0), 0);

@@ -22,6 +22,12 @@ class FreeMap {
   /// faster.
   void reset(int width, int height, int longest);
 
+  /// Runs that will be looked for are no longer than that from now on: less memory is needed.
+  void limit(int longest);
+
+  /// No row has more free cells side by side.
+  int mostFree() const;
+
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -33,6 +39,7 @@ class FreeMap {
   void take(const BitGrid& grid, int x, int y);
 
  private:
+  int levelsFor(int longest) const;
   std::size_t rowBegin(int level, int y) const {
     return stride_ * (static_cast<std::size_t>(level) * static_cast<std::size_t>(height_) +
                       static_cast<std::size_t>(y));

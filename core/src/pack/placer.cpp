@@ -30,7 +30,8 @@ class Placer {
         tiles_(space.tiles),
         begins_(space.begins),
         raster_(grid),
-        longest_(longestRun()) {
+        longest_(longestRun(longestSide(items))),
+        isFull_(taken.size(), 0) {
     tiles_.resize(taken.size());
     begins_.assign(taken.size(), {});
     for (std::size_t t = 0; t < taken.size(); ++t) {
@@ -43,7 +44,8 @@ class Placer {
     Placed out;
     out.spots.resize(items_.size());
     std::size_t count = 0;
-    for (const std::uint32_t i : strategy_.order) {
+    for (position_ = 0; position_ < strategy_.order.size(); ++position_) {
+      const std::uint32_t i = strategy_.order[position_];
       if (options_.onPlaced && !options_.onPlaced(count)) {
         out.fit = Fit::Cancelled;
         return out;
@@ -64,9 +66,19 @@ class Placer {
 
  private:
   /// None of a footprint is longer.
-  int longestRun() const {
-    const double cells = cellsOf(grid_, longestSide(items_) * options_.texelsPerUnit);
+  int longestRun(double side) const {
+    const double cells = cellsOf(grid_, side * options_.texelsPerUnit);
     return static_cast<int>(std::min<double>(cells, grid_.cells()));
+  }
+
+  /// Each footprint has a run at least that long: as its cells would be in rows alike.
+  int leastRun(const PackItem& item) const {
+    if (item.loops.points.empty()) return grid_.cells();
+    constexpr double kRounding = 0.999;
+    const double scale = options_.texelsPerUnit / grid_.cell;
+    const double rows = longestRun(longestSide(item));
+    return static_cast<int>(std::min<double>(
+        std::ceil(kRounding * item.mass.area * scale * scale / rows), grid_.cells()));
   }
 
   bool isPosed() const { return !strategy_.poses.empty(); }
@@ -74,15 +86,45 @@ class Placer {
   bool placeItem(std::uint32_t i, Spot& spot) {
     for (std::uint32_t t = 0; t < options_.mostTiles; ++t) {
       const bool isNew = t == tiles_.size();
-      if (isNew) {
-        tiles_.emplace_back();
-        tiles_.back().reset(grid_.cells(), grid_.cells(), longest_);
-        begins_.emplace_back();
-      }
+      if (isNew) openTile();
+      if (isFull_[t]) continue;
       if (findIn(t, i, spot)) return true;
       if (isNew) return false;
     }
     return false;
+  }
+
+  /// What items from each position of the order on need.
+  void lookAhead() {
+    remaining_.resize(strategy_.order.size());
+    Runs now{1, grid_.cells()};
+    for (std::size_t k = remaining_.size(); k-- > 0;) {
+      const PackItem& item = items_[strategy_.order[k]];
+      now.longest = std::max(now.longest, longestRun(longestSide(item)));
+      now.least = std::min(now.least, leastRun(item));
+      remaining_[k] = now;
+    }
+  }
+
+  /// Tiles that have no room for any of the items to come are let go, and others keep what these
+  /// need.
+  void openTile() {
+    if (remaining_.empty()) lookAhead();
+    const auto [longest, least] = remaining_[position_];
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+      if (isFull_[t]) continue;
+      isFull_[t] = tiles_[t].mostFree() < least;
+      if (isFull_[t]) {
+        tiles_[t] = {};
+        begins_[t] = {};
+      } else {
+        tiles_[t].limit(longest);
+      }
+    }
+    tiles_.emplace_back();
+    tiles_.back().reset(grid_.cells(), grid_.cells(), longest);
+    begins_.emplace_back();
+    isFull_.push_back(0);
   }
 
   bool findIn(std::uint32_t t, std::uint32_t i, Spot& spot) {
@@ -189,15 +231,26 @@ class Placer {
   Footprint upright_;
   BitGrid taken_;
   const int longest_;
+  struct Runs {
+    int longest, least;  ///< of the longest runs of items
+  };
+  std::vector<Runs> remaining_;       ///< by position, once there is a second tile
+  std::vector<std::uint8_t> isFull_;  ///< per tile
+  std::size_t position_ = 0;          ///< in the order
   double work_ = 0;
 };
 
 }  // namespace
 
+double longestSide(const PackItem& item) {
+  double longest = 0;
+  for (const Pose& pose : item.poses) longest = std::max({longest, pose.width, pose.height});
+  return longest;
+}
+
 double longestSide(const std::vector<PackItem>& items) {
   double longest = 0;
-  for (const PackItem& item : items)
-    for (const Pose& pose : item.poses) longest = std::max({longest, pose.width, pose.height});
+  for (const PackItem& item : items) longest = std::max(longest, longestSide(item));
   return longest;
 }
 

@@ -21,6 +21,7 @@ struct PackItem {
 };
 
 /// The longest side of the box of any pose.
+double longestSide(const PackItem& item);
 double longestSide(const std::vector<PackItem>& items);
 
 /// Side of the least square that has room for each item in some pose.

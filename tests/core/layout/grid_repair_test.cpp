@@ -54,10 +54,11 @@ TEST_CASE("triangles thinner than the grid get area, and vertices stay close", "
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Needles n = needles(12, 5, 1e-9, seed);
     REQUIRE(checkValidity(n.chart, n.uv).valid());
+    const std::vector<double> exact = n.uv;
     roundTo(kStep, n.uv);
     if (checkValidity(n.chart, n.uv).valid()) continue;
     const std::vector<double> before = n.uv;
-    const GridRepair repair = repairOnGrid(n.chart, kStep, n.uv);
+    const GridRepair repair = repairOnGrid(n.chart, exact, kStep, n.uv);
     CHECK(repair.isValid);
     CHECK(checkValidity(n.chart, n.uv).valid());
     CHECK(repair.moved > 0);
@@ -80,7 +81,7 @@ TEST_CASE("what is valid stays as it is", "[certificate]") {
   Needles n = needles(8, 1000000, 1, 1);
   roundTo(0x1p-24, n.uv);
   const std::vector<double> before = n.uv;
-  const GridRepair repair = repairOnGrid(n.chart, 0x1p-24, n.uv);
+  const GridRepair repair = repairOnGrid(n.chart, before, 0x1p-24, n.uv);
   CHECK(repair.isValid);
   CHECK(repair.moved == 0);
   CHECK(n.uv == before);
