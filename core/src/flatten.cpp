@@ -60,7 +60,7 @@ std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface
 struct Prepared {
   MeshSummary summary;
   DiskChart chart;
-  std::vector<std::uint32_t> cornerUv, triangleCorners;
+  std::vector<std::uint32_t> cornerUv;
 };
 
 Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
@@ -70,7 +70,6 @@ Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
   Prepared out;
   out.chart = makeDiskChart(mesh, surface);
   out.cornerUv = cornerToOutput(mesh, surface);
-  out.triangleCorners = std::move(surface.triangulation.corner);
   out.summary = std::move(surface.summary);
   return out;
 }
@@ -132,7 +131,6 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   out.report.valid = out.report.charts.front().valid;
   out.vertexMap = chart.inputVertex;
   out.triangles = chart.vertexOfCorner;
-  out.triangleCorners = std::move(prepared.value.triangleCorners);
   out.cornerUv = std::move(prepared.value.cornerUv);
   return out;
 }

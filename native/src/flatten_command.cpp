@@ -53,6 +53,11 @@ struct FlattenJob {
     return result;
   }
 
+  /// A disk is flattened as it is: with the triangles of its own faces.
+  static std::vector<std::uint32_t> triangleCorners(const PolygonMesh& mesh, const FlattenResult&) {
+    return triangleCornersOf(mesh);
+  }
+
   static std::vector<ExtraFile<FlattenResult>> extraFiles(const FlattenCommand&) { return {}; }
   static std::string json(const Report& report) { return reportJson(report); }
   static std::string summary(const Report& report, const std::string& input,

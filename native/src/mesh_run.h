@@ -44,6 +44,7 @@ struct ExtraFile {
 ///   keepsTexcoords    whether all that the input has are in the result
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
+///   triangleCorners   of a result and its mesh, as for makeGltf
 ///   extraFiles       further files, as a vector of ExtraFile<Outcome>
 template <class Job>
 class MeshRun {
@@ -148,7 +149,7 @@ class MeshRun {
     Result<std::string> layout = placed(name, [&] {
       if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
       return layoutText(input_, command_.output, texcoord_,
-                        {result.uv, result.cornerUv, result.triangleCorners});
+                        {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result)});
     });
     if (!layout.ok()) return layout.status;
     notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());

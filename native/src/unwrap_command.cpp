@@ -53,6 +53,11 @@ struct UnwrapJob {
     return result;
   }
 
+  static const std::vector<std::uint32_t>& triangleCorners(const PolygonMesh&,
+                                                           const UnwrapResult& result) {
+    return result.triangleCorners;
+  }
+
   static std::vector<ExtraFile<UnwrapResult>> extraFiles(const UnwrapCommand& command) {
     std::vector<ExtraFile<UnwrapResult>> out;
     if (!command.writeSeams.empty())

@@ -157,7 +157,6 @@ struct FlattenResult {
   std::vector<double> uv;  ///< 2 per output vertex; of the mesh's 3D area unless pinned
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
   std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle (polygons triangulated)
-  std::vector<std::uint32_t> triangleCorners;  ///< the same as face corners of the input, by face
   std::vector<std::uint32_t>
       cornerUv;   ///< output vertex of each input face corner (size of faceVertices)
   Report report;  ///< path and timings.read/write/total are the caller's to fill
