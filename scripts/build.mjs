@@ -34,12 +34,15 @@ const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
 
 const FIRST_PAGE = join(BUILD, 'first-page');
 
+/** What tests of the core and of the command line run. */
+export const TESTED = ['abflat', 'abflat_core_tests', 'abflat_replay'];
+
 /** Without `tests` nothing is asked of Catch2, which only the tests need. */
 export async function buildNative({ tests = false } = {}) {
   await cmakeBuild('native', {
     settings: tests ? { ABFLAT_TESTS: 'ON' } : {},
     first: { ABFLAT_TESTS: 'OFF' },
-    targets: tests ? ['abflat', 'abflat_core_tests'] : ['abflat'],
+    targets: tests ? TESTED : ['abflat'],
   });
   writeLicenses(join(BUILD, 'native'), 'native');
   return NATIVE_PROGRAM;

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Installs what is missing: system packages on Debian and Ubuntu, npm packages everywhere.
-// Usage: setup.mjs [page] [build] [test] [lint] [coverage]   (default: build test lint)
+// Usage: setup.mjs [page] [build] [test] [lint] [coverage] [fuzz]   (default: build test lint)
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,8 +11,8 @@ import { Failure, mustRun, runMain, which } from './lib/run.mjs';
 import { filesBelow, fingerprint } from './lib/stamp.mjs';
 
 const LEAST_NODE = 20;
-const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage'];
-/** What is looked for unless something is named: coverage is seldom wanted. */
+const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage', 'fuzz'];
+/** What is looked for unless something is named: coverage and fuzzing are seldom wanted. */
 const USUAL = ['build', 'test', 'lint'];
 
 export async function setup(purposes = USUAL) {

@@ -2,7 +2,7 @@
 
 import { join } from 'node:path';
 import { buildBench } from '../tests/bench/support/meshes.mjs';
-import { buildNative, buildWasm, buildWeb } from './build.mjs';
+import { buildNative, buildWasm, buildWeb, TESTED } from './build.mjs';
 import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
 import { profileIn } from './lib/coverage.mjs';
@@ -44,15 +44,18 @@ const program = () => buildNative({ tests: true });
 const sanitizedProgram = () =>
   cmakeBuild('sanitize', {
     settings: { ABFLAT_SANITIZE: 'ON' },
-    targets: ['abflat', 'abflat_core_tests'],
+    targets: TESTED,
   });
 
 const coveredProgram = () =>
   cmakeBuild('coverage', {
     settings: { ABFLAT_COVERAGE: 'ON' },
     first: { CMAKE_CXX_COMPILER: findClang() },
-    targets: ['abflat', 'abflat_core_tests'],
+    targets: TESTED,
   });
+
+const countingProgram = () =>
+  cmakeBuild('steps', { settings: { ABFLAT_STEPS: 'ON' }, targets: ['abflat_scaling'] });
 
 /** Files of tests/FOLDER for node, some of them at a time. `env` is asked for once all is built. */
 function node(folder, needs, { kind = WITHOUT, what = 'node', env = () => ({}) } = {}) {
@@ -83,6 +86,7 @@ export const SUITES = [
   catch2('core', [program]),
   node('native', [program]),
   node('faults', [program]),
+  node('fuzz', [program], { what: 'random meshes' }),
   node('bench', [program, buildBench]),
   node('wasm', [program, buildWasm]),
   node('web', [program, buildWasm, buildWeb], {
@@ -93,18 +97,23 @@ export const SUITES = [
 ];
 
 /** What only `npm run test:long` runs beside those, with the long tests of both. */
-export const LONG_SUITES = [node('bundlers', [buildWasm])];
+export const LONG_SUITES = [
+  node('bundlers', [buildWasm]),
+  node('scaling', [countingProgram], { what: 'steps' }),
+];
 
 /** What runs again with an instrumented program. */
 export const SANITIZED_SUITES = [
   catch2('core', [sanitizedProgram], { kind: SANITIZED }),
   node('native', [sanitizedProgram], { kind: SANITIZED }),
+  node('fuzz', [sanitizedProgram], { kind: SANITIZED, what: 'random meshes' }),
 ];
 
 /** What `npm run coverage` counts. */
 export const COVERED_SUITES = [
   catch2('core', [coveredProgram], { kind: COVERED }),
   node('native', [coveredProgram], { kind: COVERED }),
+  node('fuzz', [coveredProgram], { kind: COVERED, what: 'random meshes' }),
 ];
 
 /** What `npm run lint` checks. */

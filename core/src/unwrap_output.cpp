@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/folded_face.h"
+
 namespace abflat {
 namespace {
 
@@ -76,10 +78,14 @@ void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Sur
     put(order.ofTriangle[t], {cornerOf(3 * t), cornerOf(3 * t + 1), cornerOf(3 * t + 2)},
         set.ofTriangle[t]);
   for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
-    if (!order.isFan[f]) continue;
+    if (!order.isFolded[f]) continue;
     const std::uint32_t begin = input.faceOffsets[f];
-    for (std::uint32_t c = begin + 1; c + 1 < input.faceOffsets[f + 1]; ++c)
-      put(order.firstOfFace[f] + c - begin - 1, {begin, c, c + 1}, out.chartOfFace[f]);
+    std::vector<std::uint32_t> places;
+    for (std::uint32_t c = begin; c < input.faceOffsets[f + 1]; ++c)
+      places.push_back(welded.place[input.faceVertices[c]]);
+    std::size_t i = order.firstOfFace[f];
+    for (const auto& t : foldedTriangles(places))
+      put(i++, {begin + t[0], begin + t[1], begin + t[2]}, out.chartOfFace[f]);
   }
 }
 
@@ -112,12 +118,12 @@ TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
   const std::vector<std::uint32_t>& face = surface.triangulation.face;
   TriangleOrder out;
   out.firstOfFace.assign(input.faceCount() + 1, 0);
-  out.isFan.assign(input.faceCount(), 0);
+  out.isFolded.assign(input.faceCount(), 0);
   for (const std::uint32_t w : face) ++out.firstOfFace[welded.inputFace[w] + 1];
   for (std::size_t f = 0; f < input.faceCount(); ++f) {
     std::uint32_t& count = out.firstOfFace[f + 1];
-    out.isFan[f] = count == 0;
-    if (out.isFan[f]) count = input.faceOffsets[f + 1] - input.faceOffsets[f] - 2;
+    out.isFolded[f] = count == 0;
+    if (out.isFolded[f]) count = input.faceOffsets[f + 1] - input.faceOffsets[f] - 2;
     count += out.firstOfFace[f];
   }
   std::vector<std::uint32_t> fill = out.firstOfFace;

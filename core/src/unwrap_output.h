@@ -14,7 +14,7 @@ RepairReport repairReport(const WeldedMesh& welded, const Surface& surface);
 struct TriangleOrder {
   std::vector<std::uint32_t> ofTriangle;   ///< per triangle of the surface
   std::vector<std::uint32_t> firstOfFace;  ///< size F + 1
-  std::vector<std::uint8_t> isFan;         ///< per face: nothing of it is on the surface
+  std::vector<std::uint8_t> isFolded;      ///< per face: nothing of it is on the surface
 };
 TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
                             const Surface& surface);

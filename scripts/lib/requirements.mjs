@@ -203,4 +203,14 @@ export const REQUIREMENTS = [
     pacman: ['clang'],
     brew: ['llvm'],
   },
+  {
+    name: 'clang with its fuzzer',
+    purpose: 'fuzz',
+    why: 'builds and runs the fuzzers',
+    present: findClang,
+    apt: ['clang', 'libclang-rt-dev'],
+    dnf: ['clang', 'compiler-rt'],
+    pacman: ['clang', 'compiler-rt'],
+    brew: ['llvm'],
+  },
 ];

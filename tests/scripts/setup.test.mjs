@@ -98,5 +98,8 @@ test('a failing apt-get is named', () => {
 test('an unknown purpose is refused', () => {
   const { status, stderr } = setup('party');
   assert.equal(status, 1);
-  assert.match(stderr, /Unknown purpose "party"; known are: page, build, test, lint, coverage\./);
+  assert.match(
+    stderr,
+    /Unknown purpose "party"; known are: page, build, test, lint, coverage, fuzz\./,
+  );
 });

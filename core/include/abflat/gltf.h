@@ -66,7 +66,8 @@ struct GltfMakeOptions {
 /// by face: those of the layout, so that the file has what was checked. A mesh and a node for each
 /// object, a primitive for each material of it, triangles in the order of the faces. Texcoords that
 /// the mesh has become set 0 where another one is written, and set 1 where set 0 is written and an
-/// image needs them. `uv` may be empty: without texcoords. Errors: CannotWrite (a .glb of 4 GB).
+/// image needs them. `uv` may be empty: without texcoords. Errors: CannotWrite (a .glb of 4 GB, a
+/// coordinate that is too large).
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
                              const std::vector<std::uint32_t>& cornerUv,
                              const std::vector<std::uint32_t>& triangleCorners,

@@ -168,8 +168,8 @@ struct UnwrapResult {
   std::vector<std::uint32_t> vertexMap;     ///< input vertex of each output vertex
   std::vector<std::uint32_t> vertexUv;      ///< texcoord of each output vertex
   std::vector<std::uint32_t> cornerVertex;  ///< output vertex of each input face corner
-  /// 3 output vertices per triangle, by input face: as flattened, a fan where nothing of a face
-  /// was. So a triangle mesh keeps all of its triangles in their order.
+  /// 3 output vertices per triangle, by input face: as flattened; of a face without area such
+  /// that have none either. So a triangle mesh keeps all of its triangles in their order.
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> triangleCorners;  ///< the same as face corners of the input
   std::vector<std::uint32_t> chartOfTriangle;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "abflat/gltf.h"
@@ -200,6 +202,19 @@ class ModelMaker {
   std::map<std::size_t, std::size_t> textures_;
 };
 
+/// Whether single precision, which is all that a glTF has, holds the places of all faces.
+Status checkRange(const PolygonMesh& mesh) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  for (const std::uint32_t v : mesh.faceVertices)
+    for (std::size_t d = 0; d < 3; ++d)
+      if (std::abs(mesh.positions[3 * std::size_t{v} + d]) > kMost)
+        return {StatusCode::CannotWrite,
+                "vertex " + std::to_string(v) +
+                    " has a coordinate above 3.4e38, the largest number that a glTF holds; scale "
+                    "the mesh or write an OBJ"};
+  return {};
+}
+
 }  // namespace
 }  // namespace gltf
 
@@ -211,6 +226,7 @@ Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>&
                              const std::vector<std::uint32_t>& cornerUv,
                              const std::vector<std::uint32_t>& triangleCorners,
                              const Appearance& look, const GltfMakeOptions& options) {
+  if (Status s = gltf::checkRange(mesh); !s.ok()) return s;
   return gltf::ModelMaker(mesh, uv, cornerUv, triangleCorners, look, options).make();
 }
 

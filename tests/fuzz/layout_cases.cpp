@@ -1,0 +1,93 @@
+#include "layout_cases.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "abflat/io.h"
+#include "random_mesh.h"
+#include "random_options.h"
+
+namespace abflat::fuzz {
+namespace {
+
+SeamSources randomSeams(const PolygonMesh& mesh, RandomSource& random) {
+  SeamSources out;
+  out.isAuto = !random.isOneOf(4);
+  if (random.isOneOf(4)) out.sharpDegrees = random.pick({1.0, 30.0, 60.0, 179.0});
+  out.followsTexcoords = random.isOneOf(4);
+  out.followsMaterials = random.isOneOf(4);
+  if (mesh.faceVertices.empty()) return out;
+  for (std::uint32_t n = random.isOneOf(4) ? random.below(9) : 0; n > 0; --n) {
+    const std::uint32_t f = random.below(mesh.faceCount());
+    const std::uint32_t begin = mesh.faceOffsets[f], count = mesh.faceOffsets[f + 1] - begin;
+    const std::uint32_t k = random.below(count);
+    out.edges.push_back({mesh.faceVertices[begin + k], mesh.faceVertices[begin + (k + 1) % count]});
+  }
+  return out;
+}
+
+template <class Options>
+void showOptions(std::ostringstream& out, const Options& options) {
+  forEachOption(options, [&](const char* name, const auto& value) {
+    out << "# " << name << " " << value << "\n";
+  });
+}
+
+}  // namespace
+
+UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size) {
+  RandomSource random(bytes, size);
+  UnwrapCase out;
+  out.isPlain = random.flag();
+  const std::uint32_t format = random.below(3);  // OBJ, PLY, GLB
+  if (!out.isPlain) randomOptions(out.options, random);
+  out.mesh = randomMesh(random);
+  if (!out.isPlain) out.options.seams = randomSeams(out.mesh, random);
+  out.options.roundsToSingle = format == 1;
+  out.options.roundsForGltf = format == 2;
+  return out;
+}
+
+FlattenCase flattenCase(const std::uint8_t* bytes, std::size_t size) {
+  RandomSource random(bytes, size);
+  FlattenCase out;
+  out.rounding = random.pick({Rounding::None, Rounding::Single, Rounding::Gltf});
+  const bool isPlain = random.flag();
+  if (!isPlain) randomOptions(out.options, random);
+  out.mesh = randomDisk(random);
+  if (isPlain) return out;
+  const auto vertex = [&] { return random.below(out.mesh.vertexCount()); };
+  for (std::uint32_t n = random.below(4); n > 0; --n)
+    out.options.bounds.push_back({vertex(), random.pick({0.6, 0.9, 1.0, 1.5})});
+  for (std::uint32_t n = random.below(4); n > 0; --n)
+    out.options.pins.push_back({vertex(), {random.signedUnit(), random.signedUnit()}, kAnyFace});
+  return out;
+}
+
+std::string shown(const UnwrapCase& c) {
+  std::ostringstream out;
+  showOptions(out, static_cast<const UnwrapOptionValues&>(c.options));
+  const SeamSources& seams = c.options.seams;
+  out << "# seams: auto " << seams.isAuto << ", sharp " << seams.sharpDegrees << ", uv "
+      << seams.followsTexcoords << ", material " << seams.followsMaterials << "\n";
+  for (const EdgeVertices& e : seams.edges) out << "# seam " << e[0] << " " << e[1] << "\n";
+  out << "# rounds to single " << c.options.roundsToSingle << ", for glTF "
+      << c.options.roundsForGltf << "\n";
+  const bool hasAll =
+      std::count(c.mesh.faceTexcoords.begin(), c.mesh.faceTexcoords.end(), kNoTexcoord) == 0;
+  if (!hasAll) out << "# texcoords: of some faces only, not shown\n";
+  return out.str() + (hasAll ? writeObj(c.mesh, c.mesh.texcoords, c.mesh.faceTexcoords)
+                             : writeObj(c.mesh, {}, {}));
+}
+
+std::string shown(const FlattenCase& c) {
+  std::ostringstream out;
+  showOptions(out, static_cast<const FlattenOptionValues&>(c.options));
+  for (const VertexBound& b : c.options.bounds) out << "# bound " << b.vertex << " " << b.t << "\n";
+  for (const Pin& p : c.options.pins)
+    out << "# pin " << p.vertex << " " << p.uv[0] << " " << p.uv[1] << "\n";
+  out << "# rounding " << static_cast<int>(c.rounding) << "\n";
+  return out.str() + writeObj(c.mesh, {}, {});
+}
+
+}  // namespace abflat::fuzz

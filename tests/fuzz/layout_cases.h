@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "abflat/unwrap.h"
+
+namespace abflat::fuzz {
+
+struct UnwrapCase {
+  PolygonMesh mesh;
+  UnwrapOptions options;
+  bool isPlain = false;  ///< the usual options
+};
+UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size);
+
+enum class Rounding { None, Single, Gltf };
+struct FlattenCase {
+  PolygonMesh mesh;
+  FlattenOptions options;
+  Rounding rounding = Rounding::None;
+};
+FlattenCase flattenCase(const std::uint8_t* bytes, std::size_t size);
+
+/// A case for people: the mesh as an OBJ, options and seams as comments.
+std::string shown(const UnwrapCase& c);
+std::string shown(const FlattenCase& c);
+
+}  // namespace abflat::fuzz
