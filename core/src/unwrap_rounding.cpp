@@ -129,9 +129,10 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
     exact = flat.uv;
     if (isFine(chart, numbers, flat)) return true;
   }
+  if (flat.isFixed) return true;  // and says so: its vertices are where they were asked to be
   if (isRepaired(chart, numbers, exact, flat)) return true;
   const bool isSmall = boxOf(flat.uv).side() * kEnlargement <= kMostEnlargedSide;
-  if (!mayGrow || flat.isFixed || !isSmall) return true;
+  if (!mayGrow || !isSmall) return true;
   flat.enlarged *= kEnlargement;
   flat.problem.clear();
   return false;
