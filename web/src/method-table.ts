@@ -78,9 +78,9 @@ function methodRow(method: MethodResult, select: (method: MethodResult) => void)
   const [name, ...detail] = method.title.split(', ');
   button.append(
     create('span', '', name === 'abflat' ? name : sentence(name)),
+    ' ',
     create('span', 'method-detail', detail.join(', ')),
   );
-  button.setAttribute('aria-label', method.title);
   const first = create('th', '');
   first.scope = 'row';
   first.append(button);
