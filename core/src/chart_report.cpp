@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "angle/constants.h"
 #include "check/distortion.h"
 #include "portable_math.h"
 
@@ -29,6 +30,13 @@ int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
 
 }  // namespace
 
+std::string exceededText(const Exceeded& exceeded) {
+  char most[40];
+  std::snprintf(most, sizeof most, "%.3g pi", exceeded.most / kPi);
+  return "the layout exceeds " + std::to_string(exceeded.count) +
+         " of the bounds asked for, by up to " + most;
+}
+
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
   constexpr int kDrawable =
@@ -47,6 +55,7 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
                       " flipped or without area"
                 : "its boundary crosses itself at " + count(v.crossings.count, "place", "places")) +
            "; move them nearer to where the layout without them is, or leave some out";
+  if (a.exceeded.count > 0) return exceededText(a.exceeded) + "; raise them or leave some out";
   if (v.flippedTriangles > 0) {
     const int range = edgeRange(chart, a.uv);
     return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or without area" +

@@ -13,6 +13,9 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
 /// Why the layout is not valid, one sentence; empty when it is.
 std::string findProblem(const DiskChart& chart, const Attempt& attempt);
 
+/// "the layout exceeds 3 of the bounds asked for, by up to 0.5 pi".
+std::string exceededText(const Exceeded& exceeded);
+
 /// What is measured of a layout whose bounds and solution are known.
 void setMeasures(ChartReport& report, const Validity& validity, const Distortion& distortion);
 

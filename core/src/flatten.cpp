@@ -114,6 +114,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Attempt best = flattenChart(flattener, t.value, options);
   pin(flattener, pins.value.front(), {solver.allowedBytes, &pool}, best);
   if (best.solution.cancelled || monitor.stopped()) return aborted;
+  if (best.pins)
+    if (const Exceeded e = exceededBounds(chart, best.uv, t.value); e.count > 0)
+      best.fallbacks.push_back("pins: " + exceededText(e));
   timings = flattener.timings();
   timings.solve += setUp;
   timings.connectivity = connectivity;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "boundary/auto_bounds.h"
 #include "boundary/delaunay_step.h"
 #include "check/delaunay.h"
 #include "mesh/triangle_geometry.h"
@@ -49,12 +48,12 @@ unsigned usefulThreads(int wanted, std::size_t faces) {
 }
 
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
-                     const FlattenOptions& options) {
+                     const FlattenOptions& options, const Effort& effort) {
   const bool isAuto = options.t == kAutoT;
   const Untangle untangle =
       isAuto && options.untangle == Untangle::Auto ? Untangle::Best : options.untangle;
-  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle)
-                        : untangled(flattener, flattener.attempt(t, nullptr), untangle);
+  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle, effort)
+                        : untangled(flattener, flattener.attempt(t, nullptr), untangle, effort);
   if (!options.delaunay || best.solution.cancelled) return best;
   return madeDelaunay(flattener, std::move(best), untangle);
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "boundary/auto_bounds.h"
 #include "boundary/chart_flattener.h"
 #include "pin/pinned_layout.h"
 
@@ -16,7 +17,7 @@ unsigned usefulThreads(int wanted, std::size_t faces);
 
 /// One chart with the bounds and all that the options ask for beyond them.
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
-                     const FlattenOptions& options);
+                     const FlattenOptions& options, const Effort& effort = {});
 
 /// Moves the attempt's layout to where its pins are, and checks and measures it anew. Without pins
 /// it stays.

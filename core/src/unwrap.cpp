@@ -80,12 +80,21 @@ Status checkUnpinned(const std::vector<DiskChart>& charts, const std::vector<Cha
   return {};
 }
 
+/// Whether charts are as little stretched as seams let them be.
+bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
+
+bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
+
 /// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
 void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
-                const UnwrapOptionValues& options, ThreadPool& pool, const Monitor& monitor,
+                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
                 const std::function<bool(double)>& tell, std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
+  // Seams are found for what is not pinned.
+  const auto patienceFor = [&](const ChartWishes& w) {
+    return canCut(options) && w.pins.empty() ? Patience::Little : Patience::All;
+  };
   const auto isKnown = [&](std::size_t i) {
     return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
   };
@@ -95,13 +104,17 @@ void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWis
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
     if (monitor.stopped()) return;
     const DiskChart& chart = charts[order[i]];
+    FlatChart& out = flat[order[i]];
     if (isKnown(order[i])) return;
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
       return tell(static_cast<double>(done) / static_cast<double>(triangles));
     };
-    flat[order[i]] = flattenOne(chart, options, wishes[order[i]], pool, goesOn);
+    const bool isCutEnough = out.isCutEnough;
+    out = flattenOne(chart, options, wishes[order[i]],
+                     isCutEnough ? Patience::All : patienceFor(wishes[order[i]]), pool, goesOn);
+    out.isCutEnough = isCutEnough;
     done += chart.triangleCount();
   });
 }
@@ -110,9 +123,6 @@ void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWis
 bool isStretched(const FlatChart& chart, double most) {
   return !chart.isFixed && chart.distortion.symmetricDirichlet > most;
 }
-
-/// Whether charts are as little stretched as seams let them be.
-bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
 
 void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes) {
@@ -239,9 +249,22 @@ class Unwrapping {
       set_ = chartsOf(welded_, open_);
       if (Status s = readWishes(); !s.ok()) return s;
       flat_ = layoutsKept(before, set_, flat_);
+      dropTangled();
       if (Status s = layOut(); !s.ok()) return s;
     }
-    return {};
+    for (FlatChart& chart : flat_) chart.isCutEnough = true;
+    return dropTangled() ? layOut() : Status{};
+  }
+
+  /// Layouts of charts that seams do not help; whether there are any.
+  bool dropTangled() {
+    bool isAny = false;
+    for (FlatChart& chart : flat_) {
+      if (!chart.isTangled || !chart.isCutEnough) continue;
+      chart = {};
+      chart.isCutEnough = isAny = true;
+    }
+    return isAny;
   }
 
   Status readWishes() {
@@ -268,11 +291,14 @@ class Unwrapping {
   }
 
   bool cutFurther() {
-    if (!options_.seams.isAuto || !isFree(options_)) return false;
+    if (!canCut(options_)) return false;
     std::vector<double> stretch;
+    const double slightlyMore = 1 + 1.01 * (options_.maxStretch - 1);
     for (FlatChart& chart : flat_) {
-      const bool isAsked = isStretched(chart, options_.maxStretch) && !chart.isCutEnough;
-      stretch.push_back(isAsked ? chart.distortion.symmetricDirichlet : 0);
+      const bool isAsked =
+          (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
+      const double now = chart.distortion.symmetricDirichlet;
+      stretch.push_back(!isAsked ? 0 : chart.isTangled ? std::max(now, slightlyMore) : now);
       // Unless its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }

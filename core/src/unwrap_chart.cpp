@@ -18,10 +18,15 @@ void keepMeasures(Attempt& attempt, FlatChart& out) {
   out.straight = attempt.straight;
 }
 
+Effort effortFor(Patience patience, const UnwrapOptionValues& options) {
+  if (patience == Patience::All) return {8, 40};
+  return {4, 12, options.maxStretch, true};
+}
+
 }  // namespace
 
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
-                     const ChartWishes& wishes, ThreadPool& pool,
+                     const ChartWishes& wishes, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
   SolverOptions solver;
   solver.pool = &pool;
@@ -37,8 +42,10 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   FlatChart out;
-  Attempt attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted);
+  Attempt attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted,
+                                 effortFor(patience, options));
   if (attempt.solution.cancelled) return out;
+  out.isTangled = patience == Patience::Little && isTangled(attempt);
   out.unpacked = inMeshUnit(chart, attempt);
   if (!wishes.pins.empty()) {
     pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);

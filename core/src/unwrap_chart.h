@@ -28,6 +28,7 @@ struct FlatChart {
   bool isFixed = false;           ///< uv are those in the atlas from the start: packing leaves them
   bool isGiven = false;           ///< those of the input, which have been checked
   bool isCutEnough = false;       ///< no seam was found that would stretch it less
+  bool isTangled = false;         ///< its boundary crosses itself; a seam may be the better remedy
 };
 
 /// What one chart is asked for beyond the options.
@@ -37,10 +38,16 @@ struct ChartWishes {
   std::size_t released = 0;  ///< places that would be straight as well, but are not
 };
 
+/// How much is tried to lay out a chart whose boundary crosses itself.
+enum class Patience {
+  Little,  ///< less than the layout took; hardly anything where it is to be cut anyway
+  All
+};
+
 /// `goesOn` is asked often, from the thread that calls; when it
 /// returns false the layout is empty.
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
-                     const ChartWishes& wishes, ThreadPool& pool,
+                     const ChartWishes& wishes, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn);
 
 /// Decides anew whether the layout is valid, from the coordinates in the atlas.

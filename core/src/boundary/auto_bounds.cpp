@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "boundary/move_apart.h"
 #include "boundary/untangle.h"
 
 namespace abflat {
@@ -13,24 +14,41 @@ namespace {
 /// layout.
 constexpr double kLastResorts[] = {1.5, 1.2, 1.0, 1.8};
 
-bool isTangled(const Attempt& a) {
-  return a.validity.crossings.count > 0 && a.validity.flippedTriangles == 0 && a.solution.converged;
+/// The global search is left out where the arcs' own bounds add no more than this share to the
+/// distortion, which no layout without crossings is below.
+constexpr double kLittleMore = 0.05;
+
+/// What the last resorts may cost, in Newton steps.
+constexpr int kLastSteps = 400;
+
+/// Hardly any more distortion than with crossings.
+bool isCloseTo(const Attempt& a, const Attempt& crossing) {
+  constexpr double kHardlyMore = 1e-3;
+  return a.distortion.angular <= (1 + kLittleMore) * crossing.distortion.angular ||
+         a.distortion.symmetricDirichlet <=
+             (1 + kHardlyMore) * crossing.distortion.symmetricDirichlet;
 }
 
-}  // namespace
+std::string givenUp(int steps) {
+  return "untangling was given up after " + std::to_string(steps) + " Newton steps";
+}
 
-Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle) {
-  if (untangle == Untangle::None || untangle == Untangle::Auto || attempt.solution.cancelled ||
-      !isTangled(attempt))
-    return attempt;
-  Attempt best;
-  bool found = false;
+/// The best way of those that `untangle` names; without one the attempt itself.
+Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle untangle) {
+  const int before = flattener.steps();
+  Attempt best = movedApart(flattener, attempt);
+  bool found = best.valid();
+  if (found && isCloseTo(best, attempt)) return best;
   if (untangle != Untangle::Global) {
     Attempt local = untangleLocal(flattener, attempt);
     if (local.solution.cancelled) return local;
-    if ((found = local.valid())) best = std::move(local);
+    const bool isBetter = !found || local.distortion.angular < best.distortion.angular;
+    if (local.valid() && isBetter) best = std::move(local);
+    found = best.valid();
   }
-  if (untangle != Untangle::Local) {
+  const bool isGoodEnough =
+      found && best.distortion.angular <= (1 + kLittleMore) * attempt.distortion.angular;
+  if (untangle != Untangle::Local && !isGoodEnough && !flattener.isSpent()) {
     const double limit = found ? best.distortion.angular : std::numeric_limits<double>::infinity();
     Attempt global = untangleGlobal(flattener, attempt, limit);
     if (global.solution.cancelled) return global;
@@ -39,26 +57,56 @@ Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle)
       found = true;
     }
   }
-  return found ? best : attempt;
+  if (found) return best;
+  if (flattener.isSpent()) attempt.fallbacks.push_back(givenUp(flattener.steps() - before));
+  return attempt;
 }
 
-Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
-                             Untangle untangle) {
-  Attempt first = flattener.attempt(t, nullptr);
-  if (first.valid() || first.solution.cancelled) return first;
-  Attempt best = untangled(flattener, std::move(first), untangle);
-  if (best.valid() || best.solution.cancelled) return best;
+/// Bounds lowered for all vertices alike; not valid where none of them helps.
+Attempt lastResort(ChartFlattener& flattener, const std::vector<double>& t) {
   for (const double limit : kLastResorts) {
     std::vector<double> tighter = t;
     for (double& x : tighter) x = std::min(x, limit);
     Attempt a = flattener.attempt(tighter, nullptr);
-    if (a.solution.cancelled) return a;
+    if (a.solution.cancelled || a.isGivenUp) return a;
     if (!a.valid()) continue;
     a.fallbacks.push_back("no valid layout with the free boundary; all bounds lowered to " +
                           std::to_string(limit).substr(0, 3) + " pi");
     return a;
   }
-  return flattener.tutte("no bounds give a valid layout by angles");
+  return {};
+}
+
+}  // namespace
+
+bool isTangled(const Attempt& a) {
+  return a.validity.crossings.count > 0 && a.validity.flippedTriangles == 0 && a.solution.converged;
+}
+
+Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
+                  const Effort& effort) {
+  if (untangle == Untangle::None || untangle == Untangle::Auto || attempt.solution.cancelled ||
+      !isTangled(attempt) || attempt.distortion.symmetricDirichlet > effort.mostStretch)
+    return attempt;
+  const auto first = static_cast<int>(attempt.solution.history.size());
+  flattener.allowSteps(std::max(effort.leastSteps, effort.stepsPerStep * first));
+  Attempt out = untangledWithin(flattener, std::move(attempt), untangle);
+  flattener.allowAllSteps();
+  return out;
+}
+
+Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
+                             Untangle untangle, const Effort& effort) {
+  Attempt first = flattener.attempt(t, nullptr);
+  if (first.valid() || first.solution.cancelled) return first;
+  Attempt best = untangled(flattener, std::move(first), untangle, effort);
+  if (best.valid() || best.solution.cancelled) return best;
+  if (effort.mayStayTangled && isTangled(best)) return best;
+  flattener.allowSteps(kLastSteps);
+  Attempt last = lastResort(flattener, t);
+  flattener.allowAllSteps();
+  if (last.valid() || last.solution.cancelled) return last;
+  return flattener.tutte(t, "no bounds give a valid layout by angles");
 }
 
 }  // namespace abflat

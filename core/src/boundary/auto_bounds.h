@@ -1,18 +1,34 @@
 #pragma once
 
+#include <limits>
+
 #include "abflat/flatten.h"
 #include "boundary/chart_flattener.h"
 
 namespace abflat {
 
+/// What untangling may cost.
+struct Effort {
+  /// Newton steps, for each that the layout with crossings took, and at least.
+  int stepsPerStep = 20, leastSteps = 200;
+  /// A layout with crossings is good enough as an answer: without any try where it is stretched
+  /// more than this (as the symmetric Dirichlet energy / 4), otherwise when the steps are used up.
+  double mostStretch = std::numeric_limits<double>::infinity();
+  bool mayStayTangled = false;
+};
+
 /// The valid layout with the least distortion under the given bounds: those bounds where that
 /// leaves no crossing, otherwise untangled from there. What else was tried when this fails (other
 /// bounds, Tutte's embedding) is in the attempt's fallbacks.
 Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
-                             Untangle untangle);
+                             Untangle untangle, const Effort& effort = {});
 
 /// Removes the crossings of an attempt where it can; returns the attempt itself where there are
 /// none or it cannot.
-Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle);
+Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
+                  const Effort& effort = {});
+
+/// All is well with a layout but that its boundary crosses itself.
+bool isTangled(const Attempt& a);
 
 }  // namespace abflat

@@ -45,9 +45,20 @@ std::string reasonWithoutFactor(const FactorMemory& memory) {
   return out;
 }
 
-/// The boundary on a grid of a millionth of its extent: single precision keeps more. What is
-/// smaller than a few cells is left out, so that places near each other are those of different
-/// parts of the boundary.
+/// A millionth of the boundary's extent, a power of two: single precision keeps more. 0 where there
+/// is none.
+double outlineGrid(const DiskChart& chart, const std::vector<double>& uv) {
+  double size = 0;
+  const auto at = [&](std::size_t i, std::size_t d) {
+    return uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[chart.boundary[i]]) + d];
+  };
+  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
+    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(at(i, d) - at(0, d)));
+  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size) - 20) : 0;
+}
+
+/// The boundary on its grid. What is smaller than a few cells is left out, so that places near each
+/// other are those of different parts of the boundary.
 struct RoundedOutline {
   std::vector<double> points;
   std::vector<std::uint32_t> place;  ///< of each point along the boundary
@@ -58,11 +69,9 @@ RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>&
     return uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[chart.boundary[i]]) + d];
   };
   const std::size_t n = chart.boundary.size();
-  double size = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(at(i, d) - at(0, d)));
-  const bool isRounded = size > 0 && std::isfinite(size);
-  const double grid = isRounded ? std::ldexp(1.0, std::ilogb(size) - 20) : 1;
+  const double cell = outlineGrid(chart, uv);
+  const bool isRounded = cell > 0;
+  const double grid = isRounded ? cell : 1;
   constexpr double kFewCells = 2;
   const auto isNear = [&](std::size_t i, std::size_t j) {
     const double x = (at(i, 0) - at(j, 0)) / grid, y = (at(i, 1) - at(j, 1)) / grid;
@@ -78,15 +87,42 @@ RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>&
   return out;
 }
 
+/// Crossings of the boundary on its grid.
+Crossings touching(const DiskChart& chart, const std::vector<double>& uv) {
+  const RoundedOutline rounded = roundedOutline(chart, uv);
+  Crossings out = findCrossings(rounded.points);
+  for (auto& pair : out.first)
+    for (std::uint32_t& edge : pair) edge = rounded.place[edge];
+  return out;
+}
+
+std::vector<double> outlinePoints(const DiskChart& chart, const std::vector<double>& uv) {
+  std::vector<double> out;
+  for (const std::uint32_t h : chart.boundary)
+    for (std::size_t d = 0; d < 2; ++d)
+      out.push_back(uv[2 * std::size_t{chart.vertexOfCorner[h]} + d]);
+  return out;
+}
+
 }  // namespace
+
+Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
+                        const std::vector<double>& t) {
+  constexpr double kRounding = 1e-6;
+  Exceeded out;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t[i] >= 2) continue;
+    const double above = boundaryAngle(chart, uv, chart.boundary[i]) - t[i] * kPi;
+    out.count += above > kRounding;
+    out.most = std::max(out.most, above);
+  }
+  return out;
+}
 
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
   Validity v = checkValidity(chart, uv);
   if (!v.valid()) return v;
-  const RoundedOutline rounded = roundedOutline(chart, uv);
-  v.crossings = findCrossings(rounded.points);
-  for (auto& pair : v.crossings.first)
-    for (std::uint32_t& edge : pair) edge = rounded.place[edge];
+  v.crossings = touching(chart, uv);
   return v;
 }
 
@@ -101,8 +137,34 @@ ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
       problem_(buildAngleProblem(chart, options.pool)),
-      solver_(std::in_place, problem_, std::move(options), linear),
+      solver_(std::in_place, problem_, counting(std::move(options)), linear),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
+
+SolverOptions ChartFlattener::counting(SolverOptions options) {
+  options.onStep = [this, told = std::move(options.onStep)](int step, const NewtonStep& now) {
+    ++steps_;
+    isStopped_ = told && !told(step, now);
+    return !isStopped_ && steps_ <= mostSteps_;
+  };
+  return options;
+}
+
+/// Ended by the limit of steps, not by the caller.
+bool ChartFlattener::isGivenUp(Attempt& a) const {
+  if (!a.solution.cancelled || isStopped_) return false;
+  a.solution.cancelled = a.solution.converged = false;  // it has no layout
+  return a.isGivenUp = true;
+}
+
+double ChartFlattener::leastDistance(const std::vector<double>& uv) const {
+  constexpr double kCells = 4;
+  return kCells * outlineGrid(chart_, uv);
+}
+
+Crossings ChartFlattener::crossings(const std::vector<double>& uv) const {
+  Crossings exact = findCrossings(outlinePoints(chart_, uv));
+  return exact.count > 0 || !requiresSeparation_ ? exact : touching(chart_, uv);
+}
 
 Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {
   Attempt a;
@@ -113,7 +175,7 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   a.solution = isDelaunay ? solver_->solveDelaunay(warm->solution)
                           : solver_->solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
-  if (a.solution.cancelled) return a;
+  if (a.solution.cancelled && (isGivenUp(a) || a.solution.cancelled)) return a;
   if (std::string note = withoutFactorNote(solver_->memory()); !note.empty() && !isDelaunay)
     a.fallbacks.push_back(std::move(note));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
@@ -129,7 +191,7 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
     watch.lap();
     b.solution = solver_->solveWithFloor(floor);
     timings_.solve += watch.lap();
-    if (b.solution.cancelled) return b;
+    if (b.solution.cancelled && (isGivenUp(b) || b.solution.cancelled)) return b;
     b.fallbacks.push_back(withFloor(
         "angles too small to be drawn; interior point with a barrier floor of %g", floor));
     layOutAndCheck(b);
@@ -170,15 +232,17 @@ std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
   return out;
 }
 
-Attempt ChartFlattener::tutte(const std::string& reason) {
+Attempt ChartFlattener::tutte(const std::vector<double>& t, const std::string& reason) {
   Stopwatch watch;
   Attempt a;
-  a.t.assign(chart_.boundary.size(), 1);
+  a.t = t;
+  for (double& x : a.t) x = std::min(x, 1.0);
   a.solver = "tutte";
   a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
   a.solution.converged = true;
   measure(a);
+  a.exceeded = exceededBounds(chart_, a.uv, t);
   a.fallbacks.push_back(reason + "; Tutte's embedding on a circle instead");
   return a;
 }

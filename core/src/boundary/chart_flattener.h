@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,14 @@
 
 namespace abflat {
 
+/// Bounds, times pi, that a layout is above by more than rounding.
+struct Exceeded {
+  std::size_t count = 0;
+  double most = 0;  ///< radians
+};
+Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
+                        const std::vector<double>& t);
+
 /// A layout for certain bounds, and what it took.
 struct Attempt {
   std::vector<double> t;  ///< bound per boundary vertex, in the order of chart.boundary, times pi
@@ -26,9 +35,11 @@ struct Attempt {
   std::optional<DelaunayReport> delaunay;
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
+  bool isGivenUp = false;         ///< more Newton steps would be needed than are allowed
   bool wasValidUnpinned = false;  ///< with pins only
+  Exceeded exceeded;  ///< of the bounds asked for, where nothing holds the layout to them
 
-  bool valid() const { return validity.valid() && solution.converged; }
+  bool valid() const { return validity.valid() && solution.converged && exceeded.count == 0; }
 };
 
 /// checkValidity(), where parts of the boundary that are as good as touching count as crossings, so
@@ -45,10 +56,30 @@ class ChartFlattener {
   ChartFlattener(const DiskChart& chart, SolverOptions options,
                  std::function<void(const char*)> onStage = {},
                  const KktOptions& linear = {LinearSolver::Schur});
+  ChartFlattener(const ChartFlattener&) = delete;
+  ChartFlattener& operator=(const ChartFlattener&) = delete;
 
   /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
   /// the interior point takes over with rising floors of its barrier.
   Attempt attempt(const std::vector<double>& t, const Attempt* warm);
+
+  /// From now on attempts may take so many Newton steps in all: those that would need more are
+  /// given up.
+  void allowSteps(int more) { mostSteps_ = steps_ + more; }
+  void allowAllSteps() { mostSteps_ = std::numeric_limits<int>::max(); }
+
+  bool isSpent() const { return steps_ > mostSteps_; }
+
+  /// Newton steps taken so far, over all attempts.
+  int steps() const { return steps_; }
+
+  /// Parts of the boundary that are so far apart are so in a valid layout.
+  double leastDistance(const std::vector<double>& uv) const;
+
+  /// Of the boundary, as a layout's validity counts them.
+  Crossings crossings(const std::vector<double>& uv) const;
+
+  const StraightPlaces& straight() const { return straight_; }
 
   /// From now on layouts are checked by checkSeparated().
   void requireSeparation() { requiresSeparation_ = true; }
@@ -65,8 +96,8 @@ class ChartFlattener {
   std::vector<std::uint32_t> resistingEdges(const Attempt& from);
 
   /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
-  /// angle is respected.
-  Attempt tutte(const std::string& reason);
+  /// angle is respected, nor are bounds `t` below 1.
+  Attempt tutte(const std::vector<double>& t, const std::string& reason);
 
   /// Frees factors. There are to be no more attempts, but for Tutte's.
   void endSolving() { solver_.reset(); }
@@ -83,6 +114,9 @@ class ChartFlattener {
   const DiskChart& chart() const { return chart_; }
 
  private:
+  /// Counts steps, and ends the solution with the last that is allowed.
+  SolverOptions counting(SolverOptions options);
+  bool isGivenUp(Attempt& a) const;
   void setAllBounds(const std::vector<double>& t);
   void layOutAndCheck(Attempt& a);
   Validity check(const std::vector<double>& uv) const;
@@ -93,6 +127,8 @@ class ChartFlattener {
   std::function<void(const char*)> onStage_;
   Timings timings_;
   bool requiresSeparation_ = false;
+  bool isStopped_ = false;  ///< by the caller
+  int steps_ = 0, mostSteps_ = std::numeric_limits<int>::max();
   StraightPlaces straight_;
 };
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "angle/constants.h"
+#include "boundary/guilty_arc.h"
+#include "portable_math.h"
 
 namespace abflat {
 namespace {
@@ -13,81 +16,141 @@ constexpr double kStepOfT = 0.01;  ///< resolution of the global search
 constexpr int kMaxRounds = 40;     ///< of local tightening
 constexpr int kRelaxations = 3;    ///< bisections afterwards
 
+/// What remains to be gained is not worth further solutions where it is less, of the distortion.
+constexpr double kNegligible = 0.02;
+
 bool cancelled(const Attempt& a) { return a.solution.cancelled; }
 
-/// Interior angles at the boundary vertices, radians, in the order of chart.boundary.
-std::vector<double> boundaryAngles(const DiskChart& chart, const AngleSolution& s) {
-  std::vector<double> sum(chart.vertexCount(), 0), out;
-  for (std::size_t c = 0; c < s.angles.size(); ++c) sum[chart.vertexOfCorner[c]] += s.angles[c];
-  for (const std::uint32_t h : chart.boundary) out.push_back(sum[chart.vertexOfCorner[h]]);
+/// A pair of crossing edges, and what closes between them.
+struct Guilty {
+  Arc arc;
+  std::size_t i, j;
+};
+
+/// Of many arcs the shortest, and then each that keeps off those: in all no more vertices than the
+/// boundary has. Arcs round a shorter one mostly cross because that does.
+std::vector<Guilty> apart(std::vector<Guilty> guilty, std::size_t n) {
+  std::stable_sort(guilty.begin(), guilty.end(),
+                   [](const Guilty& a, const Guilty& b) { return a.arc.count < b.arc.count; });
+  std::vector<std::uint8_t> isTaken(n, 0);
+  std::set<std::size_t> starts;
+  const auto startsWithin = [&](std::size_t from, std::size_t to) {
+    const auto found = starts.lower_bound(from);
+    return found != starts.end() && *found < to;
+  };
+  std::vector<Guilty> out;
+  for (const Guilty& g : guilty) {
+    const std::size_t from = g.arc.first % n, to = from + g.arc.count;
+    if (isTaken[from] || isTaken[(to - 1) % n] || startsWithin(from, std::min(to, n)) ||
+        (to > n && startsWithin(0, to - n)))
+      continue;
+    for (std::size_t k = from; k < to; ++k) isTaken[k % n] = 1;
+    starts.insert(from);
+    out.push_back(g);
+  }
   return out;
 }
 
-/// A run of boundary vertices first, first + 1, ... (cyclic).
-struct Arc {
-  std::size_t first, count;
+/// Places of the boundary in the layout.
+struct OutlinePoints {
+  const DiskChart& chart;
+  const std::vector<double>& uv;
+
+  const double* operator[](std::size_t place) const {
+    return &uv[2 *
+               std::size_t{chart.vertexOfCorner[chart.boundary[place % chart.boundary.size()]]}];
+  }
 };
 
-/// Of the two arcs between crossing edges i < j, the one that turns clockwise more: it closes a
-/// loop the wrong way round, or folds two parts of the boundary over each other. `turned` holds
-/// prefix sums of pi - angle.
-Arc guiltyArc(std::size_t i, std::size_t j, const std::vector<double>& turned) {
-  const std::size_t n = turned.size() - 1;
-  const double inner = turned[j + 1] - turned[i + 1];
-  return inner < turned[n] - inner ? Arc{i + 1, j - i} : Arc{j + 1, n - (j - i)};
+double distance(const double* a, const double* b) {
+  return portable::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// The level that takes `amount` radians off the angles above it: at least pi, and below 2 pi,
-/// which no valid layout has.
+double distanceToLine(const double* p, const double* a, const double* b) {
+  const double length = distance(a, b);
+  const double area = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+  return length > 0 ? std::abs(area) / length : distance(p, a);
+}
+
+/// How far one of two crossing edges has to move until they do not cross.
+double overlapDepth(const OutlinePoints& at, std::size_t i, std::size_t j) {
+  const double *a = at[i], *b = at[i + 1], *c = at[j], *d = at[j + 1];
+  return std::min(std::min(distanceToLine(a, c, d), distanceToLine(b, c, d)),
+                  std::min(distanceToLine(c, a, b), distanceToLine(d, a, b)));
+}
+
+/// The level that takes `amount` radians off the angles above it: at least pi, and so far below
+/// 2 pi, which no valid layout has.
 double capLevel(std::vector<double> angles, double amount) {
-  constexpr double kBelowFullTurn = 1.98 * kPi;
   std::sort(angles.begin(), angles.end(), std::greater<>());
   double above = 0, level = kPi;
   for (std::size_t k = 0; k < angles.size() && angles[k] > level; ++k) {
     above += angles[k];
     level = std::max(kPi, (above - amount) / static_cast<double>(k + 1));
   }
-  return std::min(level, kBelowFullTurn);
+  return std::min(level, 2 * kPi - amount);
 }
 
 /// Tightens the bounds of the arcs that cross: each time a vertex is tightened it is pushed harder.
 class Tightening {
  public:
-  Tightening(const DiskChart& chart, std::size_t count) : chart_(chart), push_(count, kFirstPush) {}
+  Tightening(const ChartFlattener& flattener, std::size_t count)
+      : flattener_(flattener), chart_(flattener.chart()), push_(count, 1) {}
 
   std::vector<double> next(const Attempt& from) {
     const std::vector<double> angle = boundaryAngles(chart_, from.solution);
     const std::size_t n = angle.size();
-    std::vector<double> turned(n + 1, 0);
-    for (std::size_t k = 0; k < n; ++k) turned[k + 1] = turned[k] + kPi - angle[k];
-    std::vector<double> t = from.t;
+    const std::vector<double> turned = turnedAlong(angle);
+    std::vector<Guilty> guilty;
     for (const auto& [i, j] : from.validity.crossings.first)
-      tightenArc(guiltyArc(i, j, turned), angle, t);
+      guilty.push_back({guiltyArc(i, j, turned), i, j});
+    std::vector<double> t = from.t;
+    for (const Guilty& g : apart(std::move(guilty), n)) tightenArc(g, from, angle, t);
     for (std::size_t v = 0; v < n; ++v)
       if (t[v] < from.t[v]) push_[v] *= kHarder;
     return t;
   }
 
  private:
-  static constexpr double kFirstPush = 0.05;  ///< radians of turning taken out of an arc
-  static constexpr double kHarder = 1.3;
+  static constexpr double kHarder = 2;
+  /// Radians of turning taken out of an arc at once.
+  static constexpr double kLeastPush = 1e-4, kMostPush = 0.5;
 
-  void tightenArc(const Arc& arc, const std::vector<double>& angle, std::vector<double>& t) const {
-    const std::size_t n = angle.size();
-    std::vector<double> inArc(arc.count);
-    double amount = 0;
-    for (std::size_t k = 0; k < arc.count; ++k) {
-      inArc[k] = angle[(arc.first + k) % n];
-      amount = std::max(amount, push_[(arc.first + k) % n]);
+  /// Both arcs open by about as much as they are turned, times their length.
+  double amountFor(const Guilty& g, const Attempt& from) const {
+    const std::size_t n = push_.size();
+    const OutlinePoints at{chart_, from.uv};
+    double reach = 0, push = 1;
+    for (std::size_t k = 0; k < g.arc.count; ++k) {
+      const std::size_t place = (g.arc.first + k) % n;
+      reach = std::max(reach, distance(at[place], at[g.i]));
+      push = std::max(push, push_[place]);
     }
-    const double level = capLevel(inArc, amount);
-    for (std::size_t k = 0; k < arc.count; ++k)
-      if (inArc[k] > level) t[(arc.first + k) % n] = std::min(t[(arc.first + k) % n], level / kPi);
+    const double depth = overlapDepth(at, g.i, g.j) + flattener_.leastDistance(from.uv);
+    return std::clamp(push * (reach > 0 ? depth / reach : kMostPush), kLeastPush, kMostPush);
   }
 
+  void tightenArc(const Guilty& g, const Attempt& from, const std::vector<double>& angle,
+                  std::vector<double>& t) const {
+    const std::size_t n = angle.size();
+    std::vector<double> inArc(g.arc.count);
+    for (std::size_t k = 0; k < g.arc.count; ++k) inArc[k] = angle[(g.arc.first + k) % n];
+    const double level = capLevel(inArc, amountFor(g, from));
+    for (std::size_t k = 0; k < g.arc.count; ++k) {
+      double& bound = t[(g.arc.first + k) % n];
+      if (inArc[k] > level) bound = std::min(bound, level / kPi);
+    }
+  }
+
+  const ChartFlattener& flattener_;
   const DiskChart& chart_;
   std::vector<double> push_;  ///< per boundary vertex
 };
+
+std::vector<double> lowered(std::vector<double> t, double limit) {
+  for (double& x : t) x = std::min(x, limit);
+  return t;
+}
 
 std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b,
                             double share) {
@@ -100,20 +163,20 @@ std::vector<double> between(const std::vector<double>& a, const std::vector<doub
 }  // namespace
 
 Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, double distortionLimit) {
-  const std::size_t n = crossing.t.size();
+  const std::vector<double>& asked = crossing.t;
   Attempt invalid = crossing, valid;
-  double high = 2, low = 0;
+  double high = std::min(2.0, *std::max_element(asked.begin(), asked.end())), low = 0;
   bool found = false;
   // Down in growing steps, then bisection.
   for (double drop = 0.1; !found && high > 1; drop *= 2) {
     const double t = std::max(1.0, high - drop);
-    Attempt a = flattener.attempt(std::vector<double>(n, t), &invalid);
+    Attempt a = flattener.attempt(lowered(asked, t), &invalid);
     if (cancelled(a) || (found = a.valid())) {
       valid = std::move(a);
       low = t;
       break;
     }
-    if (a.distortion.angular > distortionLimit) return a;
+    if (a.isGivenUp || a.distortion.angular > distortionLimit) return a;
     invalid = std::move(a);
     high = t;
   }
@@ -123,8 +186,9 @@ Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, doubl
     // On the grid of hundredths, so that the answer is a number a person would type.
     double t = std::round((low + high) / 2 / kStepOfT) * kStepOfT;
     if (t <= low || t >= high) break;
-    Attempt a = flattener.attempt(std::vector<double>(n, t), &valid);
+    Attempt a = flattener.attempt(lowered(asked, t), &valid);
     if (cancelled(a)) return a;
+    if (a.isGivenUp) break;
     if (a.valid()) {
       valid = std::move(a);
       low = t;
@@ -138,17 +202,19 @@ Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, doubl
 
 Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
   Attempt last = crossing;
-  Tightening tightening(flattener.chart(), crossing.t.size());
+  Tightening tightening(flattener, crossing.t.size());
   for (int round = 0; round < kMaxRounds; ++round) {
     Attempt next = flattener.attempt(tightening.next(last), &last);
-    if (cancelled(next)) return next;
+    if (cancelled(next) || next.isGivenUp) return next;
     if (next.valid()) {
       Attempt best = std::move(next);
       std::vector<double> loose = last.t;
-      for (int i = 0; i < kRelaxations; ++i) {
+      const double atMostGained = (1 + kNegligible) * last.distortion.angular;
+      for (int i = 0; i < kRelaxations && best.distortion.angular > atMostGained; ++i) {
         const std::vector<double> middle = between(loose, best.t, 0.5);
         Attempt a = flattener.attempt(middle, &best);
         if (cancelled(a)) return a;
+        if (a.isGivenUp) break;
         if (a.valid())
           best = std::move(a);
         else

@@ -11,7 +11,8 @@ namespace abflat {
 /// and return a valid attempt, or one that is not valid when none was found. All tries are
 /// warm-started.
 
-/// One t for the whole boundary: the largest, to 0.01, without a crossing. Gives up as soon as the
+/// One limit for the whole boundary, below the bounds it has: the largest, to 0.01, without a
+/// crossing. Gives up as soon as the
 /// distortion is bound to exceed `distortionLimit`.
 Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, double distortionLimit);
 

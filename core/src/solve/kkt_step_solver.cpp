@@ -1,5 +1,7 @@
 #include "solve/kkt_step_solver.h"
 
+#include <algorithm>
+
 #include "solve/minres.h"
 #include "solve/nonsymmetric_solve.h"
 #include "solve/symmlq.h"
@@ -9,6 +11,15 @@ namespace {
 
 /// A step with a larger relative residual is not worth taking; a smaller one is an inexact step.
 constexpr double kUsableResidual = 0.1;
+
+/// Without rounding each method would end after as many iterations as there are rows. With a
+/// preconditioner a small part of that is enough; without, rounding takes it to several times as
+/// many.
+int iterationLimit(Eigen::Index rows, bool isPreconditioned, int most) {
+  constexpr Eigen::Index kFew = 100, kWithout = 8;
+  const Eigen::Index limit = isPreconditioned ? kFew + rows : kWithout * rows;
+  return static_cast<int>(std::min<Eigen::Index>(limit, most));
+}
 
 LinearSolveResult solveWith(LinearSolver solver, const KktSystem& kkt,
                             const LinearSolveOptions& options,
@@ -54,8 +65,9 @@ bool KktStepSolver::step(const NewtonPoint& at, std::vector<double>& dx, Multipl
       preconditioner_->apply(in, out);
     };
   }
+  const int limit = iterationLimit(kkt.rhs.size(), options_.precondition, options_.maxIterations);
   LinearSolveResult r =
-      solveWith(options_.solver, kkt, {options_.tolerance, options_.maxIterations}, preconditioner);
+      solveWith(options_.solver, kkt, {options_.tolerance, limit}, preconditioner);
   iterations_ = r.iterations;
   if (!r.x.allFinite() || !(r.residual <= kUsableResidual)) return false;
   r.x += old;

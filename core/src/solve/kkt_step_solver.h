@@ -18,8 +18,8 @@ struct KktOptions {
   LinearSolver solver = LinearSolver::Minres;  ///< any that is not eliminated
   Formulation formulation = Formulation::Log;
   bool precondition = true;
-  double tolerance = 1e-11;  ///< of the linear residual, relative
-  int maxIterations = 20000;
+  double tolerance = 1e-11;   ///< of the linear residual, relative
+  int maxIterations = 20000;  ///< and not more than rows call for
 };
 
 /// Newton steps through the explicit KKT system and an iterative solver.

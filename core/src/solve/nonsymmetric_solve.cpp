@@ -1,12 +1,14 @@
 #include "solve/nonsymmetric_solve.h"
 
 #include <Eigen/IterativeLinearSolvers>
+#include <algorithm>
 #include <unsupported/Eigen/IterativeSolvers>
 
 namespace abflat {
 namespace {
 
-constexpr int kRestart = 100;  ///< vectors that GMRES keeps
+/// Vectors that GMRES keeps: small systems have no more rows, and it ends as the theory says.
+constexpr Eigen::Index kFewestKept = 100, kSmallSystem = 400;
 
 /// A LinearOperator as Eigen's solvers want their preconditioners.
 class Preconditioner {
@@ -59,7 +61,8 @@ LinearSolveResult run(Solver& solver, const Eigen::SparseMatrix<double>& matrix,
 LinearSolveResult gmres(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& rhs,
                         const LinearSolveOptions& options, const LinearOperator& preconditioner) {
   Eigen::GMRES<Eigen::SparseMatrix<double>, Preconditioner> solver;
-  solver.set_restart(kRestart);
+  solver.set_restart(static_cast<int>(rhs.size() <= kSmallSystem ? std::max(rhs.size(), kFewestKept)
+                                                                 : kFewestKept));
   return run(solver, matrix, rhs, options, preconditioner, Eigen::VectorXd::Zero(rhs.size()));
 }
 

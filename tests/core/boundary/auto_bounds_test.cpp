@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "angle/constants.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
+#include "chart_report.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 #include "support/squares.h"
@@ -102,6 +105,59 @@ TEST_CASE("bounds of single vertices are kept, the others keep the common one") 
   CHECK(angle == Approx(0.7 * kPi));
 }
 
+TEST_CASE("bounds asked for are upper limits, however crossings are removed") {
+  const PolygonMesh mesh = sample("alpha-band");
+  const DiskChart chart = chartOf(mesh);
+  const auto n = static_cast<std::uint32_t>(chart.boundary.size());
+  std::mt19937 random(3);
+  for (const double t : {kAutoT, 2.0, 1.7})
+    for (const Untangle u :
+         {Untangle::None, Untangle::Local, Untangle::Global, Untangle::Best, Untangle::Auto}) {
+      FlattenOptions options;
+      options.t = t;
+      options.untangle = u;
+      std::vector<double> asked(n, t == kAutoT ? 2 : t);
+      for (int i = 0; i < 5; ++i) {
+        const std::uint32_t place = random() % n;
+        asked[place] = 0.6 + 0.1 * (random() % 10);
+        options.bounds.push_back(
+            {chart.inputVertex[chart.vertexOfCorner[chart.boundary[place]]], asked[place]});
+      }
+      const Result<FlattenResult> r = flatten(mesh, options);
+      INFO(r.status.message);
+      REQUIRE(r.ok());
+      const ChartReport& report = r.value.report.charts.front();
+      INFO("t " << t << ", untangle " << untangleName(u) << ", " << report.problem);
+      CHECK(report.valid == (u != Untangle::None && (t == kAutoT || u != Untangle::Auto)));
+      CHECK(exceededBounds(chart, r.value.uv, asked).count == 0);
+      for (const VertexBound& b : options.bounds) {
+        if (b.t >= report.t) continue;
+        const auto of = [&](const VertexBound& x) { return x.vertex == b.vertex; };
+        const auto found = std::find_if(report.bounds.begin(), report.bounds.end(), of);
+        REQUIRE(found != report.bounds.end());
+      }
+    }
+}
+
+TEST_CASE("Tutte's embedding is not valid where it exceeds a bound, and says so") {
+  const DiskChart chart = chartOf(bumpyGrid(8, 8, 0.3, 1));
+  std::vector<double> t(chart.boundary.size(), 2);
+  const Attempt free = ChartFlattener(chart, {}).tutte(t, "asked for");
+  CHECK(free.exceeded.count == 0);
+  t[3] = t[9] = 0.5;
+  t[12] = 1.2;
+  const Attempt a = ChartFlattener(chart, {}).tutte(t, "asked for");
+  CHECK(a.exceeded.count == 2);
+  CHECK(a.exceeded.most ==
+        Approx(kPi * (1 - 2.0 / static_cast<double>(t.size()) - 0.5)).margin(0.1));
+  CHECK_FALSE(a.valid());
+  CHECK(a.t[3] == 0.5);
+  const ChartReport report = makeChartReport(chart, a, 1);
+  CHECK_FALSE(report.valid);
+  CHECK(report.problem.find("exceeds 2 of the bounds asked for") != std::string::npos);
+  CHECK(report.bounds.size() == 2);
+}
+
 TEST_CASE("bounds that cannot be are refused") {
   const PolygonMesh mesh = bumpyGrid(3, 3, 0.3, 2);
   FlattenOptions options;
@@ -130,7 +186,8 @@ TEST_CASE("a warm start reaches the same layout as a cold one") {
 TEST_CASE("Tutte's embedding is valid and labelled") {
   for (const PolygonMesh& mesh : {bumpyGrid(8, 8, 0.3, 1), cone(9, 1), sample("head")}) {
     const DiskChart chart = chartOf(mesh);
-    const Attempt a = ChartFlattener(chart, {}).tutte("asked for");
+    const Attempt a =
+        ChartFlattener(chart, {}).tutte(std::vector<double>(chart.boundary.size(), 2), "asked for");
     CHECK(a.valid());
     CHECK(a.solver == "tutte");
     CHECK(a.fallbacks.size() == 1);

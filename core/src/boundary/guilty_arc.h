@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "chart/disk_chart.h"
+#include "solve/angle_solution.h"
+
+namespace abflat {
+
+/// Interior angles at the boundary vertices, radians, in the order of chart.boundary.
+std::vector<double> boundaryAngles(const DiskChart& chart, const AngleSolution& s);
+
+/// How far the boundary has turned, prefix sums of pi - angle.
+std::vector<double> turnedAlong(const std::vector<double>& boundaryAngles);
+
+/// A run of boundary vertices first, first + 1, ... (cyclic).
+struct Arc {
+  std::size_t first, count;
+};
+
+/// Of the two arcs between crossing edges i < j, the one that turns clockwise more: it closes a
+/// loop the wrong way round, or folds two parts of the boundary over each other.
+Arc guiltyArc(std::size_t i, std::size_t j, const std::vector<double>& turned);
+
+}  // namespace abflat

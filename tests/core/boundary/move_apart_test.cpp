@@ -1,0 +1,175 @@
+#include "boundary/move_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "abflat/unwrap.h"
+#include "angle/constants.h"
+#include "catch.h"
+#include "support/problems.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// A flat grid, cut open from the middle of its lower side up to the middle.
+PolygonMesh slitSheet(unsigned n) {
+  PolygonMesh mesh;
+  const auto add = [&](double x, double y) {
+    mesh.positions.insert(mesh.positions.end(), {x, y, 0});
+    return static_cast<std::uint32_t>(mesh.vertexCount() - 1);
+  };
+  std::vector<std::vector<std::uint32_t>> at(n + 1, std::vector<std::uint32_t>(n + 1));
+  for (unsigned i = 0; i <= n; ++i)
+    for (unsigned j = 0; j <= n; ++j) at[i][j] = add(i + 0.1 * std::sin(j), j);
+  std::vector<std::uint32_t> right(n + 1);
+  for (unsigned j = 0; j < n / 2; ++j) right[j] = add(n / 2 + 0.1 * std::sin(j), j);
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < n; ++j) {
+      const auto left = [&](unsigned y) { return i == n / 2 && y < n / 2 ? right[y] : at[i][y]; };
+      mesh.faceVertices.insert(mesh.faceVertices.end(), {left(j), at[i + 1][j], at[i + 1][j + 1],
+                                                         left(j), at[i + 1][j + 1], left(j + 1)});
+    }
+  for (std::uint32_t c = 0; c <= mesh.faceVertices.size(); c += 3) mesh.faceOffsets.push_back(c);
+  return mesh;
+}
+
+/// As programs make spheres: vertices doubled along a meridian, a pole for each triangle there.
+PolygonMesh uvSphere(unsigned columns, unsigned rows) {
+  PolygonMesh mesh;
+  for (unsigned j = 0; j <= rows; ++j)
+    for (unsigned i = 0; i <= columns; ++i) {
+      const double u = 2 * kPi * i / columns, v = kPi * j / rows;
+      // Single precision closes the poles and the meridian only nearly.
+      for (const double x : {-std::cos(u) * std::sin(v), std::cos(v), std::sin(u) * std::sin(v)})
+        mesh.positions.push_back(static_cast<float>(x));
+    }
+  mesh.faceOffsets.push_back(0);
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.faceVertices.insert(mesh.faceVertices.end(), {a, b, c});
+    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+  };
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const std::uint32_t a = j * (columns + 1) + i + 1, b = a - 1, c = b + columns + 1,
+                          d = a + columns + 1;
+      if (j > 0) face(a, b, d);
+      if (j + 1 < rows) face(b, c, d);
+    }
+  return mesh;
+}
+
+/// A plane with towers on it, as in models of cities.
+PolygonMesh city(unsigned m, unsigned height) {
+  PolygonMesh mesh;
+  const unsigned n = 3 * m + 1;
+  std::vector<std::uint32_t> number((n + 1) * (n + 1) * (height + 1), kNone);
+  const auto at = [&](unsigned x, unsigned y, unsigned z) {
+    std::uint32_t& v = number[(x * (n + 1) + y) * (height + 1) + z];
+    if (v == kNone) {
+      v = static_cast<std::uint32_t>(mesh.vertexCount());
+      for (const unsigned p : {x, y, z}) mesh.positions.push_back(p);
+    }
+    return v;
+  };
+  mesh.faceOffsets.push_back(0);
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.faceVertices.insert(mesh.faceVertices.end(), {a, b, c, d});
+    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+  };
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < n; ++j) {
+      const bool isTower = i % 3 == 1 && j % 3 == 1;
+      const unsigned x[] = {i, i + 1, i + 1, i}, y[] = {j, j, j + 1, j + 1};
+      for (unsigned z = 0; isTower && z < height; ++z)
+        for (unsigned a = 0, b = 1; a < 4; ++a, b = (a + 1) % 4)
+          face(at(x[a], y[a], z), at(x[b], y[b], z), at(x[b], y[b], z + 1), at(x[a], y[a], z + 1));
+      const unsigned top = isTower ? height : 0;
+      face(at(x[0], y[0], top), at(x[1], y[1], top), at(x[2], y[2], top), at(x[3], y[3], top));
+    }
+  return mesh;
+}
+
+/// Calls from solvers, one for each Newton step, and the result.
+struct Counted {
+  int steps = 0;
+  UnwrapReport report;
+};
+
+Counted unwrapped(const PolygonMesh& mesh) {
+  Counted out;
+  UnwrapOptions options;
+  options.threads = 1;
+  options.progress = [&](const Progress& now) {
+    out.steps += std::string(now.stage) == "solve";
+    return true;
+  };
+  Result<UnwrapResult> r = unwrap(mesh, options);
+  INFO(r.status.message);
+  REQUIRE(r.ok());
+  out.report = std::move(r.value.report);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a slit that closes again is opened without another solution") {
+  for (const unsigned n : {6u, 20u, 60u}) {
+    const DiskChart chart = chartOf(slitSheet(n));
+    ChartFlattener flattener(chart, {});
+    flattener.requireSeparation();
+    const Attempt closed =
+        flattener.attempt(std::vector<double>(chart.boundary.size(), 2), nullptr);
+    REQUIRE(closed.validity.crossings.count > 0);
+    const int steps = flattener.steps();
+    const Attempt open = movedApart(flattener, closed);
+    CHECK(flattener.steps() == steps);
+    CHECK(open.valid());
+    CHECK(checkSeparated(chart, open.uv).valid());
+    CHECK(open.distortion.symmetricDirichlet < 1 + 1e-4);
+    REQUIRE(open.fallbacks.size() == 1);
+    CHECK(open.fallbacks.front().find("drawn back") != std::string::npos);
+    double farthest = 0;
+    for (std::size_t i = 0; i < open.uv.size(); ++i)
+      farthest = std::max(farthest, std::abs(open.uv[i] - closed.uv[i]));
+    CHECK(farthest > 0);
+    CHECK(farthest <= 8 * flattener.leastDistance(closed.uv));
+  }
+}
+
+TEST_CASE("bounds and straight runs are not given up to draw a boundary back") {
+  const DiskChart chart = chartOf(slitSheet(20));
+  const std::size_t n = chart.boundary.size();
+  ChartFlattener flattener(chart, {});
+  flattener.requireSeparation();
+  Attempt closed = flattener.attempt(std::vector<double>(n, 2), nullptr);
+  REQUIRE(closed.validity.crossings.count > 0);
+  // What the layout has now, except where it is free anyway.
+  for (std::size_t i = 0; i < n; ++i)
+    closed.t[i] = boundaryAngle(chart, closed.uv, chart.boundary[i]) / kPi;
+  CHECK_FALSE(movedApart(flattener, closed).valid());
+  closed.t.assign(n, 2);
+  flattener.requireStraight(StraightPlaces(n, 1));
+  const Attempt still = movedApart(flattener, closed);
+  CHECK(still.uv == closed.uv);
+  CHECK_FALSE(still.valid());
+}
+
+TEST_CASE("charts that touch themselves cost no more than one solution each") {
+  const PolygonMesh mesh = uvSphere(200, 100);
+  const Counted sphere = unwrapped(mesh);
+  CHECK(sphere.report.valid);
+  // Three steps, and a call as each stage or round begins.
+  CHECK(sphere.steps <= 8);
+  CHECK(sphere.report.symmetricDirichlet < 1.04);
+  CHECK(sphere.report.seams.relativeLength < 1.4);
+}
+
+TEST_CASE("what is stretched too much is cut before it is untangled") {
+  const Counted towers = unwrapped(city(28, 6));
+  CHECK(towers.report.valid);
+  CHECK(towers.steps <= 10 * static_cast<int>(towers.report.charts.size()));
+  for (const ChartReport& chart : towers.report.charts) CHECK(chart.solver == "activeSet");
+}
