@@ -4,7 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "check/orientation.h"
 #include "check/segments.h"
+#include "check/simple_polygon.h"
 
 namespace abflat {
 namespace {
@@ -63,8 +65,23 @@ class EdgeTree {
     build(1, 0, leaves_);
   }
 
-  Crossings run() {
+  /// Unless boxes tell so little of the edges, as of long ones side by side, that a sweep is
+  /// better.
+  bool isSweepBetter() {
+    constexpr std::size_t kManyPairs = 256;
+    allowed_ = kManyPairs * n_;
     within(1, 0, leaves_);
+    const bool isBetter = allowed_ == 0;
+    allowed_ = std::numeric_limits<std::size_t>::max();
+    if (isBetter) found_ = {};
+    return isBetter;
+  }
+
+  Crossings run() {
+    if (isSweepBetter()) {
+      if (isSimplePolygon(points_)) return {};
+      within(1, 0, leaves_);
+    }
     std::sort(found_.first.begin(), found_.first.end());
     return std::move(found_);
   }
@@ -106,6 +123,8 @@ class EdgeTree {
   /// Pairs between two runs of `size` edges each.
   void across(std::uint32_t nodeA, std::uint32_t a, std::uint32_t nodeB, std::uint32_t b,
               std::uint32_t size) {
+    if (allowed_ == 0) return;
+    --allowed_;
     if (a >= n_ || b >= n_ || disjoint(boxes_[nodeA], boxes_[nodeB])) return;
     if (size == 1) return testPair(std::min(order_[a], order_[b]), std::max(order_[a], order_[b]));
     const std::uint32_t half = size / 2;
@@ -138,6 +157,7 @@ class EdgeTree {
   std::vector<std::uint32_t> order_;
   std::size_t keepFirst_;
   std::uint32_t n_, leaves_ = 1;
+  std::size_t allowed_ = 0;  ///< pairs of boxes that may still be looked at
   std::vector<Box> boxes_;
   Crossings found_;
 };

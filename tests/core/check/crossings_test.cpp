@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catch.h"
+#include "check/simple_polygon.h"
 
 using namespace abflat;
 
@@ -111,4 +112,46 @@ TEST_CASE("coils, repeated places and coordinates that are no numbers are told a
     broken[77] = bad;
     CHECK(findCrossings(broken).first.size() <= 2 * kCount);
   }
+}
+
+TEST_CASE("the sweep agrees with counting on random polygons of small integers") {
+  std::mt19937 random(5);
+  int simple = 0;
+  for (int repeat = 0; repeat < 4000; ++repeat) {
+    const std::size_t n = 4 + random() % 6;
+    Polygon p;
+    std::set<std::pair<int, int>> used;
+    while (p.size() < 2 * n) {
+      const int x = static_cast<int>(random() % 9), y = static_cast<int>(random() % 9);
+      // Points that repeat are never simple, and edges between them have no direction.
+      if (used.insert({x, y}).second) p.insert(p.end(), {double(x), double(y)});
+    }
+    const bool isSimple = countByBruteForce(p) == 0;
+    simple += isSimple;
+    CHECK(isSimplePolygon(p) == isSimple);
+  }
+  CHECK(simple > 100);
+  CHECK_FALSE(isSimplePolygon({0, 0, 4, 0, 2, 2, 4, 4, 0, 4, 2, 2}));
+  CHECK_FALSE(isSimplePolygon({0, 0, 1, 0, INFINITY, 1, 0, 1}));
+}
+
+TEST_CASE("long edges side by side take no longer than others") {
+  // Pairs of their boxes would be several thousand million.
+  constexpr std::size_t kSpikes = 60000;
+  const auto urchin = [](double hub) {
+    Polygon p;
+    for (std::size_t i = 0; i < 2 * kSpikes; ++i) {
+      const double angle = 3.14159265358979 * double(i) / double(kSpikes);
+      const double radius = i % 2 ? 1 : hub;
+      p.insert(p.end(), {radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return p;
+  };
+  Polygon p = urchin(0.01);
+  CHECK(findCrossings(p).count == 0);
+  CHECK(isSimplePolygon(p));
+  // One spike bent over to the next but one.
+  p[2 * 1001] = p[2 * 1005] * 0.99;
+  p[2 * 1001 + 1] = p[2 * 1005 + 1] * 0.99;
+  CHECK_FALSE(isSimplePolygon(p));
 }
