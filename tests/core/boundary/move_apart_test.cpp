@@ -95,15 +95,19 @@ PolygonMesh city(unsigned m, unsigned height) {
 /// Calls from solvers, one for each Newton step, and the result.
 struct Counted {
   int steps = 0;
+  int firstSteps = 0;  ///< before any chart is done
   UnwrapReport report;
 };
 
 Counted unwrapped(const PolygonMesh& mesh) {
   Counted out;
+  double begin = 0;
   UnwrapOptions options;
   options.threads = 1;
   options.progress = [&](const Progress& now) {
-    out.steps += std::string(now.stage) == "solve";
+    if (std::string(now.stage) != "solve") return true;
+    if (out.steps++ == 0) begin = now.fraction;
+    out.firstSteps += now.fraction == begin;
     return true;
   };
   Result<UnwrapResult> r = unwrap(mesh, options);
@@ -170,6 +174,9 @@ TEST_CASE("charts that touch themselves cost no more than one solution each") {
 TEST_CASE("what is stretched too much is cut before it is untangled") {
   const Counted towers = unwrapped(city(28, 6));
   CHECK(towers.report.valid);
-  CHECK(towers.steps <= 10 * static_cast<int>(towers.report.charts.size()));
+  // The plane with all towers is one chart at first. It crosses itself at thousands of places,
+  // which took hundreds of steps.
+  CHECK(towers.firstSteps <= 10);
+  CHECK(towers.steps <= 4 * static_cast<int>(towers.report.charts.size()));
   for (const ChartReport& chart : towers.report.charts) CHECK(chart.solver == "activeSet");
 }

@@ -105,20 +105,20 @@ TEST_CASE("first and second derivatives of the product wheels match central diff
 
 TEST_CASE("iterative solvers do not go on for longer than the number of rows calls for") {
   // Heights far above the squares: angles near 0, and systems that are hardly regular.
-  for (const unsigned seed : {1u, 2u, 3u}) {
-    const AngleProblem problem = problemOf(bumpyGrid(6, 5, 40, seed), 2);
-    const int rows = static_cast<int>(problem.target.size() + problem.triangleCount() +
-                                      numberRows(problem).count());
-    for (const bool precondition : {true, false})
-      for (const Formulation form : {Formulation::Log, Formulation::Product})
-        for (const LinearSolver solver : kIterative) {
-          KktStepSolver system(problem, {solver, form, precondition});
-          const AngleSolution s = solveActiveSet(problem, system, toTheEnd());
-          INFO(linearSolverName(solver) << " " << seed);
-          for (const NewtonStep& step : s.history)
-            CHECK(step.linearIterations <= (precondition ? 100 + rows : 8 * rows));
-        }
-  }
+  const AngleProblem problem = problemOf(bumpyGrid(4, 3, 40, 1), 2);
+  const int rows = static_cast<int>(problem.target.size() + problem.triangleCount() +
+                                    numberRows(problem).count());
+  SolverOptions options = toTheEnd();
+  options.maxSteps = 10;
+  for (const bool precondition : {true, false})
+    for (const Formulation form : {Formulation::Log, Formulation::Product})
+      for (const LinearSolver solver : kIterative) {
+        KktStepSolver system(problem, {solver, form, precondition});
+        const AngleSolution s = solveActiveSet(problem, system, options);
+        INFO(linearSolverName(solver) << " " << precondition);
+        for (const NewtonStep& step : s.history)
+          CHECK(step.linearIterations <= (precondition ? 100 + rows : 8 * rows));
+      }
 }
 
 TEST_CASE("all linear solvers and both formulations find the same angles") {
