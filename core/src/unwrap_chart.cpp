@@ -18,9 +18,12 @@ void keepMeasures(Attempt& attempt, FlatChart& out) {
   out.straight = attempt.straight;
 }
 
-Effort effortFor(Patience patience, const UnwrapOptionValues& options) {
+/// A small chart's steps are short, and a seam less is worth many of them.
+Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionValues& options) {
+  constexpr int kFewest = 12, kMost = 200, kTriangles = 80000;
   if (patience == Patience::All) return {8, 40};
-  return {4, 12, options.maxStretch, true};
+  const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
+  return {4, std::clamp(steps, kFewest, kMost), options.maxStretch, true};
 }
 
 }  // namespace
@@ -43,7 +46,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   FlatChart out;
   Attempt attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted,
-                                 effortFor(patience, options));
+                                 effortFor(patience, chart, options));
   if (attempt.solution.cancelled) return out;
   out.isTangled = patience == Patience::Little && isTangled(attempt);
   out.unpacked = inMeshUnit(chart, attempt);
