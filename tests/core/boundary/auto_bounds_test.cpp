@@ -118,8 +118,8 @@ TEST_CASE("bounds asked for are upper limits, however crossings are removed") {
       options.untangle = u;
       std::vector<double> asked(n, t == kAutoT ? 2 : t);
       for (int i = 0; i < 5; ++i) {
-        const std::uint32_t place = random() % n;
-        asked[place] = 0.6 + 0.1 * (random() % 10);
+        const std::uint32_t place = static_cast<std::uint32_t>(random()) % n;
+        asked[place] = 0.6 + 0.1 * static_cast<double>(random() % 10);
         options.bounds.push_back(
             {chart.inputVertex[chart.vertexOfCorner[chart.boundary[place]]], asked[place]});
       }

@@ -178,5 +178,5 @@ TEST_CASE("what is stretched too much is cut before it is untangled") {
   // which took hundreds of steps.
   CHECK(towers.firstSteps <= 10);
   CHECK(towers.steps <= 4 * static_cast<int>(towers.report.charts.size()));
-  for (const ChartReport& chart : towers.report.charts) CHECK(chart.solver == "activeSet");
+  for (const UnwrapChart& chart : towers.report.charts) CHECK(chart.solver == "activeSet");
 }
