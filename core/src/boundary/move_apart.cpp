@@ -148,7 +148,9 @@ Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
   const DiskChart& chart = flattener.chart();
   Attempt out = crossing;
   const double cells = flattener.leastDistance(crossing.uv);
-  if (!(cells > 0)) return out;
+  // Condition (9) holds on its limit: moved, edges miss it.
+  const bool isDelaunay = !crossing.solution.activeEdge.empty();
+  if (isDelaunay || !(cells > 0)) return out;
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, crossing.solution));
   Outline outline(chart, crossing.uv, flattener.straight());
   Crossings left = crossing.validity.crossings;

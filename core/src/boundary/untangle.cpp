@@ -17,7 +17,7 @@ constexpr int kMaxRounds = 40;     ///< of local tightening
 constexpr int kRelaxations = 3;    ///< bisections afterwards
 
 /// What remains to be gained is not worth further solutions where it is less, of the distortion.
-constexpr double kNegligible = 0.02;
+constexpr double kNegligible = 0.002;
 
 bool cancelled(const Attempt& a) { return a.solution.cancelled; }
 
