@@ -20,10 +20,10 @@ void keepMeasures(Attempt& attempt, FlatChart& out) {
 
 /// A small chart's steps are short, and a seam less is worth many of them.
 Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionValues& options) {
-  constexpr int kFewest = 12, kMost = 200, kTriangles = 80000;
+  constexpr int kFewest = 60, kMost = 200, kTriangles = 80000;
   if (patience == Patience::All) return {8, 40};
   const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
-  return {4, std::clamp(steps, kFewest, kMost), options.maxStretch, true};
+  return {20, std::clamp(steps, kFewest, kMost), options.maxStretch, true};
 }
 
 }  // namespace

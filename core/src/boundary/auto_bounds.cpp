@@ -15,7 +15,7 @@ namespace {
 constexpr double kLastResorts[] = {1.5, 1.2, 1.0, 1.8};
 
 /// The global search is left out where the arcs' own bounds add no more than this share to the
-/// distortion, which no layout without crossings is below.
+/// angular distortion, which no layout without crossings is below.
 constexpr double kLittleMore = 0.05;
 
 /// What the last resorts may cost, in Newton steps.
@@ -46,8 +46,7 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
     if (local.valid() && isBetter) best = std::move(local);
     found = best.valid();
   }
-  const bool isGoodEnough =
-      found && best.distortion.angular <= (1 + kLittleMore) * attempt.distortion.angular;
+  const bool isGoodEnough = found && isCloseTo(best, attempt);
   if (untangle != Untangle::Local && !isGoodEnough && !flattener.isSpent()) {
     const double limit = found ? best.distortion.angular : std::numeric_limits<double>::infinity();
     Attempt global = untangleGlobal(flattener, attempt, limit);

@@ -112,7 +112,7 @@ class Tightening {
   }
 
  private:
-  static constexpr double kHarder = 2;
+  static constexpr double kHarder = 3;
   /// Radians of turning taken out of an arc at once.
   static constexpr double kLeastPush = 1e-4, kMostPush = 0.5;
 
