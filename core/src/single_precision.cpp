@@ -77,7 +77,7 @@ void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::st
 
 /// From 0 to 1 along the longer side, from 0 along the other; unchanged where that is not possible.
 void moveToUnitSquare(std::vector<double>& uv) {
-  std::array<double, 2> least{INFINITY, INFINITY}, most{-INFINITY, -INFINITY};
+  std::array<double, 2> least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
   for (std::size_t i = 0; i < uv.size(); ++i) {
     least[i % 2] = std::min(least[i % 2], uv[i]);
     most[i % 2] = std::max(most[i % 2], uv[i]);

@@ -70,6 +70,7 @@ void fitAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& opti
   constexpr int kMostPackings = 4;
   for (int round = 0; round <= kMostPackings; ++round) {
     std::vector<double> enlarged;
+    enlarged.reserve(flat.size());
     for (const FlatChart& chart : flat) enlarged.push_back(chart.enlarged);
     const bool mayGrow = round < kMostPackings;
     if (fitToNumbers(charts, numbers, options.resolution, mayGrow, pool, packing, flat) == 0)

@@ -171,7 +171,7 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   a.t = t;
   setAllBounds(a.t);
   Stopwatch watch;
-  const bool isDelaunay = !problem_.edgeCorners.empty();
+  const bool isDelaunay = warm && !problem_.edgeCorners.empty();
   a.solution = isDelaunay ? solver_->solveDelaunay(warm->solution)
                           : solver_->solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
