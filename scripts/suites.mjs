@@ -106,7 +106,6 @@ export const LONG_SUITES = [
 export const SANITIZED_SUITES = [
   catch2('core', [sanitizedProgram], { kind: SANITIZED }),
   node('native', [sanitizedProgram], { kind: SANITIZED }),
-  node('fuzz', [sanitizedProgram], { kind: SANITIZED, what: 'random meshes' }),
 ];
 
 /** What `npm run coverage` counts. */
