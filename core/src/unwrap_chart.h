@@ -40,7 +40,7 @@ struct ChartWishes {
 
 /// How much is tried to lay out a chart whose boundary crosses itself.
 enum class Patience {
-  Little,  ///< less than the layout took; hardly anything where it is to be cut anyway
+  Little,  ///< some steps for each that the layout took; none where it is to be cut anyway
   All
 };
 

@@ -12,8 +12,7 @@ namespace abflat {
 /// warm-started.
 
 /// One limit for the whole boundary, below the bounds it has: the largest, to 0.01, without a
-/// crossing. Gives up as soon as the
-/// distortion is bound to exceed `distortionLimit`.
+/// crossing. Gives up as soon as the distortion is bound to exceed `distortionLimit`.
 Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, double distortionLimit);
 
 /// Tightens only the vertices of the arcs that cross, a little each time: classic ABF's
