@@ -9,6 +9,7 @@ import { pathToFileURL } from 'node:url';
 import { cmakeBuild, emscriptenEnv } from './lib/cmake.mjs';
 import { writeLicenses } from './lib/licenses.mjs';
 import { BUILD, NATIVE_PROGRAM, ROOT, WASM_DIST, WEB_DIST } from './lib/paths.mjs';
+import { findClang } from './lib/requirements.mjs';
 import { Failure, mustRun, runMain } from './lib/run.mjs';
 import { stamp, unlessFresh } from './lib/stamp.mjs';
 import { setup } from './setup.mjs';
@@ -46,6 +47,14 @@ export async function buildNative({ tests = false } = {}) {
   });
   writeLicenses(join(BUILD, 'native'), 'native');
   return NATIVE_PROGRAM;
+}
+
+/** The same and the fuzzers, by clang, with sanitizers and the counters that libFuzzer reads. */
+export async function buildSanitized() {
+  await cmakeBuild('sanitize', {
+    settings: { ABFLAT_SANITIZE: 'ON', ABFLAT_FUZZ: 'ON', CMAKE_CXX_COMPILER: findClang() },
+    targets: [...TESTED, 'abflat_fuzzers'],
+  });
 }
 
 function compileWasm(folder) {

@@ -2,13 +2,13 @@
 
 import { join } from 'node:path';
 import { buildBench } from '../tests/bench/support/meshes.mjs';
-import { buildNative, buildWasm, buildWeb, TESTED } from './build.mjs';
+import { buildNative, buildSanitized, buildWasm, buildWeb, TESTED } from './build.mjs';
 import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
 import { profileIn } from './lib/coverage.mjs';
 import { BUILD } from './lib/paths.mjs';
 import { findChrome, findClang } from './lib/requirements.mjs';
-import { catchJobs, nodeJobs } from './lib/suites.mjs';
+import { catchJobs, fuzzJobs, nodeJobs } from './lib/suites.mjs';
 
 /** A finding ends the program in a way that no documented exit code can be taken for. */
 const SANITIZER_ENV = {
@@ -25,10 +25,13 @@ const WITHOUT = {
 };
 const SANITIZED = {
   title: (what) => `${what}, sanitizers`,
-  purposes: ['build', 'test'],
+  purposes: ['build', 'test', 'fuzz'],
   folder: 'sanitize',
   env: SANITIZER_ENV,
 };
+
+/** Of all fuzzers together. */
+const FUZZED_SECONDS = 60;
 
 /** Where instrumented programs write what they have run through. */
 export const PROFILES = join(BUILD, 'coverage/profiles');
@@ -40,12 +43,6 @@ const COVERED = {
 };
 
 const program = () => buildNative({ tests: true });
-
-const sanitizedProgram = () =>
-  cmakeBuild('sanitize', {
-    settings: { ABFLAT_SANITIZE: 'ON' },
-    targets: TESTED,
-  });
 
 const coveredProgram = () =>
   cmakeBuild('coverage', {
@@ -104,8 +101,16 @@ export const LONG_SUITES = [
 
 /** What runs again with an instrumented program. */
 export const SANITIZED_SUITES = [
-  catch2('core', [sanitizedProgram], { kind: SANITIZED }),
-  node('native', [sanitizedProgram], { kind: SANITIZED }),
+  catch2('core', [buildSanitized], { kind: SANITIZED }),
+  node('native', [buildSanitized], { kind: SANITIZED }),
+  node('fuzz', [buildSanitized], { kind: SANITIZED, what: 'random meshes' }),
+  {
+    name: 'fuzzers',
+    title: 'tests/fuzz (libFuzzer)',
+    purposes: ['build', 'fuzz'],
+    needs: [buildSanitized],
+    jobs: () => fuzzJobs(FUZZED_SECONDS),
+  },
 ];
 
 /** What `npm run coverage` counts. */

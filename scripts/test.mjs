@@ -37,10 +37,13 @@ function choose(names) {
   return [...new Set(names.flatMap((name) => known.get(name)))];
 }
 
-/** Builds what the suites need. Resolves to the builds that failed, and why. */
-async function buildFor(suites) {
+const secondsSince = (start) => (performance.now() - start) / 1000;
+
+/** Builds what the suites need. Resolves to the builds that failed, and why; notes how long each took. */
+async function buildFor(suites, times) {
   const broken = new Map();
   for (const build of new Set(suites.flatMap(({ needs }) => needs))) {
+    const start = performance.now();
     try {
       await build();
     } catch (error) {
@@ -48,6 +51,7 @@ async function buildFor(suites) {
       console.error(error.message);
       broken.set(build, error.message);
     }
+    times.push([build.name, secondsSince(start)]);
   }
   return broken;
 }
@@ -69,8 +73,10 @@ function show({ title, parts }) {
 }
 
 /** Whether all is well. */
-function summarize(records) {
+function summarize(records, times) {
   console.log('\n== Summary');
+  for (const [step, seconds] of times)
+    console.log(`        ${step.padEnd(34)} ${seconds.toFixed(1)} s`);
   for (const { title, parts } of records) {
     const total = add(parts);
     const seconds = parts.reduce((sum, part) => sum + part.seconds, 0);
@@ -91,11 +97,16 @@ await runMain(async () => {
     allowPositionals: true,
   });
   const suites = choose(positionals.length > 0 ? positionals : ['default']);
+  const start = performance.now();
   await setup([...new Set(suites.flatMap(({ purposes }) => purposes))]);
-  const broken = await buildFor(suites);
+  const times = [['setup', secondsSince(start)]];
+  const broken = await buildFor(suites, times);
   const runs = suites.map((suite) => ({
     title: suite.title,
     jobs: jobsOf(suite, broken, values),
   }));
-  if (!summarize(await runPool(runs, Number(JOBS), show))) process.exitCode = 1;
+  const testing = performance.now();
+  const records = await runPool(runs, Number(JOBS), show);
+  times.push(['all tests', secondsSince(testing)]);
+  if (!summarize(records, times)) process.exitCode = 1;
 });

@@ -135,6 +135,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   out.vertexMap = chart.inputVertex;
   out.triangles = chart.vertexOfCorner;
   out.cornerUv = std::move(prepared.value.cornerUv);
+  out.straight = straightVertices(chart, flattener.straight());
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "abflat/flatten.h"
 #include "abflat/unit_square.h"
+#include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 #include "chart_report.h"
 #include "check/delaunay.h"
@@ -45,9 +46,10 @@ struct Rounded {
   Validity validity;
   Distortion distortion;
   std::size_t violatedEdges = 0;  ///< of the Delaunay condition, where it is asked for
+  double straightDeviation = 0;   ///< where runs are to be straight
 };
 
-Rounded measured(const DiskChart& chart, const ChartReport& report, std::vector<double> uv) {
+Rounded measured(const DiskChart& chart, const FlattenResult& result, std::vector<double> uv) {
   Rounded out;
   std::vector<double> inUnits;
   inUnits.reserve(uv.size());
@@ -56,16 +58,25 @@ Rounded measured(const DiskChart& chart, const ChartReport& report, std::vector<
   out.uv = std::move(uv);
   out.validity = checkValidity(chart, inUnits);
   out.distortion = measureDistortion(chart, inUnits);
-  if (report.delaunay) out.violatedEdges = checkDelaunay(chart, inUnits).violated.size();
+  if (result.report.charts.front().delaunay)
+    out.violatedEdges = checkDelaunay(chart, inUnits).violated.size();
+  out.straightDeviation =
+      reportStraight(chart, placesOf(chart, result.straight), inUnits).deviation;
   return out;
+}
+
+/// The report is about the rounded layout from now on.
+void setMeasures(ChartReport& report, const Rounded& rounded) {
+  setMeasures(report, rounded.validity, rounded.distortion);
+  if (report.straight) report.straight->deviation = rounded.straightDeviation;
 }
 
 /// Puts a layout that was moved or rounded in place of the one that the report is about.
 void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::string& where,
                    const std::string& remedy, FlattenResult& result) {
   ChartReport& report = result.report.charts.front();
-  Rounded rounded = measured(chart, report, std::move(uv));
-  setMeasures(report, rounded.validity, rounded.distortion);
+  Rounded rounded = measured(chart, result, std::move(uv));
+  setMeasures(report, rounded);
   if (report.delaunay) report.delaunay->violated = rounded.violatedEdges;
   const std::string defect = findDefect(rounded.validity);
   if (report.valid && !defect.empty()) {
@@ -96,13 +107,13 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
   ChartReport& report = result.report.charts.front();
   std::vector<double> uv = result.uv;
   roundToSingle(uv);
-  Rounded rounded = measured(chart, report, std::move(uv));
+  Rounded rounded = measured(chart, result, std::move(uv));
   std::string obstacle = findDefect(rounded.validity);
   if (obstacle.empty() && report.delaunay && rounded.violatedEdges > report.delaunay->violated)
     obstacle = count(rounded.violatedEdges - report.delaunay->violated, "edge", "edges") +
                " more would not be Delaunay";
   if (obstacle.empty()) {
-    setMeasures(report, rounded.validity, rounded.distortion);
+    setMeasures(report, rounded);
     result.uv = std::move(rounded.uv);
   } else {
     report.fallbacks.push_back("texcoords are written in double precision: rounded to single, " +

@@ -57,6 +57,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   }
   if (attempt.straight) attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, attempt);
+  out.straightPlaces = wishes.straight;
   keepMeasures(attempt, out);
   return out;
 }

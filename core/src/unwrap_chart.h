@@ -21,6 +21,7 @@ struct FlatChart {
   std::vector<std::string> fallbacks;
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
+  StraightPlaces straightPlaces;
   std::string problem;  ///< why it is not valid, one sentence; empty when it is
   double enlarged = 1;  ///< beside the others, so that numbers can tell its triangles apart
   std::size_t movedVertices = 0;  ///< for the same reason

@@ -102,6 +102,7 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
   if (!wishes.straight.empty()) {
     out.straight = reportStraight(chart, wishes.straight, uv);
     out.straight->released = wishes.released;
+    out.straightPlaces = wishes.straight;
   }
   out.unpacked = std::move(unpacked);
   return out;

@@ -105,6 +105,8 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
   row.symmetricDirichlet = flat.distortion.symmetricDirichlet;
   row.pins = flat.pins;
   row.straight = flat.straight;
+  if (row.straight)
+    row.straight->deviation = reportStraight(chart, flat.straightPlaces, flat.uv).deviation;
   row.fallbacks = flat.fallbacks;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();

@@ -3,6 +3,8 @@
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
+import { fuzz } from '../../tests/fuzz/fuzzers.mjs';
+import { TARGET_NAMES } from '../../tests/fuzz/seeds.mjs';
 import { BUILD, ROOT } from './paths.mjs';
 import { run } from './run.mjs';
 
@@ -69,6 +71,22 @@ async function runNodeTests(file, env, kind) {
   });
   return { ...settle(tapTotals(existsSync(tap) ? readFileSync(tap, 'utf8') : ''), code), output };
 }
+
+/** A job for each fuzzer, which share the time. */
+export function fuzzJobs(seconds) {
+  const share = Math.ceil(seconds / TARGET_NAMES.length);
+  return TARGET_NAMES.map((target) => ({
+    name: `fuzz_${target}`,
+    run: async () => {
+      const { executions, found, output } = await fuzz(target, share);
+      const isFine = executions > 0 && found.length === 0;
+      const said = `${target}: ${executions} executions, ${found.length} findings\n`;
+      return { ...settle(oneOf(isFine), 0), output: isFine ? said : said + output };
+    },
+  }));
+}
+
+const oneOf = (isFine) => ({ passed: isFine ? 1 : 0, failed: isFine ? 0 : 1, skipped: 0 });
 
 /** Reads the closing comments of node's TAP reporter. */
 export function tapTotals(text) {

@@ -1,81 +1,15 @@
 #!/usr/bin/env node
 // Runs the fuzzers for a while and prints what they did.
 // Usage: npm run fuzz -- --minutes N [--targets obj,unwrap]
-// Inputs that are worth keeping stay in build/fuzz/corpus, so that the next run goes on from there.
-// What ends a target is in build/fuzz/found; a file is run again by build/fuzz/fuzzers/fuzz_TARGET FILE
-// and, once mended, kept in tests/fuzz/findings/TARGET.
 
-import { cpSync, existsSync, mkdirSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { cmakeBuild, JOBS } from '../../scripts/lib/cmake.mjs';
-import { BUILD, ROOT } from '../../scripts/lib/paths.mjs';
-import { Failure, run, runMain } from '../../scripts/lib/run.mjs';
+import { buildSanitized } from '../../scripts/build.mjs';
+import { JOBS } from '../../scripts/lib/cmake.mjs';
+import { Failure, runMain } from '../../scripts/lib/run.mjs';
 import { setup } from '../../scripts/setup.mjs';
-import { TARGET_NAMES, writeSeeds } from './seeds.mjs';
-
-const HOME = join(BUILD, 'fuzz');
-const FOUND = join(HOME, 'found');
-
-/** Of one input: what a target may take before that is a finding as well. */
-const LIMITS = ['-timeout=25', '-rss_limit_mb=2048', '-malloc_limit_mb=1024'];
-/** Bytes of an input at most. */
-const LENGTHS = { unwrap: 1200, flatten: 1200 };
-const USUAL_LENGTH = 8192;
-
-const filesIn = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
-const fuzzerOf = (target) => join(HOME, 'fuzzers', `fuzz_${target}`);
-const findingsOf = (target) => filesIn(FOUND).filter((name) => name.startsWith(`${target}-`));
-
-export async function buildFuzzers() {
-  await cmakeBuild('fuzz', {
-    settings: { ABFLAT_FUZZ: 'ON', ABFLAT_SANITIZE: 'ON' },
-    env: { CC: 'clang', CXX: 'clang++' },
-    targets: ['abflat_fuzzers'],
-  });
-}
-
-/** Reads the lines that libFuzzer prints while it forks: "#123: cov: 45 ft: 67 corp: 8 ...". */
-export function progressOf(output) {
-  const lines = [...output.matchAll(/^#(\d+):? .*?cov: (\d+) .*?corp: (\d+)/gm)];
-  if (lines.length === 0) return { executions: 0, before: 0, after: 0, corpus: 0 };
-  const [first, last] = [lines[0], lines.at(-1)];
-  return {
-    executions: Number(last[1]),
-    before: Number(first[2]),
-    after: Number(last[2]),
-    corpus: Number(last[3]),
-  };
-}
-
-async function fuzz(target, seconds) {
-  const corpus = join(HOME, 'corpus', target);
-  writeSeeds(target, corpus);
-  const kept = join(ROOT, 'tests/fuzz/findings', target);
-  if (existsSync(kept)) cpSync(kept, corpus, { recursive: true });
-  const before = new Set(findingsOf(target));
-  const { output } = await run(
-    fuzzerOf(target),
-    [
-      ...LIMITS,
-      '-fork=1',
-      '-ignore_crashes=1',
-      '-ignore_timeouts=1',
-      '-ignore_ooms=1',
-      `-max_total_time=${seconds}`,
-      `-max_len=${LENGTHS[target] ?? USUAL_LENGTH}`,
-      `-artifact_prefix=${join(FOUND, `${target}-`)}`,
-      corpus,
-    ],
-    {
-      capture: true,
-      env: { ASAN_OPTIONS: 'allocator_may_return_null=0:detect_leaks=1' },
-      seconds: seconds + 120,
-    },
-  );
-  const found = findingsOf(target).filter((name) => !before.has(name));
-  return { target, seconds, ...progressOf(output), found, output };
-}
+import { FOUND, fuzz } from './fuzzers.mjs';
+import { TARGET_NAMES } from './seeds.mjs';
 
 async function fuzzAll(targets, minutes) {
   const share = Math.max(1, Math.round((60 * minutes * Number(JOBS)) / targets.length));
@@ -125,8 +59,7 @@ await runMain(async () => {
   if (unknown !== undefined)
     throw new Failure(`Unknown target "${unknown}"; known are: ${TARGET_NAMES.join(', ')}.`);
   await setup(['build', 'fuzz']);
-  await buildFuzzers();
-  mkdirSync(FOUND, { recursive: true });
+  await buildSanitized();
   const results = await fuzzAll(targets, minutes);
   print(results);
   const idle = results.filter(({ executions }) => executions === 0);

@@ -158,7 +158,8 @@ struct FlattenResult {
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
   std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle (polygons triangulated)
   std::vector<std::uint32_t>
-      cornerUv;   ///< output vertex of each input face corner (size of faceVertices)
+      cornerUv;  ///< output vertex of each input face corner (size of faceVertices)
+  std::vector<std::uint32_t> straight;  ///< output vertices whose angle was held at pi
   Report report;  ///< path and timings.read/write/total are the caller's to fill
 };
 

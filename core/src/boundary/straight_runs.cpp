@@ -102,6 +102,21 @@ bool isTooStraight(const StraightPlaces& straight) {
   return held > 0 && static_cast<std::size_t>(held) + 3 > straight.size();
 }
 
+std::vector<std::uint32_t> straightVertices(const DiskChart& chart,
+                                            const StraightPlaces& straight) {
+  std::vector<std::uint32_t> out;
+  for (std::size_t i = 0; i < straight.size(); ++i)
+    if (straight[i] != 0) out.push_back(chart.vertexOfCorner[chart.boundary[i]]);
+  return out;
+}
+
+StraightPlaces placesOf(const DiskChart& chart, const std::vector<std::uint32_t>& vertices) {
+  const std::vector<std::uint32_t> place = placesOfVertices(chart);
+  StraightPlaces out(chart.boundary.size(), 0);
+  for (const std::uint32_t v : vertices) out[place[v]] = 1;
+  return out;
+}
+
 StraightReport reportStraight(const DiskChart& chart, const StraightPlaces& straight,
                               const std::vector<double>& uv) {
   StraightReport out;

@@ -30,6 +30,10 @@ bool isTooStraight(const StraightPlaces& straight);
 /// Boundary places that are not straight.
 std::size_t placesThatTurn(const DiskChart& chart, const StraightPlaces& straight);
 
+/// Vertices of the chart at straight places, and the other way round.
+std::vector<std::uint32_t> straightVertices(const DiskChart& chart, const StraightPlaces& straight);
+StraightPlaces placesOf(const DiskChart& chart, const std::vector<std::uint32_t>& vertices);
+
 /// Runs, vertices and deviation of a layout.
 StraightReport reportStraight(const DiskChart& chart, const StraightPlaces& straight,
                               const std::vector<double>& uv);

@@ -97,6 +97,41 @@ TEST_CASE("the interior point holds straight vertices, too", "[straight]") {
     CHECK(std::abs(s.angles[c] - exact.angles[c]) < 1e-4);
 }
 
+TEST_CASE("how straight runs are is measured again once a layout is rounded", "[straight]") {
+  const Sheet sheet;
+  const DiskChart chart = sheet.chart();
+  const Result<StraightPlaces> places = straightPlaces(chart, sheet.sides);
+  REQUIRE(places.ok());
+  for (const bool isGltf : {false, true}) {
+    Result<FlattenResult> r = flattened(sheet.mesh, sheet.sides, kAutoT);
+    REQUIRE(r.ok());
+    CHECK(r.value.straight == straightVertices(chart, places.value));
+    const double before = r.value.report.charts[0].straight->deviation;
+    if (isGltf)
+      roundForGltf(sheet.mesh, r.value);
+    else
+      REQUIRE(roundToSinglePrecision(sheet.mesh, r.value));
+    const double now = r.value.report.charts[0].straight->deviation;
+    CHECK(now == Approx(reportStraight(chart, places.value, r.value.uv).deviation).epsilon(1e-6));
+    CHECK(now > 2 * before);
+    CHECK(now < 1e-4);
+  }
+}
+
+TEST_CASE("straight runs of an atlas are measured as they are written", "[straight]") {
+  const Sheet sheet;
+  UnwrapOptions options;
+  options.straightSeams = true;
+  const auto deviation = [&](bool isSingle) {
+    options.roundsToSingle = isSingle;
+    const Result<UnwrapResult> r = unwrap(sheet.mesh, options);
+    REQUIRE(r.ok());
+    REQUIRE(r.value.report.charts.at(0).straight);
+    return r.value.report.charts[0].straight->deviation;
+  };
+  CHECK(deviation(true) > 100 * deviation(false));
+}
+
 TEST_CASE("straight runs that no layout can have are named", "[straight]") {
   const Sheet sheet;
   const auto message = [&](const std::vector<StraightRun>& runs, StatusCode code) {

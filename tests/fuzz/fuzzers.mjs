@@ -1,0 +1,67 @@
+// Runs the fuzzers for a while.
+// Inputs that are worth keeping stay in build/fuzz/corpus, so that the next run goes on from there.
+// What ends a target is in build/fuzz/found; a file is run again by build/sanitize/fuzzers/fuzz_TARGET FILE
+// and, once mended, kept in tests/fuzz/findings/TARGET.
+
+import { cpSync, existsSync, mkdirSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { BUILD, ROOT } from '../../scripts/lib/paths.mjs';
+import { run } from '../../scripts/lib/run.mjs';
+import { writeSeeds } from './seeds.mjs';
+
+const HOME = join(BUILD, 'fuzz');
+export const FOUND = join(HOME, 'found');
+
+/** Of one input: what a target may take before that is a finding as well. */
+const LIMITS = ['-timeout=25', '-rss_limit_mb=2048', '-malloc_limit_mb=1024'];
+/** Bytes of an input at most. */
+const LENGTHS = { unwrap: 1200, flatten: 1200 };
+const USUAL_LENGTH = 8192;
+
+const filesIn = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
+const fuzzerOf = (target) => join(BUILD, 'sanitize/fuzzers', `fuzz_${target}`);
+const findingsOf = (target) => filesIn(FOUND).filter((name) => name.startsWith(`${target}-`));
+
+/** Reads the lines that libFuzzer prints while it forks: "#123: cov: 45 ft: 67 corp: 8 ...". */
+export function progressOf(output) {
+  const lines = [...output.matchAll(/^#(\d+):? .*?cov: (\d+) .*?corp: (\d+)/gm)];
+  if (lines.length === 0) return { executions: 0, before: 0, after: 0, corpus: 0 };
+  const [first, last] = [lines[0], lines.at(-1)];
+  return {
+    executions: Number(last[1]),
+    before: Number(first[2]),
+    after: Number(last[2]),
+    corpus: Number(last[3]),
+  };
+}
+
+/** Resolves to what was run and what was found, by their file names. */
+export async function fuzz(target, seconds) {
+  const corpus = join(HOME, 'corpus', target);
+  mkdirSync(FOUND, { recursive: true });
+  writeSeeds(target, corpus);
+  const kept = join(ROOT, 'tests/fuzz/findings', target);
+  if (existsSync(kept)) cpSync(kept, corpus, { recursive: true });
+  const before = new Set(findingsOf(target));
+  const { output } = await run(
+    fuzzerOf(target),
+    [
+      ...LIMITS,
+      '-fork=1',
+      '-ignore_crashes=1',
+      '-ignore_timeouts=1',
+      '-ignore_ooms=1',
+      `-max_total_time=${seconds}`,
+      `-max_len=${LENGTHS[target] ?? USUAL_LENGTH}`,
+      `-artifact_prefix=${join(FOUND, `${target}-`)}`,
+      corpus,
+    ],
+    {
+      capture: true,
+      env: { ASAN_OPTIONS: 'allocator_may_return_null=0:detect_leaks=1' },
+      seconds: seconds + 120,
+    },
+  );
+  const found = findingsOf(target).filter((name) => !before.has(name));
+  return { target, seconds, ...progressOf(output), found, output };
+}
