@@ -14,11 +14,11 @@ constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 }  // namespace
 
-std::align_val_t largeAlignment([[maybe_unused]] std::size_t bytes) {
+std::size_t largeAlignment([[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  if (bytes >= 2 * kHugePage) return std::align_val_t{kHugePage};
+  if (bytes >= 2 * kHugePage) return kHugePage;
 #endif
-  return std::align_val_t{kCacheLine};
+  return kCacheLine;
 }
 
 void adviseLarge([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
