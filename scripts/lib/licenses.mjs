@@ -15,6 +15,7 @@ const CONTENTS = {
   web: [
     ...WASM,
     'node_modules/three',
+    'node_modules/three-mesh-bvh',
     'node_modules/comlink',
     'node_modules/@gltf-transform/core',
     'node_modules/@gltf-transform/extensions',

@@ -103,13 +103,82 @@ test('without WebGL the page says so and still flattens', async (t) => {
   assert.equal(await textOf(page, '#badge'), 'Valid');
 });
 
-test('a program that cannot be loaded is reported', async (t) => {
+/** Presses the button that does what failed once more. */
+async function tryAgain(page) {
+  assert.equal(await textOf(page, '#again'), 'Try again');
+  await page.click('#again');
+  await settled(page);
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+}
+
+test('a program that cannot be loaded is reported, and loaded when it can be', async (t) => {
   const page = await openPage(t, {
     prepare: (page) => page.route('**/*.wasm', (route) => route.fulfill({ status: 404 })),
     expected: /404/,
   });
-  assert.match(await page.locator('#alert p').first().innerText(), /wasm.*404/s);
+  assert.equal(
+    await page.locator('#alert p').first().innerText(),
+    'Head was not opened: a part of this page could not be loaded. Check the connection, then try again.',
+  );
+  assert.match(await textOf(page, '#alert'), /wasm.*404/s);
   assert.ok(await page.isDisabled('#export'));
+  await page.unroute('**/*.wasm');
+  await tryAgain(page);
+});
+
+for (const [which, script] of [
+  ['that draws', /\/assets\/worker-(?!plain-|simd-|threads-)/],
+  ['that unwraps', /\/assets\/worker-(plain|simd|threads)-/],
+])
+  test(`a worker ${which} and cannot be loaded is reported, and loaded when it can be`, async (t) => {
+    const page = await openPage(t, {
+      prepare: (page) => page.route(script, (route) => route.abort()),
+      expected: /ERR_FAILED/,
+    });
+    assert.equal(
+      await page.locator('#alert p').first().innerText(),
+      'Head was not opened: a part of this page could not be loaded. Check the connection, then try again.',
+    );
+    await page.unroute(script);
+    await tryAgain(page);
+  });
+
+/** Workers of which the next message stops the one that `globalThis.dying` names, as does one that needs too much memory. */
+function prepareDying() {
+  globalThis.Worker = class extends Worker {
+    constructor(url, options) {
+      super(url, options);
+      this.is = options?.name ?? 'abflat';
+    }
+    postMessage(...message) {
+      if (globalThis.dying !== this.is) {
+        super.postMessage(...message);
+        return;
+      }
+      globalThis.dying = null;
+      this.terminate();
+      const error = new ErrorEvent('error', { message: 'out of memory', cancelable: true });
+      queueMicrotask(() => this.dispatchEvent(error));
+    }
+  };
+}
+
+test('a worker that stops is reported, and another one goes on', async (t) => {
+  const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareDying) });
+  for (const which of ['workshop', 'abflat']) {
+    await page.evaluate((which) => {
+      globalThis.dying = which;
+    }, which);
+    await dropAndWait(page, `${which}.obj`, grid(4));
+    assert.equal(
+      await page.locator('#alert p').first().innerText(),
+      `${which}.obj was not opened: its worker stopped, perhaps for want of memory. Close other tabs, then try again.`,
+    );
+    assert.match(await textOf(page, '#alert'), /out of memory/);
+    await tryAgain(page);
+    assert.equal(await textOf(page, '#source'), `${which}.obj`);
+  }
 });
 
 test('a file chosen while the page still starts is opened', async (t) => {

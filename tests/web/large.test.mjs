@@ -62,9 +62,67 @@ async function assertIdleThroughout(page, name, content) {
   await assertIdle(mostRun, FACES, 'a chart looked at');
 }
 
+/** Notes how many bytes of arrays each message to a worker copies: those that it does not hand over. */
+function prepareCounting() {
+  globalThis.copies = [];
+  const bytesOf = (value) => {
+    if (ArrayBuffer.isView(value)) return value.byteLength;
+    if (typeof value !== 'object' || value === null) return 0;
+    return Object.values(value).reduce((sum, each) => sum + bytesOf(each), 0);
+  };
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (message, ...how) {
+    postMessage.call(this, message, ...how);
+    globalThis.copies.push(bytesOf(message)); // what was handed over has no bytes any more
+  };
+}
+
+/** Bytes: options and names, nothing of each triangle. */
+const SMALL = FACES;
+
+async function assertHandedOver(page) {
+  const copies = await page.evaluate(() => globalThis.copies);
+  assert.ok(copies.length > 5, 'messages are looked at');
+  assert.ok(Math.max(...copies) < SMALL, `a message copies ${Math.max(...copies)} bytes`);
+}
+
 test('a large OBJ keeps the page idle, from drop to saved', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareCounting) });
   await assertIdleThroughout(page, 'ring.obj', objText(SURFACE));
+  await assertHandedOver(page);
+});
+
+/** Aims at points of the upper half of a ring that is seen from above. */
+async function aim(page, from, to) {
+  const { x, y, width, height } = await page.locator('#mesh-canvas').boundingBox();
+  for (let i = from; i < to; ++i) {
+    const angle = (Math.PI * (i + 0.5)) / 12;
+    const r = 0.3 * Math.min(width, height);
+    await page.mouse.move(
+      x + width / 2 + r * Math.cos(angle),
+      y + height / 2 - r * Math.sin(angle),
+    );
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => done())));
+  }
+}
+
+test('on a large mesh the pointer finds its vertex without looking at all triangles', async (t) => {
+  const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareCounting) });
+  const mostRun = await countRuns(page);
+  await dropAndWait(page, 'ring.obj', objText(SURFACE));
+  await aim(page, 0, 2);
+  await mostRun();
+  await aim(page, 2, 11);
+  assert.match(await textOf(page, '#seam-hint'), /^Vertex \d+: begin a cut$/);
+  await assertIdle(mostRun, FACES, 'aimed at');
+  await page.mouse.down();
+  await page.mouse.up();
+  await aim(page, 6, 7);
+  await page.mouse.down();
+  await page.mouse.up();
+  await settled(page);
+  assert.ok(await page.isEnabled('#seam-undo'), 'a seam was cut');
+  await assertHandedOver(page);
 });
 
 test('a large GLB keeps the page idle, from drop to saved', async (t) => {

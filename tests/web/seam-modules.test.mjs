@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { PerspectiveCamera } from 'three';
+import { PerspectiveCamera, Ray, Vector3 } from 'three';
 import { loadModule as load } from './modules.mjs';
 
 /** A grid of n x n squares in the plane, each two triangles of one face; x moves the columns nearer to each other. */
@@ -90,7 +90,7 @@ test('shortest paths are as short as Bellman and Ford find, and lead where they 
       expected[b] = Math.min(expected[b], expected[a] + length);
     });
   for (let place = 0; place < expected.length; ++place) {
-    assert.ok(Math.abs(paths.distances[place] - expected[place]) < 1e-12);
+    assert.ok(Math.abs(paths.distanceTo(place) - expected[place]) < 1e-12);
     const path = paths.to(place);
     let at = start;
     let length = 0;
@@ -104,12 +104,66 @@ test('shortest paths are as short as Bellman and Ford find, and lead where they 
   }
 });
 
+test('paths that are found part by part are those that are found at once', async () => {
+  const { ShortestPaths } = await load('seams/shortest-paths');
+  const next = random(3);
+  const mesh = plane(9);
+  for (let i = 0; i < mesh.positions.length; ++i) mesh.positions[i] += 0.6 * next();
+  const graph = await graphOf(mesh, null);
+  const [parts, whole] = [new ShortestPaths(graph, 5), new ShortestPaths(graph, 5)];
+  assert.ok(whole.grow(Infinity));
+  let rounds = 0;
+  while (!parts.grow(7)) {
+    ++rounds;
+    const reached = graph.places.filter((place) => parts.hasReached(place));
+    assert.equal(reached.length, 7 * rounds);
+    for (const place of reached) assert.equal(parts.distanceTo(place), whole.distanceTo(place));
+    assert.equal(
+      graph.places.filter((place) => parts.hasReached(place)).length,
+      7 * rounds,
+      'none is sought that is there',
+    );
+  }
+  for (const place of graph.places) assert.deepEqual(parts.to(place), whole.to(place));
+});
+
+test('a ray meets the triangle that is first of all, from either side', async () => {
+  const { Solid, withTree } = await load('seams/solid');
+  const next = random(11);
+  const vector = () => new Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
+  const count = 300;
+  const points = Float32Array.from({ length: 9 * count }, () => 2 * next() - 1);
+  const indices = Uint32Array.from({ length: 3 * count }, (_, i) => i);
+  const solid = new Solid(withTree(points, indices));
+  const corner = (v) => new Vector3().fromArray(points, 3 * v);
+  let hits = 0;
+  for (let i = 0; i < 200; ++i) {
+    const ray = new Ray(vector().multiplyScalar(6), vector().normalize());
+    if (i % 2) ray.lookAt(vector());
+    let [triangle, nearest] = [-1, Infinity];
+    for (let f = 0; f < count; ++f) {
+      const point = ray.intersectTriangle(
+        ...[0, 1, 2].map((c) => corner(3 * f + c)),
+        false,
+        new Vector3(),
+      );
+      const distance = point?.distanceTo(ray.origin) ?? Infinity;
+      if (distance < nearest) [triangle, nearest] = [f, distance];
+    }
+    const hit = solid.firstHit(ray);
+    assert.equal(hit?.triangle ?? -1, triangle);
+    if (hit) assert.ok(Math.abs(hit.distance - nearest) < 1e-9);
+    hits += Number(hit !== null);
+  }
+  assert.ok(hits > 100 && hits < 200, `${hits} of 200 rays meet something`);
+});
+
 test('there is no path to another component', async () => {
   const { ShortestPaths } = await load('seams/shortest-paths');
   const positions = Float64Array.from({ length: 18 }, (_, i) => (i * i) % 7);
   const graph = await graphOf({ positions, indices: Uint32Array.of(0, 1, 2, 3, 4, 5) }, null);
   assert.deepEqual(new ShortestPaths(graph, 0).to(4), []);
-  assert.equal(new ShortestPaths(graph, 0).distances[4], Infinity);
+  assert.equal(new ShortestPaths(graph, 0).distanceTo(4), Infinity);
 });
 
 test('a run of a seam ends at junctions and at the boundary; a loop is one run', async () => {
@@ -241,7 +295,9 @@ test('what is under a pixel: the vertex or seam in front, seams from further awa
     ...positions,
     ...positions.map((x, i) => (i % 3 === 2 ? -1 : x)),
   ]);
-  const solid = { points, indices: Uint32Array.from([...indices, ...indices.map((v) => v + 25)]) };
+  const { Solid, withTree } = await load('seams/solid');
+  const both = Uint32Array.from([...indices, ...indices.map((v) => v + 25)]);
+  const solid = new Solid(withTree(points, both));
   const camera = new PerspectiveCamera(40, 1.5, 0.1, 100);
   camera.position.set(2, 2, 9);
   camera.lookAt(2, 2, 0);

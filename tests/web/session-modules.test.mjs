@@ -38,7 +38,7 @@ async function startSession(t) {
   const log = [];
   let wish;
   const session = new Session(
-    Promise.resolve(abflat),
+    async () => abflat,
     {
       started: (source, settings) => log.push(`started ${source.name} ${textOf(settings)}`),
       progress: ({ fraction }) => log.push(`progress ${fraction}`),
@@ -306,7 +306,7 @@ test('session: an atlas is asked for with its own options, in the format of the 
 test('session: when abflat cannot start, that is what a mesh fails with', async () => {
   const { Session } = await load('session');
   const failures = [];
-  const session = new Session(Promise.reject(new Error('no module')), {
+  const session = new Session(() => Promise.reject(new Error('no module')), {
     started: () => undefined,
     failed: (source, settings, error) => failures.push([source.name, settings, error.message]),
   });

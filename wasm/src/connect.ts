@@ -139,6 +139,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
   const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
   const fixedCharts = chartNumbers(options.fixedCharts);
+  const known = knownArrays(options.known, fixedCharts.length > 0);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
@@ -146,17 +147,19 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: keptFaces(options.fixedFaces),
     fixedCharts,
-    known: knownArrays(options.known, fixedCharts.length > 0),
+    known,
   } as const;
-  return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
+  const buffers = Object.values(known?.arrays ?? {}).map(({ buffer }) => buffer as ArrayBuffer);
+  return layout(client, mesh, options, (common) => ({ ...common, ...settings }), buffers);
 }
 
-/** What the calls that give a layout share. `request` adds what is their own. */
+/** What the calls that give a layout share. `request` adds what is their own, in `buffers`. */
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,
   { pins, obj, ply, roundsForGltf, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
   request: (common: LayoutRequest) => Request,
+  buffers: ArrayBuffer[] = [],
 ): Promise<T> {
   const pinned = pinNumbers(pins);
   checkBoolean('obj', obj);
@@ -174,7 +177,11 @@ function layout<T extends FlattenResult | UnwrapResult>(
     wantsProgress: onProgress !== undefined,
     roundsForGltf: roundsForGltf === true,
   };
-  return client.call<T>(request(common), { transfer: owned.buffers, signal, onProgress });
+  return client.call<T>(request(common), {
+    transfer: [...owned.buffers, ...buffers],
+    signal,
+    onProgress,
+  });
 }
 
 function compare(client: Client, mesh: MeshInput, options: CompareOptions): Promise<Comparison> {

@@ -11,6 +11,7 @@ import { exportFormat, exportMesh } from './export-mesh';
 import { duration } from './format';
 import type { AnyProgress, Outcome } from './lay-out';
 import { LayoutBar } from './layout-bar';
+import { Lost } from './lost';
 import { MethodsTab } from './methods-tab';
 import { MetricsPanel } from './metrics';
 import { ModeSwitch } from './mode-switch';
@@ -69,7 +70,7 @@ export class App implements SessionEvents {
   );
   private readonly run = new RunPanel(
     () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
-    () => this.session.refresh(),
+    () => this.again(),
   );
   private readonly layoutBar = new LayoutBar(this.workshop, {
     say: this.say,
@@ -87,11 +88,13 @@ export class App implements SessionEvents {
   private method: MethodResult | null = null;
   /** The last result. */
   private outcome: Outcome | null = null;
+  /** What the button beside the last run does. */
+  private again: () => void = () => this.session.refresh();
   /** That of the last result. */
   private drawing: FlatDrawing | null = null;
 
   constructor(
-    abflat: Promise<Abflat>,
+    abflat: () => Promise<Abflat>,
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings, this.workshop);
@@ -168,9 +171,16 @@ export class App implements SessionEvents {
       settings ? `${doing} with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
       verb,
     );
-    if (settings?.mode === 'unwrap') void this.seams.prepare();
+    this.again = () => this.session.refresh();
+    if (settings?.mode === 'unwrap') this.prepareSeams();
     document.body.setAttribute('aria-busy', 'true');
     this.markStale(settings ?? this.settings);
+  }
+
+  private prepareSeams(): void {
+    this.seams
+      .prepare()
+      .catch(({ message }: Error) => this.say(`Seams cannot be edited: ${message}`));
   }
 
   progress(progress: AnyProgress): void {
@@ -238,11 +248,20 @@ export class App implements SessionEvents {
 
   failed(source: Source, settings: Settings | null, error: Error): void {
     const isStale = this.markStale();
-    showAlert(failure(source, settings, error.message), this.stillShown(isStale));
+    const isLost = error instanceof Lost;
+    const details = [isLost ? error.detail : '', this.stillShown(isStale)];
+    showAlert(failure(source, settings, error.message), details.filter(Boolean).join(' '));
     this.showOpenSample();
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
+    if (isLost) this.offer(source, settings);
     this.nameExport(isStale);
+  }
+
+  /** To do again what failed for no fault of the mesh. */
+  private offer(source: Source, settings: Settings | null): void {
+    this.again = () => (settings ? this.session.refresh() : void this.session.open(source));
+    this.run.offer('Try again');
   }
 
   /** `isStale`: other settings were asked for since. */

@@ -4,6 +4,7 @@ import { exportFormat } from './export-mesh';
 import type { DisplayMesh } from './mesh';
 import type { Opened, Source } from './session';
 import type { FlattenSettings, Settings, UnwrapSettings } from './settings';
+import { copied } from './workshop/buffers';
 import type { GltfFile } from './workshop/gltf-file';
 
 export type AnyProgress = Progress | UnwrapProgress;
@@ -54,21 +55,23 @@ export async function layOut(
   const file = format === 'glb' ? {} : { [format]: true };
   if (settings.mode === 'flatten') {
     const { mode, ...options } = settings;
-    const result = await abflat.flatten(input, {
+    const result = await abflat.flatten(await copied(input), {
       ...options,
       ...file,
       // In the unit of the mesh it would repeat a texture as often as the mesh is large.
       normalize: true,
+      transfer: true,
       roundsForGltf: format === 'glb',
       ...watch,
     });
     return { mode, source, mesh, gltf, settings, result };
   }
   const { mode, kept, ...options } = settings;
-  const result = await abflat.unwrap(input, {
+  const result = await abflat.unwrap(await copied(input), {
     ...options,
     ...fromEarlier(source, kept, earlier),
     ...file,
+    transfer: true,
     roundsForGltf: format === 'glb',
     ...watch,
   });

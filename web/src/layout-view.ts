@@ -20,6 +20,8 @@ const THIN_OUTLINE = 1.25;
 /** The uv layout in the plane. */
 export class LayoutView {
   private readonly stage: Stage;
+  /** When pictures can be drawn without waiting for shaders. */
+  readonly ready: Promise<void>;
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
@@ -56,7 +58,7 @@ export class LayoutView {
       () => this.draw(),
       () => this.resized(),
     );
-    this.surface = new SlicedSurface(this.stage.renderer, this.material);
+    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
     this.scene.add(
       this.frame.object,
       this.surface.object,
@@ -65,7 +67,7 @@ export class LayoutView {
       this.dots.object,
       this.rings.object,
     );
-    this.stage.resize();
+    this.ready = this.stage.start(this.scene, this.camera);
   }
 
   /** Shows a layout. Keeps the point of view unless `isNew`. */

@@ -1,8 +1,9 @@
 import './style.css';
-import { createAbflat } from 'abflat';
+import { type Abflat, createAbflat } from 'abflat';
 import { App } from './app';
 import { create, element } from './dom';
 import { NoWebGl } from './stage';
+import { startOnce } from './start-once';
 import { Views } from './views';
 
 /** Without WebGL numbers and export still work. */
@@ -23,4 +24,12 @@ function createViews(): Views | null {
   }
 }
 
-new App(createAbflat(), createViews());
+const views = createViews();
+
+/** Shaders are compiled meanwhile. */
+async function start(): Promise<Abflat> {
+  const [abflat] = await Promise.all([createAbflat(), views?.ready]);
+  return abflat;
+}
+
+new App(startOnce(start), views);

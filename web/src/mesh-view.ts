@@ -22,6 +22,8 @@ const ZOOM = 1.15;
 /** The mesh in 3D. */
 export class MeshView {
   private readonly stage: Stage;
+  /** When pictures can be drawn without waiting for shaders. */
+  readonly ready: Promise<void>;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   private readonly controls: OrbitControls;
@@ -52,7 +54,7 @@ export class MeshView {
       () => this.draw(),
       () => this.resized(),
     );
-    this.surface = new SlicedSurface(this.stage.renderer, this.material);
+    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
     this.scene.add(this.surface.object, this.boundary.object, this.dots.object, this.seams.object);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
@@ -64,7 +66,7 @@ export class MeshView {
       this.isFitted = false;
     });
     canvas.addEventListener('keydown', (event) => this.onKey(event));
-    this.stage.resize();
+    this.ready = this.stage.start(this.scene, this.camera);
   }
 
   /** Shows a mesh, with a checkerboard or its charts when it is flattened. Keeps the point of view unless the mesh was just opened. */

@@ -67,6 +67,12 @@ export class RunPanel {
     this.text.title = text;
   }
 
+  /** Shows the button that does it again under another name. */
+  offer(verb: string): void {
+    this.againButton.textContent = verb;
+    this.againButton.hidden = false;
+  }
+
   /** `text` is also read out by screen readers. */
   finish(text: string, canRepeat: boolean): void {
     clearTimeout(this.delay);

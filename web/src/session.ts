@@ -4,8 +4,10 @@ import { Background } from './background';
 import type { Drawing, FlatDrawing } from './drawing/drawing';
 import { counted } from './format';
 import { type AnyProgress, layOut, type Outcome } from './lay-out';
+import { lostOf } from './lost';
 import type { ArrayMesh, DisplayMesh } from './mesh';
 import type { Settings } from './settings';
+import { copied } from './workshop/buffers';
 import type { GltfFile } from './workshop/gltf-file';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
@@ -74,7 +76,7 @@ export class Session {
   private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    private readonly abflat: Promise<Abflat>,
+    private readonly abflat: () => Promise<Abflat>,
     private readonly events: SessionEvents,
     /** What the user asks for now. */
     private readonly settings: () => Settings,
@@ -93,7 +95,7 @@ export class Session {
       this.opened = opened;
       this.events.opened(opened);
     } catch (error) {
-      this.end(controller, () => this.events.failed(source, null, toError(error)));
+      this.end(controller, () => this.events.failed(source, null, explained(error)));
       return;
     }
     this.running = null;
@@ -135,7 +137,7 @@ export class Session {
   ): Promise<T> {
     return this.background.run(async (signal) => {
       if (!this.opened) throw new Error('Open a mesh first.');
-      return work(await this.abflat, this.opened.input, signal);
+      return work(await this.abflat(), this.opened.input, signal);
     }, signal);
   }
 
@@ -152,7 +154,7 @@ export class Session {
     const controller = this.begin();
     this.events.started(opened.source, settings);
     try {
-      const outcome = await layOut(await this.abflat, opened, settings, this.outcome, {
+      const outcome = await layOut(await this.abflat(), opened, settings, this.outcome, {
         signal: controller.signal,
         onProgress: (progress) => {
           if (controller === this.running) this.events.progress(progress);
@@ -163,7 +165,7 @@ export class Session {
       if (controller === this.running) this.outcome = outcome;
       this.end(controller, () => this.events.laidOut(outcome, drawing));
     } catch (error) {
-      this.end(controller, () => this.events.failed(opened.source, settings, toError(error)));
+      this.end(controller, () => this.events.failed(opened.source, settings, explained(error)));
     }
   }
 
@@ -197,11 +199,11 @@ export class Session {
   }
 
   private async read(source: Source, signal: AbortSignal): Promise<Opened> {
-    const abflat = await this.abflat;
+    const abflat = await this.abflat();
     if (source.kind === 'sample') {
       const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
       const [summary, drawing] = await Promise.all([
-        abflat.inspect(mesh, { signal }),
+        abflat.inspect(await copied(mesh), { signal, transfer: true }),
         this.helpers.mesh(mesh),
       ]);
       return { source, input: mesh, mesh, summary, drawing };
@@ -218,11 +220,13 @@ export class Session {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
     };
-    const mesh = await abflat.load(input, { signal }).catch((error: unknown) => {
-      throw isUnknownFormat(error) ? new Error(unsupported(source.name)) : error;
-    });
+    const mesh = await abflat
+      .load(await copied(input), { signal, transfer: true })
+      .catch((error: unknown) => {
+        throw isUnknownFormat(error) ? new Error(unsupported(source.name)) : error;
+      });
     const [summary, drawing] = await Promise.all([
-      abflat.inspect(input, { signal }),
+      abflat.inspect(await copied(input), { signal, transfer: true }),
       this.helpers.mesh(mesh),
     ]);
     if (mesh.indices.length === 0) throw new Error(withoutFaces(source.name, summary));
@@ -231,7 +235,10 @@ export class Session {
 }
 
 const isUnknownFormat = (error: unknown) =>
-  error instanceof Error && 'code' in error && error.code === 'UnreadableFile';
+  error instanceof Error &&
+  'code' in error &&
+  error.code === 'UnreadableFile' &&
+  lostOf(error) === null;
 
 const unsupported = (name: string) =>
   `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`;
@@ -251,6 +258,8 @@ async function bytesOf(file: File): Promise<ArrayBuffer> {
     throw new Error(`${file.name} cannot be read (${reason}) Choose the file again.`);
   }
 }
+
+const explained = (error: unknown): Error => lostOf(error) ?? toError(error);
 
 function toError(error: unknown): Error {
   return error instanceof Error ? error : new Error(String(error));

@@ -1,5 +1,5 @@
 import {
-  type BufferAttribute,
+  BufferAttribute,
   BufferGeometry,
   GLBufferAttribute,
   type Material,
@@ -8,8 +8,10 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-/** Numbers that go to the graphics card in one frame: more would keep the page from answering. */
-const SLICE = 1 << 21;
+/** Numbers that go to the graphics card at once. */
+const SLICE = 1 << 17;
+/** Milliseconds of a frame in which they do: more would keep the page from answering. */
+const UPLOADING = 8;
 
 const SIZES = { position: 3, normal: 3, uv: 2, error: 1, chart: 1, piece: 1 };
 
@@ -34,9 +36,13 @@ export class SlicedSurface {
   private arriving: Arriving | null = null;
   private shown: SurfaceArrays | null = null;
 
-  constructor(renderer: WebGLRenderer, material: Material) {
+  /** `attributes` are those that there will be: a material is compiled for them. */
+  constructor(renderer: WebGLRenderer, material: Material, attributes: (keyof typeof SIZES)[]) {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
-    this.object = new Mesh(new BufferGeometry(), material);
+    const none = new BufferGeometry();
+    for (const name of attributes)
+      none.setAttribute(name, new BufferAttribute(new Float32Array(), SIZES[name]));
+    this.object = new Mesh(none, material);
     this.object.frustumCulled = false;
     renderer.domElement.addEventListener('webglcontextrestored', () => this.restore());
   }
@@ -65,15 +71,16 @@ export class SlicedSurface {
   advance(): boolean {
     const { arriving } = this;
     if (!arriving) return true;
-    for (let budget = SLICE; budget > 0 && arriving.left.length > 0; ) {
+    const end = performance.now() + UPLOADING;
+    do {
       const [next] = arriving.left;
-      const slice = next.array.subarray(next.from, next.from + budget);
+      if (!next) break;
+      const slice = next.array.subarray(next.from, next.from + SLICE);
       this.gl.bindBuffer(this.gl.ARRAY_BUFFER, next.buffer);
       this.gl.bufferSubData(this.gl.ARRAY_BUFFER, next.array.BYTES_PER_ELEMENT * next.from, slice);
       next.from += slice.length;
-      budget -= slice.length;
       if (next.from === next.array.length) arriving.left.shift();
-    }
+    } while (performance.now() < end);
     if (arriving.left.length > 0) return false;
     this.arriving = null;
     this.shown = arriving.arrays;

@@ -1,4 +1,4 @@
-import { WebGLRenderer } from 'three';
+import { type Camera, type Scene, WebGLRenderer } from 'three';
 
 export class NoWebGl extends Error {}
 
@@ -8,6 +8,7 @@ export class Stage {
   width = 1;
   height = 1;
   private isScheduled = false;
+  private isReady = false;
 
   /** Throws NoWebGl when the browser offers no WebGL 2. */
   constructor(
@@ -22,7 +23,17 @@ export class Stage {
     if (!context) throw new NoWebGl('The browser offers no WebGL 2.');
     this.renderer = new WebGLRenderer({ canvas, context });
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
-    new ResizeObserver(() => this.resize()).observe(parentOf(canvas));
+  }
+
+  /** Compiles the shaders of all that the scene will ever show, which takes the browser a while; nothing is drawn before. */
+  async start(scene: Scene, camera: Camera): Promise<void> {
+    new ResizeObserver(() => this.resize()).observe(parentOf(this.canvas));
+    this.resize();
+    await this.renderer.compileAsync(scene, camera);
+    // Asks for their errors now: later it would wait for pictures that are being drawn.
+    for (const program of this.renderer.info.programs ?? []) program.getUniforms();
+    this.isReady = true;
+    this.draw();
   }
 
   get pixelRatio(): number {
@@ -35,19 +46,22 @@ export class Stage {
     this.isScheduled = true;
     requestAnimationFrame(() => {
       this.isScheduled = false;
-      this.draw();
+      if (this.isReady) this.draw();
     });
   }
 
   resize(): void {
     const { clientWidth, clientHeight } = parentOf(this.canvas);
-    this.width = Math.max(1, clientWidth);
-    this.height = Math.max(1, clientHeight);
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 3));
-    this.renderer.setSize(this.width, this.height);
+    const [width, height] = [Math.max(1, clientWidth), Math.max(1, clientHeight)];
+    const ratio = Math.min(window.devicePixelRatio, 3);
+    if (width === this.width && height === this.height && ratio === this.pixelRatio) return;
+    this.width = width;
+    this.height = height;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height);
     this.resized();
     // At once: waiting for the next frame would show an empty canvas while the window is resized.
-    this.draw();
+    if (this.isReady) this.draw();
   }
 }
 

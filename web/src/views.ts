@@ -31,6 +31,11 @@ export class Views {
     element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
   }
 
+  /** When both can be drawn. */
+  get ready(): Promise<unknown> {
+    return Promise.all([this.mesh.ready, this.layout.ready]);
+  }
+
   updateTheme(): void {
     const palette = readPalette();
     this.mesh.setPalette(palette);

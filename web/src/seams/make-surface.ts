@@ -1,14 +1,21 @@
 import type { DisplayMesh } from '../mesh';
 import { toUnitSphere } from '../unit-sphere';
 import { weld } from '../weld';
-import type { Surface } from './seam-model';
-import { surfaceGraph } from './surface-graph';
+import type { SolidArrays } from './solid';
+import { withTree } from './solid';
+import { type SurfaceGraph, surfaceGraph } from './surface-graph';
+
+/** What is cut, and where it is seen. */
+export interface SurfaceArrays {
+  graph: SurfaceGraph;
+  solid: SolidArrays;
+}
 
 /** What it takes to edit the seams of a mesh. */
-export function makeSurface(mesh: DisplayMesh, isDisk: boolean): Surface {
+export function makeSurface(mesh: DisplayMesh, isDisk: boolean): SurfaceArrays {
   return {
     graph: surfaceGraph(mesh, placesOf(mesh, isDisk), mesh.faces),
-    solid: { points: toUnitSphere(mesh), indices: mesh.indices },
+    solid: withTree(toUnitSphere(mesh), mesh.indices),
   };
 }
 

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
-import { firstHit, type Solid } from './ray';
 import type { Pixel, Sight } from './sight';
+import type { Solid } from './solid';
 
 /** Css pixels to what is worth aiming at. */
 const REACH = 12;
@@ -25,7 +25,7 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   }
   const snapped = nearestInSight(solid, sight, near);
   if (snapped >= 0) return snapped;
-  const hit = firstHit(solid, sight.ray(at));
+  const hit = solid.firstHit(sight.ray(at));
   if (!hit) return -1;
   const corners = solid.indices.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
   const pixels = (v: number) => distance(sight.pixel(solid.points, v) ?? at, at);
@@ -64,9 +64,8 @@ function isInSight(solid: Solid, sight: Sight, point: Vector3): boolean {
   const pixel = sight.pixel(point.toArray(), 0);
   if (!pixel) return false;
   const ray = sight.ray(pixel);
-  const hit = firstHit(solid, ray);
-  const distance = point.distanceTo(ray.origin) / ray.direction.length();
-  return !hit || hit.distance >= (1 - SLACK) * distance;
+  const hit = solid.firstHit(ray);
+  return !hit || hit.distance >= (1 - SLACK) * point.distanceTo(ray.origin);
 }
 
 function pointOf({ points }: Solid, v: number): Vector3 {

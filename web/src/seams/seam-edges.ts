@@ -16,9 +16,8 @@ export function flagsOf(graph: SurfaceGraph, pairs: Uint32Array): EdgeFlags {
 /** The same as two vertices each. */
 export function pairsOf({ ends }: SurfaceGraph, flags: EdgeFlags): Uint32Array {
   const pairs: number[] = [];
-  flags.forEach((isSeam, edge) => {
-    if (isSeam) pairs.push(ends[2 * edge], ends[2 * edge + 1]);
-  });
+  for (let edge = 0; edge < flags.length; ++edge)
+    if (flags[edge]) pairs.push(ends[2 * edge], ends[2 * edge + 1]);
   return Uint32Array.from(pairs);
 }
 

@@ -15,6 +15,9 @@ export interface SeamEditorEvents {
   say(text: string): void;
 }
 
+/** As many are reached in a few milliseconds. */
+const PLACES_PER_FRAME = 1 << 14;
+
 const INVITATIONS: Record<Tool, string> = {
   cut: 'Click a vertex to begin a cut',
   join: 'Click a seam to join its sides',
@@ -34,6 +37,7 @@ export class SeamEditor {
   private readonly aim: Aim;
   private model: SeamModel | null = null;
   private paths: ShortestPaths | null = null;
+  private isGrowing = false;
   /** Null until they are needed. */
   private targets: Targets | null = null;
 
@@ -113,9 +117,10 @@ export class SeamEditor {
       this.mark({ ...NO_MARKS, vertices: listed(place) }, text);
       return;
     }
-    const path = place < 0 ? [] : paths.to(place);
+    const isKnown = place >= 0 && paths.hasReached(place);
+    const path = isKnown ? paths.to(place) : [];
     const vertices = Uint32Array.from([paths.start, ...listed(place)]);
-    const length = measure(paths.distances[place] ?? 0);
+    const length = measure(isKnown ? paths.distanceTo(place) : 0);
     const text =
       path.length > 0
         ? `Vertex ${paths.start} to ${place}: cut ${counted(path.length, 'edge')}, ${length} long`
@@ -138,7 +143,7 @@ export class SeamEditor {
     const place = this.placeAt(model, at);
     if (place < 0) return;
     if (!this.paths) {
-      this.paths = new ShortestPaths(model.graph, place);
+      this.begin(model, place);
       this.events.say(`A cut begins at vertex ${place}`);
       return;
     }
@@ -148,11 +153,29 @@ export class SeamEditor {
       this.events.say(`No edges lead from vertex ${this.paths.start} to vertex ${place}`);
       return;
     }
-    this.paths = goesOn && !isSame ? new ShortestPaths(model.graph, place) : null;
+    this.paths = null;
+    if (goesOn && !isSame) this.begin(model, place);
     if (isSame) return;
     const count = model.cut(path);
     this.events.say(count > 0 ? `Cut ${counted(count, 'edge')}` : 'There are seams already');
     if (count > 0) this.events.changed();
+  }
+
+  private begin(model: SeamModel, place: number): void {
+    this.paths = new ShortestPaths(model.graph, place);
+    this.grow();
+  }
+
+  /** Finds the paths a part in each frame: all of them at once would keep the page from answering. */
+  private grow(): void {
+    if (this.isGrowing) return;
+    this.isGrowing = true;
+    requestAnimationFrame(() => {
+      this.isGrowing = false;
+      if (!this.paths) return;
+      if (this.paths.grow(PLACES_PER_FRAME)) this.aim.refresh();
+      else this.grow();
+    });
   }
 
   private join(model: SeamModel, at: Pixel, { shift }: Modifiers): void {
@@ -215,9 +238,10 @@ function listed(place: number): Uint32Array {
 function targetsOf({ graph, all }: SeamModel): Targets {
   const seams: number[] = [];
   const places = new Set<number>();
-  graph.isInner.forEach((isInner, edge) => {
+  for (let edge = 0; edge < all.length; ++edge) {
     if (all[edge]) seams.push(edge);
-    if (all[edge] || !isInner) places.add(graph.ends[2 * edge]).add(graph.ends[2 * edge + 1]);
-  });
+    if (all[edge] || !graph.isInner[edge])
+      places.add(graph.ends[2 * edge]).add(graph.ends[2 * edge + 1]);
+  }
   return { seams, places: [...places] };
 }

@@ -1,7 +1,7 @@
 import { History } from './history';
-import type { Solid } from './ray';
 import { AUTOMATIC, type SeamChoice, type SeamSources } from './seam-choice';
 import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
+import type { Solid } from './solid';
 import type { SurfaceGraph } from './surface-graph';
 
 /** What is cut, and where it is seen. */
@@ -18,6 +18,7 @@ export class SeamModel {
   private shownPairs: Uint32Array | null = null;
   private shownFlags: EdgeFlags | null = null;
   private wanted: EdgeFlags | null = null;
+  private both: EdgeFlags | null = null;
   /** What came of choices without edges, two vertices per seam. */
   private readonly found = new WeakMap<SeamChoice, Uint32Array>();
 
@@ -60,7 +61,8 @@ export class SeamModel {
   /** Own ones, and those beside them that charts need to be disks. */
   get all(): EdgeFlags {
     const { own, shown } = this;
-    return shown ? own.map((isSeam, edge) => isSeam | shown[edge]) : own;
+    this.both ??= shown ? either(own, shown) : own;
+    return this.both;
   }
 
   /** The seams of the atlas that is now on screen, two vertices each; `isOfChoice`: not of an earlier one. */
@@ -68,7 +70,7 @@ export class SeamModel {
     if (isOfChoice) this.found.set(this.choice, pairs);
     this.shownPairs = pairs;
     this.shownFlags = null;
-    this.wanted = null;
+    this.forget();
   }
 
   /** Returns how many of these edges were no seams before. */
@@ -113,12 +115,12 @@ export class SeamModel {
   }
 
   undo(): boolean {
-    this.wanted = null;
+    this.forget();
     return this.history.undo();
   }
 
   redo(): boolean {
-    this.wanted = null;
+    this.forget();
     return this.history.redo();
   }
 
@@ -136,7 +138,18 @@ export class SeamModel {
   }
 
   private change(choice: SeamChoice): void {
-    this.wanted = null;
+    this.forget();
     this.history.change(choice);
   }
+
+  private forget(): void {
+    this.wanted = null;
+    this.both = null;
+  }
+}
+
+function either(a: EdgeFlags, b: EdgeFlags): EdgeFlags {
+  const flags = a.slice();
+  for (let edge = 0; edge < flags.length; ++edge) flags[edge] |= b[edge];
+  return flags;
 }

@@ -10,6 +10,7 @@ import { SeamEditor, type SeamEditorEvents } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
 import { SeamModel, type Surface } from './seam-model';
+import { Solid } from './solid';
 import { SourceControl } from './source-control';
 
 /** A mesh whose seams can be edited. */
@@ -99,8 +100,8 @@ export class SeamPanel {
   async prepare(): Promise<void> {
     const { mesh } = this;
     if (!mesh || this.surface) return;
-    const surface = await this.workshop.surface(mesh.mesh, mesh.summary.disk.ok);
-    if (mesh === this.mesh) this.surface ??= surface;
+    const { graph, solid } = await this.workshop.surface(mesh.mesh, mesh.summary.disk.ok);
+    if (mesh === this.mesh) this.surface ??= { graph, solid: new Solid(solid) };
   }
 
   /** There is nothing to edit until the open mesh has an atlas. */

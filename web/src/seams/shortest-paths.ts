@@ -3,39 +3,48 @@ import { otherEnd, type SurfaceGraph } from './surface-graph';
 
 const NONE = 0xffffffff;
 
-/** Shortest paths along edges from one place to all others. */
+/** Shortest paths along edges from one place to all others, found as far as they are asked for. */
 export class ShortestPaths {
-  /** From the start; infinite where there is no way. */
-  readonly distances: Float64Array;
+  /** From the start; final where the place is reached. */
+  private readonly distances: Float64Array;
   /** The last edge on the way to each place. */
   private readonly lastEdge: Uint32Array;
+  private readonly isReached: Uint8Array;
+  private readonly heap: MinHeap;
 
   constructor(
     private readonly graph: SurfaceGraph,
     readonly start: number,
   ) {
-    const { firstAt, edgesAt, lengths } = graph;
     const placeCount = graph.places.length;
     this.distances = new Float64Array(placeCount).fill(Infinity);
     this.lastEdge = new Uint32Array(placeCount).fill(NONE);
+    this.isReached = new Uint8Array(placeCount);
     this.distances[start] = 0;
-    const heap = new MinHeap(placeCount);
-    heap.add(start, 0);
-    for (let v = heap.take(); v !== undefined; v = heap.take()) {
-      for (let i = firstAt[v]; i < firstAt[v + 1]; ++i) {
-        const edge = edgesAt[i];
-        const to = otherEnd(graph, edge, v);
-        const distance = this.distances[v] + lengths[edge];
-        if (distance >= this.distances[to]) continue;
-        this.distances[to] = distance;
-        this.lastEdge[to] = edge;
-        heap.add(to, distance);
-      }
-    }
+    this.heap = new MinHeap(placeCount);
+    this.heap.add(start, 0);
+  }
+
+  /** Reaches that many places more; returns whether there is no other. */
+  grow(count: number): boolean {
+    for (let i = 0; i < count; ++i) if (!this.step()) return true;
+    return false;
+  }
+
+  /** Whether the path to a place is known already. */
+  hasReached(place: number): boolean {
+    return this.isReached[place] === 1;
+  }
+
+  /** From the start; infinite where there is no way. */
+  distanceTo(place: number): number {
+    this.reach(place);
+    return this.distances[place];
   }
 
   /** The edges from the start to a place; empty where there is no way. */
   to(place: number): number[] {
+    this.reach(place);
     const edges: number[] = [];
     for (let v = place; this.lastEdge[v] !== NONE; ) {
       const edge = this.lastEdge[v];
@@ -43,5 +52,27 @@ export class ShortestPaths {
       v = otherEnd(this.graph, edge, v);
     }
     return edges.reverse();
+  }
+
+  private reach(place: number): void {
+    while (!this.isReached[place] && this.step());
+  }
+
+  /** Reaches the nearest place that is not yet; returns whether there was one. */
+  private step(): boolean {
+    const v = this.heap.take();
+    if (v === undefined) return false;
+    this.isReached[v] = 1;
+    const { firstAt, edgesAt, lengths } = this.graph;
+    for (let i = firstAt[v]; i < firstAt[v + 1]; ++i) {
+      const edge = edgesAt[i];
+      const to = otherEnd(this.graph, edge, v);
+      const distance = this.distances[v] + lengths[edge];
+      if (distance >= this.distances[to]) continue;
+      this.distances[to] = distance;
+      this.lastEdge[to] = edge;
+      this.heap.add(to, distance);
+    }
+    return true;
   }
 }

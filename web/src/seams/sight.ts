@@ -1,5 +1,4 @@
-import { Matrix4, type PerspectiveCamera, Vector3 } from 'three';
-import type { Ray } from './ray';
+import { Matrix4, type PerspectiveCamera, Ray, Vector3 } from 'three';
 
 export interface Pixel {
   x: number;
@@ -22,12 +21,12 @@ export class Sight {
     );
   }
 
-  /** The ray through a pixel; its direction is as long as the way to the near plane. */
+  /** The ray through a pixel. */
   ray({ x, y }: Pixel): Ray {
     const origin = new Vector3().setFromMatrixPosition(this.camera.matrixWorld);
     const [right, up] = [(2 * x) / this.width - 1, 1 - (2 * y) / this.height];
     const direction = new Vector3(right, up, -1).unproject(this.camera).sub(origin);
-    return { origin, direction };
+    return new Ray(origin, direction.normalize());
   }
 
   /** Where vertex `v` of `points` (xyz each) is seen; null behind the eye. */

@@ -16,8 +16,7 @@ import {
   meshPicture,
   positionsOf,
 } from '../picture';
-import { makeSurface } from '../seams/make-surface';
-import type { Surface } from '../seams/seam-model';
+import { makeSurface, type SurfaceArrays } from '../seams/make-surface';
 import { joined } from '../weld';
 import { buffersOf } from './buffers';
 import { type GltfFiles, readGltf, writeGltf } from './gltf-file';
@@ -34,7 +33,8 @@ const tasks = {
     input: DisplayMesh,
   ): FlatDrawing => handedOver(drawFlat(atlasPicture(atlas, size, input), size.chartCount)),
 
-  surface: (mesh: DisplayMesh, isDisk: boolean): Surface => handedOver(makeSurface(mesh, isDisk)),
+  surface: (mesh: DisplayMesh, isDisk: boolean): SurfaceArrays =>
+    handedOver(makeSurface(mesh, isDisk)),
 
   png: (drawing: AtlasDrawing): Promise<Blob> => atlasPng(drawing),
 

@@ -1,37 +1,45 @@
-import { type Remote, wrap } from 'comlink';
+import { type Remote, transfer, wrap } from 'comlink';
 import type { Drawing, FlatDrawing } from '../drawing/drawing';
 import type { Outcome, Unwrapped } from '../lay-out';
 import type { AtlasDrawing } from '../layout-file/svg-text';
+import { notLoaded, stopped } from '../lost';
 import type { ArrayMesh, DisplayMesh } from '../mesh';
 import type { LayoutArrays } from '../picture';
-import type { Surface } from '../seams/seam-model';
+import type { SurfaceArrays } from '../seams/make-surface';
 import type { FileSource, Helpers } from '../session';
+import { buffersOf, copied } from './buffers';
 import type { GltfFile } from './gltf-file';
 import type { Tasks } from './worker';
 
-/** A worker for what takes long with large meshes, so that the page always answers. It is started with the page. */
+interface Running {
+  tasks: Remote<Tasks>;
+  /** Rejects when the worker cannot be loaded, or stops. */
+  lost: Promise<never>;
+}
+
+/** A worker for what takes long with large meshes, so that the page always answers. It is started with the page, and again where it was lost. */
 export class Workshop implements Helpers {
-  private readonly tasks: Remote<Tasks>;
+  private running: Running | null = null;
+  /** When all that was sent has been copied. */
+  private sent: Promise<void> = Promise.resolve();
 
   constructor() {
-    this.tasks = wrap<Tasks>(
-      new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'workshop' }),
-    );
+    this.running = this.start();
   }
 
   /** A mesh that is not flattened yet. */
   mesh({ positions, indices }: DisplayMesh): Promise<Drawing> {
-    return this.tasks.mesh({ positions, indices });
+    return this.send([{ positions, indices }], (tasks, mesh) => tasks.mesh(mesh));
   }
 
   outcome(outcome: Outcome): Promise<FlatDrawing> {
     const { result, mode, mesh } = outcome;
     if (mode === 'flatten') return this.layout(result, mesh, result.report.charts[0]);
     const { uv, indices, vertexMap, positions, chartOfTriangle, report } = result;
-    return this.tasks.atlas(
-      { uv, indices, vertexMap, positions, chartOfTriangle },
-      { tiles: report.atlas.tiles, chartCount: report.charts.length },
-      { positions: mesh.positions, indices: mesh.indices },
+    const size = { tiles: report.atlas.tiles, chartCount: report.charts.length };
+    return this.send(
+      [{ uv, indices, vertexMap, positions, chartOfTriangle }, trianglesOf(mesh)],
+      (tasks, atlas, input) => tasks.atlas(atlas, size, input),
     );
   }
 
@@ -40,43 +48,93 @@ export class Workshop implements Helpers {
     mesh: DisplayMesh,
     chart: Parameters<Tasks['layout']>[2],
   ): Promise<FlatDrawing> {
-    return this.tasks.layout(
-      { uv, indices, vertexMap, positions },
-      { positions: mesh.positions, indices: mesh.indices },
-      chart && { bounds: chart.bounds, delaunay: chart.delaunay },
+    const marked = chart && { bounds: chart.bounds, delaunay: chart.delaunay };
+    return this.send(
+      [{ uv, indices, vertexMap, positions }, trianglesOf(mesh)],
+      (tasks, layout, input) => tasks.layout(layout, input, marked),
     );
   }
 
   /** What it takes to edit seams. */
-  surface({ positions, indices, faces }: DisplayMesh, isDisk: boolean): Promise<Surface> {
-    return this.tasks.surface({ positions, indices, faces }, isDisk);
+  surface({ positions, indices, faces }: DisplayMesh, isDisk: boolean): Promise<SurfaceArrays> {
+    return this.send([{ positions, indices, faces }], (tasks, mesh) => tasks.surface(mesh, isDisk));
   }
 
   png(drawing: AtlasDrawing): Promise<Blob> {
-    return this.tasks.png(drawing);
+    return this.send([drawing], (tasks, own) => tasks.png(own));
   }
 
   heatMap(drawing: AtlasDrawing, { result, mesh }: Unwrapped): Promise<Blob> {
     const { positions, vertexMap } = result;
-    return this.tasks.heatMap(drawing, { positions, vertexMap }, { positions: mesh.positions });
+    return this.send(
+      [drawing, { positions, vertexMap }, { positions: mesh.positions }],
+      (tasks, own, layout, input) => tasks.heatMap(own, layout, input),
+    );
   }
 
   svg(drawing: AtlasDrawing, millimetres: number | 'auto'): Promise<Blob> {
-    return this.tasks.svg(drawing, millimetres);
+    return this.send([drawing], (tasks, own) => tasks.svg(own, millimetres));
   }
 
   gltf({ file, others }: FileSource): Promise<GltfFile> {
-    return this.tasks.gltf(file, others);
+    return this.send([], (tasks) => tasks.gltf(file, others));
   }
 
   /** The document that the mesh came from as GLB, with the coordinates of the layout as TEXCOORD_`texcoord`. */
   async glb({ gltf, result }: Outcome, texcoord: number): Promise<Blob | undefined> {
     const { uv, indices, vertexMap, positions } = result;
-    return gltf && this.tasks.glb(gltf.files, { uv, indices, vertexMap, positions }, texcoord);
+    return (
+      gltf &&
+      this.send([{ uv, indices, vertexMap, positions }], (tasks, layout) =>
+        tasks.glb(gltf.files, layout, texcoord),
+      )
+    );
   }
 
   /** With vertices at one place joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
-    return this.tasks.joined(mesh);
+    return this.send([mesh], (tasks, own) => tasks.joined(own));
+  }
+
+  /** Gives the worker copies of all that is large; it gets to do what was asked for first. */
+  private send<A extends object[], R>(
+    values: [...A],
+    post: (tasks: Remote<Tasks>, ...own: A) => Promise<R>,
+  ): Promise<R> {
+    const copies = this.sent.then(async () => {
+      const own: object[] = [];
+      for (const value of values) own.push(await copied(value));
+      return own;
+    });
+    this.sent = copies.then(
+      () => undefined,
+      () => undefined,
+    );
+    return copies.then((own) => {
+      this.running ??= this.start();
+      const { tasks, lost } = this.running;
+      const given = own.map((each) => transfer(each, buffersOf(each))) as A;
+      return Promise.race([post(tasks, ...given), lost]);
+    });
+  }
+
+  private start(): Running {
+    const worker = new Worker(new URL('./worker.ts', import.meta.url), {
+      type: 'module',
+      name: 'workshop',
+    });
+    const lost = new Promise<never>((_, reject) => {
+      worker.onerror = (event) => {
+        event.preventDefault();
+        worker.terminate();
+        this.running = null;
+        // A script that cannot be loaded has no message.
+        reject(event.message ? stopped(event.message) : notLoaded('A worker cannot be loaded.'));
+      };
+    });
+    lost.catch(() => undefined); // whoever waits for the worker hears of it
+    return { tasks: wrap<Tasks>(worker), lost };
   }
 }
+
+const trianglesOf = ({ positions, indices }: DisplayMesh): DisplayMesh => ({ positions, indices });
