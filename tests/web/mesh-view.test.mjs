@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { CUBE } from '../support/small-meshes.mjs';
 import { dropAndWait, openPage, settled } from './page.mjs';
 
 const CANVAS = '#mesh-canvas';
@@ -55,6 +56,47 @@ test('every sample fills its pane; the head stands upright', async (t) => {
     const across = (box.right - box.left) * width;
     assert.ok(across < 0.8 * (box.bottom - box.top) * height, 'taller than wide');
   }
+});
+
+test('keys and a button look from front, right, top and the other side; Reset leads back', async (t) => {
+  const page = await openPage(t, STILL);
+  // 1 wide, 2 high, 6 deep.
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${i & 2} ${1.5 * (i & 4)}`);
+  const faces = CUBE.split('\n').filter((line) => line.startsWith('f'));
+  await dropAndWait(page, 'box.obj', [...corners, ...faces].join('\n'));
+  const shot = () => page.locator(CANVAS).screenshot();
+  const first = await shot();
+  const ratio = async () => {
+    const drawn = await drawnBox(page);
+    assertFits(drawn, 'the box');
+    const { width, height } = await page.locator(CANVAS).boundingBox();
+    return ((drawn.right - drawn.left) * width) / ((drawn.bottom - drawn.top) * height);
+  };
+  await page.focus(CANVAS);
+  await page.keyboard.press('1');
+  assert.ok((await ratio()) < 0.8, 'from the front it is higher than wide');
+  const front = await drawnBox(page);
+  await page.keyboard.press('3');
+  assert.ok((await ratio()) > 1.8, 'from the right it is wide');
+  await page.keyboard.press('7');
+  assert.ok((await ratio()) < 0.6, 'from above it is long');
+  await page.click('#reset');
+  await page.mouse.move(0, 0);
+  assert.deepEqual(await shot(), first);
+  await page.click('#other-side');
+  await page.mouse.move(0, 0);
+  assert.notDeepEqual(await shot(), first);
+  assertFits(await drawnBox(page), 'the other side');
+  await page.focus(CANVAS);
+  await page.keyboard.press('1');
+  await page.keyboard.press('9');
+  await page.keyboard.press('9');
+  const again = await drawnBox(page);
+  for (const side of Object.keys(front))
+    assert.ok(
+      Math.abs(again[side] - front[side]) < 0.03,
+      `${side}: ${again[side]} in place of ${front[side]}`,
+    );
 });
 
 test('a mesh far from the origin, with a stray vertex, fills its pane', async (t) => {

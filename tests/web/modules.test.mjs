@@ -99,3 +99,28 @@ test('notes: why a layout is not valid, what was done, which vertices are tighte
     '2 boundary vertices are tightened, down to t\u00a0=\u00a01.125.',
   ]);
 });
+
+test('the farthest points of a mesh bound it in every direction, and are few', async () => {
+  const { farthest } = await load('drawing/outline');
+  const count = 4000;
+  const points = Float32Array.from(
+    { length: 3 * count },
+    (_, i) => Math.sin(i * i * 0.7) * (1 + (i % 3)),
+  );
+  points.set([50, 50, 50]); // no triangle has it
+  const indices = Uint32Array.from({ length: count - 1 }, (_, i) => i + 1);
+  const hull = farthest(points, indices);
+  assert.ok(hull.length <= 3 * 128);
+  const most = (p, from, d) => {
+    let found = -Infinity;
+    for (let i = from; i < p.length; i += 3)
+      found = Math.max(found, p[i] * d[0] + p[i + 1] * d[1] + p[i + 2] * d[2]);
+    return found;
+  };
+  for (let i = 0; i < 60; ++i) {
+    const d = [Math.sin(i), Math.cos(2 * i), Math.sin(5 * i + 1)];
+    const [bound, all] = [most(hull, 0, d), most(points, 3, d)];
+    assert.ok(bound <= all && bound > 0.95 * all, `${bound} of ${all}`);
+  }
+  assert.equal(farthest(new Float32Array(), new Uint32Array()).length, 0);
+});

@@ -19,6 +19,15 @@ const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
+/** From above y is still up by a little. */
+const ABOVE = 1e-3;
+
+/** A view of points (xyz each); `direction`: from them to the eye. */
+interface Look {
+  points: Float32Array;
+  direction: Direction;
+}
+
 /** The mesh in 3D. */
 export class MeshView {
   private readonly stage: Stage;
@@ -34,7 +43,13 @@ export class MeshView {
   private readonly seams = new SeamOverlay();
   /** `FRAME` of each shown chart. */
   private frames: Float32Array = new Float32Array();
-  private first: FirstView = { front: [0, 0, 1], outline: new Float32Array() };
+  private first: FirstView = {
+    front: [0, 0, 1],
+    outline: new Float32Array(),
+    hull: new Float32Array(),
+  };
+  /** Where it was last looked from, and what was to fit in the view. */
+  private from: Look = { direction: [0, 0, 1], points: new Float32Array() };
   /** Until the user turns or zooms, the mesh stays fitted whatever happens to the pane. */
   private isFitted = true;
   private isFlat = false;
@@ -144,17 +159,32 @@ export class MeshView {
     if (!(frame[FRAME.low] <= frame[FRAME.high])) return;
     const now = this.camera.position.clone().sub(this.controls.target).normalize();
     const area = frame.subarray(FRAME.area, FRAME.area + 3);
-    this.look(cornersOf(frame), frontOf(facingOf(area, frame[FRAME.total]), now.toArray()));
+    const direction = frontOf(facingOf(area, frame[FRAME.total]), now.toArray());
+    this.look({ points: cornersOf(frame), direction });
     this.isFitted = false;
   }
 
   reset(): void {
-    this.look(this.first.outline, this.first.front);
+    this.fit({ points: this.first.outline, direction: this.first.front });
+  }
+
+  /** Looks from behind what is looked at now. */
+  turnRound(): void {
+    const { x, y, z } = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.lookFrom([-x, y, -z]);
+  }
+
+  private lookFrom(direction: Direction): void {
+    this.fit({ points: this.first.hull, direction });
+  }
+
+  private fit(from: Look): void {
+    this.from = from;
+    this.look(from);
     this.isFitted = true;
   }
 
-  /** `direction`: from the points (xyz each) to the eye. */
-  private look(points: Float32Array, direction: Direction): void {
+  private look({ points, direction }: Look): void {
     this.stopDamping();
     const front = new Vector3(...direction);
     const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
@@ -187,7 +217,7 @@ export class MeshView {
     this.dots.setPixelRatio(this.stage.pixelRatio);
     this.boundary.setResolution(this.stage.width, this.stage.height);
     this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
-    if (this.isFitted) this.reset();
+    if (this.isFitted) this.fit(this.from);
   }
 
   private draw(): void {
@@ -213,6 +243,10 @@ export class MeshView {
       '-': () => this.turn(0, 0, ZOOM),
       Home: () => this.reset(),
       '0': () => this.reset(),
+      '1': () => this.lookFrom([0, 0, 1]),
+      '3': () => this.lookFrom([1, 0, 0]),
+      '7': () => this.lookFrom([0, 1, ABOVE]),
+      '9': () => this.turnRound(),
     };
     const action = actions[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;

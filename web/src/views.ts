@@ -27,6 +27,8 @@ export class Views {
       element('legend', HTMLElement).hidden = !isOn;
     });
     element('legend-most', HTMLElement).textContent = `${100 * RAMP_MOST}\u202f% and more`;
+    const turnRound = () => this.mesh.turnRound();
+    element('other-side', HTMLButtonElement).addEventListener('click', turnRound);
     element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
     element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
   }

@@ -4,14 +4,18 @@ import type { FlatPicture, Picture } from '../picture';
 import { toUnitSphere } from '../unit-sphere';
 import { type Drawing, FRAME, type MeshDrawing, type TriangleMarks } from './drawing';
 import { axesOf, frontOf } from './front';
-import { outline } from './outline';
+import { farthest, outline } from './outline';
 
 /** A mesh that was opened. */
 export function drawMesh(picture: Picture): Drawing {
   const { mesh } = picture;
   const unit = toUnitSphere(mesh);
   const front = frontOf(facing(mesh));
-  const first = { front, outline: outline(unit, mesh.indices, axesOf(front)) };
+  const first = {
+    front,
+    outline: outline(unit, mesh.indices, axesOf(front)),
+    hull: farthest(unit, mesh.indices),
+  };
   return { mesh: { ...surface(picture, unit), first } };
 }
 

@@ -17,6 +17,8 @@ export interface FirstView {
   front: [number, number, number];
   /** Points, xyz each, that fit in a view from there only where all of the mesh does. */
   outline: Float32Array;
+  /** The same for any direction, as good as. */
+  hull: Float32Array;
 }
 
 /** The box of one chart, xyz of its lowest and of its highest corner, and the sum of its vector areas and of its areas. */

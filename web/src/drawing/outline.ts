@@ -20,6 +20,36 @@ export function outline(
   );
 }
 
+/** Directions, evenly spread (a spiral of Fibonacci). */
+const DIRECTIONS = 128;
+const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
+
+/** The points (xyz each) that `indices` names and that are farthest in any of many directions. */
+export function farthest(points: Float32Array, indices: Uint32Array): Float32Array {
+  const used = usedVertices(points.length / 3, indices);
+  const found = new Set<number>();
+  if (used.length === 0) return new Float32Array();
+  for (let i = 0; i < DIRECTIONS; ++i) {
+    const y = 1 - (2 * i + 1) / DIRECTIONS;
+    const [x, z] = [Math.cos(i * GOLDEN_ANGLE), Math.sin(i * GOLDEN_ANGLE)];
+    const across = Math.sqrt(1 - y * y);
+    found.add(farthestAlong(points, used, across * x, y, across * z));
+  }
+  return Float32Array.from([...found].flatMap((v) => [...points.subarray(3 * v, 3 * v + 3)]));
+}
+
+function farthestAlong(p: Float32Array, used: Uint32Array, x: number, y: number, z: number) {
+  let farthest = used[0];
+  let most = -Infinity;
+  for (const v of used) {
+    const along = p[3 * v] * x + p[3 * v + 1] * y + p[3 * v + 2] * z;
+    if (along <= most) continue;
+    most = along;
+    farthest = v;
+  }
+  return farthest;
+}
+
 function usedVertices(count: number, indices: Uint32Array): Uint32Array {
   const isUsed = new Uint8Array(count);
   for (const v of indices) isUsed[v] = 1;

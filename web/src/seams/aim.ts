@@ -15,7 +15,21 @@ export interface AimEvents {
 /** Css pixels that a click may be moved by; beyond that the view is turned. */
 const STEADY = 5;
 /** Keys that turn the view under the aim in its middle. */
-const VIEW_KEYS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-', '=', 'Home', '0'];
+const VIEW_KEYS = [
+  'ArrowLeft',
+  'ArrowRight',
+  'ArrowUp',
+  'ArrowDown',
+  '+',
+  '-',
+  '=',
+  'Home',
+  '0',
+  '1',
+  '3',
+  '7',
+  '9',
+];
 
 /** Where the user aims in a canvas: at the pointer or, by keyboard, at its middle. */
 export class Aim {
