@@ -23,8 +23,8 @@ bool goesOn(const Surface& surface, const Outlines& outlines, std::uint32_t from
 /// Per place of the chart's boundary.
 std::vector<std::uint8_t> goOn(const Surface& surface, const ChartSet& set, std::size_t chart,
                                const Outlines& outlines) {
-  const std::vector<std::uint32_t>& boundary = set.charts[chart].boundary;
-  const auto onSurface = [&](std::uint32_t h) { return 3 * set.triangles[chart][h / 3] + h % 3; };
+  const Indices boundary = set.topology(chart).boundary, triangles = set.triangles(chart);
+  const auto onSurface = [&](std::uint32_t h) { return 3 * triangles[h / 3] + h % 3; };
   std::vector<std::uint8_t> out;
   std::uint32_t before = boundary.back();
   for (const std::uint32_t h : boundary) {
@@ -112,11 +112,12 @@ Outlines findOutlines(const Surface& surface, const std::vector<std::uint8_t>& i
 
 Outlines findOutlines(const Surface& surface, const ChartSet& set) {
   std::vector<std::uint8_t> isCut(surface.table.twin.size(), 0);
-  for (std::size_t i = 0; i < set.charts.size(); ++i) {
-    const DiskChart& chart = set.charts[i];
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ChartTopology chart = set.topology(i);
+    const Indices triangles = set.triangles(i);
     const std::uint32_t corners = 3 * chart.surfaceTriangles();
     for (std::uint32_t h = 0; h < corners; ++h)
-      isCut[3 * set.triangles[i][h / 3] + h % 3] = chart.twin[h] >= corners;
+      isCut[3 * triangles[h / 3] + h % 3] = chart.twin[h] >= corners;
   }
   return findOutlines(surface, isCut);
 }
@@ -129,10 +130,10 @@ bool hasSameEnds(const Surface& surface, const ChartSet& set, std::size_t chart,
 std::vector<StraightSeams> straightSeams(const Surface& surface, const ChartSet& set,
                                          const Outlines& outlines,
                                          const std::vector<std::uint8_t>& isFixed) {
-  std::vector<StraightSeams> out(set.charts.size());
+  std::vector<StraightSeams> out(set.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (!isFixed.empty() && isFixed[set.triangles[i].front()]) continue;
-    const DiskChart& chart = set.charts[i];
+    if (!isFixed.empty() && isFixed[set.triangles(i).front()]) continue;
+    const DiskChart chart = set.chart(i);
     const std::vector<double> turn = turns(chart);
     StraightPlaces& places = out[i].places;
     places = goOn(surface, set, i, outlines);

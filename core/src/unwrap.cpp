@@ -11,6 +11,7 @@
 #include "abflat/io.h"
 #include "abflat/peak_memory.h"
 #include "chart/chart_set.h"
+#include "free_memory.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/welded_mesh.h"
@@ -60,22 +61,23 @@ class Monitor {
 };
 
 /// Charts by size, the largest first: what takes longest begins first.
-std::vector<std::uint32_t> largestFirst(const std::vector<DiskChart>& charts) {
+std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
   std::vector<std::uint32_t> order(charts.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return charts[a].triangleCount() > charts[b].triangleCount();
+    return charts.topology(a).triangleCount() > charts.topology(b).triangleCount();
   });
   return order;
 }
 
 /// What the input gives is not to be pinned elsewhere.
-Status checkUnpinned(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
+Status checkUnpinned(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
                      const std::vector<FlatChart>& flat) {
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (flat[i].isGiven && !wishes[i].pins.empty())
       return {StatusCode::InvalidOption,
-              "vertex " + std::to_string(charts[i].inputVertex[wishes[i].pins.front().vertex]) +
+              "vertex " +
+                  std::to_string(charts.topology(i).inputVertex[wishes[i].pins.front().vertex]) +
                   " is pinned, but its chart is to keep its texcoords; leave one of them out"};
   return {};
 }
@@ -86,7 +88,7 @@ bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !optio
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
 
 /// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
-void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWishes>& wishes,
+void flattenAll(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
                 const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
                 const std::function<bool(double)>& tell, std::vector<FlatChart>& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
@@ -99,13 +101,13 @@ void flattenAll(const std::vector<DiskChart>& charts, const std::vector<ChartWis
     return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
   };
   for (std::size_t i = 0; i < charts.size(); ++i)
-    if (!isKnown(i)) triangles += charts[i].triangleCount();
+    if (!isKnown(i)) triangles += charts.topology(i).triangleCount();
   std::atomic<std::size_t> done{0};
   parallelFor(&pool, charts.size(), [&](std::size_t i) {
     if (monitor.stopped()) return;
-    const DiskChart& chart = charts[order[i]];
     FlatChart& out = flat[order[i]];
     if (isKnown(order[i])) return;
+    const DiskChart chart = charts.chart(order[i]);
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
@@ -146,10 +148,10 @@ void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& opti
 /// Layouts of the charts that are as they were, and of the same form.
 std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
                                    std::vector<FlatChart>& flat) {
-  std::vector<FlatChart> out(now.charts.size());
+  std::vector<FlatChart> out(now.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::uint32_t old = before.ofTriangle[now.triangles[i].front()];
-    const DiskChart &a = before.charts[old], &b = now.charts[i];
+    const std::uint32_t old = before.ofTriangle[now.triangles(i).front()];
+    const ChartTopology a = before.topology(old), b = now.topology(i);
     if (a.triangleCount() == b.triangleCount() && a.surfaceTriangles() == b.surfaceTriangles() &&
         a.boundary.size() == b.boundary.size())
       out[i] = std::move(flat[old]);
@@ -187,6 +189,7 @@ class Unwrapping {
       if (monitor_.stopped()) return Status{StatusCode::Aborted, "cancelled"};
       report_.timings.*stage.field += watch_.lap();
       report_.peakMemory.*stage.field = peakMemory();
+      giveBackFreeMemory();
     }
     return std::move(out_);
   }
@@ -212,6 +215,7 @@ class Unwrapping {
     if (surface_.table.vertex.empty())
       return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
     report_.repair = repairReport(welded_, surface_);
+    surface_.boundaryLoops = std::vector<std::vector<std::uint32_t>>();
     pool_ = std::make_unique<ThreadPool>(
         usefulThreads(options_.threads, surface_.table.triangleCount()));
     report_.threads = pool_->threads();
@@ -227,6 +231,7 @@ class Unwrapping {
     open_ = cutOpen(
         welded_, surface_, given.value, fixed_, options_, *pool_,
         [&] { return monitor_.tell(kSeams); }, report_.seams);
+    surface_.fans = Fans();
     if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
     return {};
   }
@@ -234,9 +239,9 @@ class Unwrapping {
   /// Charts that turn out to be stretched more than was expected are cut further.
   Status flatten() {
     if (Status s = readWishes(); !s.ok()) return s;
-    flat_.resize(set_.charts.size());
+    flat_.resize(set_.size());
     if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
-    if (Status s = checkUnpinned(set_.charts, wishes_, flat_); !s.ok()) return s;
+    if (Status s = checkUnpinned(set_, wishes_, flat_); !s.ok()) return s;
     if (Status s = layOut(); !s.ok()) return s;
     constexpr int kMostRounds = 8;
     while (round_ < kMostRounds && !monitor_.stopped()) {
@@ -253,7 +258,21 @@ class Unwrapping {
       if (Status s = layOut(); !s.ok()) return s;
     }
     for (FlatChart& chart : flat_) chart.isCutEnough = true;
-    return dropTangled() ? layOut() : Status{};
+    if (dropTangled())
+      if (Status s = layOut(); !s.ok()) return s;
+    endCutting();
+    return {};
+  }
+
+  /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
+  /// memory.
+  void endCutting() {
+    const Seams seams = visibleSeams(open_);
+    measureSeams(open_, seams, report_.seams);
+    out_.seams = seamEdges(mesh_, welded_, surface_, seams);
+    open_ = OpenSurface();
+    wishes_ = std::vector<ChartWishes>();
+    set_.place = std::vector<std::uint32_t>();
   }
 
   /// Layouts of charts that seams do not help; whether there are any.
@@ -279,8 +298,8 @@ class Unwrapping {
   Status layOut() {
     if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
     flattenAll(
-        set_.charts, wishes_, options_, *pool_, monitor_,
-        [&](double share) { return tellSolve(share); }, flat_);
+        set_, wishes_, options_, *pool_, monitor_, [&](double share) { return tellSolve(share); },
+        flat_);
     return {};
   }
 
@@ -309,19 +328,19 @@ class Unwrapping {
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
     const auto tell = [&](double share) { return monitor_.tell(kPack, share); };
-    return packAll(set_.charts, options_, unit_, *pool_, tell, flat_, packing_, report_.atlas);
+    return packAll(set_, options_, unit_, *pool_, tell, flat_, packing_, report_.atlas);
   }
 
   Status finish() {
-    checkAll(set_.charts, options_, unit_, *pool_, flat_, packing_, report_);
-    fillOutput(mesh_, welded_, surface_, set_, texcoords_, flat_, unit_, out_);
-    const Seams seams = visibleSeams(open_);
-    measureSeams(open_, seams, report_.seams);
-    out_.seams = seamEdges(mesh_, welded_, surface_, seams);
+    checkAll(set_, options_, unit_, *pool_, flat_, packing_, report_);
+    packing_ = Packing();
     noteStretched(flat_, options_, report_.notes);
     fillReport(set_, flat_, surface_, welded_, unit_, report_);
-    const Numbers numbers = options_.roundsForGltf ? Numbers::Gltf : Numbers::Double;
-    certify(welded_, flat_, numbers, out_);
+    fillOutput(mesh_, welded_, surface_, set_, texcoords_, std::move(flat_), unit_, out_);
+    set_ = ChartSet();
+    surface_ = Surface();
+    texcoords_ = Texcoords();
+    certify(welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
     if (options_.roundsForGltf) return {};
     if (std::string note = foldedFansNote(mesh_, out_); !note.empty())
       report_.notes.push_back(std::move(note));

@@ -11,20 +11,21 @@ namespace {
 /// Coordinates below 16, which is what packing allows for.
 constexpr int kMostTilesInSingle = 160;
 
-std::vector<PackShape> shapesOf(const std::vector<DiskChart>& charts,
-                                const std::vector<FlatChart>& flat) {
+std::vector<PackShape> shapesOf(const ChartSet& charts, const std::vector<FlatChart>& flat) {
   std::vector<PackShape> shapes(charts.size());
   for (std::size_t i = 0; i < charts.size(); ++i) {
     shapes[i].isFixed = flat[i].isFixed;
     shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
     if (!flat[i].isFixed && flat[i].enlarged != 1)
       for (double& x : shapes[i].uv) x *= flat[i].enlarged;
-    const auto corners = charts[i].vertexOfCorner.begin();
-    shapes[i].triangles.assign(corners, corners + 3 * charts[i].surfaceTriangles());
+    const ChartTopology chart = charts.topology(i);
+    const auto corners = chart.vertexOfCorner.begin();
+    shapes[i].triangles.assign(corners, corners + 3 * std::size_t{chart.surfaceTriangles()});
     // Others may lie in its holes.
-    if (charts[i].filledHoles > 0 || flat[i].isGiven) continue;
-    for (const std::uint32_t h : charts[i].boundary)
-      shapes[i].outline.push_back(charts[i].vertexOfCorner[h]);
+    if (chart.filledHoles > 0 || flat[i].isGiven) continue;
+    shapes[i].outline.reserve(chart.boundary.size());
+    for (const std::uint32_t h : chart.boundary)
+      shapes[i].outline.push_back(chart.vertexOfCorner[h]);
   }
   return shapes;
 }
@@ -64,9 +65,8 @@ double packWork(const std::vector<PackShape>& shapes) {
 }
 
 /// Packs again what has to be larger, as long as it fits.
-void fitAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options, double unit,
-            Numbers numbers, ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing,
-            AtlasReport& atlas) {
+void fitAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit, Numbers numbers,
+            ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas) {
   constexpr int kMostPackings = 4;
   for (int round = 0; round <= kMostPackings; ++round) {
     std::vector<double> enlarged;
@@ -87,7 +87,7 @@ void fitAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& opti
 
 }  // namespace
 
-Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& options, double unit,
+Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit,
                ThreadPool& pool, const std::function<bool(double)>& tell,
                std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas) {
   PackOptions how;
@@ -99,9 +99,9 @@ Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& o
   how.unit = unit;
   how.pool = &pool;
   how.progress = tell;
-  const std::vector<PackShape> shapes = shapesOf(charts, flat);
+  std::vector<PackShape> shapes = shapesOf(charts, flat);
   how.work = packWork(shapes);
-  Result<Packing> packed = pack(shapes, how);
+  Result<Packing> packed = pack(std::move(shapes), how);
   if (!packed.ok()) return packed.status;
   packing = std::move(packed.value);
   for (std::size_t i = 0; i < flat.size(); ++i) {
@@ -115,9 +115,8 @@ Status packAll(const std::vector<DiskChart>& charts, const UnwrapOptionValues& o
   return {};
 }
 
-void checkAll(const std::vector<DiskChart>& charts, const UnwrapOptions& options, double unit,
-              ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing,
-              UnwrapReport& report) {
+void checkAll(const ChartSet& charts, const UnwrapOptions& options, double unit, ThreadPool& pool,
+              std::vector<FlatChart>& flat, Packing& packing, UnwrapReport& report) {
   const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
   const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)

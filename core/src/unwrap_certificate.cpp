@@ -31,8 +31,7 @@ std::string problemOf(const ChartDefect& defect, const std::vector<UnwrapChart>&
 
 }  // namespace
 
-void certify(const WeldedMesh& welded, const std::vector<FlatChart>& flat, Numbers numbers,
-             UnwrapResult& result) {
+void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result) {
   const std::vector<double> uv = writtenUv(result.uv, numbers);
   std::vector<std::uint32_t> triangles;
   triangles.reserve(result.triangleCorners.size());
@@ -45,9 +44,9 @@ void certify(const WeldedMesh& welded, const std::vector<FlatChart>& flat, Numbe
     return !isDegenerate(cornerAngles(welded.mesh.positions, v.data()));
   };
   WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0};
-  for (const FlatChart& chart : flat) {
-    atlas.isLeftOut.push_back(!chart.problem.empty());
-    atlas.mayTouch.push_back(chart.isFixed);
+  for (const UnwrapChart& chart : result.report.charts) {
+    atlas.isLeftOut.push_back(!chart.valid);
+    atlas.mayTouch.push_back(chart.fixed);
   }
   atlas.tiles = static_cast<std::uint32_t>(result.report.atlas.tiles);
   atlas.lowestV = numbers == Numbers::Gltf ? -1 : 0;

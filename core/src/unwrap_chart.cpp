@@ -9,13 +9,18 @@ namespace abflat {
 namespace {
 
 /// What reports need; unknowns and history are several times the memory of the layout.
-void keepMeasures(Attempt& attempt, FlatChart& out) {
+void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attempt& attempt,
+                  FlatChart& out) {
+  out.area = areaOf(chart);
   out.solver = std::move(attempt.solver);
   out.iterations = static_cast<int>(attempt.solution.history.size());
-  out.distortion = attempt.distortion;
-  out.fallbacks = std::move(attempt.fallbacks);
-  out.pins = attempt.pins;
-  out.straight = attempt.straight;
+  out.distortion = ChartDistortion(attempt.distortion);
+  if (attempt.fallbacks.empty() && !attempt.pins && !attempt.straight && straight.empty()) return;
+  out.uncommon = std::make_unique<UncommonParts>();
+  out.uncommon->fallbacks = std::move(attempt.fallbacks);
+  out.uncommon->pins = attempt.pins;
+  out.uncommon->straight = attempt.straight;
+  out.uncommon->straightPlaces = straight;
 }
 
 /// A small chart's steps are short, and a seam less is worth many of them.
@@ -57,10 +62,11 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   }
   if (attempt.straight) attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, attempt);
-  out.straightPlaces = wishes.straight;
-  keepMeasures(attempt, out);
+  keepMeasures(chart, wishes.straight, attempt, out);
   return out;
 }
+
+double areaOf(const DiskChart& chart) { return surfaceArea(chart) * chart.unit * chart.unit; }
 
 void checkInPlace(const DiskChart& chart, FlatChart& flat) {
   if (!flat.problem.empty()) return;

@@ -106,10 +106,11 @@ Status checkTexcoords(const WeldedMesh& welded, const Surface& surface, const Fi
 
 /// Given coordinates of the chart's vertices.
 std::vector<double> givenUv(const CutMesh& mesh, const FixedTriangles& fixed, std::size_t i) {
-  const DiskChart& chart = mesh.set.charts[i];
+  const ChartTopology chart = mesh.set.topology(i);
+  const Indices triangles = mesh.set.triangles(i);
   std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()));
   for (std::size_t c = 0; c < chart.vertexOfCorner.size(); ++c) {
-    const std::size_t h = 3 * static_cast<std::size_t>(mesh.set.triangles[i][c / 3]) + c % 3;
+    const std::size_t h = 3 * static_cast<std::size_t>(triangles[c / 3]) + c % 3;
     const std::size_t texcoord = fixed.ofCorner[inputCorner(mesh.welded, mesh.surface, h)];
     for (std::size_t d = 0; d < 2; ++d)
       uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[c]) + d] =
@@ -200,9 +201,9 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
   std::vector<double> triangles;     // 6 coordinates each
   std::vector<std::uint32_t> faces;  // of the input, for each of these
   for (std::size_t i = 0; i < flat.size(); ++i) {
-    const std::vector<std::uint32_t>& own = mesh.set.triangles[i];
+    const Indices own = mesh.set.triangles(i);
     if (!fixed.isFixed[own.front()]) continue;
-    const DiskChart& chart = mesh.set.charts[i];
+    const DiskChart chart = mesh.set.chart(i);
     FlatChart& out = flat[i];
     out = {};
     out.isFixed = out.isGiven = true;
@@ -213,7 +214,8 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
     if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
     out.solver = "given";
-    out.distortion = measureDistortion(chart, out.uv);
+    out.area = areaOf(chart);
+    out.distortion = ChartDistortion(measureDistortion(chart, out.uv));
     for (std::size_t f = 0; f < own.size(); ++f) faces.push_back(c.face(f));
     for (const std::size_t v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});

@@ -55,8 +55,7 @@ Status checkTriangles(const KnownLayout& known, const TriangleOrder& order,
 
 /// Known coordinates of the chart's vertices; empty where triangles are missing or more, or where
 /// an edge of the chart was a seam. A seam that is new leaves a layout that touches itself.
-std::vector<double> knownUv(const Known& known, const DiskChart& chart,
-                            const std::vector<std::uint32_t>& triangles) {
+std::vector<double> knownUv(const Known& known, const ChartTopology& chart, Indices triangles) {
   const std::uint32_t id = known.chartOf(triangles.front());
   if (known.trianglesOfChart[id] != triangles.size()) return {};
   std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()), NAN);
@@ -98,11 +97,13 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
   std::vector<double> uv = unpacked;
   for (double& x : uv) x /= chart.unit;
   if (!checkSeparated(chart, uv).valid()) return {};
-  out.distortion = measureDistortion(chart, uv);
+  out.area = areaOf(chart);
+  out.distortion = ChartDistortion(measureDistortion(chart, uv));
   if (!wishes.straight.empty()) {
-    out.straight = reportStraight(chart, wishes.straight, uv);
-    out.straight->released = wishes.released;
-    out.straightPlaces = wishes.straight;
+    out.uncommon = std::make_unique<UncommonParts>();
+    out.uncommon->straight = reportStraight(chart, wishes.straight, uv);
+    out.uncommon->straight->released = wishes.released;
+    out.uncommon->straightPlaces = wishes.straight;
   }
   out.unpacked = std::move(unpacked);
   return out;
@@ -120,7 +121,6 @@ Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh
 
 Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
                  const UnwrapOptions& options, ThreadPool& pool, std::vector<FlatChart>& flat) {
-  const std::vector<DiskChart>& charts = mesh.set.charts;
   const KnownLayout& layout = options.known;
   if (layout.triangles.empty()) return {};
   Result<TriangleOrder> order = knownTriangles(layout, mesh.input, mesh.welded, mesh.surface);
@@ -137,12 +137,12 @@ Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
     before = knownOutlines(known, mesh.surface);
     now = findOutlines(mesh.surface, mesh.set);
   }
-  parallelFor(&pool, charts.size(), [&](std::size_t i) {
+  parallelFor(&pool, mesh.set.size(), [&](std::size_t i) {
     if (!flat[i].unpacked.empty()) return;
-    std::vector<double> uv = knownUv(known, charts[i], mesh.set.triangles[i]);
+    std::vector<double> uv = knownUv(known, mesh.set.topology(i), mesh.set.triangles(i));
     if (uv.empty()) return;
     if (options.straightSeams && !hasSameEnds(mesh.surface, mesh.set, i, before, now)) return;
-    flat[i] = takeOver(charts[i], wishes[i], std::move(uv));
+    flat[i] = takeOver(mesh.set.chart(i), wishes[i], std::move(uv));
   });
   return {};
 }

@@ -29,6 +29,8 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
   for (std::uint32_t c = 0; c < input.faceVertices.size(); ++c)
     corners[fill[input.faceVertices[c]]++] = c;
   out.cornerVertex.resize(input.faceVertices.size());
+  out.vertexMap.reserve(out.uv.size() / 2);
+  out.vertexUv.reserve(out.uv.size() / 2);
   for (std::uint32_t v = 0; v < input.vertexCount(); ++v) {
     const auto first = corners.begin() + offset[v], last = corners.begin() + offset[v + 1];
     std::stable_sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
@@ -89,13 +91,15 @@ void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Sur
   }
 }
 
-UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_t firstFace) {
+UnwrapChart chartRow(const ChartSet& set, std::size_t i, const FlatChart& flat,
+                     std::uint32_t firstFace) {
+  const ChartTopology chart = set.topology(i);
   UnwrapChart row;
   row.faces = chart.surfaceTriangles();
   row.firstFace = firstFace;
   row.boundaryVertices = chart.boundary.size();
   row.filledHoles = chart.filledHoles;
-  row.area = surfaceArea(chart) * chart.unit * chart.unit;
+  row.area = flat.area;
   row.solver = flat.solver;
   row.fixed = flat.isFixed;
   row.iterations = flat.iterations;
@@ -103,11 +107,14 @@ UnwrapChart chartRow(const DiskChart& chart, const FlatChart& flat, std::uint32_
   row.quasiConformalMean = flat.distortion.quasiConformalMean;
   row.quasiConformalMax = flat.distortion.quasiConformalMax;
   row.symmetricDirichlet = flat.distortion.symmetricDirichlet;
-  row.pins = flat.pins;
-  row.straight = flat.straight;
+  if (flat.uncommon) {
+    row.pins = flat.uncommon->pins;
+    row.straight = flat.uncommon->straight;
+    row.fallbacks = flat.uncommon->fallbacks;
+  }
   if (row.straight)
-    row.straight->deviation = reportStraight(chart, flat.straightPlaces, flat.uv).deviation;
-  row.fallbacks = flat.fallbacks;
+    row.straight->deviation =
+        reportStraight(set.chart(i), flat.uncommon->straightPlaces, flat.uv).deviation;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();
   return row;
@@ -129,6 +136,7 @@ TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
     count += out.firstOfFace[f];
   }
   std::vector<std::uint32_t> fill = out.firstOfFace;
+  out.ofTriangle.reserve(face.size());
   for (const std::uint32_t w : face) out.ofTriangle.push_back(fill[welded.inputFace[w]]++);
   return out;
 }
@@ -149,24 +157,32 @@ Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, cons
   Texcoords out;
   std::vector<std::uint32_t> ofWelded(welded.inputCorner.size(), kNone);
   out.firstOf.push_back(0);
-  for (std::size_t i = 0; i < set.charts.size(); ++i) {
-    for (std::uint32_t f = 0; f < set.triangles[i].size(); ++f)
+  out.firstOf.reserve(set.size() + 1);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ChartTopology chart = set.topology(i);
+    const Indices triangles = set.triangles(i);
+    for (std::uint32_t f = 0; f < triangles.size(); ++f)
       for (std::uint32_t k = 0; k < 3; ++k)
-        ofWelded[surface.triangulation.corner[3 * set.triangles[i][f] + k]] =
-            out.firstOf.back() + set.charts[i].vertexOfCorner[3 * f + k];
-    out.firstOf.push_back(out.firstOf.back() + set.charts[i].vertexCount());
+        ofWelded[surface.triangulation.corner[3 * triangles[f] + k]] =
+            out.firstOf.back() + chart.vertexOfCorner[3 * f + k];
+    out.firstOf.push_back(out.firstOf.back() + chart.vertexCount());
   }
+  out.ofCorner.reserve(welded.cornerFor.size());
   for (const std::uint32_t corner : welded.cornerFor)
     out.ofCorner.push_back(corner == kNone ? kNone : ofWelded[corner]);
   return out;
 }
 
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const Texcoords& texcoords, const std::vector<FlatChart>& flat,
+                const ChartSet& set, const Texcoords& texcoords, std::vector<FlatChart> flat,
                 double unit, UnwrapResult& out) {
-  for (const FlatChart& chart : flat) {
+  const std::size_t numbers = 2 * std::size_t{texcoords.firstOf.back()} + 2;
+  out.uv.reserve(numbers);
+  out.unpacked.reserve(numbers);
+  for (FlatChart& chart : flat) {
     out.uv.insert(out.uv.end(), chart.uv.begin(), chart.uv.end());
     for (const double x : chart.unpacked) out.unpacked.push_back(x * unit);
+    chart = {};
   }
   out.cornerUv = texcoords.ofCorner;
   std::uint32_t corner = kNone;  // where nothing of a face is left, and of no other at its place
@@ -188,9 +204,10 @@ void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const S
                 const WeldedMesh& welded, double unit, UnwrapReport& report) {
   double area = 0;
   report.valid = true;
+  report.charts.reserve(flat.size());
   for (std::size_t i = 0; i < flat.size(); ++i) {
-    const std::uint32_t face = surface.triangulation.face[set.triangles[i].front()];
-    report.charts.push_back(chartRow(set.charts[i], flat[i], welded.inputFace[face]));
+    const std::uint32_t face = surface.triangulation.face[set.triangles(i).front()];
+    report.charts.push_back(chartRow(set, i, flat[i], welded.inputFace[face]));
     UnwrapChart& row = report.charts.back();
     area += row.area;
     report.angularDistortion += row.area * row.angularDistortion;

@@ -21,10 +21,10 @@ TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
 /// Texcoords of the input's corners, one for each vertex of each chart.
 Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, const ChartSet& set);
 
-/// All of the result but its report, from charts that lie in the atlas. `unit`: what a length of 1
-/// is in the mesh of the user.
+/// All of the result but its report, from charts that lie in the atlas, and end here. `unit`: what
+/// a length of 1 is in the mesh of the user.
 void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const Texcoords& texcoords, const std::vector<FlatChart>& flat,
+                const ChartSet& set, const Texcoords& texcoords, std::vector<FlatChart> flat,
                 double unit, UnwrapResult& out);
 
 /// Charts, means and validity.

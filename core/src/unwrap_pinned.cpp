@@ -9,7 +9,7 @@
 namespace abflat {
 namespace {
 
-Status outside(const DiskChart& chart, std::size_t coordinate, double value) {
+Status outside(const ChartTopology& chart, std::size_t coordinate, double value) {
   char digits[kMostDoubleChars];
   return {StatusCode::InvalidOption,
           "the pins put vertex " + std::to_string(chart.inputVertex[coordinate / 2]) +
@@ -23,7 +23,7 @@ Status outside(const DiskChart& chart, std::size_t coordinate, double value) {
 Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoords& texcoords,
                                              const FixedTriangles& fixed,
                                              const UnwrapOptions& options) {
-  std::vector<ChartWishes> out(mesh.set.charts.size());
+  std::vector<ChartWishes> out(mesh.set.size());
   Result<std::vector<std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh.input, texcoords, options.pins);
   if (!pins.ok()) return pins.status;
@@ -43,14 +43,15 @@ Status checkPinned(const CutMesh& mesh, const std::vector<FlatChart>& flat) {
   std::vector<std::uint32_t> faces;  // of the input, for each of these
   for (std::size_t i = 0; i < flat.size(); ++i) {
     if (!flat[i].isFixed) continue;
-    const DiskChart& chart = mesh.set.charts[i];
+    const ChartTopology chart = mesh.set.topology(i);
+    const Indices own = mesh.set.triangles(i);
     const std::vector<double>& uv = flat[i].uv;
     for (std::size_t k = 0; k < uv.size() && !flat[i].isGiven; ++k)
       if (!(uv[k] >= 0 && uv[k] <= 1)) return outside(chart, k, uv[k]);
     if (!flat[i].problem.empty()) continue;  // it overlaps itself, and says so
-    for (const std::uint32_t t : mesh.set.triangles[i])
+    for (const std::uint32_t t : own)
       faces.push_back(mesh.welded.inputFace[mesh.surface.triangulation.face[t]]);
-    for (std::size_t c = 0; c < 3 * mesh.set.triangles[i].size(); ++c) {
+    for (std::size_t c = 0; c < 3 * own.size(); ++c) {
       const std::size_t v = chart.vertexOfCorner[c];
       triangles.insert(triangles.end(), {uv[2 * v], uv[2 * v + 1]});
     }

@@ -103,7 +103,7 @@ bool isRepaired(const DiskChart& chart, Numbers numbers, const std::vector<doubl
     flat.uv = std::move(before);
     return false;
   }
-  flat.movedVertices = repair.moved;
+  flat.movedVertices = static_cast<std::uint32_t>(repair.moved);
   flat.movedBy = repair.farthest;
   return true;
 }
@@ -151,8 +151,7 @@ void placeInAtlas(const Packing& packing, std::vector<FlatChart>& flat) {
     if (!flat[i].isFixed) placeOne(packing.placements[i], flat[i]);
 }
 
-std::size_t roundToSingle(const std::vector<DiskChart>& charts, ThreadPool& pool,
-                          std::vector<FlatChart>& flat) {
+std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, std::vector<FlatChart>& flat) {
   std::vector<std::uint8_t> isLost(flat.size(), 0);
   parallelFor(&pool, flat.size(), [&](std::size_t i) {
     if (flat[i].isGiven) return;
@@ -161,19 +160,19 @@ std::size_t roundToSingle(const std::vector<DiskChart>& charts, ThreadPool& pool
       abflat::roundToSingle(flat[i].uv);
     else
       roundInAtlas(flat[i].uv);
-    checkInPlace(charts[i], flat[i]);
+    checkInPlace(charts.chart(i), flat[i]);
     isLost[i] = wasValid && !flat[i].problem.empty();
   });
   return static_cast<std::size_t>(std::count(isLost.begin(), isLost.end(), 1));
 }
 
-std::size_t fitToNumbers(const std::vector<DiskChart>& charts, Numbers numbers, int resolution,
-                         bool mayGrow, ThreadPool& pool, Packing& packing,
-                         std::vector<FlatChart>& flat) {
+std::size_t fitToNumbers(const ChartSet& charts, Numbers numbers, int resolution, bool mayGrow,
+                         ThreadPool& pool, Packing& packing, std::vector<FlatChart>& flat) {
   std::vector<std::uint8_t> isTooSmall(flat.size(), 0);
   parallelFor(&pool, flat.size(), [&](std::size_t i) {
     if (!flat[i].isGiven)
-      isTooSmall[i] = !fit(charts[i], numbers, resolution, mayGrow, packing.placements[i], flat[i]);
+      isTooSmall[i] =
+          !fit(charts.chart(i), numbers, resolution, mayGrow, packing.placements[i], flat[i]);
   });
   return static_cast<std::size_t>(std::count(isTooSmall.begin(), isTooSmall.end(), 1));
 }

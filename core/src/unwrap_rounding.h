@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "chart/chart_set.h"
 #include "pack/pack.h"
 #include "parallel.h"
 #include "unwrap_chart.h"
@@ -18,17 +19,15 @@ void placeInAtlas(const Packing& packing, std::vector<FlatChart>& flat);
 
 /// To single precision, see roundInAtlas, so that 1 - v is one as well. Returns how many charts
 /// that were valid are not any more.
-std::size_t roundToSingle(const std::vector<DiskChart>& charts, ThreadPool& pool,
-                          std::vector<FlatChart>& flat);
+std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, std::vector<FlatChart>& flat);
 
 /// Rounds charts that lie in the atlas and decides anew which are valid. What was valid by itself
 /// and is not any more is made so where it can be: a chart within a texel grows, up to all of it,
 /// and vertices of triangles that are thinner than numbers can tell are moved. Returns how many
 /// charts have to be larger, which is only said where they `mayGrow`: they are to be packed again
 /// with their new `enlarged`.
-std::size_t fitToNumbers(const std::vector<DiskChart>& charts, Numbers numbers, int resolution,
-                         bool mayGrow, ThreadPool& pool, Packing& packing,
-                         std::vector<FlatChart>& flat);
+std::size_t fitToNumbers(const ChartSet& charts, Numbers numbers, int resolution, bool mayGrow,
+                         ThreadPool& pool, Packing& packing, std::vector<FlatChart>& flat);
 
 /// Which charts are larger than others, and which vertices were moved.
 std::vector<std::string> fittingNotes(const std::vector<FlatChart>& flat, Numbers numbers);

@@ -127,7 +127,7 @@ bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
   std::vector<double> excess(s.charts.size(), 0);
   for (std::size_t i = 0; i < stretch.size(); ++i) {
     if (!isAbove(stretch[i])) continue;
-    const std::uint32_t c = s.chartOfTriangle[set.triangles[i].front()];
+    const std::uint32_t c = s.chartOfTriangle[set.triangles(i).front()];
     const double told = (expected.stretch[c] - 1) / expected.excess[c];
     if (!(told > 0)) continue;
     isWanted[c] = 1;
@@ -146,10 +146,9 @@ bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order that was found for the whole surface.
-  std::vector<std::uint32_t> place(welded.mesh.vertexCount(), 0);
-  for (std::size_t i = 0; i < open.place.size(); ++i) place[open.inputVertex[i]] = open.place[i];
-  for (DiskChart& chart : out.charts)
-    for (const std::uint32_t v : chart.inputVertex) chart.place.push_back(place[v]);
+  out.place.assign(welded.mesh.vertexCount(), 0);
+  for (std::size_t i = 0; i < open.place.size(); ++i)
+    out.place[open.inputVertex[i]] = open.place[i];
   return out;
 }
 

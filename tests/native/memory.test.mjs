@@ -31,5 +31,5 @@ for (const [name, textOf] of [
     const many = 40_000;
     const before = await peakOf(at, textOf(few));
     const perChart = ((await peakOf(at, textOf(many))) - before) / (many - few);
-    assert.ok(perChart < 3000, `${perChart} bytes`);
+    assert.ok(perChart < 1250, `${perChart} bytes`);
   });

@@ -67,6 +67,14 @@ Status validateExtras(const PolygonMesh& mesh) {
   return {};
 }
 
+/// Without what the arrays grew too large while their sizes were unknown: they stay for the run.
+Result<PolygonMesh> trimmed(Result<PolygonMesh> mesh) {
+  mesh.value.positions.shrink_to_fit();
+  mesh.value.faceVertices.shrink_to_fit();
+  mesh.value.faceOffsets.shrink_to_fit();
+  return mesh;
+}
+
 }  // namespace
 
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
@@ -92,13 +100,13 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
   if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
   switch (format) {
     case MeshFormat::Obj:
-      return readObj(text, fileName);
+      return trimmed(readObj(text, fileName));
     case MeshFormat::Off:
-      return readOff(text, fileName);
+      return trimmed(readOff(text, fileName));
     case MeshFormat::Ply:
-      return readPly(text, fileName);
+      return trimmed(readPly(text, fileName));
     case MeshFormat::Stl:
-      return readStl(bytes, fileName);  // binary ones may begin with anything
+      return trimmed(readStl(bytes, fileName));  // binary ones may begin with anything
   }
   return Status{StatusCode::Internal, "no reader for this format"};
 }

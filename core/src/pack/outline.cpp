@@ -22,6 +22,7 @@ double doubleArea(const PackShape& shape, std::size_t t) {
 
 void addLoop(Loops& loops, const PackShape& shape, const std::uint32_t* vertices,
              std::size_t count) {
+  if (loops.points.empty()) loops.points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) loops.points.push_back(pointOf(shape, vertices[i]));
   loops.ends.push_back(static_cast<std::uint32_t>(loops.points.size()));
   loops.isGroup.push_back(1);

@@ -89,13 +89,13 @@ int leastResolution(std::size_t count, int padding) {
 /// One call of pack.
 class Packer {
  public:
-  Packer(const std::vector<PackShape>& shapes, const PackOptions& options)
-      : shapes_(shapes), options_(options) {}
+  explicit Packer(const PackOptions& options) : options_(options) {}
 
-  Result<Packing> run() {
+  Result<Packing> run(std::vector<PackShape> shapes) {
     Stopwatch watch;
     if (Status s = checkOptions(options_); !s.ok()) return s;
-    if (Status s = checkShapes(shapes_); !s.ok()) return s;
+    if (Status s = checkShapes(shapes); !s.ok()) return s;
+    takeShapes(std::move(shapes));
     if (Status s = begin(); !s.ok()) return s;
     if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeInOneTile(); !s.ok())
       return s;
@@ -105,10 +105,16 @@ class Packer {
   }
 
  private:
+  void takeShapes(std::vector<PackShape> shapes) {
+    fixedTile_.resize(shapes.size());
+    for (std::uint32_t i = 0; i < shapes.size(); ++i)
+      if (!shapes[i].isFixed) movable_.push_back(i);
+    makeItems(shapes);
+    for (std::uint32_t i = 0; i < shapes.size(); ++i)
+      if (shapes[i].isFixed) fixed_.push_back({i, std::move(shapes[i])});
+  }
+
   Status begin() {
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
-      if (!shapes_[i].isFixed) movable_.push_back(i);
-    makeItems();
     grid_ = makePackGrid(options_.resolution, options_.padding, itemsOfTile());
     return takeFixed();
   }
@@ -117,10 +123,8 @@ class Packer {
   Status takeFixed() {
     taken_.assign(1, {});
     PackRaster raster(grid_);
-    fixedTile_.resize(shapes_.size());
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (!shapes_[i].isFixed) continue;
-      const Loops loops = coveringLoops(shapes_[i]);
+    for (const auto& [i, shape] : fixed_) {
+      const Loops loops = coveringLoops(shape);
       Pose box;
       box = turned(box, 0, 4, loops.points);
       const double column = std::floor(box.minX + box.width / 2);
@@ -140,17 +144,18 @@ class Packer {
     return {};
   }
 
-  void makeItems() {
+  /// Shapes are not kept besides: there may be as many as triangles.
+  void makeItems(std::vector<PackShape>& shapes) {
     items_.resize(movable_.size());
     const int poses = options_.rotate ? posesFor(movable_.size()) : 1;
-    parallelFor(options_.pool, items_.size(), [this, poses](std::size_t i) {
-      const PackShape& shape = shapes_[movable_[i]];
+    parallelFor(options_.pool, items_.size(), [&, poses](std::size_t i) {
+      const PackShape shape = std::move(shapes[movable_[i]]);
       PackItem& item = items_[i];
       item.loops = coveringLoops(shape);
       item.mass = massOf(shape);
       const std::vector<PlanePoint> hull = convexHull(item.loops.points);
       const Pose base = options_.rotate ? leastBoxPose(hull) : Pose{};
-      item.poses = turns(base, poses, hull);
+      item.poses = Poses(base, poses, hull);
     });
   }
 
@@ -280,7 +285,8 @@ class Packer {
   }
 
   Fit fitOf(const PackOptions& options) const {
-    Packer other(shapes_, options);
+    Packer other = *this;
+    other.options_ = options;
     if (!other.begin().ok()) return Fit::TooMany;
     other.tryAt(scaleOf(options.texelDensity));
     return other.placed_.fit;
@@ -293,22 +299,21 @@ class Packer {
     out.tries = tries_;
     out.texelDensity = options_.texelDensity > 0 ? options_.texelDensity : densityOf(density_);
     out.scale = density_ / side;
-    out.placements.resize(shapes_.size());
+    out.placements.resize(fixedTile_.size());
     double area = 0;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (!shapes_[i].isFixed) continue;
+    for (const auto& [i, shape] : fixed_) {
       const std::uint32_t tile = fixedTile_[i];
       out.placements[i].tile = tile;
       out.placements[i].x = -out.placements[i].column();
       out.placements[i].y = -out.placements[i].row();
-      area += massOf(shapes_[i]).area;
+      area += massOf(shape).area;
     }
     for (std::size_t k = 0; k < items_.size(); ++k) {
       const Spot& spot = placed_.spots[k];
       Placement& p = out.placements[movable_[k]];
       area += items_[k].mass.area * out.scale * out.scale;
       if (items_[k].loops.points.empty()) continue;
-      const Pose& pose = items_[k].poses[spot.pose];
+      const Pose pose = items_[k].poses[spot.pose];
       const PlanePoint origin = texelOrigin(grid_, pose, density_, spot.cell.x, spot.cell.y);
       p = {out.scale * pose.cos, out.scale * pose.sin, origin.x / side, origin.y / side, spot.tile};
     }
@@ -316,8 +321,13 @@ class Packer {
     return out;
   }
 
-  const std::vector<PackShape>& shapes_;
-  const PackOptions& options_;
+  struct FixedShape {
+    std::uint32_t index;
+    PackShape shape;
+  };
+
+  PackOptions options_;
+  std::vector<FixedShape> fixed_;
   PackGrid grid_;
   std::vector<std::uint32_t> movable_;    ///< shape of each item
   std::vector<std::uint32_t> fixedTile_;  ///< per shape
@@ -330,8 +340,8 @@ class Packer {
 
 }  // namespace
 
-Result<Packing> pack(const std::vector<PackShape>& shapes, const PackOptions& options) {
-  return Packer(shapes, options).run();
+Result<Packing> pack(std::vector<PackShape> shapes, const PackOptions& options) {
+  return Packer(options).run(std::move(shapes));
 }
 
 }  // namespace abflat

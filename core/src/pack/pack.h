@@ -65,6 +65,6 @@ struct Packing {
 /// touched by two charts, and there are `padding` texels between any two in at least one of the
 /// two directions. That also holds for coordinates that are rounded to single precision. Errors:
 /// InvalidOption, InvalidMesh, Aborted; AtlasTooSmall says what does fit.
-Result<Packing> pack(const std::vector<PackShape>& shapes, const PackOptions& options);
+Result<Packing> pack(std::vector<PackShape> shapes, const PackOptions& options);
 
 }  // namespace abflat

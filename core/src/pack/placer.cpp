@@ -138,7 +138,7 @@ class Placer {
     double lowest = 2.0 * tile.height();
     bool isFound = false;
     for (std::size_t p = isPosed() ? strategy_.poses[i] : 0; p < poses; p += step) {
-      const Pose& pose = item.poses[p];
+      const Pose pose = item.poses[p];
       const double width = cellsOf(grid_, pose.width * scale);
       const double height = cellsOf(grid_, pose.height * scale);
       if (width > tile.width() || height > tile.height()) continue;
@@ -158,7 +158,7 @@ class Placer {
   }
 
   const Footprint& footprintOf(std::uint32_t i, std::uint32_t pose) {
-    const std::vector<Pose>& poses = items_[i].poses;
+    const Poses& poses = items_[i].poses;
     if (isPosed()) {
       footprints_[0].set(raster_.touched(items_[i].loops, poses[pose], options_.texelsPerUnit));
       return footprints_[0];
@@ -244,7 +244,8 @@ class Placer {
 
 double longestSide(const PackItem& item) {
   double longest = 0;
-  for (const Pose& pose : item.poses) longest = std::max({longest, pose.width, pose.height});
+  for (std::size_t p = 0; p < item.poses.size(); ++p)
+    longest = std::max({longest, item.poses[p].width, item.poses[p].height});
   return longest;
 }
 
@@ -258,8 +259,8 @@ double sideForAll(const std::vector<PackItem>& items) {
   double side = 0;
   for (const PackItem& item : items) {
     double narrow = std::numeric_limits<double>::infinity();
-    for (const Pose& pose : item.poses)
-      narrow = std::min(narrow, std::max(pose.width, pose.height));
+    for (std::size_t p = 0; p < item.poses.size(); ++p)
+      narrow = std::min(narrow, std::max(item.poses[p].width, item.poses[p].height));
     if (!item.poses.empty()) side = std::max(side, narrow);
   }
   return side;

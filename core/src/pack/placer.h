@@ -16,7 +16,7 @@ namespace abflat {
 /// A shape as the placing needs it.
 struct PackItem {
   Loops loops;
-  std::vector<Pose> poses;  ///< a full turn in equal steps; the first is that of the least box
+  Poses poses;  ///< the first is that of the least box
   Mass mass;
 };
 

@@ -54,12 +54,15 @@ Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& 
   return out;
 }
 
-std::vector<Pose> turns(const Pose& base, int count, const std::vector<PlanePoint>& hull) {
-  const std::size_t first = static_cast<std::size_t>(count + 3) / 4;
-  std::vector<Pose> out;
-  for (int k = 0; out.size() < first; ++k) out.push_back(turned(base, k, count, hull));
-  while (out.size() < static_cast<std::size_t>(count))
-    out.push_back(quarterTurned(out[out.size() - first]));
+Poses::Poses(const Pose& base, int count, const std::vector<PlanePoint>& hull)
+    : count_(static_cast<std::uint32_t>(count)) {
+  first_.reserve((count_ + 3) / 4);
+  for (int k = 0; k < (count + 3) / 4; ++k) first_.push_back(turned(base, k, count, hull));
+}
+
+Pose Poses::operator[](std::size_t i) const {
+  Pose out = first_[i % first_.size()];
+  for (std::size_t k = first_.size(); k <= i; k += first_.size()) out = quarterTurned(out);
   return out;
 }
 

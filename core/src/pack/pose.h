@@ -19,9 +19,21 @@ struct Pose {
 /// With `angle` in `of`-ths of a full turn; exact for quarters.
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull);
 
-/// A full turn in `count` equal steps: 1, or a multiple of 4. Those of the second quarter on are
-/// exactly the ones of the first, turned.
-std::vector<Pose> turns(const Pose& base, int count, const std::vector<PlanePoint>& hull);
+/// A full turn in equal steps: 1, or a multiple of 4. Those of the second quarter on are exactly
+/// the ones of the first, turned, so only these are kept.
+class Poses {
+ public:
+  Poses() = default;
+  Poses(const Pose& base, int count, const std::vector<PlanePoint>& hull);
+
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  Pose operator[](std::size_t i) const;
+
+ private:
+  std::vector<Pose> first_;
+  std::uint32_t count_ = 0;
+};
 
 /// The least area of the box among all rotations; wider than high.
 Pose leastBoxPose(const std::vector<PlanePoint>& hull);

@@ -167,7 +167,7 @@ void refine(const std::vector<PackItem>& items, const PackGrid& from, const Pack
   for (std::size_t i = 0; i < items.size(); ++i) {
     Spot& spot = found.best.spots[i];
     if (!spot.cell.isFound()) continue;
-    const Pose& pose = items[i].poses[spot.pose];
+    const Pose pose = items[i].poses[spot.pose];
     const PlanePoint before = margins(from, pose, found.texelsPerUnit);
     const PlanePoint after = margins(to, pose, found.texelsPerUnit);
     spot.cell = {parts * spot.cell.x + cells(before.x - after.x),

@@ -30,7 +30,8 @@ constexpr Key kKeys[] = {Key::Box, Key::Slim, Key::Side};
 
 double sizeOf(const PackItem& item, Key key) {
   if (item.poses.empty()) return 0;
-  const double width = item.poses[0].width, height = item.poses[0].height;
+  const Pose pose = item.poses[0];
+  const double width = pose.width, height = pose.height;
   if (key == Key::Box) return width * height;
   if (key == Key::Slim) return width * std::sqrt(width * height);
   return width * width;

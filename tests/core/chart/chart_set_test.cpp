@@ -28,24 +28,26 @@ ChartSet charts(const Cuttable& c, const Seams& seams) {
 TEST_CASE("without seams a disk is its own chart") {
   const Cuttable c(bumpyGrid(6, 5, 0.3, 2));
   const ChartSet set = charts(c, Seams(c.surface.table.twin.size(), 0));
-  REQUIRE(set.charts.size() == 1);
+  REQUIRE(set.size() == 1);
   const DiskChart wanted = makeDiskChart(c.mesh, c.surface);
-  CHECK(set.charts[0].vertexOfCorner == wanted.vertexOfCorner);
-  CHECK(set.charts[0].twin == wanted.twin);
-  CHECK(set.charts[0].boundary == wanted.boundary);
-  CHECK(set.charts[0].inputVertex == wanted.inputVertex);
-  CHECK(set.charts[0].positions == wanted.positions);
+  const DiskChart chart = set.chart(0);
+  CHECK(chart.vertexOfCorner == wanted.vertexOfCorner);
+  CHECK(chart.twin == wanted.twin);
+  CHECK(chart.boundary == wanted.boundary);
+  CHECK(chart.inputVertex == wanted.inputVertex);
+  CHECK(chart.positions == wanted.positions);
 }
 
 TEST_CASE("cut along all edges a surface is its triangles") {
   const Cuttable c(torus(5, 4));
   const Surface& surface = c.surface;
   const ChartSet set = charts(c, allSeams(surface));
-  REQUIRE(set.charts.size() == surface.table.triangleCount());
-  for (std::uint32_t f = 0; f < set.charts.size(); ++f) {
-    CHECK(set.charts[f].vertexCount() == 3);
-    CHECK(set.charts[f].boundary.size() == 3);
-    CHECK(set.triangles[f] == std::vector<std::uint32_t>{f});
+  REQUIRE(set.size() == surface.table.triangleCount());
+  for (std::uint32_t f = 0; f < set.size(); ++f) {
+    CHECK(set.topology(f).vertexCount() == 3);
+    CHECK(set.topology(f).boundary.size() == 3);
+    REQUIRE(set.triangles(f).size() == 1);
+    CHECK(set.triangles(f).front() == f);
     CHECK(set.ofTriangle[f] == f);
   }
 }
@@ -61,12 +63,12 @@ TEST_CASE("a strip cut across falls into charts whose corners are those of the s
     if (a == 4 && b == 4 && surface.table.twin[h] != kNone) seams[h] = 1;
   }
   const ChartSet set = charts(cuttable, seams);
-  REQUIRE(set.charts.size() == 2);
+  REQUIRE(set.size() == 2);
   std::set<std::uint32_t> seen;
   for (std::size_t i = 0; i < 2; ++i) {
-    const DiskChart& chart = set.charts[i];
+    const DiskChart chart = set.chart(i);
     for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c) {
-      const std::uint32_t whole = 3 * set.triangles[i][c / 3] + c % 3;
+      const std::uint32_t whole = 3 * set.triangles(i)[c / 3] + c % 3;
       CHECK(chart.inputVertex[chart.vertexOfCorner[c]] == surface.table.vertex[whole]);
       if (chart.twin[c] != kNone) CHECK(chart.twin[chart.twin[c]] == c);
       seen.insert(whole);

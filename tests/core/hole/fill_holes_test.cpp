@@ -39,7 +39,7 @@ std::uint32_t holesIn(const SeamMesh& mesh) {
 
 std::uint32_t holesIn(const ChartSet& set) {
   std::uint32_t sum = 0;
-  for (const DiskChart& chart : set.charts) sum += chart.filledHoles;
+  for (std::size_t i = 0; i < set.size(); ++i) sum += set.topology(i).filledHoles;
   return sum;
 }
 
@@ -130,11 +130,11 @@ TEST_CASE("motheaten surfaces fall into disks, their holes filled or not", "[hol
         const ChartSet set = filled.charts(seams);
         std::size_t triangles = 0;
         bool areDisks = true;
-        for (std::size_t i = 0; i < set.charts.size(); ++i) {
-          areDisks = areDisks && isDisk(set.charts[i]);
-          triangles += set.triangles[i].size();
-          CHECK(set.triangles[i].size() == set.charts[i].surfaceTriangles());
-          CHECK(!set.triangles[i].empty());
+        for (std::size_t i = 0; i < set.size(); ++i) {
+          areDisks = areDisks && isDisk(set.chart(i));
+          triangles += set.triangles(i).size();
+          CHECK(set.triangles(i).size() == set.topology(i).surfaceTriangles());
+          CHECK(!set.triangles(i).empty());
         }
         CHECK(areDisks);
         CHECK(triangles == filled.cuttable.surface.table.triangleCount());
@@ -154,8 +154,8 @@ TEST_CASE("where holes touch, each is filled by itself or none is", "[holes]") {
     return square == 2 * 8 + 2 || square == 3 * 8 + 3 || square == 6 * 8 + 6 || square == 7 * 8 + 7;
   }));
   const ChartSet set = filled.charts(filled.find(true, FillHoles::Auto));
-  REQUIRE(!set.charts.empty());
-  for (const DiskChart& chart : set.charts) CHECK(isDisk(chart));
+  REQUIRE(set.size() > 0);
+  for (std::size_t i = 0; i < set.size(); ++i) CHECK(isDisk(set.chart(i)));
 }
 
 TEST_CASE("holes that stay filled leave no vertex without a path, and no walk without an end",
@@ -180,6 +180,7 @@ TEST_CASE("holes that stay filled leave no vertex without a path, and no walk wi
     const PathForest forest = findPaths(filled.mesh, s, extra);
     for (std::uint32_t v = 0; v < s.vertexCount(); ++v) CHECK(forest.source[v] != kNone);
     const Seams seams = filled.find(true, FillHoles::Always);
-    for (const DiskChart& chart : filled.charts(seams).charts) CHECK(isDisk(chart));
+    const ChartSet set = filled.charts(seams);
+    for (std::size_t i = 0; i < set.size(); ++i) CHECK(isDisk(set.chart(i)));
   }
 }

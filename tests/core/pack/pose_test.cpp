@@ -64,12 +64,12 @@ TEST_CASE("turns go round in equal steps, quarters exactly", "[pack]") {
   for (const PackShape& shape : test::makePackShapes("mixed", 30, 10, 5)) {
     const std::vector<PlanePoint> hull = convexHull(pointsOf(shape));
     const Pose base = leastBoxPose(hull);
-    CHECK(turns(base, 1, hull).size() == 1);
+    CHECK(Poses(base, 1, hull).size() == 1);
     for (const int count : {4, 16}) {
-      const std::vector<Pose> poses = turns(base, count, hull);
+      const Poses poses(base, count, hull);
       REQUIRE(poses.size() == static_cast<std::size_t>(count));
       for (int k = 0; k < count; ++k) {
-        const Pose& pose = poses[static_cast<std::size_t>(k)];
+        const Pose pose = poses[static_cast<std::size_t>(k)];
         const Pose expected = turned(base, k, count, hull);
         CHECK(pose.cos == Approx(expected.cos).margin(1e-12));
         CHECK(pose.sin == Approx(expected.sin).margin(1e-12));
@@ -78,7 +78,7 @@ TEST_CASE("turns go round in equal steps, quarters exactly", "[pack]") {
         CHECK(pose.width == Approx(expected.width).margin(1e-9));
         CHECK(pose.quarter == 4 * k / count);
         if (k < count / 4) continue;
-        const Pose& before = poses[static_cast<std::size_t>(k - count / 4)];
+        const Pose before = poses[static_cast<std::size_t>(k - count / 4)];
         CHECK((pose.cos == -before.sin && pose.sin == before.cos));
         CHECK((pose.width == before.height && pose.height == before.width));
       }
