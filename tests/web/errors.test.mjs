@@ -106,6 +106,16 @@ test('without WebGL the page says so and still flattens', async (t) => {
 /** Presses the button that does what failed once more. */
 async function tryAgain(page) {
   assert.equal(await textOf(page, '#again'), 'Try again');
+  for (const button of ['#again', '#cancel'])
+    assert.ok(
+      await page.$eval(button, (each) => {
+        const { top, bottom } = each.getBoundingClientRect();
+        const dock = each.closest('.dock').getBoundingClientRect();
+        const isInside = top >= dock.top && bottom <= dock.bottom;
+        return isInside && each.scrollWidth <= each.clientWidth;
+      }),
+      `${button} shows all of its label`,
+    );
   await page.click('#again');
   await settled(page);
   assert.equal(await textOf(page, '#alert'), '');

@@ -27,15 +27,28 @@ async function point(page, x, y) {
   return hint(page);
 }
 
-/** Where vertices of the mesh are seen, as Map from vertex to [x, y]: found by pointing at the whole canvas. */
+/** Where vertices of the mesh are seen, as Map from vertex to [x, y]: found by pointing at the whole canvas, without the way from here to the browser. */
 async function vertices(page, steps = 12) {
-  const found = new Map();
-  for (let i = 1; i < steps; ++i)
-    for (let j = 1; j < steps; ++j) {
-      const vertex = /^Vertex (\d+): begin/.exec(await point(page, i / steps, j / steps));
-      if (vertex) found.set(Number(vertex[1]), [i / steps, j / steps]);
-    }
-  return found;
+  const found = await page.evaluate(async (steps) => {
+    const canvas = document.querySelector('#mesh-canvas');
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const found = [];
+    for (let i = 1; i < steps; ++i)
+      for (let j = 1; j < steps; ++j) {
+        const [x, y] = [i / steps, j / steps];
+        const [clientX, clientY] = [left + x * width, top + y * height];
+        const how = { clientX, clientY, pointerType: 'mouse', isPrimary: true };
+        canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, bubbles: true }));
+        // The page answers in the same frame, before.
+        await new Promise((done) => requestAnimationFrame(done));
+        const vertex = /^Vertex (\d+): begin/.exec(
+          document.querySelector('#seam-hint').textContent,
+        );
+        if (vertex) found.push([Number(vertex[1]), [x, y]]);
+      }
+    return found;
+  }, steps);
+  return new Map(found);
 }
 
 /** Moves the pointer to a seam between two vertices, which were seen somewhere near these places. */

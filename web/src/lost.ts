@@ -20,11 +20,14 @@ export const stopped = (detail: string) =>
     detail,
   );
 
+export const NO_WORKER = 'A worker cannot be loaded.';
+
 /** An error of abflat that says so, which is meant for whoever builds a page; null: another. */
 export function lostOf(error: unknown): Lost | null {
   if (error instanceof Lost) return error;
   if (!(error instanceof Error)) return null;
   const [first] = error.message.split(/(?<=\.)\s/);
+  if (/^Cannot load the worker /.test(first)) return notLoaded(NO_WORKER);
   if (/^Cannot load |^The browser does not start /.test(first)) return notLoaded(first);
   if (/^The worker of abflat stopped/.test(first)) return stopped(first);
   return null;

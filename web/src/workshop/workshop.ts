@@ -2,7 +2,7 @@ import { type Remote, transfer, wrap } from 'comlink';
 import type { Drawing, FlatDrawing } from '../drawing/drawing';
 import type { Outcome, Unwrapped } from '../lay-out';
 import type { AtlasDrawing } from '../layout-file/svg-text';
-import { notLoaded, stopped } from '../lost';
+import { NO_WORKER, notLoaded, stopped } from '../lost';
 import type { ArrayMesh, DisplayMesh } from '../mesh';
 import type { LayoutArrays } from '../picture';
 import type { SurfaceArrays } from '../seams/make-surface';
@@ -129,7 +129,7 @@ export class Workshop implements Helpers {
         worker.terminate();
         this.running = null;
         // A script that cannot be loaded has no message.
-        reject(event.message ? stopped(event.message) : notLoaded('A worker cannot be loaded.'));
+        reject(event.message ? stopped(event.message) : notLoaded(NO_WORKER));
       };
     });
     lost.catch(() => undefined); // whoever waits for the worker hears of it
