@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Pictures of the page in both themes, for the README: with each mesh, the charts of the last one, and a sample with its distortion plotted against t.
-// Usage: screenshots.mjs FOLDER MESH...   writes FOLDER/NAME-THEME.png, FOLDER/charts-THEME.png and FOLDER/details-THEME.png
+// Usage: screenshots.mjs FOLDER MESH[:turned]...   turned: seen from its other side; writes FOLDER/NAME-THEME.png, FOLDER/charts-THEME.png and FOLDER/details-THEME.png
 
 import { existsSync, mkdirSync, renameSync, statSync } from 'node:fs';
 import { join, parse } from 'node:path';
@@ -34,6 +34,7 @@ async function listCharts(page) {
   await page.keyboard.press('ArrowLeft');
   await page.waitForFunction(() => !document.body.ariaBusy);
   await page.locator('#stretch').blur();
+  await page.locator('#more').evaluate((options) => options.scrollIntoView());
   await page.mouse.move(0, 0);
 }
 
@@ -46,6 +47,7 @@ async function plotAgainstT(page) {
   await page.click('#tab-sweep');
   await page.click('#sweep');
   await page.waitForFunction(() => document.querySelector('#sweep').textContent !== 'Stop');
+  await page.locator('#mode-flatten').evaluate((button) => button.scrollIntoView({ block: 'end' }));
   await page.mouse.move(0, 0);
 }
 
@@ -55,15 +57,17 @@ async function photograph(url, meshes, theme, output) {
     const page = await browser.context.newPage();
     page.setDefaultTimeout(PATIENCE);
     await page.goto(url);
-    for (const mesh of meshes) {
-      await page.setInputFiles('#file', mesh);
+    for (const { file, isTurned } of meshes) {
+      await page.setInputFiles('#file', file);
       await page.waitForFunction(
         (name) => document.querySelector('#source').textContent === name && !document.body.ariaBusy,
-        parse(mesh).base,
+        parse(file).base,
       );
       const refusal = await page.locator('#alert').innerText();
       if (refusal) throw new Failure(refusal);
-      await save(page, output(parse(mesh).name));
+      if (isTurned) await page.click('#other-side');
+      await page.mouse.move(0, 0);
+      await save(page, output(parse(file).name));
     }
     await listCharts(page);
     await save(page, output('charts'));
@@ -75,10 +79,14 @@ async function photograph(url, meshes, theme, output) {
 }
 
 await runMain(async () => {
-  const [folder, ...meshes] = process.argv.slice(2);
-  if (meshes.length === 0) throw new Failure('Usage: screenshots.mjs FOLDER MESH...');
-  const missing = meshes.find((mesh) => !existsSync(mesh));
-  if (missing) throw new Failure(`There is no file ${missing}.`);
+  const [folder, ...named] = process.argv.slice(2);
+  const meshes = named.map((name) => ({
+    file: name.replace(/:turned$/, ''),
+    isTurned: name.endsWith(':turned'),
+  }));
+  if (meshes.length === 0) throw new Failure('Usage: screenshots.mjs FOLDER MESH[:turned]...');
+  const missing = meshes.find(({ file }) => !existsSync(file));
+  if (missing) throw new Failure(`There is no file ${missing.file}.`);
   mkdirSync(folder, { recursive: true });
   const server = await serveFolder(WEB_DIST);
   try {
