@@ -1,10 +1,19 @@
 #include "parallel.h"
 
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
 namespace abflat {
+namespace {
+
+/// Of a pulse, whatever the task does.
+constexpr std::size_t kStepsOfTask = 1 << 7;
+/// Elements of a range that count as one step.
+constexpr std::size_t kPerStep = 8;
+
+}  // namespace
 
 #if ABFLAT_THREADS
 namespace {
@@ -12,6 +21,8 @@ namespace {
 /// A thread that has nothing to do looks again so many times before it sleeps: what it waits for
 /// within a dense front takes less time than waking up.
 constexpr int kLooks = 100;
+/// For so long the owner waits for others without a word.
+constexpr std::chrono::milliseconds kSilence{50};
 
 }  // namespace
 
@@ -98,7 +109,13 @@ void ThreadPool::pause(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
   for (int i = 0; i < kLooks && changes_.load() == seen; ++i) std::this_thread::yield();
   lock.lock();
-  changed_.wait(lock, [&] { return changes_.load() != seen; });
+  const auto isChanged = [&] { return changes_.load() != seen; };
+  if (!pulse_ || !isOwner()) return changed_.wait(lock, isChanged);
+  while (!changed_.wait_for(lock, kSilence, isChanged)) {
+    lock.unlock();
+    pulse_->beat(Pulse::kSteps);
+    lock.lock();
+  }
 }
 
 void ThreadPool::announce() {
@@ -176,7 +193,10 @@ void parallelFor(ThreadPool* pool, std::size_t count,
   if (isParallel(pool) && count > 1) {
     std::atomic<std::size_t> next{0};
     const auto run = [&] {
-      for (std::size_t i = next++; i < count; i = next++) work(i);
+      for (std::size_t i = next++; i < count; i = next++) {
+        work(i);
+        pool->beat(kStepsOfTask);
+      }
     };
     TaskGroup group(pool);
     const std::size_t threads = std::min<std::size_t>(count, pool->threads());
@@ -184,20 +204,24 @@ void parallelFor(ThreadPool* pool, std::size_t count,
     group.wait();
     return;
   }
-#else
-  static_cast<void>(pool);
 #endif
-  for (std::size_t i = 0; i < count; ++i) work(i);
+  for (std::size_t i = 0; i < count; ++i) {
+    work(i);
+    beat(pool, kStepsOfTask);
+  }
 }
 
 void parallelRanges(ThreadPool* pool, std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t)>& work) {
-  if (!isParallel(pool)) {
+  if (!pool || count <= grain) {
     if (count > 0) work(0, count);
+    beat(pool, count / kPerStep);
     return;
   }
-  parallelFor(pool, (count + grain - 1) / grain,
-              [&](std::size_t i) { work(i * grain, std::min(count, (i + 1) * grain)); });
+  parallelFor(pool, (count + grain - 1) / grain, [&](std::size_t i) {
+    work(i * grain, std::min(count, (i + 1) * grain));
+    pool->beat(grain / kPerStep);
+  });
 }
 
 }  // namespace abflat

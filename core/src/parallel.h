@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "pulse.h"
+
 #if ABFLAT_THREADS
 #include <atomic>
 #include <condition_variable>
@@ -39,8 +41,18 @@ class ThreadPool {
   /// functions.
   bool isOwner() const;
 
-#if ABFLAT_THREADS
+  /// From now on the owner's thread lets `pulse` beat while it works and waits. It must outlive the
+  /// pool.
+  void listen(const Pulse& pulse) { pulse_ = &pulse; }
+  /// After `steps` small steps of work, whichever thread did them.
+  void beat(std::size_t steps) const {
+    if (pulse_ && isOwner()) pulse_->beat(steps);
+  }
+
  private:
+  const Pulse* pulse_ = nullptr;
+
+#if ABFLAT_THREADS
   friend class TaskGroup;
 
   void work();
@@ -87,7 +99,7 @@ class TaskGroup {
 
   void finish();
 
-  ThreadPool* pool_;
+  ThreadPool* pool_;  ///< null: one thread
   std::size_t unfinished_ = 0;
   std::exception_ptr error_;
 #endif
@@ -142,5 +154,9 @@ class Spares {
 };
 
 inline bool isParallel(const ThreadPool* pool) { return pool && pool->threads() > 1; }
+
+inline void beat(const ThreadPool* pool, std::size_t steps) {
+  if (pool) pool->beat(steps);
+}
 
 }  // namespace abflat

@@ -17,7 +17,6 @@ class Pulse {
   /// After `steps` small steps of work: whether there is to be more. What is returned early need
   /// not be complete, but holds together.
   bool beat(std::size_t steps = 1) const {
-    constexpr std::size_t kSteps = 1 << 15;  // some milliseconds
     done_ += steps;
     if (done_ < kSteps) return !isStopped_;
     done_ = 0;
@@ -25,6 +24,9 @@ class Pulse {
     return !isStopped_;
   }
   bool isStopped() const { return isStopped_; }
+
+  /// After so many it asks: some milliseconds.
+  static constexpr std::size_t kSteps = 1 << 15;
 
  private:
   std::function<bool()> goesOn_;

@@ -50,13 +50,19 @@ class Monitor {
     Progress now;
     now.stage = stage.name;
     now.fraction = stage.from + share * (stage.to - stage.from);
-    if (callback_ && !stopped_ && !callback_(now)) stopped_ = true;
+    last_ = now;
+    return tellAgain();
+  }
+  /// The same once more: the work goes on.
+  bool tellAgain() {
+    if (callback_ && !stopped_ && !callback_(last_)) stopped_ = true;
     return !stopped_;
   }
   bool stopped() const { return stopped_; }
 
  private:
   const ProgressCallback& callback_;
+  Progress last_;
   std::atomic<bool> stopped_{false};
 };
 
@@ -219,6 +225,7 @@ class Unwrapping {
     pool_ = std::make_unique<ThreadPool>(
         usefulThreads(options_.threads, surface_.table.triangleCount()));
     report_.threads = pool_->threads();
+    pool_->listen(pulse_);
     return {};
   }
 
@@ -232,6 +239,7 @@ class Unwrapping {
         welded_, surface_, given.value, fixed_, options_, *pool_,
         [&] { return monitor_.tell(kSeams); }, report_.seams);
     surface_.fans = Fans();
+    monitor_.tellAgain();
     if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
     return {};
   }
@@ -267,6 +275,7 @@ class Unwrapping {
   /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
   /// memory.
   void endCutting() {
+    monitor_.tellAgain();
     const Seams seams = visibleSeams(open_);
     measureSeams(open_, seams, report_.seams);
     out_.seams = seamEdges(mesh_, welded_, surface_, seams);
@@ -287,6 +296,7 @@ class Unwrapping {
   }
 
   Status readWishes() {
+    monitor_.tellAgain();
     texcoords_ = numberTexcoords(welded_, surface_, set_);
     Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, fixed_, options_);
     if (!wishes.ok()) return wishes.status;
@@ -333,10 +343,12 @@ class Unwrapping {
 
   Status finish() {
     checkAll(set_, options_, unit_, *pool_, flat_, packing_, report_);
+    monitor_.tellAgain();
     packing_ = Packing();
     noteStretched(flat_, options_, report_.notes);
     fillReport(set_, flat_, surface_, welded_, unit_, report_);
     fillOutput(mesh_, welded_, surface_, set_, texcoords_, std::move(flat_), unit_, out_);
+    monitor_.tellAgain();
     set_ = ChartSet();
     surface_ = Surface();
     texcoords_ = Texcoords();
@@ -352,6 +364,7 @@ class Unwrapping {
   const double unit_;
   Stopwatch watch_;
   Monitor monitor_;
+  const Pulse pulse_{[this] { return monitor_.tellAgain(); }};
   UnwrapResult out_;
   UnwrapReport& report_ = out_.report;
   WeldedMesh welded_;

@@ -17,18 +17,18 @@ namespace {
 /// filled; where there are none the surface as it is, which has the same elimination order whatever
 /// is given. The seams are those that are given but not its boundary.
 OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams given,
-                        const FixedTriangles& fixed, FillHoles mode) {
+                        const FixedTriangles& fixed, FillHoles mode, const Pulse& pulse) {
   CornerTable table = surface.table;
   for (std::size_t h = 0; h < given.size(); ++h)
     if (given[h]) table.twin[h] = kNone;
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
-    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal);
+    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
   OpenSurface out;
   out.mesh = meshOf(table, fans);
-  fillHoles(mode, fixed.isFixed, out.mesh);
+  fillHoles(mode, fixed.isFixed, out.mesh, pulse);
   if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty()) {
     fans = surface.fans;
     out.mesh = meshOf(surface.table, fans);
@@ -106,8 +106,8 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
                     const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
                     std::function<bool()> keepsOn, SeamSummary& summary) {
-  OpenSurface open =
-      openAndFill(welded, surface, withBorders(asked, fixed), fixed, options.fillHoles);
+  OpenSurface open = openAndFill(welded, surface, withBorders(asked, fixed), fixed,
+                                 options.fillHoles, Pulse(keepsOn));
   SeamReport found;
   findAround(fixed.isFixed, seamOptions(options, pool, std::move(keepsOn)), open, found);
   summary.genus = surface.summary.genus;

@@ -169,10 +169,11 @@ std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
 
 }  // namespace
 
-void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh) {
+void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh,
+               const Pulse& pulse) {
   const bool isOpen = std::find(mesh.twin.begin(), mesh.twin.end(), kNone) != mesh.twin.end();
   if (mode == FillHoles::Never || !isOpen) return;
-  const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
+  const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0), pulse);
   const std::vector<std::uint32_t> holes = holesOf(mesh, s, isFixed, mode);
   if (holes.empty()) return;
   const double seamCost = mode == FillHoles::Always ? kBarredCost : 0;

@@ -74,14 +74,17 @@ void findLoops(CutSurface& s) {
 
 }  // namespace
 
-CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams) {
+CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Pulse& pulse) {
   CutSurface s;
   s.twin = mesh.twin;
   for (std::size_t h = 0; h < s.twin.size(); ++h)
     if (seams[h]) s.twin[h] = kNone;
   findVertices(mesh, s);
+  pulse.beat(mesh.triangleCount());
   findCharts(s);
+  pulse.beat(mesh.triangleCount());
   findLoops(s);
+  pulse.beat(mesh.triangleCount());
   for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
     CutSurface::Chart& chart = s.charts[s.chartOfTriangle[f]];
     ++chart.triangles;

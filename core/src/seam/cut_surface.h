@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pulse.h"
 #include "seam/surface_mesh.h"
 
 namespace abflat {
@@ -39,6 +40,7 @@ struct CutSurface {
   std::uint32_t chartOfVertex(std::uint32_t v) const { return chartOfTriangle[outgoing[v] / 3]; }
 };
 
-CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams);
+/// `pulse` beats, and is not asked whether to go on.
+CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -94,7 +94,7 @@ double openSphere(const SeamMesh& mesh, const CutSurface& s, const PathForest& f
 }  // namespace
 
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
-                       std::vector<std::uint32_t> anchors, Seams& seams) {
+                       std::vector<std::uint32_t> anchors, Seams& seams, const Pulse& pulse) {
   TopologyCut cut;
   bool isAllDisks = true;
   std::vector<std::uint32_t> roots;
@@ -106,7 +106,7 @@ TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
       roots.push_back(anchors.empty() ? s.vertexOfCorner[3 * chart.firstTriangle] : anchors[c]);
   }
   if (isAllDisks) return cut;
-  const PathForest forest = findPaths(mesh, s, roots);
+  const PathForest forest = findPaths(mesh, s, roots, {}, pulse);
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
     const bool isSphere = s.charts[c].loops == 0 && s.charts[c].euler() == 2;
     if (!isSphere && !isAlmostClosed(s, s.charts[c])) continue;

@@ -15,6 +15,6 @@ struct TopologyCut {
 /// Adds the seams that make every chart a topological disk. `anchors`, where not empty, has for
 /// each chart of `surface` the vertex (of the cut surface) from which a closed one is opened.
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& surface,
-                       std::vector<std::uint32_t> anchors, Seams& seams);
+                       std::vector<std::uint32_t> anchors, Seams& seams, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -3,7 +3,7 @@
 namespace abflat {
 
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
-                       const std::vector<std::uint8_t>& isWanted) {
+                       const std::vector<std::uint8_t>& isWanted, const Pulse& pulse) {
   SeamPart part;
   SeamMesh& m = part.mesh;
   std::vector<std::uint32_t> vertex(s.vertexCount(), kNone), place(s.twin.size(), kNone);
@@ -18,6 +18,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     }
   }
   for (const std::uint32_t h : part.halfEdge) {
+    pulse.beat();
     const std::uint32_t v = s.vertexOfCorner[h], i = s.meshVertex[v];
     if (vertex[v] == kNone) {
       vertex[v] = static_cast<std::uint32_t>(m.vertexArea.size());

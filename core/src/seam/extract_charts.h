@@ -13,6 +13,6 @@ struct SeamPart {
   std::vector<std::uint32_t> vertex;    ///< of the whole, per vertex of the part
 };
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& surface,
-                       const std::vector<std::uint8_t>& isWanted);
+                       const std::vector<std::uint8_t>& isWanted, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -69,6 +69,7 @@ class Finder {
     return !report_.cancelled;
   }
 
+  const Pulse pulse_{[this] { return goesOn(); }};
   const SeamMesh& whole_;
   const SeamMesh* mesh_;  ///< what is still being cut: the whole or part_.mesh
   SeamPart part_;
@@ -97,7 +98,7 @@ void Finder::analyse() {
 }
 
 void Finder::open() {
-  const CutSurface s = cutAlong(whole_, result_);
+  const CutSurface s = cutAlong(whole_, result_, pulse_);
   givenCharts_ = s.charts;
   givenChartOf_ = s.chartOfTriangle;
   std::vector<std::uint32_t> closed;
@@ -108,14 +109,15 @@ void Finder::open() {
     const std::vector<double> u = scale_->solve(s, closed);
     if (!u.empty()) roots = extremes(s, predictStretch(whole_, s, u), u);
   }
-  const TopologyCut cut = cutToDisks(whole_, s, std::move(roots), result_);
+  const TopologyCut cut = cutToDisks(whole_, s, std::move(roots), result_, pulse_);
   report_.handleLoops = cut.handleLoops;
   report_.handleLength = cut.length;
 }
 
 CutSurface Finder::cut() {
-  CutSurface s = cutAlong(*mesh_, seams_);
-  return openTouchedHoles(*mesh_, s, options_.fillHoles, seams_) ? cutAlong(*mesh_, seams_) : s;
+  CutSurface s = cutAlong(*mesh_, seams_, pulse_);
+  return openTouchedHoles(*mesh_, s, options_.fillHoles, seams_) ? cutAlong(*mesh_, seams_, pulse_)
+                                                                 : s;
 }
 
 /// With automatic seams towards the peaks, otherwise towards the holes that cost most.
@@ -148,12 +150,13 @@ bool Finder::improve() {
   const CutSurface s = cut();
   const std::vector<double> u = scale_->solve(s, {});
   report_.solveSeconds += watch.lap();
-  if (u.empty()) {
+  if (u.empty() || !goesOn()) {
     handBack();
     return false;
   }
   for (std::uint32_t v = 0; v < u.size(); ++v) u_[isWhole() ? v : part_.vertex[v]] = u[v];
   prediction_ = predictStretch(*mesh_, s, u);
+  pulse_.beat(mesh_->triangleCount());
   isChanged_.assign(s.charts.size(), 0);
   const ShapeOptions shape{options_.leastFill, options_.mostOverlap};
   std::vector<SplitFor> asked = splitsAsked(s);
@@ -162,9 +165,10 @@ bool Finder::improve() {
   for (std::size_t c = 0; c < s.charts.size(); ++c)
     isWanted.push_back(asked[c] != SplitFor::Nothing ||
                        prediction_.stretch[c] > options_.maxStretch);
-  const PathForest forest = findPaths(*mesh_, s, {}, isWanted);
+  const PathForest forest = findPaths(*mesh_, s, {}, isWanted, pulse_);
   slit(s, forest, u);
-  report_.splits += splitByShape(*mesh_, s, forest, u, shapes, shape, asked, seams_);
+  pulse_.beat(mesh_->triangleCount());
+  report_.splits += splitByShape(*mesh_, s, forest, u, shapes, shape, asked, seams_, pulse_);
   for (std::size_t c = 0; c < s.charts.size(); ++c)
     if (asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
   return finishUnchanged(s);
@@ -180,7 +184,7 @@ bool Finder::finishUnchanged(const CutSurface& s) {
   if (changed > 0 && changed * kMuchSmaller > mesh_->triangleCount()) return true;
   handBack();
   if (changed == 0) return false;
-  SeamPart rest = extractCharts(*mesh_, s, isChanged_);
+  SeamPart rest = extractCharts(*mesh_, s, isChanged_, pulse_);
   Seams seams;
   for (std::uint32_t& h : rest.halfEdge) {
     // What was cut before this round is the part's boundary.
@@ -215,13 +219,13 @@ Seams Finder::run() {
   }
   handBack();
   if (!whole_.hole.empty())
-    openTouchedHoles(whole_, cutAlong(whole_, result_), options_.fillHoles, result_);
+    openTouchedHoles(whole_, cutAlong(whole_, result_, pulse_), options_.fillHoles, result_);
   Stopwatch watch;
   // Slits and splits are made where each is needed; together they may be more than that.
   if (options_.isAuto && goesOn())
     report_.merges = mergeCharts(whole_, given_, options_, report_.place, u_, result_);
   report_.mergeSeconds = watch.lap();
-  const CutSurface s = cutAlong(whole_, result_);
+  const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;
   for (const CutSurface::Chart& chart : s.charts)
     report_.charts += !whole_.isFilling(chart.firstTriangle);

@@ -58,6 +58,7 @@ void LogScale::buildPattern() {
   std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
   for (std::uint32_t h = 0; h < corners; ++h)
     if (isFirst(h)) edges[fill[low(h)]++] = h;
+  beat(pool_, corners);
   entryOfEdge_.assign(corners, kNone);
   for (std::uint32_t v = 0; v < n; ++v) {
     columnStart_.push_back(static_cast<int>(row_.size()));
@@ -75,6 +76,7 @@ void LogScale::buildPattern() {
   }
   columnStart_.push_back(static_cast<int>(row_.size()));
   values_.resize(row_.size());
+  beat(pool_, values_.size());
 }
 
 std::vector<double> LogScale::solve(const CutSurface& s,
@@ -117,6 +119,7 @@ void LogScale::assemble(const std::vector<std::uint8_t>& isFixed) {
     if (!isFixed[b]) values_[static_cast<std::size_t>(columnStart_[b])] += w;
     if (!isFixed[a] && !isFixed[b]) values_[entryOfEdge_[h]] -= w;
   }
+  beat(pool_, values_.size());
 }
 
 }  // namespace abflat

@@ -45,7 +45,7 @@ class Merger {
   std::uint32_t run() {
     std::uint32_t done = 0;
     while (!options_.keepsOn || options_.keepsOn()) {
-      const std::vector<Run> runs = matching(cutAlong(mesh_, seams_));
+      const std::vector<Run> runs = matching(cutAlong(mesh_, seams_, pulse_));
       const std::uint32_t now = runs.empty() ? 0 : joinWherePossible(runs);
       if (now == 0) break;
       done += now;
@@ -131,19 +131,19 @@ class Merger {
   /// The unions of what the runs, which are open, are between.
   Trial tryOut(const std::vector<Run>& runs) const {
     Trial out;
-    const CutSurface s = cutAlong(mesh_, seams_);
+    const CutSurface s = cutAlong(mesh_, seams_, pulse_);
     std::vector<std::uint8_t> isUnion(s.charts.size(), 0), isRun(mesh_.twin.size(), 0);
     for (const Run& run : runs) {
       isUnion[s.chartOfTriangle[run.edges.front() / 3]] = 1;
       for (const std::uint32_t h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
     }
-    out.part = extractCharts(mesh_, s, isUnion);
+    out.part = extractCharts(mesh_, s, isUnion, pulse_);
     Seams between;
     for (const std::uint32_t h : out.part.halfEdge) between.push_back(isRun[h]);
     std::vector<std::uint32_t> place;
     for (const std::uint32_t v : out.part.vertex) place.push_back(place_[v]);
-    out.joined = cutAlong(out.part.mesh, Seams(between.size(), 0));
-    out.apart = cutAlong(out.part.mesh, between);
+    out.joined = cutAlong(out.part.mesh, Seams(between.size(), 0), pulse_);
+    out.apart = cutAlong(out.part.mesh, between, pulse_);
     out.u = LogScale(out.part.mesh, options_.pool, std::move(place)).solve(out.joined, {});
     if (!out.u.empty()) out.prediction = predictStretch(out.part.mesh, out.joined, out.u);
     return out;
@@ -199,6 +199,7 @@ class Merger {
   const SeamMesh& mesh_;
   const Seams& kept_;
   const SeamOptions& options_;
+  const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
   const std::vector<std::uint32_t>& place_;
   std::vector<double>& u_;  ///< per vertex, of the charts as they are
   Seams& seams_;

@@ -32,7 +32,7 @@ void forEachEdge(const CutSurface& s, std::uint32_t v, Visit visit) {
 
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
                      const std::vector<std::uint32_t>& extra,
-                     const std::vector<std::uint8_t>& isWanted) {
+                     const std::vector<std::uint8_t>& isWanted, const Pulse& pulse) {
   const std::uint32_t n = s.vertexCount();
   PathForest f;
   f.distance.assign(n, std::numeric_limits<double>::infinity());
@@ -54,6 +54,7 @@ PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
     queue.pop();
     const std::uint32_t v = top.vertex;
     if (top.distance > f.distance[v]) continue;
+    pulse.beat();
     forEachEdge(s, v, [&](std::uint32_t h, std::uint32_t w) {
       const double d = top.distance + mesh.cost[h];
       if (!(d < f.distance[w])) return;

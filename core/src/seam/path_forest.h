@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pulse.h"
 #include "seam/cut_surface.h"
 
 namespace abflat {
@@ -29,10 +30,11 @@ struct PathForest {
 };
 
 /// Sources are all boundary vertices and `extra` ones (one for each closed chart).
-/// `isWanted`: per chart whether paths are needed there; empty: everywhere.
+/// `pulse` beats, and is not asked whether to go on. `isWanted`: per chart whether paths are needed
+/// there; empty: everywhere.
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& surface,
                      const std::vector<std::uint32_t>& extra,
-                     const std::vector<std::uint8_t>& isWanted = {});
+                     const std::vector<std::uint8_t>& isWanted = {}, const Pulse& pulse = {});
 
 /// Marks the path from a vertex to its source as seams; returns the length of what was not marked
 /// before.

@@ -48,9 +48,9 @@ struct Pieces {
 };
 
 Pieces takePieces(const SeamMesh& mesh, const CutSurface& s, const std::vector<SplitFor>& asked,
-                  const Seams& seams) {
+                  const Seams& seams, const Pulse& pulse) {
   Pieces out;
-  out.part = extractCharts(mesh, s, areAsked(asked));
+  out.part = extractCharts(mesh, s, areAsked(asked), pulse);
   // What was cut before is the part's boundary.
   for (const std::uint32_t h : out.part.halfEdge)
     out.seams.push_back(seams[h] && s.twin[h] != kNone);
@@ -77,26 +77,26 @@ std::vector<Shape> shapesToSplit(const SeamMesh& mesh, const CutSurface& s,
 std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
                            const PathForest& forest, const std::vector<double>& u,
                            const std::vector<Shape>& shapes, const ShapeOptions& options,
-                           std::vector<SplitFor>& asked, Seams& seams) {
+                           std::vector<SplitFor>& asked, Seams& seams, const Pulse& pulse) {
   std::uint32_t splits = splitOnce(mesh, surface, forest, shapes, options, asked, seams);
   if (splits == 0) return 0;
-  Pieces now = takePieces(mesh, surface, asked, seams);
+  Pieces now = takePieces(mesh, surface, asked, seams, pulse);
   constexpr int kMostLevels = 12;
   for (int level = 1; level < kMostLevels; ++level) {
     const SeamPart& part = now.part;
     std::vector<double> scale;
     scale.reserve(part.vertex.size());
     for (const std::uint32_t v : part.vertex) scale.push_back(u[v]);
-    const CutSurface s = cutAlong(part.mesh, now.seams);
+    const CutSurface s = cutAlong(part.mesh, now.seams, pulse);
     std::vector<SplitFor> all(s.charts.size(), SplitFor::OverlapOrFill);
     const std::vector<Shape> bad = shapesToSplit(part.mesh, s, scale, options, all);
-    const PathForest paths = findPaths(part.mesh, s, {}, areAsked(all));
+    const PathForest paths = findPaths(part.mesh, s, {}, areAsked(all), pulse);
     const std::uint32_t more = splitOnce(part.mesh, s, paths, bad, options, all, now.seams);
     if (more == 0) break;
     splits += more;
     for (std::size_t h = 0; h < now.seams.size(); ++h)
       if (now.seams[h]) seams[part.halfEdge[h]] = 1;
-    Pieces next = takePieces(part.mesh, s, all, now.seams);
+    Pieces next = takePieces(part.mesh, s, all, now.seams, pulse);
     for (std::uint32_t& h : next.part.halfEdge) h = part.halfEdge[h];
     for (std::uint32_t& v : next.part.vertex) v = part.vertex[v];
     now = std::move(next);

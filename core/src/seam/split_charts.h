@@ -28,6 +28,6 @@ std::vector<Shape> shapesToSplit(const SeamMesh& mesh, const CutSurface& surface
 std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
                            const PathForest& forest, const std::vector<double>& u,
                            const std::vector<Shape>& shapes, const ShapeOptions& options,
-                           std::vector<SplitFor>& asked, Seams& seams);
+                           std::vector<SplitFor>& asked, Seams& seams, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -96,7 +96,8 @@ double SeamMesh::totalArea() const {
 }
 
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
-                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal) {
+                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal,
+                      const Pulse& pulse) {
   SeamMesh m;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
@@ -108,8 +109,12 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
   m.cost.resize(corners);
   m.weight.resize(corners);
   std::vector<double> cotangent(corners);
-  for (std::uint32_t f = 0; f < m.triangleCount(); ++f) measureTriangle(m, f, cotangent);
+  for (std::uint32_t f = 0; f < m.triangleCount(); ++f) {
+    measureTriangle(m, f, cotangent);
+    pulse.beat();
+  }
   weighEdges(m, cotangent);
+  pulse.beat(corners);
   for (std::size_t h = 0; h < isDiagonal.size(); ++h)
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();
   m.vertexArea.assign(fans.inputVertex.size(), 0);

@@ -7,6 +7,7 @@
 #include "abflat/mesh.h"
 #include "mesh/corner_table.h"
 #include "mesh/topology.h"
+#include "pulse.h"
 
 namespace abflat {
 
@@ -57,6 +58,7 @@ struct SeamMesh {
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
 /// `isDiagonal` is per half-edge, or empty where all faces are triangles.
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
-                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal = {});
+                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal = {},
+                      const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -93,6 +93,7 @@ PolygonMesh city(unsigned m, unsigned height) {
 }
 
 /// Calls from solvers, one for each Newton step, and the result.
+/// Calls, one for each Newton step and each piece of work of some milliseconds.
 struct Counted {
   int steps = 0;
   int firstSteps = 0;  ///< before any chart is done
@@ -165,8 +166,8 @@ TEST_CASE("charts that touch themselves cost no more than one solution each") {
   const PolygonMesh mesh = uvSphere(200, 100);
   const Counted sphere = unwrapped(mesh);
   CHECK(sphere.report.valid);
-  // Three steps, and a call as each stage or round begins.
-  CHECK(sphere.steps <= 8);
+  // Three steps. Untangling took hundreds, with dozens of calls each.
+  CHECK(sphere.steps <= 100);
   CHECK(sphere.report.symmetricDirichlet < 1.04);
   CHECK(sphere.report.seams.relativeLength < 1.4);
 }
@@ -176,7 +177,7 @@ TEST_CASE("what is stretched too much is cut before it is untangled") {
   CHECK(towers.report.valid);
   // The plane with all towers is one chart at first. It crosses itself at thousands of places,
   // which took hundreds of steps.
-  CHECK(towers.firstSteps <= 10);
+  CHECK(towers.firstSteps <= 100);
   CHECK(towers.steps <= 4 * static_cast<int>(towers.report.charts.size()));
   for (const UnwrapChart& chart : towers.report.charts) CHECK(chart.solver == "activeSet");
 }

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <random>
+#include <string>
 
 #include "abflat/unwrap.h"
 #include "catch.h"
@@ -97,4 +99,28 @@ TEST_CASE("a run that is cancelled while it sees the surface ends there") {
     CHECK(flatten(zigzag(5000), disk).status.code == StatusCode::Aborted);
     CHECK(calls == most);
   }
+}
+
+TEST_CASE("calls become more with the mesh while seams are sought and charts flattened") {
+  const auto calls = [](unsigned n, int threads) {
+    std::map<std::string, int> out;
+    double fraction = 0;
+    bool isMonotone = true;
+    UnwrapOptions options;
+    options.threads = threads;
+    options.progress = [&](const Progress& p) {
+      ++out[p.stage];
+      isMonotone = isMonotone && p.fraction >= fraction;
+      fraction = p.fraction;
+      return true;
+    };
+    CHECK(unwrap(torus(n, n), options).ok());
+    CHECK(isMonotone);
+    return out;
+  };
+  std::map<std::string, int> few = calls(60, 1), many = calls(240, 1);
+  // 16 times the triangles.
+  CHECK(many["seams"] > 6 * few["seams"]);
+  CHECK(many["solve"] > 4 * few["solve"]);
+  CHECK(calls(120, 2)["seams"] > few["seams"]);
 }

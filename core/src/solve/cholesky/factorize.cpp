@@ -10,6 +10,8 @@ namespace {
 
 /// Numbers that are set or added up as one piece of work.
 constexpr std::size_t kGrain = 1 << 15;
+/// Multiplications within a front that count as one step of a pulse.
+constexpr std::size_t kPerStep = 4096;
 
 /// A supernode that is done, and its update matrix.
 template <typename Scalar>
@@ -160,6 +162,7 @@ class BasicCholesky<Scalar>::Factorization {
       return false;
     }
     addChildren(false);
+    beat(owner_.options_.pool, rows * rows * columns / kPerStep + rows);
     return true;
   }
 

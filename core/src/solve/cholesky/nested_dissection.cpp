@@ -113,6 +113,7 @@ class Dissection {
     while (!todo.empty()) {
       const Part whole = std::move(todo.back());
       todo.pop_back();
+      beat(pool_, whole.graph.size());
       Part first, second;
       if (whole.graph.size() <= options_.leafVertices || !divide(whole, scratch, first, second)) {
         orderLeaf(whole, scratch);

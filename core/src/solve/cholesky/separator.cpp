@@ -165,6 +165,7 @@ bool cutByLevels(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeW
 bool cutCoarsened(const WeightedGraph& g, const std::vector<std::uint32_t>& edgeWeight, int level,
                   std::uint32_t seed, ThreadPool* pool, Separation& s) {
   const CoarseGraph coarse = coarsen(g, edgeWeight, seed);
+  beat(pool, g.size());
   if (coarse.graph.size() > kLeastShrinking * g.size()) return cutFrom(g, 0, s);
   Separation rough;
   if (!cutByLevels(coarse.graph, coarse.edgeWeight, level + 1, seed, pool, rough)) return false;
@@ -172,6 +173,7 @@ bool cutCoarsened(const WeightedGraph& g, const std::vector<std::uint32_t>& edge
   for (std::uint32_t v = 0; v < g.size(); ++v) s.set[v] = rough.set[coarse.cluster[v]];
   addWeights(g, s);
   refineSeparator(g, s);
+  beat(pool, g.size());
   return true;
 }
 

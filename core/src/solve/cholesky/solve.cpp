@@ -139,6 +139,11 @@ class Substitution {
             sign_ + s_.firstColumn[p]};
   }
 
+  void endStep(std::uint32_t p) const {
+    constexpr std::size_t kPerStep = 256;  // multiplications
+    beat(pool_, std::size_t{s_.columns(p)} * (s_.columns(p) + s_.rowsBelow(p)) / kPerStep + 1);
+  }
+
   Waiting resultsOfChildren(const CholeskyTask& task) {
     Waiting waiting;
     for (std::uint32_t c = task.firstChild; c != kNoParent; c = s_.tasks.all[c].nextSibling) {
@@ -155,7 +160,10 @@ class Substitution {
     const CholeskyTask& task = s_.tasks.all[t];
     Waiting waiting = resultsOfChildren(task);
     Numbers local(s_.maxFrontRows * sides_);
-    for (std::uint32_t p = task.begin; p < task.end; ++p) forward(p, waiting, local);
+    for (std::uint32_t p = task.begin; p < task.end; ++p) {
+      forward(p, waiting, local);
+      endStep(p);
+    }
     result_[t] = std::move(waiting.numbers);
   }
 
@@ -203,6 +211,7 @@ class Substitution {
         at.backward(local.data());
         std::copy_n(local.data(), at.columns, x + s_.firstColumn[p]);
       }
+      endStep(p);
     }
   }
 

@@ -89,6 +89,7 @@ void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymboli
   });
   for (std::uint32_t p = 0; p < s.supernodes(); ++p) s.entriesBegin[p + 1] += s.entriesBegin[p];
   s.entries.resize(s.entriesBegin.back());
+  beat(pool, s.entries.size());
   struct Position {
     std::uint32_t row, column;
   };
@@ -99,6 +100,7 @@ void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymboli
     s.entries[i].source = source;
     position[i] = {row, column};
   });
+  beat(pool, s.entries.size());
   Spares<std::vector<std::uint32_t>> spares;
   parallelRanges(pool, s.supernodes(), 1000, [&](std::size_t begin, std::size_t end) {
     std::unique_ptr<std::vector<std::uint32_t>> spare = spares.take();
@@ -134,13 +136,22 @@ CholeskySymbolic analyzePattern(const LowerPattern& pattern,
   CholeskySymbolic s;
   s.size = pattern.rows;
   s.values = pattern.rows ? static_cast<std::uint32_t>(pattern.columnStart[pattern.rows]) : 0;
+  const auto endStep = [&] { beat(options.pool, s.values); };
   const CompressedGraph c = compressGraph(pattern);
-  const EliminationTree tree = eliminationTree(
-      c.graph, options.place.empty() ? nestedDissection(c.graph, options.dissection, options.pool)
-                                     : knownOrder(c, options.place));
-  expandRows(c, findSupernodes(c.graph, tree, options.panelCost), s);
+  endStep();
+  const std::vector<std::uint32_t> order =
+      options.place.empty() ? nestedDissection(c.graph, options.dissection, options.pool)
+                            : knownOrder(c, options.place);
+  endStep();
+  const EliminationTree tree = eliminationTree(c.graph, order);
+  endStep();
+  const Supernodes supernodes = findSupernodes(c.graph, tree, options.panelCost);
+  endStep();
+  expandRows(c, supernodes, s);
+  endStep();
   numberInParents(s);
   measure(s);
+  endStep();
   placeEntries(pattern, options.pool, s);
   return s;
 }
