@@ -92,8 +92,8 @@ PolygonMesh city(unsigned m, unsigned height) {
   return mesh;
 }
 
-/// Calls from solvers, one for each Newton step, and the result.
-/// Calls, one for each Newton step and each piece of work of some milliseconds.
+/// Calls while charts are solved, one for each Newton step and each piece of work of some
+/// milliseconds, and the result.
 struct Counted {
   int steps = 0;
   int firstSteps = 0;  ///< before any chart is done
