@@ -40,9 +40,10 @@ class ObjReader {
                         "the face refers to vertex " + std::to_string(largestIndex_) +
                             ", but the file has " + std::to_string(knownVertices()) + " vertices");
     if (mesh_.positions.empty() && mesh_.faceVertices.empty())
-      return Status{StatusCode::ParseError, std::string(fileName_) +
-                                                ": holds no vertices and no faces" +
-                                                (text.empty() ? "; the file is empty" : "")};
+      return Status{StatusCode::ParseError,
+                    std::string(fileName_) +
+                        (text.empty() ? ": the file is empty"
+                                      : ": the file contains no mesh (no v and no f lines)")};
     settleTexcoords(mesh_);
     if (!materials_.empty()) mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
     return std::move(mesh_);

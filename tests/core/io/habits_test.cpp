@@ -116,7 +116,7 @@ TEST_CASE("OBJ: habits of exporters", "[habits]") {
           {"UTF-16", utf16(plain, false, true), "UTF-16; save it as UTF-8"},
           {"UTF-16, big", utf16(plain, true, true), "UTF-16; save it as UTF-8"},
           {"UTF-16 without a mark", utf16(plain, false, false), "UTF-16; save it as UTF-8"},
-          {"nothing", "mtllib a.mtl\n", "no vertices and no faces"},
+          {"nothing", "mtllib a.mtl\n", "the file contains no mesh (no v and no f lines)"},
       },
       MeshFormat::Obj, "obj");
 }

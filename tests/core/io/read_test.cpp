@@ -44,7 +44,7 @@ TEST_CASE("OBJ: polygons, negative indices, comments, CRLF, joined lines and ext
 
 TEST_CASE("OBJ: what is wrong is named with its line") {
   checkError(obj(""), "a.obj: ", "empty");
-  checkError(obj("# nothing\n"), "a.obj: ", "no vertices");
+  checkError(obj("# nothing\n"), "a.obj: ", "no mesh (no v and no f lines)");
   checkError(obj("v 0 0 0\nv 1 2"), "a.obj:2: ", "2 coordinates");
   checkError(obj("v 0 0 zero\n"), "a.obj:1: ", "'zero' is not a number");
   checkError(obj("v 0 0 1.5x\n"), "a.obj:1: ", "'1.5x' is not a number");
