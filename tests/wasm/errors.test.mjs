@@ -16,7 +16,8 @@ after(() => abflat.terminate());
 
 const isSentence = (message) => message.length > 10 && /\s/.test(message);
 
-async function assertFails(call, code, pattern = /./) {
+/** `lost`: the part of abflat that is missing. */
+async function assertFails(call, code, pattern = /./, lost = null) {
   await assert.rejects(call, (error) => {
     assert.ok(error instanceof AbflatError, `${error}`);
     assert.ok(error instanceof Error);
@@ -25,6 +26,7 @@ async function assertFails(call, code, pattern = /./) {
     assert.ok(STATUS_NAMES.includes(error.code));
     assert.ok(isSentence(error.message), error.message);
     assert.match(error.message, pattern);
+    assert.equal(error.lost, lost, error.message);
     return true;
   });
 }
@@ -191,13 +193,15 @@ test('unknown settings of createAbflat: InvalidOption', async () => {
 });
 
 test('a wrong wasmUrl: UnreadableFile that names it', async () => {
-  await assertFails(createAbflat({ wasmUrl: '/nowhere/abflat.wasm' }), 'UnreadableFile', /nowhere/);
-  const noWasm = new URL('./errors.test.mjs', import.meta.url);
-  await assertFails(createAbflat({ wasmUrl: noWasm }), 'UnreadableFile', /errors\.test\.mjs/);
+  const assertMissing = (wasmUrl, pattern) =>
+    assertFails(createAbflat({ wasmUrl }), 'UnreadableFile', pattern, 'module');
+  await assertMissing('/nowhere/abflat.wasm', /nowhere/);
+  await assertMissing(new URL('./errors.test.mjs', import.meta.url), /errors\.test\.mjs/);
 });
 
 test('a wrong workerUrl: UnreadableFile', async () => {
-  await assertFails(createAbflat({ workerUrl: '/nowhere/worker.js' }), 'UnreadableFile', /nowhere/);
+  const call = createAbflat({ workerUrl: '/nowhere/worker.js' });
+  await assertFails(call, 'UnreadableFile', /nowhere/, 'worker');
 });
 
 const CRASHES = [
@@ -215,7 +219,7 @@ for (const [what, script] of CRASHES) {
     try {
       const workerUrl = join(folder, 'worker.cjs');
       writeFileSync(workerUrl, script);
-      await assertFails(createAbflat({ workerUrl }), 'Internal', /boom|3/);
+      await assertFails(createAbflat({ workerUrl }), 'Internal', /boom|3/, 'stopped');
     } finally {
       rmSync(folder, { recursive: true });
     }

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { loadModule as load } from './modules.mjs';
+import { AbflatError, loadModule as load } from './modules.mjs';
 
 test('copies are those of the arrays, whatever their size and kind, in buffers of their own', async () => {
   const { buffersOf, copied } = await load('workshop/buffers');
@@ -57,10 +57,19 @@ test('what could not be started is started again, what could is not', async () =
 
 test('an error of abflat that it was not loaded is told from that of a mesh', async () => {
   const { lostOf } = await load('lost');
-  const error = (message) => Object.assign(new Error(message), { code: 'UnreadableFile' });
-  const lost = lostOf(error('Cannot load http://a.org/b.wasm: Failed to fetch. A bundler may.'));
-  assert.match(lost.message, /connection/);
-  assert.equal(lost.detail, 'Cannot load http://a.org/b.wasm: Failed to fetch.');
-  assert.match(lostOf(error('The worker of abflat stopped: memory')).message, /stopped/);
-  assert.equal(lostOf(error('mesh.xyz: unknown format. Use OBJ.')), null);
+  const say = (part, message) => {
+    const lost = lostOf(new AbflatError('UnreadableFile', message, part));
+    return lost && [lost.message, lost.detail];
+  };
+  const [notLoaded, detail] = say('module', 'b.wasm: Failed to fetch. A bundler may.');
+  assert.match(notLoaded, /connection/);
+  assert.equal(detail, 'b.wasm: Failed to fetch.');
+  assert.deepEqual(say('worker', 'b.js. Bundlers!'), [notLoaded, 'A worker cannot be loaded.']);
+  const [stopped, why] = say('stopped', 'memory');
+  assert.match(stopped, /stopped/);
+  assert.equal(why, 'memory');
+  // Whatever the words are.
+  assert.equal(say(null, 'Cannot load the worker of abflat'), null);
+  assert.equal(say(undefined, 'mesh.xyz: unknown format. Use OBJ.'), null);
+  assert.equal(lostOf(new Error('The worker of abflat stopped')), null);
 });

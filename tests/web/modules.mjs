@@ -14,5 +14,8 @@ const vite = await createServer({
 });
 after(() => vite.close());
 
+/** That of the page's modules: another than the one of node. */
+export const { AbflatError } = await vite.ssrLoadModule('abflat');
+
 /** A module of web/src by its name without ending. */
 export const loadModule = (name) => vite.ssrLoadModule(`/src/${name}.ts`);

@@ -103,7 +103,7 @@ async function loadModule(
   const wanted = build ?? bestBuild();
   const address = wasmUrl ?? (baseUrl && platform.fileIn(baseUrl, wasmName(wanted)));
   const module = await platform.loadModule(wanted, address).catch((error: unknown) => {
-    throw new AbflatError('UnreadableFile', messageOf(error));
+    throw new AbflatError('UnreadableFile', messageOf(error), 'module');
   });
   const found = buildOf(module);
   if (build !== undefined && build !== found)

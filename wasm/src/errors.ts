@@ -1,13 +1,19 @@
 import type { StatusName } from './generated.js';
 
+/** What of abflat itself is missing: its module or its worker cannot be loaded, or the worker has stopped. */
+export type LostPart = 'module' | 'worker' | 'stopped';
+
 /** Why a call has no result: `code` for programs, `message` one sentence for people. */
 export class AbflatError extends Error {
   override readonly name = 'AbflatError';
   readonly code: StatusName;
+  /** Set where neither mesh nor options are at fault, so that trying again may help. */
+  readonly lost: LostPart | null;
 
-  constructor(code: StatusName, message: string) {
+  constructor(code: StatusName, message: string, lost: LostPart | null = null) {
     super(message);
     this.code = code;
+    this.lost = lost;
   }
 }
 

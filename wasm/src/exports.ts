@@ -1,7 +1,7 @@
 // What the package exports beside createAbflat.
 
 export { type Build, bestBuild } from './builds.js';
-export { AbflatError } from './errors.js';
+export { AbflatError, type LostPart } from './errors.js';
 export {
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,

@@ -59,7 +59,7 @@ async function fetchFile(url: URL, advice: string): Promise<Response> {
 }
 
 const crash = (reason: string) =>
-  new AbflatError('Internal', `The worker of abflat stopped: ${reason}`);
+  new AbflatError('Internal', `The worker of abflat stopped: ${reason}`, 'stopped');
 
 /** The error event of a script that cannot be loaded has no message. */
 function notLoaded(address?: Address): AbflatError {
@@ -73,6 +73,7 @@ function notLoaded(address?: Address): AbflatError {
     'UnreadableFile',
     `Cannot load the worker of abflat from ${place}: it is not there, it is served with a type that is no script's, ${header}or worker-src of ` +
       `the page's content security policy forbids it (from another origin it needs blob: and that origin).${advice}`,
+    'worker',
   );
 }
 
@@ -86,7 +87,8 @@ function openWorker(build: Build, address?: Address): Worker {
   } catch (error) {
     throw new AbflatError(
       'UnreadableFile',
-      `The browser does not start the worker of abflat: ${messageOf(error)}`,
+      `The browser does not start the worker of abflat: ${messageOf(error)}.`,
+      'worker',
     );
   }
 }

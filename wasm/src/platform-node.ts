@@ -57,8 +57,9 @@ function crash(reason: unknown, advice = ''): AbflatError {
     ? new AbflatError(
         'UnreadableFile',
         `Cannot load the worker of abflat: ${messageOf(reason)}.${advice}`,
+        'worker',
       )
-    : new AbflatError('Internal', `The worker of abflat stopped: ${messageOf(reason)}`);
+    : new AbflatError('Internal', `The worker of abflat stopped: ${messageOf(reason)}`, 'stopped');
 }
 
 const isRemote = (address: Address) => /^https?:/.test(textOf(address));

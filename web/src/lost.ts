@@ -1,3 +1,5 @@
+import { AbflatError, type LostPart } from 'abflat';
+
 /** A part of the page could not be loaded or has stopped: trying again may help. `detail`: what was said about it. */
 export class Lost extends Error {
   constructor(
@@ -22,13 +24,16 @@ export const stopped = (detail: string) =>
 
 export const NO_WORKER = 'A worker cannot be loaded.';
 
-/** An error of abflat that says so, which is meant for whoever builds a page; null: another. */
+const OF_PART: Record<LostPart, (sentence: string) => Lost> = {
+  module: notLoaded,
+  worker: () => notLoaded(NO_WORKER),
+  stopped,
+};
+
+/** What an error of abflat says of abflat itself; null: it is about a mesh. What follows its first sentence is for whoever builds a page. */
 export function lostOf(error: unknown): Lost | null {
   if (error instanceof Lost) return error;
-  if (!(error instanceof Error)) return null;
+  if (!(error instanceof AbflatError && error.lost)) return null;
   const [first] = error.message.split(/(?<=\.)\s/);
-  if (/^Cannot load the worker /.test(first)) return notLoaded(NO_WORKER);
-  if (/^Cannot load |^The browser does not start /.test(first)) return notLoaded(first);
-  if (/^The worker of abflat stopped/.test(first)) return stopped(first);
-  return null;
+  return OF_PART[error.lost](first);
 }
