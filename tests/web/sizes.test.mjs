@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
-import { dropAndWait, openPage, settled } from './page.mjs';
+import { choose, dropAndWait, openPage, settled } from './page.mjs';
 
 /** Of the height of the window. */
 const SHARE = 0.6;
@@ -56,6 +56,32 @@ test('the views have most of the window, and each control of the dock can be rea
         `${name} is shown`,
       );
       assert.ok(box.x >= dock.x && box.x + box.width <= dock.x + dock.width, `${name} is shown`);
+    }
+  }
+});
+
+test('labels of numbers can be read in full, and the dock needs no scrolling, in low windows too', async (t) => {
+  const page = await openPage(t);
+  for (const mode of ['unwrap', 'flatten']) {
+    await choose(page, mode);
+    for (const [width, height] of [
+      [1280, 720],
+      [1280, 675],
+      [1366, 768],
+      [1920, 675],
+    ]) {
+      await resize(page, width, height);
+      const cut = await page.evaluate(() =>
+        [
+          ...[...document.querySelectorAll('.metric dt')].filter(
+            (label) => label.scrollWidth > label.clientWidth,
+          ),
+          ...[...document.querySelectorAll('.ask, .result, .run')].filter(
+            (part) => part.scrollHeight > part.clientHeight,
+          ),
+        ].map((part) => (part.matches('dt') ? part.textContent : part.className)),
+      );
+      assert.deepEqual(cut, [], `${mode}, ${width} x ${height}`);
     }
   }
 });
