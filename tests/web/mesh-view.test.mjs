@@ -99,6 +99,40 @@ test('keys and a button look from front, right, top and the other side; Reset le
     );
 });
 
+/** Counts how often each canvas is cleared, as it is at the beginning of a picture. */
+function prepareCounting() {
+  globalThis.pictures = {};
+  const { clear } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.clear = function (...what) {
+    const { id } = this.canvas;
+    globalThis.pictures[id] = (globalThis.pictures[id] ?? 0) + 1;
+    return clear.apply(this, what);
+  };
+}
+
+test('a picture is drawn once for each change, and not at all while nothing changes', async (t) => {
+  const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareCounting) });
+  // Frames in which nothing was drawn, one after the other.
+  const still = () =>
+    page.evaluate(async () => {
+      const sum = () => Object.values(globalThis.pictures).reduce((a, b) => a + b, 0);
+      for (let quiet = 0, last = sum(); quiet < 10; ) {
+        await new Promise((done) => requestAnimationFrame(done));
+        quiet = sum() === last ? quiet + 1 : 0;
+        last = sum();
+      }
+      return globalThis.pictures;
+    });
+  const opened = await still();
+  // The empty views, the mesh, its charts and its seams.
+  assert.ok(opened['mesh-canvas'] <= 4, `${opened['mesh-canvas']} pictures of the mesh`);
+  assert.ok(opened['layout-canvas'] <= 2, `${opened['layout-canvas']} of the layout`);
+  await page.click('#wireframe');
+  const wired = await still();
+  assert.equal(wired['mesh-canvas'], opened['mesh-canvas'] + 1);
+  assert.equal(wired['layout-canvas'], opened['layout-canvas']);
+});
+
 test('a mesh far from the origin, with a stray vertex, fills its pane', async (t) => {
   const page = await openPage(t, STILL);
   const corners = [

@@ -96,7 +96,7 @@ export class MeshView {
       this.colorBoundary();
       this.flatPaint = this.isAtlas ? SurfacePaint.Charts : SurfacePaint.Checker;
       this.isFlat = flat !== null;
-      this.paint();
+      this.setUniforms();
     });
     this.frames = mesh.frames;
     this.stage.invalidate();
@@ -204,10 +204,14 @@ export class MeshView {
   }
 
   private paint(): void {
+    this.setUniforms();
+    this.stage.invalidate();
+  }
+
+  private setUniforms(): void {
     const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : this.flatPaint;
     this.material.uniforms.paint.value = this.isFlat ? flatPaint : SurfacePaint.Clay;
     this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
-    this.stage.invalidate();
   }
 
   private resized(): void {

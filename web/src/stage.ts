@@ -9,6 +9,8 @@ export class Stage {
   height = 1;
   private isScheduled = false;
   private isReady = false;
+  /** Something has changed since the last picture. */
+  private isStale = false;
 
   /** Throws NoWebGl when the browser offers no WebGL 2. */
   constructor(
@@ -33,7 +35,7 @@ export class Stage {
     // Asks for their errors now: later it would wait for pictures that are being drawn.
     for (const program of this.renderer.info.programs ?? []) program.getUniforms();
     this.isReady = true;
-    this.draw();
+    this.drawNow();
   }
 
   get pixelRatio(): number {
@@ -42,26 +44,40 @@ export class Stage {
 
   /** Draws in the next frame, however often it is called before. */
   invalidate(): void {
+    this.isStale = true;
     if (this.isScheduled) return;
     this.isScheduled = true;
     requestAnimationFrame(() => {
       this.isScheduled = false;
-      if (this.isReady) this.draw();
+      if (!this.isReady || !this.isStale) return;
+      // What is to be shown may have changed the page around it.
+      this.follow();
+      this.drawNow();
     });
   }
 
-  resize(): void {
+  private drawNow(): void {
+    this.isStale = false;
+    this.draw();
+  }
+
+  private resize(): void {
+    // At once: waiting for the next frame would show an empty canvas while the window is resized.
+    if (this.follow() && this.isReady) this.drawNow();
+  }
+
+  /** Takes the size of the parent; returns whether it is another one. */
+  private follow(): boolean {
     const { clientWidth, clientHeight } = parentOf(this.canvas);
     const [width, height] = [Math.max(1, clientWidth), Math.max(1, clientHeight)];
     const ratio = Math.min(window.devicePixelRatio, 3);
-    if (width === this.width && height === this.height && ratio === this.pixelRatio) return;
+    if (width === this.width && height === this.height && ratio === this.pixelRatio) return false;
     this.width = width;
     this.height = height;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height);
     this.resized();
-    // At once: waiting for the next frame would show an empty canvas while the window is resized.
-    if (this.isReady) this.draw();
+    return true;
   }
 }
 
