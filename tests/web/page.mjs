@@ -1,49 +1,28 @@
 // The built page in a real browser, for the tests of this folder.
 
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { after } from 'node:test';
-import { ROOT } from '../../scripts/lib/paths.mjs';
-import { newContext, serveFolder, startBrowser } from '../../web/scripts/browser.mjs';
-
-/** Nothing here is a race with the clock: this only ends a test that would never end. */
-const PATIENCE = 120_000;
-
-/** Browsers that the tests of a file share, one with WebGL and one without. */
-const browsers = new Map();
-after(() => Promise.all([...browsers.values()].map((browser) => browser.close())));
-
-async function sharedBrowser(webgl) {
-  if (!browsers.get(webgl)?.isConnected()) browsers.set(webgl, await startBrowser({ webgl }));
-  return browsers.get(webgl);
-}
+import { isOfRest, takePage } from './pages.mjs';
 
 /**
- * Opens the page in a context of its own; `t.after` closes it and checks that it logged no error but those that `expected` matches. `prepare`
- * is called with the page before it loads, `mode: 'flatten'` chooses that; `headers` are those of serveFolder, other options are those of
- * newContext.
+ * Opens the page; `t.after` checks that it logged no error but those that `expected` matches. `prepare` is called with the page before it
+ * loads, `mode: 'flatten'` chooses that; `headers` are those of serveFolder, other options are those of takePage and newContext.
  */
-export async function openPage(
-  t,
-  { prepare, expected, headers, mode, webgl = true, ...options } = {},
-) {
-  const server = await serveFolder(join(ROOT, 'web/dist'), headers);
-  const context = await newContext(await sharedBrowser(webgl), options);
+export async function openPage(t, { expected, mode, webgl = true, ...options } = {}) {
+  const { page, url, end } = await takePage({ webgl, ...options });
   const problems = [];
+  const onConsole = (message) => {
+    if (message.type() !== 'error' || isOfRest(message) || expected?.test(message.text())) return;
+    problems.push(message.text());
+  };
+  const onError = (error) => problems.push(String(error));
+  page.on('console', onConsole).on('pageerror', onError);
   t.after(async () => {
-    await context.close();
-    server.close();
+    await page.evaluate(() => undefined); // what was logged before has arrived after that
+    page.off('console', onConsole).off('pageerror', onError);
+    await end();
     assert.deepEqual(problems, [], 'errors in the console of the page');
   });
-  const page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE);
-  page.on('console', (message) => {
-    if (message.type() === 'error' && !expected?.test(message.text()))
-      problems.push(message.text());
-  });
-  page.on('pageerror', (error) => problems.push(String(error)));
-  await prepare?.(page);
-  await page.goto(server.url);
+  await page.goto(url);
   await settled(page);
   if (mode) await choose(page, mode);
   return page;

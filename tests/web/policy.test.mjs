@@ -95,7 +95,7 @@ test('the theme is there before anything is painted', async (t) => {
 });
 
 test('once loaded the page needs no connection, also after a run was cancelled', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { own: true });
   await page.context().setOffline(true);
   await doEverything(page);
   // The worker that is cancelled is replaced.

@@ -1,0 +1,101 @@
+// Where tests get their pages from. The tests of a file share a browser and, one after the other, a page in it, which is loaded anew for each:
+// that costs half of what a page of its own does.
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after } from 'node:test';
+import { ROOT } from '../../scripts/lib/paths.mjs';
+import { newContext, serveFolder, startBrowser } from '../../web/scripts/browser.mjs';
+
+/** Nothing here is a race with the clock: this only ends a test that would never end. */
+const PATIENCE = 120_000;
+
+/** What a page has in whose place nothing else was asked for. */
+const USUAL = {
+  viewport: { width: 1280, height: 720 },
+  colorScheme: 'dark',
+  reducedMotion: 'no-preference',
+};
+
+/** Browsers that the tests of a file share, one with WebGL and one without. */
+const browsers = new Map();
+/** Shared pages by whether they can be touched. */
+const shared = new Map();
+after(async () => {
+  for (const { close } of shared.values()) await close();
+  for (const browser of browsers.values()) await browser.close();
+});
+
+async function sharedBrowser(webgl) {
+  if (!browsers.get(webgl)?.isConnected())
+    browsers.set(webgl, await startBrowser({ webgl, antialias: false }));
+  return browsers.get(webgl);
+}
+
+async function openOwn(browser, headers, options) {
+  const server = await serveFolder(join(ROOT, 'web/dist'), headers);
+  const context = await newContext(browser, options);
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  const close = async () => {
+    await context.close();
+    server.close();
+  };
+  return { page, url: server.url, close };
+}
+
+/** Chromium asks for the icon of a document that has none, at any time. */
+export const isOfRest = (message) => message.location().url.endsWith('/favicon.ico');
+
+/** The next test finds nothing of this one: no document, no storage, nothing pressed. */
+async function leave({ page, url }) {
+  await page.unrouteAll();
+  await page.mouse.up();
+  for (const key of ['Shift', 'Control', 'Alt']) await page.keyboard.up(key);
+  // Another document of the same origin: the process stays.
+  await page.goto(`${url}icon.svg`);
+  await page.mouse.move(0, 0);
+  await page.evaluate(() => localStorage.clear());
+}
+
+/** Takes the shared page out of the map: it is back there when it can be used again. */
+async function takeShared(browser, hasTouch) {
+  const last = shared.get(hasTouch);
+  shared.delete(hasTouch);
+  if (last && last.page.context().browser() === browser) return last;
+  return openOwn(browser, undefined, { hasTouch });
+}
+
+/**
+ * A page that has not been loaded, with the `url` to load. It is a shared one unless something is asked for that would stay with it: `prepare`, `headers`,
+ * `own`, a browser without WebGL or an option of newContext that cannot be changed later. `end` closes it or leaves it to the next test.
+ */
+export async function takePage({ prepare, headers, own, webgl, hasTouch = false, ...options }) {
+  const browser = await sharedBrowser(webgl);
+  const { viewport, colorScheme, reducedMotion, ...fixed } = { ...USUAL, ...options };
+  if (prepare || headers || own || !webgl || Object.keys(fixed).length > 0) {
+    const { page, url, close } = await openOwn(browser, headers, {
+      ...USUAL,
+      ...options,
+      hasTouch,
+    });
+    await prepare?.(page);
+    return { page, url, end: close };
+  }
+  const taken = await takeShared(browser, hasTouch);
+  const { page, url } = taken;
+  let hasCrashed = false;
+  const crashed = () => {
+    hasCrashed = true;
+  };
+  page.on('crash', crashed);
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ colorScheme, reducedMotion });
+  const end = async () => {
+    page.off('crash', crashed);
+    assert.ok(!hasCrashed && browser.isConnected(), 'the page crashed');
+    await leave(taken);
+    shared.set(hasTouch, taken);
+  };
+  return { page, url, end };
+}
