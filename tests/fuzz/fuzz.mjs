@@ -1,15 +1,17 @@
 #!/usr/bin/env node
 // Runs the fuzzers for a while and prints what they did.
-// Usage: npm run fuzz -- --minutes N [--targets obj,unwrap]
+// Usage: npm run fuzz -- --minutes N [--targets obj,unwrap,javascript]
 
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { buildSanitized } from '../../scripts/build.mjs';
+import { buildSanitized, buildWasm } from '../../scripts/build.mjs';
 import { JOBS } from '../../scripts/lib/cmake.mjs';
 import { Failure, runMain } from '../../scripts/lib/run.mjs';
 import { setup } from '../../scripts/setup.mjs';
-import { FOUND, fuzz } from './fuzzers.mjs';
+import { FOUND, fuzz, fuzzPackage, PACKAGE_TARGET } from './fuzzers.mjs';
 import { TARGET_NAMES } from './seeds.mjs';
+
+const ALL_TARGETS = [...TARGET_NAMES, PACKAGE_TARGET];
 
 async function fuzzAll(targets, minutes) {
   const share = Math.max(1, Math.round((60 * minutes * Number(JOBS)) / targets.length));
@@ -17,7 +19,7 @@ async function fuzzAll(targets, minutes) {
   const results = [];
   const work = async () => {
     for (let target = waiting.shift(); target; target = waiting.shift())
-      results.push(await fuzz(target, share));
+      results.push(await (target === PACKAGE_TARGET ? fuzzPackage(share) : fuzz(target, share)));
   };
   await Promise.all(Array.from({ length: Number(JOBS) }, work));
   return results.sort((a, b) => targets.indexOf(a.target) - targets.indexOf(b.target));
@@ -31,9 +33,9 @@ function print(results) {
         r.target,
         r.seconds,
         r.executions,
-        r.after,
-        r.after - r.before,
-        r.corpus,
+        r.after ?? '-',
+        r.after === undefined ? '-' : r.after - r.before,
+        r.corpus ?? '-',
         r.found.length,
       ].map(String),
     ),
@@ -54,12 +56,13 @@ await runMain(async () => {
   const minutes = Number(values.minutes);
   if (!(minutes > 0))
     throw new Failure(`--minutes takes a number above 0, not "${values.minutes}".`);
-  const targets = values.targets?.split(',') ?? TARGET_NAMES;
-  const unknown = targets.find((target) => !TARGET_NAMES.includes(target));
+  const targets = values.targets?.split(',') ?? ALL_TARGETS;
+  const unknown = targets.find((target) => !ALL_TARGETS.includes(target));
   if (unknown !== undefined)
-    throw new Failure(`Unknown target "${unknown}"; known are: ${TARGET_NAMES.join(', ')}.`);
+    throw new Failure(`Unknown target "${unknown}"; known are: ${ALL_TARGETS.join(', ')}.`);
   await setup(['build', 'fuzz']);
-  await buildSanitized();
+  if (targets.includes(PACKAGE_TARGET)) await buildWasm();
+  if (targets.some((target) => target !== PACKAGE_TARGET)) await buildSanitized();
   const results = await fuzzAll(targets, minutes);
   print(results);
   const idle = results.filter(({ executions }) => executions === 0);

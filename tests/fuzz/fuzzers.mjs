@@ -1,9 +1,9 @@
 // Runs the fuzzers for a while.
 // Inputs that are worth keeping stay in build/fuzz/corpus, so that the next run goes on from there.
 // What ends a target is in build/fuzz/found; a file is run again by build/sanitize/fuzzers/fuzz_TARGET FILE
-// and, once mended, kept in tests/fuzz/findings/TARGET.
+// (of the package by tests/fuzz/javascript/replay.mjs FILE) and, once mended, kept in tests/fuzz/findings/TARGET.
 
-import { cpSync, existsSync, mkdirSync, readdirSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { BUILD, ROOT } from '../../scripts/lib/paths.mjs';
 import { run } from '../../scripts/lib/run.mjs';
@@ -11,12 +11,16 @@ import { writeSeeds } from './seeds.mjs';
 
 const HOME = join(BUILD, 'fuzz');
 export const FOUND = join(HOME, 'found');
+/** Calls of the npm package, which libFuzzer does not see. */
+export const PACKAGE_TARGET = 'javascript';
 
 /** Of one input: what a target may take before that is a finding as well. */
 const LIMITS = ['-timeout=25', '-rss_limit_mb=2048', '-malloc_limit_mb=1024'];
 /** Bytes of an input at most. */
 const LENGTHS = { unwrap: 1200, flatten: 1200 };
 const USUAL_LENGTH = 8192;
+/** Those below run with every `npm test`. */
+const FIRST_SEED = 1000;
 
 const filesIn = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
 const fuzzerOf = (target) => join(BUILD, 'sanitize/fuzzers', `fuzz_${target}`);
@@ -64,4 +68,15 @@ export async function fuzz(target, seconds) {
   );
   const found = findingsOf(target).filter((name) => !before.has(name));
   return { target, seconds, ...progressOf(output), found, output };
+}
+
+/** The same of the npm package. A seed is a call, so there is no corpus: each run goes on where the last one ended. */
+export async function fuzzPackage(seconds) {
+  // The package may not be built before it is asked for.
+  const { fuzzCalls } = await import('./javascript/fuzz-calls.mjs');
+  const place = join(HOME, 'next-seed');
+  const first = existsSync(place) ? Number(readFileSync(place, 'utf8')) : FIRST_SEED;
+  const { next, ...rest } = await fuzzCalls({ seconds, first, folder: FOUND });
+  writeFileSync(place, `${next}\n`);
+  return { target: PACKAGE_TARGET, seconds, ...rest };
 }

@@ -237,6 +237,10 @@ Status loadJob(Job& job) {
 }
 
 Status sampleJob(Job& job, double detail) {
+  if (!(detail >= kMinSampleDetail && detail <= kMaxSampleDetail)) {
+    const std::string most = std::to_string(static_cast<int>(kMaxSampleDetail));
+    return {StatusCode::InvalidOption, "detail must be at most " + most};
+  }
   std::string names;
   for (const Sample& sample : samples()) {
     if (sample.name == job.name) {

@@ -5,7 +5,7 @@ import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import { takeFile, takeMesh } from './input.js';
 import { MAX_MEMORY } from './memory.js';
-import type { Platform } from './platform.js';
+import type { Address, Platform } from './platform.js';
 import type { Description, LayoutRequest, Request } from './protocol.js';
 import type {
   Abflat,
@@ -84,13 +84,21 @@ async function startClient(
   const module = await loadModule(platform, options);
   const { maxMemory, baseUrl } = options;
   const workerUrl =
-    options.workerUrl ??
-    (baseUrl && platform.fileIn(baseUrl, platform.workerFile(buildOf(module))));
+    options.workerUrl ?? fileIn(platform, baseUrl, platform.workerFile(buildOf(module)));
   const client = new Client(platform, { module, maxMemory, workerUrl });
   const { build, statuses } = await client.call<Description>({ kind: 'describe' });
   if (statuses.join() === STATUS_NAMES.join()) return { client, build };
   client.terminate();
   throw new AbflatError('Internal', 'abflat.wasm and abflat are of different versions.');
+}
+
+function fileIn(platform: Platform, folder: Address | undefined, name: string): string | undefined {
+  if (!folder) return undefined;
+  try {
+    return platform.fileIn(folder, name);
+  } catch (error) {
+    throw new AbflatError('InvalidOption', `baseUrl is no address: ${messageOf(error)}.`);
+  }
 }
 
 /** The file that was named, whichever build it is, or the build that was asked for. */
@@ -101,7 +109,7 @@ async function loadModule(
   checkBuild(build);
   if (build === 'threads') checkThreads();
   const wanted = build ?? bestBuild();
-  const address = wasmUrl ?? (baseUrl && platform.fileIn(baseUrl, wasmName(wanted)));
+  const address = wasmUrl ?? fileIn(platform, baseUrl, wasmName(wanted));
   const module = await platform.loadModule(wanted, address).catch((error: unknown) => {
     throw new AbflatError('UnreadableFile', messageOf(error), 'module');
   });
@@ -120,9 +128,9 @@ function checkThreads(): void {
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
   checkKeys(options, KEYS.flatten);
-  const { normalize, pins = [] } = options;
+  const { normalize, pins } = options;
   checkBoolean('normalize', normalize);
-  if (normalize && pins.length > 0)
+  if (normalize && pinNumbers(pins).length > 0)
     throw new AbflatError('InvalidOption', 'normalize would move the pins: leave one of them out.');
   const settings = {
     kind: 'flatten',

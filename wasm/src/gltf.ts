@@ -7,7 +7,7 @@ import { setTexcoords } from './gltf/texcoords.js';
 import { freeTexcoord } from './gltf/texture-sets.js';
 import { neededFor } from './needed-arrays.js';
 import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types.js';
-import { checkAbflat, checkBoolean, checkFunction } from './validate.js';
+import { checkAbflat, checkBoolean, checkFunction, checkObject, shown } from './validate.js';
 
 export {
   type DocumentMesh,
@@ -53,6 +53,7 @@ export function unwrap(
   abflat: Pick<Abflat, 'unwrap'>,
   options: UnwrapDocumentOptions = {},
 ): Transform {
+  checkObject(options);
   const { texcoord = 0, groupBy = 'scene', onAtlas, ...rest } = options;
   const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
   checkAbflat(abflat);
@@ -90,11 +91,12 @@ function tellKept(document: Document, set: number, kept: number, count: number):
 
 function check({ texcoord, overwrite, groupBy, onAtlas }: UnwrapDocumentOptions): void {
   const isSet = texcoord === 'auto' || (Number.isInteger(texcoord) && (texcoord as number) >= 0);
-  if (!isSet) throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${texcoord}.`);
+  if (!isSet)
+    throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${shown(texcoord)}.`);
   checkBoolean('overwrite', overwrite);
   checkFunction('onAtlas', onAtlas);
   if (!['scene', 'mesh', 'primitive'].includes(groupBy as string))
-    throw invalid(`groupBy must be one of scene, mesh, primitive, not ${groupBy}.`);
+    throw invalid(`groupBy must be one of scene, mesh, primitive, not ${shown(groupBy)}.`);
 }
 
 const invalid = (message: string) => new AbflatError('InvalidOption', message);

@@ -3,7 +3,7 @@
 import { AbflatError, messageOf } from './errors.js';
 import type { OwnedArrays, OwnedFile, OwnedMesh } from './protocol.js';
 import type { MeshArrays } from './types.js';
-import { checkBoolean, tagOf } from './validate.js';
+import { bytesIn, checkBoolean, checkMemory, shown, tagOf } from './validate.js';
 
 interface Owned<T extends OwnedMesh> {
   mesh: T;
@@ -60,9 +60,15 @@ function checkFile({ bytes, name = 'mesh' }: { bytes?: unknown; name?: unknown }
   const tag = tagOf(bytes);
   if (tag !== 'Uint8Array' && tag !== 'ArrayBuffer')
     throw invalid(`bytes must be a Uint8Array or ArrayBuffer, not ${tag}.`);
-  const content = tag === 'ArrayBuffer' ? new Uint8Array(bytes as ArrayBuffer) : bytes;
-  refuseGltf(content as Uint8Array, name);
-  return { bytes: content as Uint8Array, name };
+  const content = contentOf(bytes as Uint8Array | ArrayBuffer);
+  refuseGltf(content, name);
+  return { bytes: content, name };
+}
+
+function contentOf(bytes: Uint8Array | ArrayBuffer): Uint8Array {
+  if (!ArrayBuffer.isView(bytes)) return bytesIn('bytes', bytes);
+  checkMemory('bytes', bytes);
+  return bytes;
 }
 
 function refuseGltf(bytes: Uint8Array, name: string): void {
@@ -111,7 +117,7 @@ function ofSeparateTriangles(vertexCount: number): Uint32Array {
 
 /** As it is where it has the kind that the module takes. */
 function reals(name: string, values: unknown): Float32Array | Float64Array {
-  const tag = tagOf(values);
+  const tag = kindOf(name, values);
   if (REALS.includes(tag)) return values as Float32Array;
   checkKind(name, tag, [...REALS, ...WHOLE]);
   const numbers = values as ArrayLike<number>;
@@ -122,16 +128,21 @@ function reals(name: string, values: unknown): Float32Array | Float64Array {
 }
 
 function whole(name: string, values: unknown): Uint32Array | Uint16Array | Uint8Array {
-  const tag = tagOf(values);
+  const tag = kindOf(name, values);
   if (WHOLE.includes(tag)) return values as Uint32Array;
   checkKind(name, tag, WHOLE);
   const numbers = values as ArrayLike<number>;
   for (let i = 0; i < numbers.length; ++i) {
     const value = numbers[i] as number;
     if (!Number.isInteger(value) || value < 0 || value >= 2 ** 32)
-      throw invalid(`${name}[${i}] must be a whole number from 0, not ${String(value)}.`);
+      throw invalid(`${name}[${i}] must be a whole number from 0, not ${shown(value)}.`);
   }
   return new Uint32Array(numbers);
+}
+
+function kindOf(name: string, values: unknown): string {
+  if (ArrayBuffer.isView(values) && tagOf(values) !== 'DataView') checkMemory(name, values);
+  return tagOf(values);
 }
 
 function checkKind(name: string, tag: string, kinds: string[]): void {

@@ -5,7 +5,9 @@ export function neededFor(
   { seams, fixedFaces }: Pick<UnwrapOptions, 'seams' | 'fixedFaces'>,
   { positions, indices, texcoords, materials }: MeshArrays,
 ): MeshArrays {
-  const wants = (source: string) => seams?.split(',').some((each) => each.trim() === source);
+  // What is no string is refused when it is used.
+  const sources = typeof seams === 'string' ? seams.split(',').map((each) => each.trim()) : [];
+  const wants = (source: string) => sources.includes(source);
   return {
     positions,
     indices,

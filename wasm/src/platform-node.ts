@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { AbflatError, messageOf } from './errors.js';
 import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
@@ -41,7 +41,7 @@ export const node: Platform = {
     const worker =
       address === undefined
         ? new Worker(new URL('./worker-node.js', import.meta.url), options)
-        : new Worker(pathOf(address), options);
+        : new Worker(pathToFileURL(pathOf(address)), options);
     worker.unref();
     worker.on('message', (message: FromWorker) => events.onMessage(message));
     worker.on('messageerror', (error) => events.onCrash(crash(error)));

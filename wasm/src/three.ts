@@ -1,6 +1,7 @@
 // Helpers for three.js.
 
 import { BufferAttribute, BufferGeometry } from 'three';
+import { AbflatError } from './errors.js';
 import { normalized } from './normalized.js';
 import { pickRows } from './rows.js';
 import type { Layout, MeshArrays } from './types.js';
@@ -66,7 +67,10 @@ function positionsOf(
 ): Float32Array {
   if (positions) return new Float32Array(positions);
   if (!mesh) {
-    throw new TypeError('toBufferGeometry needs the mesh when it is of arrays and not of a file.');
+    throw new AbflatError(
+      'InvalidMesh',
+      'toBufferGeometry needs the mesh when it is of arrays and not of a file.',
+    );
   }
   return pickRows(new Float32Array(mesh.positions), vertexMap, { size: 3 });
 }

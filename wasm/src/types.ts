@@ -15,7 +15,7 @@ export type * from './types/unwrap.js';
 
 export interface SampleOptions {
   signal?: AbortSignalLike;
-  /** At least 1, the default; the number of faces grows about linearly with it. */
+  /** From 1, the default, to 1000; the number of faces grows about linearly with it. */
   detail?: number;
 }
 

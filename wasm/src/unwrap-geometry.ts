@@ -7,10 +7,11 @@ import {
   InstancedBufferGeometry,
   type InterleavedBufferAttribute,
 } from 'three';
+import { AbflatError } from './errors.js';
 import { neededFor } from './needed-arrays.js';
 import { indexArray, pickRows } from './rows.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
-import { checkAbflat, checkString } from './validate.js';
+import { checkAbflat, checkMemory, checkObject, checkString } from './validate.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
@@ -27,21 +28,25 @@ export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | 
 export async function unwrapGeometry(
   abflat: Pick<Abflat, 'unwrap'>,
   geometry: BufferGeometry,
-  { attribute = 'uv', ...options }: UnwrapGeometryOptions = {},
+  settings: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
   checkAbflat(abflat);
+  checkObject(settings);
+  const { attribute = 'uv', ...options } = settings;
   checkString('attribute', attribute);
   const result = await abflat.unwrap(neededFor(options, meshOf(geometry)), options);
   return { geometry: withUv(geometry, result, attribute), result };
 }
 
+const invalid = (message: string) => new AbflatError('InvalidMesh', message);
+
 function meshOf(geometry: BufferGeometry): MeshArrays {
   if (!(geometry as Partial<BufferGeometry> | undefined)?.isBufferGeometry)
-    throw new TypeError('unwrapGeometry needs a BufferGeometry; that of a mesh is mesh.geometry.');
+    throw invalid('unwrapGeometry needs a BufferGeometry; that of a mesh is mesh.geometry.');
   const position = geometry.getAttribute('position') as Attribute | undefined;
-  if (!position)
-    throw new TypeError('unwrapGeometry needs a geometry with the attribute position.');
+  if (!position) throw invalid('unwrapGeometry needs a geometry with the attribute position.');
   const positions = numbersOf(position, 3);
+  if (geometry.index) checkMemory('The index of the geometry', geometry.index.array);
   const corners =
     geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, vertex) => vertex);
   // As many as are drawn: what is left over makes no triangle.

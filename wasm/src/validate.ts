@@ -37,19 +37,58 @@ const invalid = (message: string) => new AbflatError('InvalidOption', message);
 
 /** "Float32Array", "Object", "Null"; right for values of another window as well. */
 export function tagOf(value: unknown): string {
-  return Object.prototype.toString.call(value).slice('[object '.length, -1);
+  const tag = Object.prototype.toString.call(value).slice('[object '.length, -1);
+  // Anything may say that it is a typed array.
+  return /\wArray$/.test(tag) && !ArrayBuffer.isView(value) ? 'Object' : tag;
+}
+
+/** For messages; what is no number or text has no text of its own that could be trusted. */
+export function shown(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value);
+  if (typeof value === 'bigint') return `${value}n`;
+  const isObject = (typeof value === 'object' && value !== null) || typeof value === 'function';
+  return isObject ? `of the type ${tagOf(value)}` : String(value);
+}
+
+/** Memory goes when it is transferred, or when its buffer becomes smaller than the array. */
+export function checkMemory(name: string, view: ArrayBufferView): void {
+  try {
+    (view as Uint8Array).values();
+  } catch {
+    throw lost(name);
+  }
+}
+
+/** The same for what has no type yet. */
+export function bytesIn(name: string, buffer: ArrayBuffer): Uint8Array {
+  try {
+    return new Uint8Array(buffer);
+  } catch {
+    throw lost(name);
+  }
+}
+
+const lost = (name: string) =>
+  new AbflatError(
+    'InvalidMesh',
+    `${name} has lost its memory, which was transferred or made smaller: pass a copy that nobody else uses.`,
+  );
+
+export function checkObject(options: unknown): void {
+  if (tagOf(options) !== 'Object') throw invalid('The options must be an object.');
 }
 
 export function checkKeys(options: object, known: string[]): void {
-  if (tagOf(options) !== 'Object') throw invalid('The options must be an object.');
+  checkObject(options);
   const unknown = Object.keys(options).find((key) => !known.includes(key));
   if (unknown === undefined) return;
   throw invalid(`There is no option "${unknown}"; there are: ${known.join(', ')}.`);
 }
 
 export function checkSignal(signal: unknown): void {
-  if (signal !== undefined && tagOf(signal) !== 'AbortSignal')
-    throw invalid('signal must be an AbortSignal.');
+  const { addEventListener } = Object(signal) as { addEventListener?: unknown };
+  const isSignal = tagOf(signal) === 'AbortSignal' && typeof addEventListener === 'function';
+  if (signal !== undefined && !isSignal) throw invalid('signal must be an AbortSignal.');
 }
 
 export function checkBoolean(name: string, value: unknown): void {
@@ -99,8 +138,7 @@ export function checkNumber(name: string, value: unknown, rule: NumberRule): voi
     value < (rule.below ?? Number.POSITIVE_INFINITY) &&
     value <= (rule.atMost ?? Number.POSITIVE_INFINITY);
   if (isInRange) return;
-  const shown = typeof value === 'string' ? JSON.stringify(value) : String(value);
-  throw invalid(`${name} must be a number ${rule.range}; it is ${shown}.`);
+  throw invalid(`${name} must be a number ${rule.range}; it is ${shown(value)}.`);
 }
 
 export function checkMaxMemory(value: unknown): void {
@@ -110,7 +148,7 @@ export function checkMaxMemory(value: unknown): void {
 
 export function checkBuild(value: unknown): void {
   if (value === undefined || BUILDS.some((build) => build === value)) return;
-  throw invalid(`build must be one of ${BUILDS.join(', ')}; it is ${JSON.stringify(value)}.`);
+  throw invalid(`build must be one of ${BUILDS.join(', ')}; it is ${shown(value)}.`);
 }
 
 interface OptionRule extends NumberRule {
@@ -128,7 +166,7 @@ function optionNumber(name: string, value: unknown, rule: OptionRule): number {
   if (rule.choices) {
     const index = rule.choices.indexOf(value as string);
     if (index >= 0) return index;
-    throw invalid(`${name} must be one of ${rule.range}; it is ${JSON.stringify(value)}.`);
+    throw invalid(`${name} must be one of ${rule.range}; it is ${shown(value)}.`);
   }
   if (typeof value === 'string' && rule.words && Object.hasOwn(rule.words, value))
     return rule.words[value] as number;
@@ -173,6 +211,7 @@ export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | und
   ) => {
     if (tagOf(found[name]) !== tag)
       throw invalid(`known must be a result of unwrap; its ${name} is no ${tag}.`);
+    checkMemory(`known.${name}`, found[name] as ArrayBufferView);
   };
   check('unpacked', 'Float64Array');
   check('indices', 'Uint32Array');
@@ -198,6 +237,7 @@ function numbers(name: string, what: string, values: unknown): Uint32Array {
   if (values === undefined) return new Uint32Array();
   if (tagOf(values) !== 'Uint32Array')
     throw invalid(`${name} must be a Uint32Array of ${what}, not ${tagOf(values)}.`);
+  checkMemory(name, values as Uint32Array);
   return new Uint32Array(values as Uint32Array);
 }
 
@@ -227,18 +267,22 @@ function checkArray(name: string, value: unknown, of: string): void {
   if (!Array.isArray(value)) throw invalid(`${name} must be an array of ${of}.`);
 }
 
+/** Unlike map this sees the holes of an array as well. */
+const each = <T, R>(values: T[], see: (value: T | undefined, i: number) => R): R[] =>
+  Array.from(values, see);
+
 export function boundNumbers(bounds: unknown = []): number[] {
   checkArray('bounds', bounds, '{ vertex, t }');
-  return (bounds as ({ vertex?: unknown; t?: unknown } | null)[]).flatMap((bound, i) => {
+  return each(bounds as ({ vertex?: unknown; t?: unknown } | null)[], (bound, i) => {
     checkIndex(`bounds[${i}].vertex`, 'vertex', bound?.vertex);
     checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
     return [bound?.vertex as number, bound?.t as number];
-  });
+  }).flat();
 }
 
 export function straightNumbers(runs: unknown = []): [number, number][] {
   checkArray('straight', runs, '{ from, to }');
-  return (runs as ({ from?: unknown; to?: unknown } | null)[]).map((run, i) => {
+  return each(runs as ({ from?: unknown; to?: unknown } | null)[], (run, i) => {
     checkIndex(`straight[${i}].from`, 'vertex', run?.from);
     checkIndex(`straight[${i}].to`, 'vertex', run?.to);
     return [run?.from as number, run?.to as number];
@@ -250,7 +294,7 @@ const ANY_FACE = 2 ** 32 - 1;
 
 export function pinNumbers(pins: unknown = []): PinNumbers[] {
   checkArray('pins', pins, '{ vertex, uv: [u, v] }');
-  return (pins as ({ vertex?: unknown; uv?: unknown; face?: unknown } | null)[]).map((pin, i) => {
+  return each(pins as ({ vertex?: unknown; uv?: unknown; face?: unknown } | null)[], (pin, i) => {
     checkIndex(`pins[${i}].vertex`, 'vertex', pin?.vertex);
     checkArray(`pins[${i}].uv`, pin?.uv, 'two numbers');
     const uv = pin?.uv as unknown[];

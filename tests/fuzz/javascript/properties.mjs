@@ -1,0 +1,142 @@
+// What must hold for every call, whatever it is given.
+
+import assert from 'node:assert/strict';
+import { AbflatError, createAbflat, STATUS_NAMES } from 'abflat';
+import { judge } from '../../support/exact-atlas.mjs';
+import { grid } from '../../wasm/support/meshes.mjs';
+import { CallersError } from './odd-values.mjs';
+
+/** A call that takes longer never ends. */
+const SECONDS = 60;
+/** Little, so that what is not freed gives out soon. */
+const MEMORY = 128 * 2 ** 20;
+/** Engines say such things of their own mistakes. */
+const OF_ENGINE =
+  /is not (a|an) (function|object|iterable|constructor)|Cannot (read|convert|mix|destructure|perform)|\[object |unreachable|RuntimeError|TypeError|RangeError|(has|of|are|is) undefined\b|\bNaN (elements|vertices)/;
+/** Names of files are repeated as they are. */
+const MOST_LETTERS = 6000;
+
+export const start = () => createAbflat({ maxMemory: MEMORY });
+
+const KNOWN = grid(3);
+
+/** What a call that must always work gives. */
+export async function knownBytes(abflat) {
+  const { uv, indices } = await abflat.unwrap(KNOWN, { padding: 4 });
+  return Buffer.concat([new Uint8Array(uv.buffer), new Uint8Array(indices.buffer)]).toString(
+    'base64',
+  );
+}
+
+/** Also of an array whose memory is gone. */
+const elements = (array) => Array.from({ length: array.length }, (_, i) => array[i]);
+
+/** All arrays below a value, with what is in them now. */
+function arraysIn(value, found = new Map(), depth = 0) {
+  if (ArrayBuffer.isView(value) && !(value instanceof DataView)) found.set(value, elements(value));
+  if (depth > 3 || value === null || typeof value !== 'object' || ArrayBuffer.isView(value))
+    return found;
+  for (const { value: child } of Object.values(descriptorsOf(value)))
+    arraysIn(child, found, depth + 1);
+  return found;
+}
+
+/** Without running what the caller's getters and proxies do. */
+export function descriptorsOf(value) {
+  try {
+    return Object.getOwnPropertyDescriptors(Object(value));
+  } catch {
+    return {};
+  }
+}
+
+function assertRefusal(error, { args }) {
+  const signal = descriptorsOf(args[1]).signal?.value;
+  const isAborted = signal instanceof AbortSignal && signal.aborted && error === signal.reason;
+  if (error instanceof CallersError || isAborted) return;
+  assert.ok(error instanceof AbflatError, `rejected with ${error?.stack ?? String(error)}`);
+  const { code, message } = error;
+  assert.ok(STATUS_NAMES.includes(code) && code !== 'Ok', `code ${code}`);
+  assert.notEqual(code, 'Internal', message);
+  assert.notEqual(code, 'OutOfMemory', message);
+  const isSentence = /\S\s+\S/.test(message) && message.length < MOST_LETTERS;
+  assert.ok(isSentence && !/[\n\r]/.test(message) && !OF_ENGINE.test(message), message);
+}
+
+/** Too small beside the mesh, or too thin, for an area in an atlas: as in targets/layouts.cpp. */
+function mayBeFlat(corners, extent) {
+  const places = corners.map(({ place }) => place.map((x) => x / extent));
+  const edges = places.map((p, k) => places[(k + 1) % 3].map((x, d) => x - p[d]));
+  const lengths = edges.map((edge) => Math.hypot(...edge));
+  const [a, b] = edges;
+  const area = Math.hypot(
+    ...[0, 1, 2].map((d) => a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3]),
+  );
+  return !(Math.min(...lengths) > 1e-6 && area > 1e-6 * Math.max(...lengths) ** 2);
+}
+
+/** Where a report says valid, nothing is flipped or on top of another. */
+function assertValid(result, { method, args }) {
+  if (method !== 'unwrap' && method !== 'flatten') return;
+  const { uv, indices, vertexMap, report } = result;
+  assert.equal(uv.length, 2 * vertexMap.length);
+  assert.ok(indices.every((v) => v < vertexMap.length));
+  for (const { valid, problem } of report.charts) assert.equal(valid, problem === '', problem);
+  if (!report.valid) return;
+  // Those of a file are the result's, a row for each of its vertices.
+  const { positions } = result;
+  const placeOf = (v, d) =>
+    positions ? positions[3 * v + d] : args[0].positions[3 * vertexMap[v] + d];
+  const corner = (v) => ({
+    uv: [uv[2 * v], uv[2 * v + 1]],
+    place: [0, 1, 2].map((d) => Number(placeOf(v, d))),
+  });
+  const triangles = Array.from({ length: indices.length / 3 }, (_, i) =>
+    [...indices.subarray(3 * i, 3 * i + 3)].map(corner),
+  );
+  const extent = Math.max(...triangles.flat().flatMap(({ place }) => place.map(Math.abs)));
+  const found = judge(
+    triangles.map((corners) => corners.map((c) => c.uv)),
+    { mayBeFlat: (i) => mayBeFlat(triangles[i], extent), tiles: [10, 1000] },
+  );
+  if (method === 'flatten' || args[1]?.pins?.length > 0) found.outside = [];
+  for (const flaw of ['flipped', 'flat', 'overlaps', 'outside'])
+    assert.deepEqual(found[flaw], [], `valid, but ${flaw}`);
+}
+
+async function settled(call, abflat) {
+  let timer;
+  const tooLong = new Promise((_, reject) => {
+    timer = setTimeout(
+      () => reject(new assert.AssertionError({ message: `does not settle within ${SECONDS} s` })),
+      1000 * SECONDS,
+    );
+  });
+  // Also what a call throws at once is a refusal.
+  const made = (async () => call.run(abflat))();
+  try {
+    return await Promise.race([
+      made.then(
+        (value) => ({ value }),
+        (error) => ({ error }),
+      ),
+      tooLong,
+    ]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+/** Makes a call and throws where a property does not hold. Resolves to whether it had a result. */
+export async function check(abflat, call, expectedBytes) {
+  const before = arraysIn(call.args);
+  const { value, error } = await settled(call, abflat);
+  const isResult = error === undefined && value !== undefined;
+  if (isResult) assertValid(value, call);
+  else assertRefusal(error, call);
+  const mayMove = Boolean(descriptorsOf(call.args[1]).transfer?.value);
+  for (const [array, values] of mayMove ? [] : before)
+    assert.deepEqual(elements(array), values, 'input');
+  if (!isResult) assert.equal(await knownBytes(abflat), expectedBytes, 'the next call');
+  return isResult;
+}

@@ -1,0 +1,166 @@
+// What callers pass by mistake is refused in the words of the package, not of the engine.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { AbflatError, createAbflat } from 'abflat';
+import { unwrap as unwrapTransform } from 'abflat/gltf';
+import { unwrapGeometry } from 'abflat/three';
+import { BufferAttribute, BufferGeometry } from 'three';
+import { bytesOf, grid, objText } from './support/meshes.mjs';
+import { assertFails } from './support/unwrapping.mjs';
+
+let abflat;
+before(async () => {
+  abflat = await createAbflat();
+});
+after(() => abflat.terminate());
+
+const fails = (call, code, pattern) => assertFails(abflat, call, code, pattern);
+
+function detached(array) {
+  structuredClone(array.buffer, { transfer: [array.buffer] });
+  return array;
+}
+
+function cyclic() {
+  const value = {};
+  value.self = value;
+  return value;
+}
+
+/** Whose text cannot be had, or says nothing. */
+const ODD = [5n, Symbol('odd'), cyclic(), Object.create(null), [5n], () => 1, new Map()];
+
+test('an option of any type is refused by its name', async () => {
+  for (const value of ODD)
+    for (const [method, name] of [
+      ['flatten', 't'],
+      ['flatten', 'untangle'],
+      ['unwrap', 'padding'],
+      ['unwrap', 'fillHoles'],
+      ['unwrap', 'rotate'],
+    ])
+      await fails(
+        abflat[method](grid(2), { [name]: value }),
+        'InvalidOption',
+        new RegExp(`^${name} must be`),
+      );
+  for (const name of ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'])
+    for (const value of ODD)
+      await fails(createAbflat({ [name]: value }), 'InvalidOption', /must be/);
+  await fails(createAbflat({ baseUrl: 'http://[' }), 'InvalidOption', /baseUrl is no address/);
+});
+
+test('messages do not end in [object Object]', async () => {
+  await fails(abflat.unwrap(grid(2), { padding: {} }), 'InvalidOption', /of the type Object\.$/);
+  await fails(abflat.unwrap(grid(2), { padding: 5n }), 'InvalidOption', /it is 5n\.$/);
+});
+
+test('an array that was transferred is refused by its name', async () => {
+  const { positions, indices } = grid(2);
+  const lost = /has lost its memory/;
+  const gone = () => detached(positions.slice());
+  await fails(abflat.unwrap({ positions: gone(), indices }), 'InvalidMesh', lost);
+  await fails(
+    abflat.unwrap({ positions: gone(), indices }, { transfer: true }),
+    'InvalidMesh',
+    lost,
+  );
+  await fails(
+    abflat.flatten({ positions, indices: detached(indices.slice()) }),
+    'InvalidMesh',
+    lost,
+  );
+  const bytes = detached(bytesOf(objText(grid(2))).slice());
+  await fails(abflat.unwrap({ bytes }), 'InvalidMesh', lost);
+  await fails(abflat.inspect({ bytes: bytes.buffer }), 'InvalidMesh', lost);
+  for (const name of ['seamEdges', 'fixedFaces', 'fixedCharts'])
+    await fails(
+      abflat.unwrap(grid(2), { [name]: detached(new Uint32Array(2)) }),
+      'InvalidMesh',
+      new RegExp(`${name} has lost`),
+    );
+  const known = await abflat.unwrap(grid(2));
+  detached(known.unpacked);
+  await fails(abflat.unwrap(grid(2), { known }), 'InvalidMesh', /known\.unpacked has lost/);
+});
+
+test('a buffer that became smaller than its array is refused', async (context) => {
+  if (!ArrayBuffer.prototype.resize) return context.skip('buffers cannot be resized here');
+  const buffer = new ArrayBuffer(96, { maxByteLength: 96 });
+  const positions = new Float64Array(buffer, 24, 9);
+  buffer.resize(32);
+  await fails(abflat.unwrap({ positions }), 'InvalidMesh', /positions has lost its memory/);
+});
+
+test('holes of arrays count as elements', async () => {
+  for (const name of ['pins', 'bounds', 'straight'])
+    await fails(
+      abflat.flatten(grid(2), { [name]: new Array(3) }),
+      'InvalidOption',
+      new RegExp(`${name}\\[0\\]`),
+    );
+});
+
+test('what only says that it is a typed array or a signal is none', async () => {
+  const says = (tag) => ({ [Symbol.toStringTag]: tag, length: 9, byteLength: 72 });
+  await fails(abflat.unwrap({ positions: says('Float64Array') }), 'InvalidMesh', /positions/);
+  await fails(abflat.inspect({ bytes: says('Uint8Array') }), 'InvalidMesh', /bytes/);
+  await fails(abflat.inspect(grid(2), { signal: says('AbortSignal') }), 'InvalidOption', /signal/);
+});
+
+test('pins that are no array are refused beside normalize as well', async () => {
+  for (const pins of [null, 5, {}])
+    await fails(
+      abflat.flatten(grid(2), { normalize: true, pins }),
+      'InvalidOption',
+      /pins must be an array/,
+    );
+});
+
+test('samples have a detail from 1 to 1000', async () => {
+  for (const detail of [1001, 1e300])
+    await fails(abflat.sample('head', { detail }), 'InvalidOption', /detail must be at most 1000/);
+  assert.ok((await abflat.sample('hemisphere', { detail: 2 })).indices.length > 0);
+});
+
+test('abflat/three refuses in the same way', async () => {
+  const { positions, indices } = grid(2);
+  const make = (index) => {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
+    return geometry.setIndex(new BufferAttribute(index, 1));
+  };
+  const call = (...args) => unwrapGeometry(abflat, ...args);
+  await fails(call(null), 'InvalidMesh', /needs a BufferGeometry/);
+  await fails(call(new BufferGeometry()), 'InvalidMesh', /attribute position/);
+  await fails(call(make(detached(indices.slice()))), 'InvalidMesh', /index.*has lost/);
+  for (const options of [null, 5, []])
+    await fails(call(make(indices), options), 'InvalidOption', /options must be an object/);
+  for (const seams of [5, null, ['uv']])
+    await fails(call(make(indices), { seams }), 'InvalidOption', /seams must be a string/);
+});
+
+test('abflat/gltf refuses in the same way', () => {
+  const isInvalid = (error) => error instanceof AbflatError && error.code === 'InvalidOption';
+  for (const value of ODD) {
+    assert.throws(() => unwrapTransform(abflat, { texcoord: value }), isInvalid);
+    assert.throws(() => unwrapTransform(abflat, { groupBy: value }), isInvalid);
+  }
+  for (const options of [null, 5]) assert.throws(() => unwrapTransform(abflat, options), isInvalid);
+});
+
+test('what was refused leaves nothing behind in memory', async () => {
+  const small = await createAbflat({ maxMemory: 32 * 2 ** 20 });
+  const { positions, indices } = grid(100);
+  const wrong = { positions, indices: indices.slice() };
+  wrong.indices[30000] = 2 ** 31;
+  for (let i = 0; i < 100; ++i)
+    for (const call of [
+      small.unwrap(wrong),
+      small.flatten(wrong),
+      small.unwrap({ positions, indices }, { seams: 'nonsense' }),
+    ])
+      await assert.rejects(call, ({ code }) => code === 'InvalidMesh' || code === 'InvalidOption');
+  small.terminate();
+});
