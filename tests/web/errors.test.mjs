@@ -17,8 +17,7 @@ import {
 const SENTENCE = /^[A-Za-z].*\.$/s;
 
 test('a broken file is refused with a sentence, the open mesh stays', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'waves.obj', grid(4));
+  const page = await openPage(t, { open: ['waves.obj', grid(4)] });
   const before = await metrics(page);
   await dropAndWait(page, 'broken.obj', 'v 0 0 0\nv 1 0 zero\nf 1 2 3\n');
   const alert = await page.locator('#alert p').first().innerText();
@@ -35,8 +34,7 @@ test('a broken file is refused with a sentence, the open mesh stays', async (t) 
 });
 
 test('a mesh that cannot be laid out is shown, the layout is marked as the previous one', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'waves.obj', grid(4));
+  const page = await openPage(t, { open: ['waves.obj', grid(4)] });
   // No face has three different corners.
   await dropAndWait(page, 'needle.obj', 'v 0 0 0\nv 1 0 0\nf 1 2 2\nf 2 1 1\n');
   const alert = await page.locator('#alert p').first().innerText();
@@ -56,8 +54,7 @@ test('a mesh that cannot be laid out is shown, the layout is marked as the previ
 });
 
 test('an impossible t is refused, the layout of the last one stays', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'waves.obj', grid(8));
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(8)] });
   // 32 boundary vertices: t is at least 1 - 2/32 = 0.9375.
   await page.fill('#t-number', '0.93');
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');

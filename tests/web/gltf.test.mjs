@@ -72,8 +72,7 @@ async function assertExported(page, before) {
 
 test('primitives of a GLB that have uv keep them', async (t) => {
   const document = scene(1);
-  const page = await openPage(t);
-  await dropAndWait(page, 'scene.glb', await io.writeBinary(document));
+  const page = await openPage(t, { open: ['scene.glb', await io.writeBinary(document)] });
   const { document: all } = await exported(page);
   const [ring, ball] = primitivesOf(all);
   const painted = atlasOf([ring]);

@@ -63,8 +63,7 @@ test('the PNG has a pixel per texel: charts are painted, the rest is clear', asy
 });
 
 test('the SVG has the size of the surface, a group for each chart', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'rings.obj', objText(RINGS));
+  const page = await openPage(t, { open: ['rings.obj', objText(RINGS)] });
   await page.focus('#layout-svg');
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'layout-scale');
@@ -115,8 +114,9 @@ test('the SVG has the size of the surface, a group for each chart', async (t) =>
 });
 
 test('the heat map is white where areas are kept, and shows where they are not', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'flat.obj', grid(6).replace(/^(v \S+ \S+) .*$/gm, '$1 0'));
+  const page = await openPage(t, {
+    open: ['flat.obj', grid(6).replace(/^(v \S+ \S+) .*$/gm, '$1 0')],
+  });
   await page.click('#mode-unwrap');
   await settled(page);
   const flat = await save(page, '#layout-heat');
@@ -144,8 +144,11 @@ for (const [name, width, height] of [
   ['a narrow phone', 360, 740],
 ]) {
   test(`${name}: the bar below the layout fits, and belongs to atlases only`, async (t) => {
-    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
-    await dropAndWait(page, 'rings.obj', objText(RINGS));
+    const page = await openPage(t, {
+      viewport: { width, height },
+      hasTouch: width < 1000,
+      open: ['rings.obj', objText(RINGS)],
+    });
     for (const id of ['layout-png', 'layout-heat', 'layout-svg', 'layout-scale']) {
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.x >= 0 && box.x + box.width <= width, `${id} is inside`);

@@ -28,8 +28,7 @@ async function atlas(page) {
 const lock = (page, row) => page.locator('#charts tbody tr').nth(row).locator('.lock');
 
 test('a locked chart stays bit by bit until it is unlocked', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'both.obj', BOTH);
+  const page = await openPage(t, { open: ['both.obj', BOTH] });
   await page.click('#details-toggle');
   const before = await atlas(page);
   // The first row is the chart with the most faces.
@@ -86,8 +85,7 @@ test('a locked chart stays bit by bit until it is unlocked', async (t) => {
 });
 
 test('locks belong to one mesh', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'both.obj', BOTH);
+  const page = await openPage(t, { open: ['both.obj', BOTH] });
   await page.click('#details-toggle');
   await lock(page, 0).click();
   const charts = (await metrics(page)).Charts;

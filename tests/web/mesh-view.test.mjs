@@ -131,6 +131,14 @@ test('a picture is drawn once for each change, and not at all while nothing chan
   const wired = await still();
   assert.equal(wired['mesh-canvas'], opened['mesh-canvas'] + 1);
   assert.equal(wired['layout-canvas'], opened['layout-canvas']);
+  // Beside the mesh there is nothing to aim at.
+  await page.mouse.move(0, 0);
+  const before = await still();
+  const { x, y } = await page.locator(CANVAS).boundingBox();
+  for (const off of [10, 14, 18]) {
+    await page.mouse.move(x + off, y + off);
+    assert.deepEqual(await still(), before);
+  }
 });
 
 test('a mesh far from the origin, with a stray vertex, fills its pane', async (t) => {

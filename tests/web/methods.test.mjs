@@ -26,8 +26,7 @@ const rows = (page) =>
     .evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.innerText)));
 
 test('Delaunay changes the layout, says what it costs, and can be taken back', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'waves.obj', grid(10));
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(10)] });
   const before = await metrics(page);
   const plain = await picture(page, '#layout-canvas');
   await page.click('#delaunay');
@@ -69,8 +68,7 @@ test('edges that resist the Delaunay condition are marked', { skip: withoutShare
 });
 
 test('methods are compared; a selected one is shown, marked, and not exported', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'waves.obj', grid(12));
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(12)] });
   const { path } = await exportMesh(page);
   const exported = readFileSync(path, 'utf8');
   await compare(page);
@@ -105,8 +103,7 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
 });
 
 test('Escape, another tab, closing, another t and another mesh lead back from a method', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'waves.obj', grid(6));
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(6)] });
   await compare(page);
   const lscm = page.getByRole('button', { name: /^LSCM/ });
   const ways = {

@@ -39,8 +39,7 @@ async function assertAsProgram(t, page, text, options) {
 }
 
 test('more options change the atlas as those of the command line do, and are named when closed', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'rings.obj', RINGS);
+  const page = await openPage(t, { open: ['rings.obj', RINGS] });
   assert.ok(await page.isHidden('#more'));
   assert.equal(await textOf(page, '#more-state'), '');
   await page.focus('#more-toggle');
@@ -80,8 +79,7 @@ test('more options change the atlas as those of the command line do, and are nam
 });
 
 test('faces that have uv in the file keep it, as with the command line, until another mesh is opened', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'rings.obj', RINGS);
+  const page = await openPage(t, { open: ['rings.obj', RINGS] });
   await page.click('#more-toggle');
   assert.ok(await page.isHidden('#more-keep-uv'), 'it has none');
 
@@ -145,8 +143,7 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
 });
 
 test('a texel density may take several tiles, which are numbered', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'rings.obj', RINGS);
+  const page = await openPage(t, { open: ['rings.obj', RINGS] });
   const density = Math.floor(1.2 * Number((await metrics(page))['Texel density']));
   await page.click('#more-toggle');
   assert.ok(await page.isDisabled('#more-udim'));
@@ -183,8 +180,7 @@ test('a texel density may take several tiles, which are numbered', async (t) => 
 });
 
 test('what is no number is marked, and the last one stays', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'ball.obj', objText(sphere(8)));
+  const page = await openPage(t, { open: ['ball.obj', objText(sphere(8))] });
   await page.click('#more-toggle');
   await fill(page, '#more-texel-density', '50');
   const before = await metrics(page);
@@ -205,8 +201,11 @@ for (const [name, width, height] of [
   ['a narrow phone', 360, 740],
 ]) {
   test(`${name}: more options fit, follow in the order of Tab, and leave the views alone where there is room`, async (t) => {
-    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
-    await dropAndWait(page, 'rings.obj', RINGS);
+    const page = await openPage(t, {
+      viewport: { width, height },
+      hasTouch: width < 1000,
+      open: ['rings.obj', RINGS],
+    });
     const views = () =>
       page.evaluate(() =>
         ['mesh-canvas', 'layout-canvas'].map((id) =>

@@ -81,8 +81,7 @@ test('of meshes that are dropped together one is opened, and the others are offe
 });
 
 test('what is no mesh, or has no faces, leaves the mesh that is open', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'waves.obj', grid(4));
+  const page = await openPage(t, { open: ['waves.obj', grid(4)] });
   const before = await metrics(page);
   for (const [name, content, reason] of [
     ['cat.png', 'meow', /^cat\.png is no mesh\./],
@@ -136,8 +135,7 @@ for (const [name, width, height] of [
 }
 
 test('polygons are counted as the file has them', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'cube.obj', CUBE);
+  const page = await openPage(t, { open: ['cube.obj', CUBE] });
   assert.equal(await textOf(page, '#mesh-info'), '6 polygons, 12 triangles');
   assert.equal((await metrics(page)).Faces, '6');
 });

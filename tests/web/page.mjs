@@ -5,9 +5,10 @@ import { isOfRest, takePage } from './pages.mjs';
 
 /**
  * Opens the page; `t.after` checks that it logged no error but those that `expected` matches. `prepare` is called with the page before it
- * loads, `mode: 'flatten'` chooses that; `headers` are those of serveFolder, other options are those of takePage and newContext.
+ * loads; `mode: 'flatten'` chooses that, and `open: [name, content]` drops a file, both in place of what a first visit shows. `headers` are those of serveFolder,
+ * other options are those of takePage and newContext.
  */
-export async function openPage(t, { expected, mode, webgl = true, ...options } = {}) {
+export async function openPage(t, { expected, mode, open, webgl = true, ...options } = {}) {
   const { page, url, end } = await takePage({ webgl, ...options });
   const problems = [];
   const onConsole = (message) => {
@@ -17,14 +18,17 @@ export async function openPage(t, { expected, mode, webgl = true, ...options } =
   const onError = (error) => problems.push(String(error));
   page.on('console', onConsole).on('pageerror', onError);
   t.after(async () => {
-    await page.evaluate(() => undefined); // what was logged before has arrived after that
+    // What was logged before has arrived after that, unless there is no page any more: then `end` says so.
+    await page.evaluate(() => undefined).catch(() => undefined);
     page.off('console', onConsole).off('pageerror', onError);
     await end();
     assert.deepEqual(problems, [], 'errors in the console of the page');
   });
   await page.goto(url);
+  // The page still starts: the sample gives way before it is laid out.
+  if (mode) await page.evaluate((mode) => document.querySelector(`#mode-${mode}`).click(), mode);
+  if (open) await dropAndWait(page, ...open);
   await settled(page);
-  if (mode) await choose(page, mode);
   return page;
 }
 

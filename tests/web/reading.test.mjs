@@ -135,8 +135,7 @@ test('a file of seams is for the mesh for which it was chosen', async (t) => {
 });
 
 test('what is exported during a run is what is on screen', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'waves.obj', grid(8));
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(8)] });
   const before = readFileSync((await exportMesh(page)).path, 'utf8');
   const [download] = await Promise.all([
     page.waitForEvent('download'),

@@ -8,8 +8,8 @@ import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
 const CANVAS = '#mesh-canvas';
-/** Without damping the view stands still. */
-const STILL = { reducedMotion: 'reduce' };
+/** Without damping the view stands still; a small one is drawn quickly. */
+const STILL = { reducedMotion: 'reduce', viewport: { width: 1040, height: 620 } };
 
 /** Waits until what the pointer does has been shown. */
 const drawn = (page) =>
@@ -78,18 +78,14 @@ const edited = async (page) =>
 const charts = async (page) => Number((await metrics(page)).Charts);
 
 /** The grid in the plane of the screen, unwrapped. */
-async function openGrid(page, n) {
-  await dropAndWait(page, 'grid.obj', flatGrid(n));
-  await page.click('#mode-unwrap');
-  await settled(page);
-}
+const openGrid = (t, n, options = STILL) =>
+  openPage(t, { ...options, open: ['grid.obj', flatGrid(n)] });
 
 const flatGrid = (n) => grid(n).replace(/^(v \S+ \S+) \S+$/gm, '$1 0');
 
 test('two clicks cut along the shortest path, and the charts follow', async (t) => {
-  const page = await openPage(t, STILL);
   const n = 4;
-  await openGrid(page, n);
+  const page = await openGrid(t, n);
   assert.equal(await charts(page), 1);
   const seen = await vertices(page);
   assert.equal(seen.size, (n + 1) ** 2, 'every vertex can be aimed at');
@@ -138,8 +134,7 @@ test('two clicks cut along the shortest path, and the charts follow', async (t) 
 });
 
 test('a cut is kept and cut further where charts are stretched, and edits go on from there', async (t) => {
-  const page = await openPage(t, STILL);
-  await dropAndWait(page, 'ball.obj', objText(sphere(6)));
+  const page = await openPage(t, { ...STILL, open: ['ball.obj', objText(sphere(6))] });
   await page.click('#seams-auto');
   await settled(page);
   const state = () => textOf(page, '#seams-state');
@@ -174,8 +169,7 @@ test('a cut is kept and cut further where charts are stretched, and edits go on 
 });
 
 test('Escape lets go, a drag turns the view, Alt does the other thing, Shift goes on', async (t) => {
-  const page = await openPage(t, STILL);
-  await openGrid(page, 4);
+  const page = await openGrid(t, 4);
   const seen = await vertices(page);
   await clickAt(page, seen.get(6));
   assert.match(await point(page, ...seen.get(7)), /^Vertex 6 to 7/);
@@ -223,8 +217,7 @@ test('Escape lets go, a drag turns the view, Alt does the other thing, Shift goe
 });
 
 test('seams that charts need to be disks stay, and say so', async (t) => {
-  const page = await openPage(t, STILL);
-  await dropAndWait(page, 'torus.obj', objText(torus(24, 12)));
+  const page = await openPage(t, { ...STILL, open: ['torus.obj', objText(torus(24, 12))] });
   await page.click('#seams-auto');
   await settled(page);
   assert.equal(await textOf(page, '#seams-state'), 'only what disks need');
@@ -238,8 +231,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
 });
 
 test('sources of seams: what the file has is offered, and they combine', async (t) => {
-  const page = await openPage(t, STILL);
-  await dropAndWait(page, 'cube.obj', CUBE);
+  const page = await openPage(t, { ...STILL, open: ['cube.obj', CUBE] });
   assert.ok(await page.isHidden('#seams-uv'));
   assert.ok(await page.isHidden('#seams-material'));
   await page.click('#seams-sharp');
@@ -268,8 +260,7 @@ test('sources of seams: what the file has is offered, and they combine', async (
 });
 
 test('seams are cut by keyboard and by touch', async (t) => {
-  const page = await openPage(t, { ...STILL, hasTouch: true });
-  await openGrid(page, 4);
+  const page = await openGrid(t, 4, { ...STILL, hasTouch: true });
   const seen = await vertices(page);
   await page.mouse.move(0, 0);
   const box = await page.locator(CANVAS).boundingBox();
@@ -298,8 +289,7 @@ test('seams are cut by keyboard and by touch', async (t) => {
 });
 
 test('the table of charts: sorted by any column, and its charts are shown', async (t) => {
-  const page = await openPage(t, STILL);
-  await dropAndWait(page, 'ball.obj', objText(sphere(12)));
+  const page = await openPage(t, { ...STILL, open: ['ball.obj', objText(sphere(12))] });
   await page.click('#seams-sharp');
   await page.fill('#sharp-degrees', '9');
   await settled(page);
@@ -385,8 +375,7 @@ test('an edit solves only the charts that it changes', async (t) => {
 });
 
 test('seams are opened from a file and saved to one', async (t) => {
-  const page = await openPage(t, STILL);
-  await openGrid(page, 4);
+  const page = await openGrid(t, 4);
   await page.click('#details-toggle');
   const open = (text) =>
     page.setInputFiles('#seams-file', {

@@ -50,8 +50,7 @@ async function hues(page, id) {
 }
 
 test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'torus.obj', TORUS);
+  const page = await openPage(t, { mode: 'flatten', open: ['torus.obj', TORUS] });
   assert.equal(await textOf(page, '#alert'), '');
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.equal(await page.getAttribute('#mode-unwrap', 'aria-pressed'), 'true');
@@ -104,8 +103,7 @@ test('a disk that is stretched in one piece is unwrapped with one click', async 
 });
 
 test('the user chooses for disks, and the choice stays', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
-  await dropAndWait(page, 'waves.obj', grid(6));
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(6)] });
   const flat = await picture(page, '#layout-canvas');
   await page.click('#mode-unwrap');
   await settled(page);
@@ -122,8 +120,7 @@ test('the user chooses for disks, and the choice stays', async (t) => {
 });
 
 test('stretch, resolution and padding change the atlas, by keyboard as well', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'ball.obj', objText(sphere(12)));
+  const page = await openPage(t, { open: ['ball.obj', objText(sphere(12))] });
   const usual = await metrics(page);
   assert.equal(await textOf(page, '#stretch-value'), '1.04');
   assert.match(await textOf(page, '#stretch-hint'), /^lengths within about 15\s%$/);
@@ -157,8 +154,9 @@ test('stretch, resolution and padding change the atlas, by keyboard as well', as
 });
 
 test('above the limit the badge says so, and one click cuts further', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'parts.obj', objText(torus(24, 12)).replace(/^f/m, 'usemtl a\nf'));
+  const page = await openPage(t, {
+    open: ['parts.obj', objText(torus(24, 12)).replace(/^f/m, 'usemtl a\nf')],
+  });
   await page.click('#seams-auto');
   await settled(page);
   assert.equal(await textOf(page, '#seams-state'), 'only what disks need');
@@ -204,8 +202,7 @@ test('charts have the same colours in both pictures, other than their neighbours
 });
 
 test('what was repaired is said in one line each', async (t) => {
-  const page = await openPage(t);
-  await dropAndWait(page, 'broken.obj', objText(defects()));
+  const page = await openPage(t, { open: ['broken.obj', objText(defects())] });
   assert.equal(await textOf(page, '#alert'), '');
   assert.equal(await textOf(page, '#badge'), 'Valid');
   const button = await textOf(page, '#notes-button');
@@ -295,8 +292,11 @@ for (const [name, width, height] of [
   ['a narrow phone', 360, 740],
 ]) {
   test(`${name}: sources of seams stay in their panel, and the verdict can be read`, async (t) => {
-    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
-    await dropAndWait(page, 'parts.obj', CUBE_OF_PARTS);
+    const page = await openPage(t, {
+      viewport: { width, height },
+      hasTouch: width < 1000,
+      open: ['parts.obj', CUBE_OF_PARTS],
+    });
     await page.click('#seams-sharp');
     await settled(page);
     const panel = await page.locator('.ask').boundingBox();
@@ -317,8 +317,11 @@ for (const [name, width, height] of [
   });
 
   test(`${name}: the options of an atlas fit, and can be reached by Tab`, async (t) => {
-    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
-    await dropAndWait(page, 'torus.obj', TORUS);
+    const page = await openPage(t, {
+      viewport: { width, height },
+      hasTouch: width < 1000,
+      open: ['torus.obj', TORUS],
+    });
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - window.innerWidth,
     );

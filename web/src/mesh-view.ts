@@ -117,8 +117,7 @@ export class MeshView {
 
   /** `points` has xyz per vertex, in the unit sphere. */
   markSeams(points: Float32Array, marks: SeamMarks): void {
-    this.seams.show(points, marks);
-    this.stage.invalidate();
+    if (this.seams.show(points, marks)) this.stage.invalidate();
   }
 
   private colorBoundary(): void {

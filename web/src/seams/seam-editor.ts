@@ -15,6 +15,8 @@ export interface SeamEditorEvents {
   say(text: string): void;
 }
 
+const NO_POINTS = new Float32Array();
+
 /** As many are reached in a few milliseconds. */
 const PLACES_PER_FRAME = 1 << 14;
 
@@ -83,7 +85,7 @@ export class SeamEditor {
   private mark(marks: SeamMarks, hint: string): void {
     if (this.model && marks !== NO_MARKS)
       this.view.markSeams(this.model.surface.solid.points, marks);
-    else this.view.markSeams(new Float32Array(), NO_MARKS);
+    else this.view.markSeams(NO_POINTS, NO_MARKS);
     this.tools.setHint(hint);
   }
 

@@ -18,6 +18,15 @@ export const NO_MARKS: SeamMarks = {
   vertices: new Uint32Array(),
 };
 
+const sameArray = (a: Uint32Array, b: Uint32Array) =>
+  a.length === b.length && a.every((x, i) => x === b[i]);
+
+const sameMarks = (a: SeamMarks, b: SeamMarks) =>
+  sameArray(a.cut, b.cut) && sameArray(a.joined, b.joined) && sameArray(a.vertices, b.vertices);
+
+const isEmpty = ({ cut, joined, vertices }: SeamMarks) =>
+  cut.length + joined.length + vertices.length === 0;
+
 /** Css pixels. */
 const WIDTH = 4;
 const VERTEX = { ...DOT, size: 11 };
@@ -28,6 +37,8 @@ export class SeamOverlay {
   private readonly cut = new EdgeLines(WIDTH, true);
   private readonly joined = new EdgeLines(WIDTH, true);
   private readonly vertices = new PointMarks({ ...VERTEX, depthTest: true });
+  private points: Float32Array = new Float32Array();
+  private marks: SeamMarks = NO_MARKS;
 
   constructor() {
     this.object.add(this.cut.object, this.joined.object, this.vertices.object);
@@ -35,11 +46,17 @@ export class SeamOverlay {
     this.vertices.object.renderOrder = 3;
   }
 
-  /** `points` has xyz per vertex. */
-  show(points: Float32Array, { cut, joined, vertices }: SeamMarks): void {
+  /** `points` has xyz per vertex. Returns whether that changes anything. */
+  show(points: Float32Array, marks: SeamMarks): boolean {
+    const isSame = (points === this.points || isEmpty(marks)) && sameMarks(marks, this.marks);
+    if (isSame) return false;
+    this.points = points;
+    this.marks = marks;
+    const { cut, joined, vertices } = marks;
     this.cut.show(perCorner(points, 3, cut));
     this.joined.show(perCorner(points, 3, joined));
     this.vertices.show(perCorner(points, 3, vertices));
+    return true;
   }
 
   setPalette({ cut, flipped }: Palette): void {
