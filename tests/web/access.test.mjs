@@ -2,7 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { grid } from '../support/small-meshes.mjs';
 import { openPage, settled, textOf } from './page.mjs';
+
+const WAVES = ['waves.obj', grid(12)];
 
 /** Luminance contrast of two css colours (WCAG), computed in the page. */
 function contrast(page, selector) {
@@ -49,7 +52,7 @@ test('the theme follows the system, can be switched and is remembered', async (t
 
 test('text has contrast in both themes', async (t) => {
   // Without transitions, so that colours are what they will be.
-  const page = await openPage(t, { reducedMotion: 'reduce', mode: 'flatten' });
+  const page = await openPage(t, { reducedMotion: 'reduce', mode: 'flatten', open: WAVES });
   await page.click('#details-toggle');
   await page.mouse.move(0, 0);
   for (const theme of ['dark', 'light']) {
@@ -95,7 +98,7 @@ test('text of an atlas has contrast in both themes', async (t) => {
 });
 
 test('Tab reaches every control, in the order of the page', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', open: WAVES });
   // By script, so that Tab begins at the beginning.
   await page.evaluate(() => document.querySelector('#details-toggle').click());
   // A chart is drawn when its size is known, in a frame after the pane has opened.
@@ -127,7 +130,7 @@ test('Tab reaches every control, in the order of the page', async (t) => {
 });
 
 test('every control has a name, results are announced', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', open: WAVES });
   for (const role of ['button', 'slider', 'combobox', 'spinbutton', 'img']) {
     const all = await page.getByRole(role).all();
     const named = await page.getByRole(role, { name: /\w/ }).all();
@@ -162,6 +165,7 @@ for (const [name, width, height] of [
       viewport: { width, height },
       hasTouch: width < 1000,
       mode: 'flatten',
+      open: WAVES,
     });
     const overflow = await page.evaluate(() => {
       const root = document.documentElement;

@@ -23,7 +23,7 @@ const sweepEnded = (page) =>
   page.waitForFunction(() => document.querySelector('#sweep').textContent === 'Plot against t');
 
 test('the pane opens and closes; its tabs answer to arrow keys', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(6)] });
   assert.ok(await page.isHidden('#details'));
   await page.click('#details-toggle');
   assert.ok(await page.isVisible('#details'));

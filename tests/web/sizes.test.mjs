@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
+import { CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { choose, dropAndWait, openPage, settled } from './page.mjs';
 
 /** Of the height of the window. */
@@ -39,7 +39,7 @@ const WINDOWS = [
 ];
 
 test('the views have most of the window, and each control of the dock can be reached', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(12)] });
   for (const size of WINDOWS) await assertRoom(page, size, `flatten, ${size.width}`);
   await page.click('#mode-unwrap');
   await settled(page);
