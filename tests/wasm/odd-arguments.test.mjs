@@ -6,6 +6,7 @@ import { AbflatError, createAbflat } from 'abflat';
 import { unwrap as unwrapTransform } from 'abflat/gltf';
 import { unwrapGeometry } from 'abflat/three';
 import { BufferAttribute, BufferGeometry } from 'three';
+import { accessor, addMesh, emptyDocument } from '../support/gltf.mjs';
 import { bytesOf, grid, objText } from './support/meshes.mjs';
 import { assertFails } from './support/unwrapping.mjs';
 
@@ -139,6 +140,21 @@ test('abflat/three refuses in the same way', async () => {
     await fails(call(make(indices), options), 'InvalidOption', /options must be an object/);
   for (const seams of [5, null, ['uv']])
     await fails(call(make(indices), { seams }), 'InvalidOption', /seams must be a string/);
+});
+
+test('a document whose arrays were transferred is refused', async () => {
+  const { positions, indices } = grid(2);
+  for (const lost of ['positions', 'indices']) {
+    const arrays = { positions: Float32Array.from(positions), indices: Uint16Array.from(indices) };
+    const document = emptyDocument();
+    const primitive = document
+      .createPrimitive()
+      .setAttribute('POSITION', accessor(document, 'VEC3', arrays.positions))
+      .setIndices(accessor(document, 'SCALAR', arrays.indices));
+    addMesh(document, 'grid', primitive);
+    detached(arrays[lost]);
+    await fails(document.transform(unwrapTransform(abflat)), 'InvalidMesh', /has lost|rows/);
+  }
 });
 
 test('abflat/gltf refuses in the same way', () => {

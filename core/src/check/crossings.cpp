@@ -68,7 +68,7 @@ class EdgeTree {
   /// Unless boxes tell so little of the edges, as of long ones side by side, that a sweep is
   /// better.
   bool isSweepBetter() {
-    constexpr std::size_t kManyPairs = 256;
+    constexpr std::size_t kManyPairs = 64;
     allowed_ = kManyPairs * n_;
     within(1, 0, leaves_);
     const bool isBetter = allowed_ == 0;

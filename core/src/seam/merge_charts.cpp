@@ -1,6 +1,8 @@
 #include "seam/merge_charts.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "seam/extract_charts.h"
 #include "seam/log_scale.h"
@@ -92,27 +94,39 @@ class Merger {
     return roomTogether(outlines[run.a], outlines[run.b], pairs) <= kMostRoom;
   }
 
+  /// The same, but two charts that do not fit are asked only once. Charts do nothing but grow, so
+  /// one that has as many triangles as before is the one from before.
+  bool stillPromises(const CutSurface& s, std::vector<std::vector<Point2>>& outlines,
+                     const Run& run) {
+    const std::array<std::size_t, 3> sizes = {s.charts[run.a].triangles, s.charts[run.b].triangles,
+                                              run.edges.size()};
+    const auto known = unpromising_.find(run.edges.front());
+    if (known != unpromising_.end() && known->second == sizes) return false;
+    for (const std::uint32_t c : {run.a, run.b})
+      if (outlines[c].empty()) outlines[c] = predictOutline(mesh_, s, s.charts[c].loopBegin, u_);
+    const bool promises = isPromising(s, outlines, run);
+    if (!promises) unpromising_[run.edges.front()] = sizes;
+    return promises;
+  }
+
   bool isRefused(const Run& run) const {
     return std::any_of(run.edges.begin(), run.edges.end(),
                        [&](std::uint32_t h) { return isRefused_[h]; });
   }
 
   /// The longest ones that promise something, no two with a chart in common.
-  std::vector<Run> matching(const CutSurface& s) const {
+  std::vector<Run> matching(const CutSurface& s) {
     std::vector<Run> runs;
     std::vector<std::vector<Point2>> outlines(s.charts.size());
-    for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
-      if (!s.charts[c].isDisk()) continue;
-      addRuns(s, c, runs);
-      outlines[c] = predictOutline(mesh_, s, s.charts[c].loopBegin, u_);
-    }
+    for (std::uint32_t c = 0; c < s.charts.size(); ++c)
+      if (s.charts[c].isDisk()) addRuns(s, c, runs);
     std::sort(runs.begin(), runs.end(), [](const Run& x, const Run& y) {
       return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
     });
     std::vector<std::uint8_t> isUsed(s.charts.size(), 0);
     std::vector<Run> out;
     for (Run& run : runs) {
-      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !isPromising(s, outlines, run))
+      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !stillPromises(s, outlines, run))
         continue;
       isUsed[run.a] = isUsed[run.b] = 1;
       out.push_back(std::move(run));
@@ -204,6 +218,8 @@ class Merger {
   std::vector<double>& u_;  ///< per vertex, of the charts as they are
   Seams& seams_;
   std::vector<std::uint8_t> isRefused_;  ///< per half-edge
+  /// By the first half-edge of a run, triangles of both charts and edges when they did not fit.
+  std::map<std::uint32_t, std::array<std::size_t, 3>> unpromising_;
 };
 
 }  // namespace

@@ -44,9 +44,11 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
     if (a.chart != b.chart) return a.chart < b.chart;
     return a.stretch != b.stretch ? a.stretch > b.stretch : a.vertex < b.vertex;
   });
-  constexpr std::size_t kMostPeaks = 32;  // of a chart in a round
-  constexpr double kApart = 0.7;          // of the longer way to the boundary
-  constexpr double kFar = 0.3;            // of the greatest peak's way; nearer ones are noise
+  // Of a chart in a round: a quarter of those that ask for a slit, so that there are few rounds
+  // however many there are.
+  constexpr std::size_t kFewPeaks = 32, kPart = 4;
+  constexpr double kApart = 0.7;  // of the longer way to the boundary
+  constexpr double kFar = 0.3;    // of the greatest peak's way; nearer ones are noise
   // Of the greatest peak's shift. Where little is missing, a slit too many is dearer than a round.
   constexpr double kMuch = 1.2, kShareOfMuch = 0.35, kShareOfLittle = 0.8;
   std::vector<std::uint32_t> ends;
@@ -55,10 +57,16 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
     const double top = peaks[i].shift;
     const std::uint32_t chart = peaks[i].chart;
     const double share = prediction.stretch[chart] > kMuch ? kShareOfMuch : kShareOfLittle;
+    const auto asks = [&](const Peak& peak) {
+      return peak.shift >= share * top && peak.stretch > maxStretch;
+    };
+    std::size_t asking = 0;
+    for (std::size_t k = i; k < peaks.size() && peaks[k].chart == chart; ++k)
+      asking += asks(peaks[k]);
+    const std::size_t most = std::max(kFewPeaks, asking / kPart);
     for (; i < peaks.size() && peaks[i].chart == chart; ++i) {
       const std::uint32_t v = peaks[i].vertex;
-      bool isFree = ends.size() - first < kMostPeaks && peaks[i].shift >= share * top &&
-                    peaks[i].stretch > maxStretch;
+      bool isFree = ends.size() - first < most && asks(peaks[i]);
       if (ends.size() > first && peaks[i].shift < kShareOfLittle * top)
         isFree = isFree && forest.distance[v] >= kFar * forest.distance[ends[first]];
       for (std::size_t k = first; isFree && k < ends.size(); ++k)

@@ -10,6 +10,22 @@ using namespace abflat::test;
 
 namespace {
 
+/// A square of n x n spikes, each of which needs a slit or a seam of its own.
+PolygonMesh spikes(unsigned n) {
+  const unsigned side = 3 * n + 1;
+  std::vector<double> positions;
+  for (unsigned j = 0; j < side; ++j)
+    for (unsigned i = 0; i < side; ++i)
+      positions.insert(positions.end(), {1.0 * i, 1.0 * j, i % 3 == 1 && j % 3 == 1 ? 3.0 : 0.0});
+  std::vector<std::uint32_t> triangles;
+  for (unsigned j = 0; j + 1 < side; ++j)
+    for (unsigned i = 0; i + 1 < side; ++i) {
+      const std::uint32_t a = j * side + i;
+      triangles.insert(triangles.end(), {a, a + 1, a + side + 1, a, a + side + 1, a + side});
+    }
+  return makeTriangleMesh(std::move(positions), std::move(triangles));
+}
+
 struct Flattened {
   double stretch = 0;  ///< symmetric Dirichlet / 4, mean by area
   std::size_t invalid = 0;
@@ -141,6 +157,19 @@ TEST_CASE("finding seams stops when it is told to, with charts that are disks", 
   const Seams seams = findSeams(c.seamMesh, {}, options, &report);
   CHECK(report.cancelled);
   for (const PolygonMesh& chart : chartsOf(c, seams)) CHECK(inspect(chart).disk.ok());
+}
+
+TEST_CASE("rounds hardly grow with the number of peaks", "[seams]") {
+  const auto roundsFor = [](unsigned n) {
+    const Cuttable c(spikes(n));
+    SeamReport report;
+    findSeams(c.seamMesh, {}, {}, &report);
+    CHECK(report.stretch <= SeamOptions().maxStretch);
+    return report.rounds;
+  };
+  const auto few = roundsFor(10), many = roundsFor(40);
+  CAPTURE(few, many);
+  CHECK(many <= 2 * few);
 }
 
 TEST_CASE("seams of real meshes meet the yardsticks", "[seams]") {

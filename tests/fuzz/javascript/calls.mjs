@@ -30,9 +30,16 @@ function methodCall(random, without) {
 /** What those libraries take for data. */
 const STORED = [Float32Array, Uint32Array, Uint16Array, Uint8Array, Int16Array, Int8Array];
 const DRAWN = [...STORED, Int32Array, Float64Array];
-const isPlain = (value) => Object.getPrototypeOf(Object(value)) === Object.prototype;
 const isOf = (kinds, values) =>
   ArrayBuffer.isView(values) && kinds.some((Kind) => values instanceof Kind);
+
+function isPlain(value) {
+  try {
+    return Object.getPrototypeOf(Object(value)) === Object.prototype;
+  } catch {
+    return false; // a proxy that throws
+  }
+}
 
 /** Without getters. */
 function plainly(mesh) {

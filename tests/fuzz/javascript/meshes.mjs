@@ -102,10 +102,11 @@ function spoil(random, mesh) {
   mesh[name] = SPOILS[random.pick(Object.keys(SPOILS))](random, mesh[name]);
   if (random.chance(0.1)) {
     const value = mesh[name];
+    const throws = value === undefined || random.chance(0.3);
     Object.defineProperty(mesh, name, {
       enumerable: true,
       get() {
-        if (value === undefined || random.chance(0.3)) throw new CallersError('of the caller');
+        if (throws) throw new CallersError('of the caller');
         return value;
       },
     });

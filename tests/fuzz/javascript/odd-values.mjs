@@ -48,7 +48,7 @@ const ODD_VALUES = [
 ]
   .map((value) => () => value)
   .concat([
-    () => 'x'.repeat(5000),
+    () => 'x'.repeat(2000),
     () => Symbol('odd'),
     () => () => 1,
     () => ({}),

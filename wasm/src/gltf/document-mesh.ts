@@ -3,6 +3,7 @@
 import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../errors.js';
 import type { MeshArrays } from '../types.js';
+import { checkMemory } from '../validate.js';
 import { type Placement, placements, put } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 
@@ -148,11 +149,15 @@ function checkAttributes(primitive: Primitive, vertexCount: number, fail: Fail):
   const check = (owner: Pick<Primitive, 'listSemantics' | 'getAttribute'>, of: string) => {
     for (const name of owner.listSemantics()) {
       const attribute = owner.getAttribute(name) as Accessor;
-      if (!attribute.getArray()) throw fail(`${name}${of} has no data`);
+      const array = attribute.getArray();
+      if (!array) throw fail(`${name}${of} has no data`);
+      checkMemory(`${name}${of}`, array);
       if (attribute.getCount() !== vertexCount)
         throw fail(`${name}${of} has ${attribute.getCount()} rows, POSITION ${vertexCount}`);
     }
   };
+  const indices = primitive.getIndices()?.getArray();
+  if (indices) checkMemory('The array of indices', indices);
   check(primitive, '');
   primitive.listTargets().forEach((target, i) => {
     check(target, ` of morph target ${i}`);
