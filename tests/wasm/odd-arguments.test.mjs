@@ -162,6 +162,8 @@ test('abflat/gltf refuses in the same way', () => {
   for (const value of ODD) {
     assert.throws(() => unwrapTransform(abflat, { texcoord: value }), isInvalid);
     assert.throws(() => unwrapTransform(abflat, { groupBy: value }), isInvalid);
+    if (typeof value !== 'function')
+      assert.throws(() => unwrapTransform(abflat, { onProgress: value }), isInvalid);
   }
   for (const options of [null, 5]) assert.throws(() => unwrapTransform(abflat, options), isInvalid);
 });

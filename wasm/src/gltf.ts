@@ -58,6 +58,7 @@ export function unwrap(
   const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
   checkAbflat(abflat);
   check({ texcoord, overwrite, groupBy, onAtlas });
+  checkFunction('onProgress', settings.onProgress);
   const transform = async (document: Document): Promise<void> => {
     const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
     const all = membersOf(document);
