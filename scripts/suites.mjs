@@ -15,7 +15,7 @@ const SANITIZER_ENV = {
   ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
   UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
   ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
-  ABFLAT_DISKS: '48', // an instrumented program is slow
+  ABFLAT_INSTRUMENTED: '1',
 };
 const WITHOUT = {
   title: (what) => what,
@@ -39,7 +39,11 @@ const COVERED = {
   title: (what) => `${what}, coverage`,
   purposes: ['build', 'test', 'coverage'],
   folder: 'coverage',
-  env: { ABFLAT_BIN: join(BUILD, 'coverage/abflat'), LLVM_PROFILE_FILE: profileIn(PROFILES) },
+  env: {
+    ABFLAT_BIN: join(BUILD, 'coverage/abflat'),
+    ABFLAT_INSTRUMENTED: '1',
+    LLVM_PROFILE_FILE: profileIn(PROFILES),
+  },
 };
 
 const program = () => buildNative({ tests: true });

@@ -127,17 +127,29 @@ function infoRow(option) {
   return `    {${cells.join(', ')}},`;
 }
 
+/** What a number must be, and what becomes of it. Nothing is cast before it is known to fit. */
+function settingOf(option) {
+  const type = cppType(option);
+  const isWhole = 'value == std::trunc(value)';
+  switch (option.type) {
+    case 'boolean':
+      return ['value == 0 || value == 1', 'value != 0'];
+    case 'choice':
+      return [
+        `value >= 0 && value < ${option.choices.length} && ${isWhole}`,
+        `static_cast<${type}>(static_cast<int>(value))`,
+      ];
+    case 'integer':
+      return [`(${condition(option)}) && ${isWhole}`, 'static_cast<int>(value)'];
+    default:
+      return [condition(option), `static_cast<${type}>(value)`];
+  }
+}
+
 /** From the number by which JavaScript passes every option: choices by their index, words by their value. */
 function setCase(option, index) {
-  const id = option.name;
-  if (option.type === 'boolean')
-    return `    case ${index}:\n      options.${id} = value != 0;\n      return value == 0 || value == 1;`;
-  if (option.type === 'choice') {
-    return `    case ${index}:\n      options.${id} = static_cast<${cppType(option)}>(static_cast<int>(value));\n      return value >= 0 && value < ${option.choices.length};`;
-  }
-  if (option.type === 'integer')
-    return `    case ${index}:\n      if (!(${condition(option)}) || value != static_cast<int>(value)) return false;\n      options.${id} = static_cast<int>(value);\n      return true;`;
-  return `    case ${index}:\n      options.${id} = static_cast<${cppType(option)}>(value);\n      return ${condition(option)};`;
+  const [isFine, fitting] = settingOf(option);
+  return `    case ${index}:\n      if (!(${isFine})) return false;\n      options.${option.name} = ${fitting};\n      return true;`;
 }
 
 /** Number of a word or choice as written on a command line. */
@@ -199,7 +211,7 @@ const OPTION_INFO = [
 function optionFunctions(values, options) {
   return [
     `inline OptionInfos optionInfos(const ${values}&) {\n  static constexpr OptionInfo kInfos[] = {\n${options.map(infoRow).join('\n')}\n  };\n  return {kInfos, ${options.length}};\n}\n`,
-    '/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`\n/// the numbers that stand for words are refused.',
+    '/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`\n/// the numbers that stand for words are refused.',
     `inline bool setOption(${values}& options, int index, double value,\n                      [[maybe_unused]] bool isWord = true) {\n  switch (index) {\n${options.map(setCase).join('\n')}\n  }\n  return false;\n}\n`,
     '/// The number that stands for a word ("auto") or a choice of an option.',
     `inline double wordValue(const ${values}&, int index, std::string_view text, bool& found) {\n${options.flatMap(wordCases).join('\n')}\n  return found = false, 0;\n}\n`,
@@ -220,7 +232,7 @@ export function renderOptions({ verb, text, options, shared }, base) {
   );
   const parts = [
     HEADER,
-    '#include <limits>\n#include <string_view>\n',
+    '#include <cmath>\n#include <limits>\n#include <string_view>\n',
     ...(base ? [`#include "abflat/generated/${base}_options.h"\n`] : []),
     'namespace abflat {\n',
     ...own.filter(({ type }) => type === 'choice').flatMap(choiceParts),

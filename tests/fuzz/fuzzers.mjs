@@ -15,7 +15,13 @@ export const FOUND = join(HOME, 'found');
 export const PACKAGE_TARGET = 'javascript';
 
 /** Of one input: what a target may take before that is a finding as well. */
-const LIMITS = ['-timeout=25', '-rss_limit_mb=2048', '-malloc_limit_mb=1024'];
+const SECONDS = 60;
+const LIMITS = [
+  `-timeout=${SECONDS}`,
+  `-report_slow_units=${SECONDS}`,
+  '-rss_limit_mb=2048',
+  '-malloc_limit_mb=1024',
+];
 /** Bytes of an input at most. */
 const LENGTHS = { unwrap: 1200, flatten: 1200 };
 const USUAL_LENGTH = 8192;

@@ -4,11 +4,11 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { generatedDisk, toObj } from '../support/disks.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { FOLDED_DISKS, judge, MILD_DISKS, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const COUNT = Number(process.env.ABFLAT_DISKS ?? 300);
+const COUNT = isInstrumented ? 48 : 300;
 /** Flattens and checks that exit code, report and judge (where there is one) tell the same story. */
 async function flattened(at, input, t) {
   const args = ['flatten', input, '-o', 'out.obj', '--t', String(t), '--report', 'r.json'];

@@ -10,6 +10,9 @@ const SECONDS = 400;
 /** The program under test: build/native/abflat, or what ABFLAT_BIN names. */
 export const PROGRAM = process.env.ABFLAT_BIN ?? NATIVE_PROGRAM;
 
+/** Whether that program counts or checks what it does: it is some fifteen times as slow, and holds more. */
+export const isInstrumented = process.env.ABFLAT_INSTRUMENTED === '1';
+
 if (!existsSync(PROGRAM))
   throw new Error(`${PROGRAM} does not exist: run "npm run build:native" or set ABFLAT_BIN.`);
 

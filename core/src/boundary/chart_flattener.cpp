@@ -7,6 +7,7 @@
 #include "angle/constants.h"
 #include "layout/layout.h"
 #include "layout/tutte.h"
+#include "solve/angle_solver.h"
 #include "solve/interior_point.h"
 #include "stopwatch.h"
 
@@ -137,8 +138,12 @@ ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
                                std::function<void(const char*)> onStage, const KktOptions& linear)
     : chart_(chart),
       problem_(buildAngleProblem(chart, options.pool)),
-      solver_(std::in_place, problem_, counting(std::move(options)), linear),
+      solver_(std::make_unique<AngleSolver>(problem_, counting(std::move(options)), linear)),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
+
+ChartFlattener::~ChartFlattener() = default;
+
+void ChartFlattener::endSolving() { solver_.reset(); }
 
 SolverOptions ChartFlattener::counting(SolverOptions options) {
   options.onStep = [this, told = std::move(options.onStep)](int step, const NewtonStep& now) {

@@ -2,18 +2,24 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "angle/angle_problem.h"
 #include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 #include "check/distortion.h"
 #include "check/validity.h"
-#include "solve/angle_solver.h"
+#include "solve/angle_solution.h"
+#include "solve/factor_memory.h"
+#include "solve/kkt_options.h"
 
 namespace abflat {
+
+class AngleSolver;
 
 /// Bounds, times pi, that a layout is above by more than rounding.
 struct Exceeded {
@@ -56,6 +62,7 @@ class ChartFlattener {
   ChartFlattener(const DiskChart& chart, SolverOptions options,
                  std::function<void(const char*)> onStage = {},
                  const KktOptions& linear = {LinearSolver::Schur});
+  ~ChartFlattener();
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;
 
@@ -100,7 +107,7 @@ class ChartFlattener {
   Attempt tutte(const std::vector<double>& t, const std::string& reason);
 
   /// Frees factors. There are to be no more attempts, but for Tutte's.
-  void endSolving() { solver_.reset(); }
+  void endSolving();
 
   /// Checks and measures the layout of an attempt, whoever made it.
   void measure(Attempt& a);
@@ -123,7 +130,7 @@ class ChartFlattener {
 
   const DiskChart& chart_;
   AngleProblem problem_;
-  std::optional<AngleSolver> solver_;  ///< until solving has ended
+  std::unique_ptr<AngleSolver> solver_;  ///< until solving has ended
   std::function<void(const char*)> onStage_;
   Timings timings_;
   bool requiresSeparation_ = false;

@@ -79,7 +79,9 @@ std::size_t FreshFile::addTexture(const std::string& name, const std::string& mi
   Json image = named(name);
   image["mimeType"] = mimeType;
   image["bufferView"] = addView(bytes.data(), bytes.size());
-  return added(json_["textures"], {{"source", added(json_["images"], std::move(image))}});
+  // The second list may move the first, which is looked up only then.
+  const std::size_t source = added(json_["images"], std::move(image));
+  return added(json_["textures"], {{"source", source}});
 }
 
 std::size_t FreshFile::addMaterial(Json material) {

@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
-#include "solve/row_solver.h"
+#include "parallel.h"
+#include "solve/factor_memory.h"
 
 namespace abflat {
 

@@ -2,11 +2,11 @@
 
 #include <Eigen/SparseCore>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
 #include "parallel.h"
+#include "solve/factor_memory.h"
 
 namespace abflat {
 
@@ -37,15 +37,6 @@ MakeRowSolver makeDirectRowSolver;
 MakeRowSolver makeInexactRowSolver;
 /// Eigen's SimplicialLDLT, as the reference.
 MakeRowSolver makeEigenRowSolver;
-
-/// Bytes of a factor and of the matrix.
-struct FactorMemory {
-  std::uint64_t allowed = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t needed = 0;          ///< in double precision
-  std::uint64_t neededInSingle = 0;  ///< in single precision
-  bool fits() const { return needed <= allowed; }
-  bool fitsInSingle() const { return neededInSingle <= allowed; }
-};
 
 /// As makeRowSolver where the factor fits, which is known before it is computed; where it does in
 /// single precision only, the inexact one, with MultigridRowSolver in place of direct solves;

@@ -7,6 +7,7 @@
 
 #include "catch.h"
 #include "check/simple_polygon.h"
+#include "support/instrumented.h"
 
 using namespace abflat;
 
@@ -137,7 +138,7 @@ TEST_CASE("the sweep agrees with counting on random polygons of small integers")
 
 TEST_CASE("long edges side by side take no longer than others") {
   // Pairs of their boxes would be several thousand million.
-  constexpr std::size_t kSpikes = 60000;
+  constexpr std::size_t kSpikes = test::cases(60000, 6000);
   const auto urchin = [](double hub) {
     Polygon p;
     for (std::size_t i = 0; i < 2 * kSpikes; ++i) {

@@ -54,6 +54,7 @@ double countFree(FreeMap map) {
 
 TEST_CASE("the free map finds the first free place", "[pack]") {
   std::mt19937 random(5);
+  int found = 0;
   for (const int width : {1, 7, 63, 64, 65, 100, 128, 200}) {
     const int height = 40 + static_cast<int>(random() % 30);
     FreeMap map;
@@ -61,7 +62,6 @@ TEST_CASE("the free map finds the first free place", "[pack]") {
     BitGrid taken;
     taken.reset(width, height);
     Footprint footprint;
-    int found = 0;
     for (int k = 0; k < 60; ++k) {
       const BitGrid shape = randomGrid(random, 3 + static_cast<int>(random() % 70));
       footprint.set(shape);
@@ -82,8 +82,8 @@ TEST_CASE("the free map finds the first free place", "[pack]") {
           if (shape.at(u, v)) taken.set(at.y + v, at.x + u, at.x + u);
       REQUIRE(countFree(map) == static_cast<double>(width) * height - countCells(taken));
     }
-    CHECK(found > 0);
   }
+  CHECK(found > 100);
 }
 
 TEST_CASE("an empty or too large footprint has no place", "[pack]") {

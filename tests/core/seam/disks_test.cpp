@@ -3,6 +3,7 @@
 
 #include "catch.h"
 #include "support/cut_meshes.h"
+#include "support/instrumented.h"
 #include "support/isosurface.h"
 #include "support/meshes.h"
 
@@ -96,7 +97,7 @@ void checkAllDisks(PolygonMesh mesh) {
 TEST_CASE("every chart of a smooth surface is a disk", "[seams]") {
   checkAllDisks(isosurface(20, rings(0)));
   for (const unsigned genus : {1u, 2u, 3u, 6u})
-    checkAllDisks(isosurface(12 + 6 * genus, rings(genus)));
+    if (genus <= cases(6u, 2u)) checkAllDisks(isosurface(12 + 6 * genus, rings(genus)));
   for (const unsigned seed : {1u, 2u, 3u}) checkAllDisks(isosurface(24, noise(4, seed)));
   checkAllDisks(torus(12, 30));
   checkAllDisks(cylinder(16, 5));

@@ -2,6 +2,7 @@
 // clang-format off
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -137,37 +138,45 @@ inline OptionInfos optionInfos(const FlattenOptionValues&) {
   return {kInfos, 9};
 }
 
-/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
+/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
 /// the numbers that stand for words are refused.
 inline bool setOption(FlattenOptionValues& options, int index, double value,
                       [[maybe_unused]] bool isWord = true) {
   switch (index) {
     case 0:
+      if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
-      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+      return true;
     case 1:
+      if (!(value >= 0 && value < 5 && value == std::trunc(value))) return false;
       options.untangle = static_cast<Untangle>(static_cast<int>(value));
-      return value >= 0 && value < 5;
+      return true;
     case 2:
+      if (!(value >= 0 && value < 6 && value == std::trunc(value))) return false;
       options.linearSolver = static_cast<LinearSolver>(static_cast<int>(value));
-      return value >= 0 && value < 6;
+      return true;
     case 3:
+      if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.formulation = static_cast<Formulation>(static_cast<int>(value));
-      return value >= 0 && value < 2;
+      return true;
     case 4:
+      if (!(value == 0 || value == 1)) return false;
       options.precondition = value != 0;
-      return value == 0 || value == 1;
+      return true;
     case 5:
+      if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
-      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+      return true;
     case 6:
+      if (!(value == 0 || value == 1)) return false;
       options.adjacent = value != 0;
-      return value == 0 || value == 1;
+      return true;
     case 7:
+      if (!(value == 0 || value == 1)) return false;
       options.delaunay = value != 0;
-      return value == 0 || value == 1;
+      return true;
     case 8:
-      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
   }

@@ -2,6 +2,7 @@
 // clang-format off
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -74,45 +75,53 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   return {kInfos, 11};
 }
 
-/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range. Without `isWord`
+/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
 /// the numbers that stand for words are refused.
 inline bool setOption(UnwrapOptionValues& options, int index, double value,
                       [[maybe_unused]] bool isWord = true) {
   switch (index) {
     case 0:
+      if (!(value > 1 && value <= std::numeric_limits<double>::max())) return false;
       options.maxStretch = static_cast<double>(value);
-      return value > 1 && value <= std::numeric_limits<double>::max();
+      return true;
     case 1:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
-      return value >= 0 && value < 3;
+      return true;
     case 2:
+      if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
-      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+      return true;
     case 3:
+      if (!(value == 0 || value == 1)) return false;
       options.straightSeams = value != 0;
-      return value == 0 || value == 1;
+      return true;
     case 4:
-      if (!(value >= 16 && value <= 32768) || value != static_cast<int>(value)) return false;
+      if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
     case 5:
-      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
     case 6:
+      if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
-      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+      return true;
     case 7:
+      if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
-      return value == 0 || value == 1;
+      return true;
     case 8:
+      if (!(value == 0 || value == 1)) return false;
       options.rotate = value != 0;
-      return value == 0 || value == 1;
+      return true;
     case 9:
+      if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
-      return (value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0);
+      return true;
     case 10:
-      if (!(value >= 0 && value <= 256) || value != static_cast<int>(value)) return false;
+      if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
   }

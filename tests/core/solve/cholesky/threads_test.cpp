@@ -6,6 +6,7 @@
 #include "parallel.h"
 #include "solve/cholesky/cholesky.h"
 #include "solve/cholesky/matrices.h"
+#include "support/instrumented.h"
 #include "support/meshes.h"
 
 using namespace abflat;
@@ -74,7 +75,7 @@ TEST_CASE("a solution is the same to the last bit for any number of threads",
       CholeskyOptions options;
       options.pool = &pool;
       Cholesky factor(symbolic, options);
-      for (int again = 0; again < 3; ++again) {
+      for (int again = 0; again < cases(3, 1); ++again) {
         REQUIRE(factor.factorize(m.lower.valuePtr()).isOk());
         Eigen::VectorXd x = waves(m.lower.rows());
         factor.solve(x.data());
@@ -120,7 +121,7 @@ TEST_CASE("the first pivot that fails is reported for any number of threads",
       ThreadPool pool(threads);
       options.pool = &pool;
       Cholesky factor(symbolic, options);
-      for (int again = 0; again < 5; ++again) {
+      for (int again = 0; again < cases(5, 1); ++again) {
         const CholeskyStatus status = factor.factorize(m.valuePtr());
         if (threads == 1) wanted = status;
         CHECK(status.code == CholeskyStatus::Code::NegativePivot);

@@ -8,6 +8,7 @@
 #include "solve/active_set.h"
 #include "solve/angle_solver.h"
 #include "solve/newton_system.h"
+#include "support/instrumented.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 
@@ -70,7 +71,7 @@ TEST_CASE("a factor that does not fit is done without") {
 }
 
 TEST_CASE("where single precision must do, the interior point converges all the same") {
-  const AngleProblem problem = problemOf(bumpyGrid(50, 50, 0.3, 5), 1);
+  const AngleProblem problem = problemOf(bumpyGrid(cases(50u, 25u), 50, 0.3, 5), 1);
   SolverOptions options;
   AngleSolver usual(problem, options);
   options.allowedBytes = usual.memory().needed - 1;
@@ -83,12 +84,13 @@ TEST_CASE("where single precision must do, the interior point converges all the 
 }
 
 TEST_CASE("little memory leads to the same angles on generated disks") {
-  for (const PolygonMesh& mesh : {bumpyGrid(60, 45, 0.3, 3), bumpyGrid(100, 100, 0.2, 4)})
+  for (const PolygonMesh& mesh :
+       {bumpyGrid(60, 45, 0.3, 3), bumpyGrid(cases(100u, 50u), 100, 0.2, 4)})
     for (const double t : {1.0, 2.0}) compareLimits(problemOf(mesh, t));
 }
 
 TEST_CASE("the interior point does with little memory") {
-  const AngleProblem problem = problemOf(bumpyGrid(50, 50, 0.3, 5), 1);
+  const AngleProblem problem = problemOf(bumpyGrid(cases(50u, 25u), 50, 0.3, 5), 1);
   SolverOptions options;
   AngleSolver usual(problem, options);
   options.allowedBytes = kLittle;
@@ -106,6 +108,7 @@ TEST_CASE("little memory leads to the same angles on every shared mesh") {
         "inspired.obj", "mannequin.off", "nefertiti.off", "nonconvex-cap.off", "woody.obj"}) {
     const PolygonMesh mesh = sharedMesh(file);
     if (mesh.faceCount() == 0) return;
+    if (mesh.faceCount() > cases(100000u, 2000u)) continue;
     const Surface surface = buildSurface(mesh);
     if (!surface.summary.disk.ok()) continue;
     const DiskChart chart = makeDiskChart(mesh, surface);
