@@ -64,10 +64,12 @@ class ObjRewriter {
       : uv_(uv), cornerUv_(cornerUv), out_(sourceSize + 24 * uv.size() + 8 * cornerUv.size()) {}
 
   std::string run(std::string_view source) {
-    if (hasByteOrderMark(source)) {
+    const bool hasMark = hasByteOrderMark(source);
+    if (hasMark) {
       out_.put(kByteOrderMark);
       source.remove_prefix(kByteOrderMark.size());
     }
+    source = withoutZeros(source);
     const std::string_view firstEnd = lineEnd(source.substr(0, lineSize(source)));
     eol_ = firstEnd.empty() ? "\n" : firstEnd;
     ObjLines lines(source);
@@ -79,7 +81,10 @@ class ObjRewriter {
       else if (lines.next(line))
         take(line);
     }
-    return out_.take();
+    std::string text = out_.take();
+    // The line before what looks like a mark may have been a texcoord.
+    while (!hasMark && (hasByteOrderMark(text) || isUtf16(text))) text.insert(0, eol_);
+    return text;
   }
 
  private:
@@ -90,18 +95,33 @@ class ObjRewriter {
       putFaceLine(line.substr(2, line.size() - 2 - end.size()), end);
       return true;
     }
-    if (beginsWith(line, "vt ")) return true;
+    if (beginsWith(line, "vt ")) {
+      drop();
+      return true;
+    }
     if (!beginsWith(line, "v ") && !beginsWith(line, "vn ")) return false;
-    out_.put(line);
+    put(line);
     return true;
+  }
+
+  void put(std::string_view line) {
+    out_.put(line);
+    const std::size_t size = line.size() - lineEnd(line).size();
+    isOpen_ = size > 0 && line[size - 1] == '\\' && line.find('#') == std::string_view::npos;
+  }
+
+  /// Leaves nothing of a line but its end, where those around it would be joined otherwise.
+  void drop() {
+    if (isOpen_) out_.put(eol_);
+    isOpen_ = false;
   }
 
   void take(const ObjLine& line) {
     const bool isFace = line.kind == ObjLine::Kind::Face;
     const bool isMapped =
         line.kind == ObjLine::Kind::Polyline && line.arguments.find('/') != std::string_view::npos;
-    if (line.kind == ObjLine::Kind::Texcoord) return;
-    if (!isFace && !isMapped) return out_.put(line.text);
+    if (line.kind == ObjLine::Kind::Texcoord) return drop();
+    if (!isFace && !isMapped) return put(line.text);
     const std::string_view arguments = argumentsOf(line, storage_);
     const std::string_view end = lineEnd(line.text);
     if (isFace)
@@ -124,11 +144,13 @@ class ObjRewriter {
       out_.put(comment);
     }
     out_.put(end.empty() ? eol_ : end);
+    isOpen_ = false;
   }
 
   const std::vector<double>& uv_;
   const CornerUv& cornerUv_;
   std::size_t corner_ = 0;  ///< the next
+  bool isOpen_ = false;     ///< the last line that was put ends in a backslash
   std::string_view eol_;
   std::string storage_;
   TextWriter out_;

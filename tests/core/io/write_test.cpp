@@ -142,6 +142,38 @@ TEST_CASE("random meshes come back with their texcoords, bit for bit") {
   }
 }
 
+TEST_CASE("a texcoord that is left out joins no lines, and begins no text with a mark") {
+  const std::string plain = "v 1 0 0\nv 0 1 0\n";
+  const std::vector<std::string> sources = {
+      "v 0 0 \\\n0 \\\nvt 1 1\ng a\n" + plain + "f 1/1 2/1 3/1\n",
+      "v 0 0 \\\n0 \\\nvt 1 \\\n 1\n1 2\n" + plain + "f 1 2 3\n",
+      "vt 1 1\n\xEF\xBB\xBFv 9 9 9\nv 0 0 0\n" + plain + "f 1 2 3\n",
+      "vt 1 1\n\xFF\xFEv 9 9 9\nv 0 0 0\n" + plain + "f 1 2 3\n",
+      "vt 1 1\n" + std::string("\0#\0#\n", 5) + "v 0 0 0\n" + plain + "f 1 2 3\n"};
+  for (const std::string& source : sources) {
+    INFO(source);
+    const Result<PolygonMesh> mesh = readMesh(source, MeshFormat::Obj, "a");
+    REQUIRE(mesh.ok());
+    const Result<PolygonMesh> back =
+        readMesh(writeObj(mesh.value, {0, 0, 1, 0, 0, 1}, {0, 1, 2}, source), MeshFormat::Obj, "b");
+    INFO(back.status.message);
+    REQUIRE(back.ok());
+    CHECK(back.value.positions == mesh.value.positions);
+    CHECK(back.value.faceVertices == mesh.value.faceVertices);
+    CHECK(back.value.texcoords == std::vector<double>{0, 0, 1, 0, 0, 1});
+  }
+}
+
+TEST_CASE("zero bytes at the end of a text are dropped") {
+  const std::string zeros(3, '\0'), source = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3";
+  const Result<PolygonMesh> mesh = readMesh(source + zeros + "\n", MeshFormat::Obj, "a");
+  REQUIRE(mesh.ok());
+  CHECK(mesh.value.faceCount() == 1);
+  const std::vector<double> uv{0, 0, 1, 0, 0, 1};
+  CHECK(writeObj(mesh.value, uv, {0, 1, 2}, source + zeros) ==
+        writeObj(mesh.value, uv, {0, 1, 2}, source));
+}
+
 TEST_CASE("lines that are joined with an empty one end there") {
   const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", texcoords = "vt 0 0\nvt 1 0\nvt 0 1\n";
   const std::string source = head + "l 1/1 2/1 \\\n\\\n\nf 1 2 3 \\\n\nl 1/1 2/1\\\n\nf 3 2 1\n";
