@@ -17,6 +17,7 @@
 #include "mesh/welded_mesh.h"
 #include "parallel.h"
 #include "seam/given_seams.h"
+#include "seam/scale_seams.h"
 #include "stopwatch.h"
 #include "unwrap_atlas.h"
 #include "unwrap_certificate.h"
@@ -230,18 +231,34 @@ class Unwrapping {
   }
 
   Status cut() {
-    const Result<Seams> given = givenSeams(mesh_, welded_, surface_, options_.seams);
+    Result<Seams> given = givenSeams(mesh_, welded_, surface_, options_.seams);
     if (!given.ok()) return given.status;
+    Scales scales;
+    if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
+    if (!scales.ofTriangle.empty()) noteScales(scales.sharpest);
     Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     open_ = cutOpen(
-        welded_, surface_, given.value, fixed_, options_, *pool_,
+        welded_, surface_, given.value, scales, fixed_, options_, *pool_,
         [&] { return monitor_.tell(kSeams); }, report_.seams);
     surface_.fans = Fans();
     monitor_.tellAgain();
     if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
     return {};
+  }
+
+  void noteScales(const ScaleJump& jump) {
+    const auto faceOf = [&](std::uint32_t triangle) {
+      return welded_.inputFace[surface_.triangulation.face[triangle]];
+    };
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "faces of very different size are cut apart: face %u is %.3g long, face %u beside "
+        "it %.3g",
+        faceOf(jump.large), jump.largeSide * unit_, faceOf(jump.small), jump.smallSide * unit_);
+    report_.notes.emplace_back(text);
   }
 
   /// Charts that turn out to be stretched more than was expected are cut further.
@@ -277,7 +294,7 @@ class Unwrapping {
   void endCutting() {
     monitor_.tellAgain();
     const Seams seams = visibleSeams(open_);
-    measureSeams(open_, seams, report_.seams);
+    measureSeams(welded_, surface_, seams, report_.seams);
     out_.seams = seamEdges(mesh_, welded_, surface_, seams);
     open_ = OpenSurface();
     wishes_ = std::vector<ChartWishes>();

@@ -6,6 +6,7 @@
 
 #include "hole/fill_holes.h"
 #include "hole/filled_table.h"
+#include "mesh/triangle_geometry.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
 #include "seam/prediction.h"
@@ -17,19 +18,21 @@ namespace {
 /// filled; where there are none the surface as it is, which has the same elimination order whatever
 /// is given. The seams are those that are given but not its boundary.
 OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams given,
-                        const FixedTriangles& fixed, FillHoles mode, const Pulse& pulse) {
+                        const Scales& scales, const FixedTriangles& fixed, FillHoles mode,
+                        const Pulse& pulse) {
   CornerTable table = surface.table;
   for (std::size_t h = 0; h < given.size(); ++h)
     if (given[h]) table.twin[h] = kNone;
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
-    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal, pulse);
+    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal,
+                        scales.ofTriangle, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
   OpenSurface out;
   out.mesh = meshOf(table, fans);
   fillHoles(mode, fixed.isFixed, out.mesh, pulse);
-  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty()) {
+  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty() && scales.ofTriangle.empty()) {
     fans = surface.fans;
     out.mesh = meshOf(surface.table, fans);
     out.seams = given;
@@ -104,9 +107,9 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 }  // namespace
 
 OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                    const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
-                    std::function<bool()> keepsOn, SeamSummary& summary) {
-  OpenSurface open = openAndFill(welded, surface, withBorders(asked, fixed), fixed,
+                    const Scales& scales, const FixedTriangles& fixed, const UnwrapOptions& options,
+                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary) {
+  OpenSurface open = openAndFill(welded, surface, withBorders(asked, fixed), scales, fixed,
                                  options.fillHoles, Pulse(keepsOn));
   SeamReport found;
   findAround(fixed.isFixed, seamOptions(options, pool, std::move(keepsOn)), open, found);
@@ -159,16 +162,21 @@ Seams visibleSeams(const OpenSurface& open) {
   return out;
 }
 
-void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
-  double length = 0;
-  for (std::size_t h = 0; h < visible.size(); ++h) {
+void measureSeams(const WeldedMesh& welded, const Surface& surface, const Seams& visible,
+                  SeamSummary& summary) {
+  const std::vector<double>& positions = welded.mesh.positions;
+  const std::vector<std::uint32_t>& vertex = surface.table.vertex;
+  double length = 0, doubleArea = 0;
+  for (std::uint32_t h = 0; h < visible.size(); ++h) {
+    const Vec3 edge = edgeVector(positions, vertex[h], vertex[nextCorner(h)]);
+    if (h % 3 == 0)
+      doubleArea += norm(cross(edge, edgeVector(positions, vertex[h], vertex[h + 2])));
     if (!visible[h]) continue;
-    length += open.mesh.length[h] / 2;
+    length += norm(edge) / 2;
     ++summary.edges;
   }
   summary.edges /= 2;
-  const double size = std::sqrt(open.mesh.totalArea());
-  summary.relativeLength = size > 0 ? length / size : 0;
+  summary.relativeLength = doubleArea > 0 ? length / std::sqrt(doubleArea / 2) : 0;
 }
 
 }  // namespace abflat

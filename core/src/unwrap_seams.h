@@ -8,6 +8,7 @@
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
 #include "parallel.h"
+#include "seam/scale_seams.h"
 #include "unwrap_fixed.h"
 
 namespace abflat {
@@ -25,8 +26,8 @@ struct OpenSurface {
 /// Cuts the surface around what is fixed, and fills the holes of its charts; `keepsOn` as in
 /// SeamOptions.
 OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                    const FixedTriangles& fixed, const UnwrapOptions& options, ThreadPool& pool,
-                    std::function<bool()> keepsOn, SeamSummary& summary);
+                    const Scales& scales, const FixedTriangles& fixed, const UnwrapOptions& options,
+                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary);
 
 /// Cuts charts further that flattening has stretched by more than `options.maxStretch`; `stretch`
 /// is that per chart, 0 for those to be left as they are. False where none of them can be cut so
@@ -42,6 +43,7 @@ ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open);
 Seams visibleSeams(const OpenSurface& open);
 
 /// Sets how many edges they have and how long they are.
-void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary);
+void measureSeams(const WeldedMesh& welded, const Surface& surface, const Seams& visible,
+                  SeamSummary& summary);
 
 }  // namespace abflat

@@ -16,25 +16,38 @@ constexpr double kGrid = 268435456;  // 2^28
 /// Cotangent weights outside of this come from needles; inside, the matrix is well conditioned.
 constexpr double kLeastWeight = 0.01, kMostWeight = 50;
 
-std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans) {
-  Vec3 low{};
-  double extent = 0;
+/// What holds the coordinates of one scale, halved so that no difference overflows.
+struct Extent {
+  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  double most = 0;
+};
+
+std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans,
+                           const std::vector<std::uint8_t>& scale) {
+  const std::size_t count = fans.inputVertex.size();
+  std::vector<std::uint8_t> ofFan(count, 0);
+  for (std::size_t c = 0; c < 3 * scale.size(); ++c) ofFan[fans.ofCorner[c]] = scale[c / 3];
+  const auto at = [&](std::size_t i, std::size_t d) {
+    return positions[3 * static_cast<std::size_t>(fans.inputVertex[i]) + d] / 2;
+  };
+  std::vector<Extent> extents(256);
   for (std::size_t d = 0; d < 3; ++d) {
-    double least = 0, most = 0;
-    for (std::size_t i = 0; i < fans.inputVertex.size(); ++i) {
-      const double x = positions[3 * static_cast<std::size_t>(fans.inputVertex[i]) + d] / 2;
-      least = i == 0 ? x : std::min(least, x);
-      most = i == 0 ? x : std::max(most, x);
+    for (std::size_t i = 0; i < count; ++i) {
+      double& low = extents[ofFan[i]].low[d];
+      low = std::min(low, at(i, d));
     }
-    low[d] = least;
-    extent = std::max(extent, most - least);
+    for (std::size_t i = 0; i < count; ++i) {
+      Extent& extent = extents[ofFan[i]];
+      extent.most = std::max(extent.most, at(i, d) - extent.low[d]);
+    }
   }
   std::vector<double> out;
-  out.reserve(3 * fans.inputVertex.size());
-  for (const std::uint32_t v : fans.inputVertex)
+  out.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
     for (std::size_t d = 0; d < 3; ++d) {
-      const double x = positions[3 * static_cast<std::size_t>(v) + d] / 2 - low[d];
-      out.push_back(extent > 0 ? std::floor(x / extent * kGrid + 0.5) / kGrid : 0);
+      const Extent& extent = extents[ofFan[i]];
+      const double x = at(i, d) - extent.low[d];
+      out.push_back(extent.most > 0 ? std::floor(x / extent.most * kGrid + 0.5) / kGrid : 0);
     }
   return out;
 }
@@ -97,11 +110,11 @@ double SeamMesh::totalArea() const {
 
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const std::vector<std::uint8_t>& isDiagonal,
-                      const Pulse& pulse) {
+                      const std::vector<std::uint8_t>& scale, const Pulse& pulse) {
   SeamMesh m;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
-  m.positions = onGrid(positions, fans);
+  m.positions = onGrid(positions, fans, scale);
   const std::size_t corners = m.vertexOfCorner.size();
   m.angle.resize(corners);
   m.area.resize(corners / 3);

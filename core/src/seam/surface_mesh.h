@@ -56,9 +56,10 @@ struct SeamMesh {
 };
 
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
-/// `isDiagonal` is per half-edge, or empty where all faces are triangles.
+/// `isDiagonal` is per half-edge, or empty where all faces are triangles. `scale` is per triangle
+/// where several scales, which share no fan, have a grid each; or empty.
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const std::vector<std::uint8_t>& isDiagonal = {},
-                      const Pulse& pulse = {});
+                      const std::vector<std::uint8_t>& scale = {}, const Pulse& pulse = {});
 
 }  // namespace abflat

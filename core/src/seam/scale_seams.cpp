@@ -1,0 +1,135 @@
+#include "seam/scale_seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Charts are to have faces of fewer octaves. Single precision has 24, of which large charts need
+/// some for the number of their faces.
+constexpr std::size_t kMostOctaves = 16;
+/// A smaller share of the faces may be below: slivers of isosurfaces, for example.
+constexpr double kFew = 0.1;
+
+/// Per triangle, the longest side of its face.
+std::vector<double> longestSides(const PolygonMesh& mesh, const Surface& surface) {
+  const Triangulation& t = surface.triangulation;
+  std::vector<double> ofFace(mesh.faceCount(), 0), out(t.face.size());
+  for (std::uint32_t h = 0; h < t.vertex.size(); ++h) {
+    double& longest = ofFace[t.face[h / 3]];
+    longest =
+        std::max(longest, norm(edgeVector(mesh.positions, t.vertex[h], t.vertex[nextCorner(h)])));
+  }
+  for (std::size_t f = 0; f < out.size(); ++f) out[f] = ofFace[t.face[f]];
+  return out;
+}
+
+/// Counts of an octave each, from the smallest one.
+struct Octaves {
+  int first = 0;
+  std::vector<std::uint32_t> faces;  ///< triangles of that size
+  std::vector<std::uint32_t> jumps;  ///< edges between a smaller triangle and one that is not
+};
+
+std::vector<int> octavesOf(const std::vector<double>& sides) {
+  std::vector<int> out;
+  out.reserve(sides.size());
+  int least = 0;
+  for (const double x : sides)
+    if (x > 0) least = std::min(least, std::ilogb(x));
+  for (const double x : sides) out.push_back(x > 0 ? std::ilogb(x) : least);
+  return out;
+}
+
+Octaves countOctaves(const CornerTable& table, const std::vector<int>& octave) {
+  const auto [least, most] = std::minmax_element(octave.begin(), octave.end());
+  Octaves out;
+  out.first = *least;
+  const auto count = static_cast<std::size_t>(*most - *least) + 1;
+  out.faces.resize(count, 0);
+  std::vector<std::int64_t> change(count + 1, 0);
+  const auto index = [&](std::uint32_t triangle) {
+    return static_cast<std::size_t>(octave[triangle] - out.first);
+  };
+  for (std::uint32_t f = 0; f < octave.size(); ++f) ++out.faces[index(f)];
+  for (std::uint32_t h = 0; h < table.twin.size(); ++h) {
+    const std::uint32_t o = table.twin[h];
+    if (o == kNone || index(h / 3) >= index(o / 3)) continue;
+    ++change[index(h / 3) + 1];
+    --change[index(o / 3) + 1];
+  }
+  std::int64_t jumps = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    out.jumps.push_back(static_cast<std::uint32_t>(jumps += change[i]));
+  return out;
+}
+
+/// From begin to end, both of which hold faces, where the fewest edges are cut; in the middle of
+/// octaves that are as good.
+std::size_t bestBetween(const Octaves& octaves, std::size_t begin, std::size_t end) {
+  std::size_t best = begin + 1, length = 0;
+  for (std::size_t i = begin + 1; i < end;) {
+    std::size_t j = i;
+    while (j < end && octaves.jumps[j] == octaves.jumps[i]) ++j;
+    const bool isBetter = length == 0 || octaves.jumps[i] < octaves.jumps[best] ||
+                          (octaves.jumps[i] == octaves.jumps[best] && j - i > length);
+    if (isBetter) {
+      length = j - i;
+      best = i + length / 2;
+    }
+    i = j;
+  }
+  return best;
+}
+
+/// Parts octaves from begin to end until each part has few.
+void part(const Octaves& octaves, std::size_t begin, std::size_t end,
+          std::vector<std::size_t>& borders) {
+  const auto& faces = octaves.faces;
+  while (end > begin && faces[end - 1] == 0) --end;
+  double all = 0, below = 0;
+  for (std::size_t i = begin; i < end; ++i) all += faces[i];
+  while (begin < end && (below += faces[begin]) <= kFew * all) ++begin;
+  if (end < begin + kMostOctaves + 2) return;
+  const std::size_t border = bestBetween(octaves, begin, end);
+  part(octaves, begin, border, borders);
+  borders.push_back(border);
+  part(octaves, border, end, borders);
+}
+
+}  // namespace
+
+Scales addScaleSeams(const PolygonMesh& mesh, const Surface& surface, Seams& seams) {
+  const std::vector<double> sides = longestSides(mesh, surface);
+  const std::vector<int> octave = octavesOf(sides);
+  const Octaves octaves = countOctaves(surface.table, octave);
+  std::vector<std::size_t> borders;
+  part(octaves, 0, octaves.faces.size(), borders);
+  Scales out;
+  if (borders.empty()) return out;
+  for (const int x : octave) {
+    const auto i = static_cast<std::size_t>(x - octaves.first);
+    const auto scale = std::upper_bound(borders.begin(), borders.end(), i) - borders.begin();
+    out.ofTriangle.push_back(static_cast<std::uint8_t>(scale));
+  }
+  double sharpest = 0;
+  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+    const std::uint32_t o = surface.table.twin[h];
+    if (o == kNone || out.ofTriangle[h / 3] <= out.ofTriangle[o / 3]) continue;
+    seams[h] = seams[o] = 1;
+    const ScaleJump jump{h / 3, o / 3, sides[h / 3], sides[o / 3]};
+    if (jump.largeSide / jump.smallSide <= sharpest) continue;
+    sharpest = jump.largeSide / jump.smallSide;
+    out.sharpest = jump;
+  }
+  // Parts that touch nowhere need not differ.
+  if (sharpest == 0) out.ofTriangle.clear();
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface.h"
+#include "seam/cut_surface.h"
+
+namespace abflat {
+
+/// Where faces of very different size meet.
+struct ScaleJump {
+  std::uint32_t large = 0, small = 0;   ///< triangles
+  double largeSide = 0, smallSide = 0;  ///< the longest of their faces
+};
+
+/// Which triangles are alike in size.
+struct Scales {
+  std::vector<std::uint8_t> ofTriangle;  ///< empty where all are
+  ScaleJump sharpest;                    ///< where two scales meet
+};
+
+/// Adds seams between faces so different in size that no numbers could hold both in one chart, as
+/// where one vertex lies far off. Tiny faces that are few stay with the others.
+Scales addScaleSeams(const PolygonMesh& mesh, const Surface& surface, Seams& seams);
+
+}  // namespace abflat

@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "support/isosurface.h"
+#include "support/meshes.h"
+#include "support/unwrapped.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+std::string notesOf(const UnwrapResult& r) {
+  std::string out;
+  for (const std::string& note : r.report.notes) out += note + "\n";
+  return out;
+}
+
+PolygonMesh withVertexAt(PolygonMesh mesh, std::size_t vertex, double distance) {
+  const double direction[3] = {0.48, -0.64, 0.6};
+  for (std::size_t d = 0; d < 3; ++d) mesh.positions[3 * vertex + d] += distance * direction[d];
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a vertex far off leaves the others an atlas that is valid, in every precision",
+          "[unwrap]") {
+  for (const PolygonMesh& mesh : {torus(24, 16), bumpyGrid(12, 10, 0.5, 1)})
+    for (const double distance : {1e2, 1e4, 1e5, 1e6, 1e7, 1e9, 1e12})
+      for (const bool isGltf : {false, true}) {
+        UnwrapOptions options;
+        options.roundsForGltf = isGltf;
+        options.roundsToSingle = true;
+        INFO(distance << (isGltf ? " glTF" : ""));
+        const Result<UnwrapResult> r = unwrap(withVertexAt(mesh, 77, distance), options);
+        REQUIRE(r.ok());
+        INFO(notesOf(r.value));
+        CHECK(r.value.report.valid);
+        const bool isCut = notesOf(r.value).find("cut apart") != std::string::npos;
+        if (distance != 1e5) CHECK(isCut == (distance > 1e5));
+      }
+}
+
+TEST_CASE("few faces that are tiny stay with their neighbours", "[unwrap]") {
+  PolygonMesh mesh = torus(40, 24);
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::size_t a = mesh.faceVertices[300], b = mesh.faceVertices[301];
+    mesh.positions[3 * a + d] =
+        mesh.positions[3 * b + d] + 1e-9 * (mesh.positions[3 * a + d] - mesh.positions[3 * b + d]);
+  }
+  const UnwrapResult r = unwrapped(mesh, {});
+  CHECK(notesOf(r).find("cut apart") == std::string::npos);
+}
