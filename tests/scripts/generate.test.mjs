@@ -119,7 +119,10 @@ describe('in a copy', () => {
     });
     assert.equal(generate(copy).status, 0);
     assert.match(read(OUTPUTS[1]), /int rounds = 1;/);
-    assert.match(read(OUTPUTS[1]), /value <= 9\) && value == std::trunc\(value\)\)\) return false;/);
+    assert.match(
+      read(OUTPUTS[1]),
+      /value <= 9\) && value == std::trunc\(value\)\)\) return false;/,
+    );
     assert.match(read(OUTPUTS[2]), /at least 0 and at most 9, whole/);
   });
 
