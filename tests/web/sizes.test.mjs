@@ -120,6 +120,22 @@ test('labels and names never push anything out of its place', async (t) => {
   }
 });
 
+test('on a phone both views together have most of the screen', async (t) => {
+  const page = await openPage(t);
+  for (const mode of ['unwrap', 'flatten']) {
+    await choose(page, mode);
+    for (const [width, height] of [
+      [390, 844],
+      [675, 900],
+    ]) {
+      await resize(page, width, height);
+      const boxes = await Promise.all(VIEWS.map((id) => page.locator(id).boundingBox()));
+      const sum = boxes.reduce((all, box) => all + box.height, 0);
+      assert.ok(sum >= SHARE * height - 2, `${mode}, ${width}: ${sum} of ${height}`);
+    }
+  }
+});
+
 test('a page at 200 % shows everything, one thing above the other', async (t) => {
   const page = await openPage(t, { viewport: { width: 640, height: 360 }, deviceScaleFactor: 2 });
   await page.click('#mode-unwrap');
