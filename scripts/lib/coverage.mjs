@@ -1,7 +1,7 @@
 // What clang counts of an instrumented program: https://clang.llvm.org/docs/SourceBasedCodeCoverage.html
 
 import { existsSync, readdirSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { dirname, join, relative, resolve } from 'node:path';
 import { ROOT } from './paths.mjs';
 import { Failure, mustRun, run, which } from './run.mjs';
 
@@ -17,7 +17,10 @@ function tool(name) {
   return found;
 }
 
-/** Totals of lines and branches, as `{ covered, count }`, for each source below `root`/core/src, worst first. */
+/**
+ * Totals of lines and branches, as `{ covered, count }`, for each source below `root`/core/src, worst first. Names that are not absolute, as compiler caches
+ * may leave them, begin where the first program is.
+ */
 export async function readCoverage(folder, programs, root = ROOT) {
   const names = existsSync(folder) ? readdirSync(folder) : [];
   const raw = names.filter((name) => name.endsWith('.profraw')).map((name) => join(folder, name));
@@ -31,8 +34,14 @@ export async function readCoverage(folder, programs, root = ROOT) {
   const { code, output } = await run(tool('llvm-cov'), args, { capture: 'stdout' });
   if (code !== 0) throw new Failure(`llvm-cov failed:\n${output}`);
   const sources = join(root, 'core/src/');
-  return JSON.parse(output)
-    .data[0].files.filter(({ filename }) => filename.startsWith(sources))
+  const files = JSON.parse(output)
+    .data[0].files.map(({ filename, summary }) => ({
+      filename: resolve(dirname(first), filename),
+      summary,
+    }))
+    .filter(({ filename }) => filename.startsWith(sources));
+  if (files.length === 0) throw new Failure(`No counts are of sources in ${sources}.`);
+  return files
     .map(({ filename, summary }) => ({
       file: relative(root, filename),
       lines: summary.lines,

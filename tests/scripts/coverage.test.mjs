@@ -57,4 +57,19 @@ test('two programs reach what neither reaches alone', NEEDS_CLANG, async () => {
   assert.equal(percent(both[1].lines), 100);
   assert.equal(percent(both[1].branches), 100);
   assert.equal(sum(both, 'lines').count, never.lines.count + side.lines.count);
+  await assert.rejects(readCoverage(profiles, programs, tmpdir()), /No counts are of sources in/);
+});
+
+test('names of sources may be relative', NEEDS_CLANG, async () => {
+  mkdirSync(join(folder, 'core/src/part'), { recursive: true });
+  writeFileSync(join(folder, 'core/src/part/one.cpp'), 'int main() {\n  return 0;\n}\n');
+  const flags = ['-fprofile-instr-generate', '-fcoverage-mapping', '-fcoverage-compilation-dir=.'];
+  run(clang, [...flags, 'core/src/part/one.cpp', '-o', 'one']);
+  const profiles = join(folder, 'relative');
+  run(join(folder, 'one'), [], { LLVM_PROFILE_FILE: profileIn(profiles) });
+  const files = await readCoverage(profiles, [join(folder, 'one')], folder);
+  assert.deepEqual(
+    files.map(({ file }) => file),
+    ['core/src/part/one.cpp'],
+  );
 });
