@@ -235,7 +235,7 @@ class Unwrapping {
     if (!given.ok()) return given.status;
     Scales scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
-    if (!scales.ofTriangle.empty()) noteScales(scales.sharpest);
+    if (scales.sharpest) noteScales(*scales.sharpest);
     Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);

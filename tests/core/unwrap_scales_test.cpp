@@ -46,6 +46,23 @@ TEST_CASE("a vertex far off leaves the others an atlas that is valid, in every p
       }
 }
 
+TEST_CASE("a part beside one of another scale has the charts that it has alone", "[unwrap]") {
+  const PolygonMesh small = torus(24, 16);
+  const std::size_t alone = unwrapped(small, {}).report.charts.size();
+  for (const double scale : {1e3, 1e8, 1e16, 1e30, 1e150}) {
+    INFO(scale);
+    PolygonMesh both = small;
+    for (const double x : small.positions) both.positions.push_back(scale * (x + 3));
+    const auto vertices = static_cast<std::uint32_t>(small.vertexCount());
+    for (const std::uint32_t v : small.faceVertices) both.faceVertices.push_back(v + vertices);
+    both = makeTriangleMesh(both.positions, both.faceVertices);
+    const UnwrapResult r = unwrapped(both, {});
+    CHECK(r.report.charts.size() == 2 * alone);
+    CHECK(notesOf(r).find("stretched") == std::string::npos);
+    CHECK(notesOf(r).find("cut apart") == std::string::npos);
+  }
+}
+
 TEST_CASE("few faces that are tiny stay with their neighbours", "[unwrap]") {
   PolygonMesh mesh = torus(40, 24);
   for (std::size_t d = 0; d < 3; ++d) {

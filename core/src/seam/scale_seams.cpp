@@ -117,18 +117,15 @@ Scales addScaleSeams(const PolygonMesh& mesh, const Surface& surface, Seams& sea
     const auto scale = std::upper_bound(borders.begin(), borders.end(), i) - borders.begin();
     out.ofTriangle.push_back(static_cast<std::uint8_t>(scale));
   }
-  double sharpest = 0;
   for (std::uint32_t h = 0; h < seams.size(); ++h) {
     const std::uint32_t o = surface.table.twin[h];
     if (o == kNone || out.ofTriangle[h / 3] <= out.ofTriangle[o / 3]) continue;
     seams[h] = seams[o] = 1;
     const ScaleJump jump{h / 3, o / 3, sides[h / 3], sides[o / 3]};
-    if (jump.largeSide / jump.smallSide <= sharpest) continue;
-    sharpest = jump.largeSide / jump.smallSide;
-    out.sharpest = jump;
+    const auto& before = out.sharpest;
+    if (!before || jump.largeSide / jump.smallSide > before->largeSide / before->smallSide)
+      out.sharpest = jump;
   }
-  // Parts that touch nowhere need not differ.
-  if (sharpest == 0) out.ofTriangle.clear();
   return out;
 }
 

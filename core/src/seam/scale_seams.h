@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/surface.h"
@@ -17,7 +18,7 @@ struct ScaleJump {
 /// Which triangles are alike in size.
 struct Scales {
   std::vector<std::uint8_t> ofTriangle;  ///< empty where all are
-  ScaleJump sharpest;                    ///< where two scales meet
+  std::optional<ScaleJump> sharpest;     ///< where two scales meet
 };
 
 /// Adds seams between faces so different in size that no numbers could hold both in one chart, as
