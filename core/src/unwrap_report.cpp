@@ -1,4 +1,7 @@
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "abflat/unwrap.h"
 #include "report_json.h"
@@ -55,11 +58,25 @@ Json timingsJson(const UnwrapTimings& t) {
   return out;
 }
 
+/// Adds them as jsonText has the elements of an array that is one level deep. There may be as many
+/// charts as faces: only one at a time is a tree of objects.
+void addCharts(const std::vector<UnwrapChart>& charts, std::string& out) {
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    std::string text = "\n" + jsonText(chartJson(charts[i]));
+    text.back() = ',';
+    if (i + 1 == charts.size()) text.pop_back();
+    for (const char c : text) {
+      out += c;
+      if (c == '\n') out += "    ";
+    }
+    if (i == 0) out.reserve(out.size() + charts.size() * (text.size() + text.size() / 2));
+  }
+  out += "\n  ";
+}
+
 }  // namespace
 
 std::string unwrapReportJson(const UnwrapReport& report) {
-  Json charts = Json::array();
-  for (const UnwrapChart& chart : report.charts) charts.push_back(chartJson(chart));
   Json out = {
       {"version", ABFLAT_VERSION},
       {"input", inputJson(report.input, report.path, report.error.code)},
@@ -67,7 +84,7 @@ std::string unwrapReportJson(const UnwrapReport& report) {
       {"threads", report.threads},
       {"repair", repairJson(report.repair)},
       {"seams", seamsJson(report.seams)},
-      {"charts", charts},
+      {"charts", Json::array()},
       {"notes", report.notes},
       {"angularDistortion", report.angularDistortion},
       {"quasiConformalMean", report.quasiConformalMean},
@@ -83,7 +100,15 @@ std::string unwrapReportJson(const UnwrapReport& report) {
       {"peakMemory", stagesJson(report.peakMemory)},
   };
   if (!report.error.ok()) out["error"] = errorJson(report.error);
-  return jsonText(out);
+  std::string text = jsonText(out);
+  if (report.charts.empty()) return text;
+  // Nothing before reads like that: quotes within texts are escaped.
+  const std::string_view key = "\n  \"charts\": [";
+  const std::size_t at = text.find(key) + key.size();
+  const std::string rest = text.substr(at);
+  text.erase(at);
+  addCharts(report.charts, text);
+  return text += rest;
 }
 
 }  // namespace abflat

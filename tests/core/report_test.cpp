@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "abflat/flatten.h"
+#include "abflat/unwrap.h"
 #include "catch.h"
 #include "support/meshes.h"
 
@@ -139,4 +140,19 @@ TEST_CASE("inspectJson says what a mesh is and why it is not a disk") {
   CHECK(closed["genus"].get<int>() == 1);
   CHECK(closed["disk"]["code"].get<std::string>() == "ClosedSurface");
   CHECK_FALSE(closed["disk"]["message"].get<std::string>().empty());
+}
+
+TEST_CASE("the report of an atlas is written like any other JSON, chart by chart", "[unwrap]") {
+  UnwrapReport report = unwrap(bumpyGrid(6, 6, 0.3, 1), UnwrapOptions{}).value.report;
+  report.path = "a\n  \"charts\": [].obj";
+  const UnwrapChart chart = report.charts.front();
+  for (const std::size_t count : {0, 1, 3}) {
+    report.charts.assign(count, chart);
+    for (UnwrapChart& each : report.charts) each.fallbacks = {"one\ntwo", "\"three\""};
+    const std::string text = unwrapReportJson(report);
+    const Json json = Json::parse(text);
+    CHECK(json["charts"].size() == count);
+    CHECK(json["input"]["path"] == report.path);
+    CHECK(json.dump(2) + "\n" == text);
+  }
 }
