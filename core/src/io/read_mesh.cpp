@@ -100,7 +100,6 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
   if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
   switch (format) {
     case MeshFormat::Obj:
-      text = withoutZeros(text);
       return trimmed(readObj(text, fileName));
     case MeshFormat::Off:
       return trimmed(readOff(text, fileName));

@@ -25,15 +25,6 @@ inline bool isUtf16(std::string_view text) {
   return (text[0] == 0) == (text[2] == 0) && (text[1] == 0) == (text[3] == 0);
 }
 
-/// Without zero bytes at its end, as strings of C have one and files that were cut short many.
-inline std::string_view withoutZeros(std::string_view text) {
-  constexpr std::string_view kNothing("\0 \t\r\n", 5);
-  const std::size_t zero = text.find('\0');
-  if (zero == std::string_view::npos) return text;
-  const bool isEnd = text.find_first_not_of(kNothing, zero) == std::string_view::npos;
-  return isEnd ? text.substr(0, zero) : text;
-}
-
 /// Size of the first line with its end, which is "\n", "\r\n", "\r" or the end of the text.
 inline std::size_t lineSize(std::string_view text) {
   const char *begin = text.data(), *end = begin + text.size(), *at = begin;

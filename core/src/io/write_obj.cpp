@@ -69,7 +69,6 @@ class ObjRewriter {
       out_.put(kByteOrderMark);
       source.remove_prefix(kByteOrderMark.size());
     }
-    source = withoutZeros(source);
     const std::string_view firstEnd = lineEnd(source.substr(0, lineSize(source)));
     eol_ = firstEnd.empty() ? "\n" : firstEnd;
     ObjLines lines(source);

@@ -164,16 +164,6 @@ TEST_CASE("a texcoord that is left out joins no lines, and begins no text with a
   }
 }
 
-TEST_CASE("zero bytes at the end of a text are dropped") {
-  const std::string zeros(3, '\0'), source = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3";
-  const Result<PolygonMesh> mesh = readMesh(source + zeros + "\n", MeshFormat::Obj, "a");
-  REQUIRE(mesh.ok());
-  CHECK(mesh.value.faceCount() == 1);
-  const std::vector<double> uv{0, 0, 1, 0, 0, 1};
-  CHECK(writeObj(mesh.value, uv, {0, 1, 2}, source + zeros) ==
-        writeObj(mesh.value, uv, {0, 1, 2}, source));
-}
-
 TEST_CASE("lines that are joined with an empty one end there") {
   const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", texcoords = "vt 0 0\nvt 1 0\nvt 0 1\n";
   const std::string source = head + "l 1/1 2/1 \\\n\\\n\nf 1 2 3 \\\n\nl 1/1 2/1\\\n\nf 3 2 1\n";
