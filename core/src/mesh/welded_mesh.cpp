@@ -1,11 +1,13 @@
 #include "mesh/welded_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "mesh/corner_table.h"
 #include "mesh/inside_loops.h"
+#include "mesh/triangle_geometry.h"
 #include "mesh/weld.h"
 
 namespace abflat {
@@ -157,6 +159,49 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
   }
 }
 
+/// Makes the ends of edges one that have no length beside the faces there, as poles of spheres and
+/// capsules have many: what they would tell of angles is noise.
+void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
+  constexpr double kNothing = 0x1p-40;  // of the longest side; a sine of pi is less
+  std::vector<double> sides;
+  const auto measure = [&](std::uint32_t begin, std::uint32_t end) {
+    sides.clear();
+    for (std::uint32_t c = begin; c < end; ++c)
+      sides.push_back(norm(edgeVector(mesh.positions, mesh.faceVertices[c],
+                                      mesh.faceVertices[c + 1 < end ? c + 1 : begin])));
+    return *std::max_element(sides.begin(), sides.end());
+  };
+  // Of the faces round each vertex the smallest: its longest side.
+  std::vector<double> size(mesh.vertexCount(), HUGE_VAL);
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
+    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
+    const double longest = measure(begin, end);
+    for (std::uint32_t c = begin; c < end; ++c)
+      size[mesh.faceVertices[c]] = std::min(size[mesh.faceVertices[c]], longest);
+    if (*std::min_element(sides.begin(), sides.end()) <= kNothing * longest) faces.push_back(f);
+  }
+  if (faces.empty()) return;
+  std::vector<std::uint32_t>& of = out.ofVertex;
+  const auto find = [&](std::uint32_t v) {
+    while (of[v] != v) v = of[v] = of[of[v]];
+    return v;
+  };
+  for (const std::uint32_t f : faces) {
+    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
+    measure(begin, end);
+    for (std::uint32_t c = begin; c < end; ++c) {
+      const std::uint32_t a = mesh.faceVertices[c];
+      const std::uint32_t b = mesh.faceVertices[c + 1 < end ? c + 1 : begin];
+      if (sides[c - begin] > kNothing * std::min(size[a], size[b])) continue;
+      const auto [first, second] = std::minmax({find(a), find(b)});
+      of[second] = first;
+    }
+  }
+  out.merged = 0;
+  for (std::uint32_t v = 0; v < of.size(); ++v) out.merged += (of[v] = find(v)) != v;
+}
+
 }  // namespace
 
 WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse) {
@@ -167,6 +212,7 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse) {
     welding.ofVertex.resize(mesh.vertexCount());
     std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
   }
+  weldEdges(mesh, pulse, welding);
   WeldedMesh out;
   out.mergedVertices = welding.merged;
   out.mesh.positions = mesh.positions;

@@ -28,7 +28,8 @@ struct WeldedMesh {
 };
 
 /// `mesh` has passed validateArrays. Without `byPosition` vertices are one only where the mesh says
-/// so. What comes of a pulse that has stopped is of no use.
+/// so, or where an edge between them has no length. What comes of a pulse that has stopped is of no
+/// use.
 WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -1,6 +1,7 @@
 #include "seam/slits.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/triangle_geometry.h"
 
@@ -24,6 +25,25 @@ bool isPeak(const CutSurface& s, const std::vector<double>& own, std::uint32_t v
   return true;
 }
 
+/// For each chart above the bound without a peak, as where its boundary is stretched most, the
+/// vertex whose scale is farthest from the boundary's.
+void addFarthest(const CutSurface& s, const std::vector<double>& own, const Prediction& prediction,
+                 const std::vector<double>& u, double maxStretch, std::vector<Peak>& peaks) {
+  std::vector<std::uint8_t> hasPeak(s.charts.size(), 0);
+  for (const Peak& peak : peaks) hasPeak[peak.chart] = 1;
+  std::vector<std::uint32_t> farthest(s.charts.size(), kNone);
+  const auto scale = [&](std::uint32_t v) { return std::abs(u[s.meshVertex[v]]); };
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
+    const std::uint32_t c = s.chartOfVertex(v);
+    if (hasPeak[c] || s.isBoundary[v] || own[v] == 0 || !(prediction.stretch[c] > maxStretch))
+      continue;
+    if (farthest[c] == kNone || scale(v) > scale(farthest[c])) farthest[c] = v;
+  }
+  for (std::uint32_t c = 0; c < s.charts.size(); ++c)
+    if (const std::uint32_t v = farthest[c]; v != kNone)
+      peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
@@ -40,6 +60,7 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
     if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch) || own[v] == 0) continue;
     if (isPeak(s, own, v)) peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
   }
+  addFarthest(s, own, prediction, u, maxStretch, peaks);
   std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) {
     if (a.chart != b.chart) return a.chart < b.chart;
     return a.stretch != b.stretch ? a.stretch > b.stretch : a.vertex < b.vertex;

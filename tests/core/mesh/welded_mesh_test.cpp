@@ -1,6 +1,7 @@
 #include "mesh/welded_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "catch.h"
 #include "mesh/surface.h"
@@ -109,4 +110,39 @@ TEST_CASE("a face of many corners at two places collapses, and its corners find 
   CHECK(welded.collapsedFaces == std::vector<std::uint32_t>{1});
   for (std::uint32_t c = 3; c < welded.cornerFor.size(); ++c)
     if (welded.cornerFor[c] != (c - 3) % 2) FAIL("corner " << c);
+}
+
+TEST_CASE("the ends of edges without length are one, and a cut between them stays") {
+  // A pole with a vertex for each face round it, some of them as far apart as a sine of pi.
+  constexpr std::uint32_t n = 7;
+  for (const double apart : {0.0, 1e-17, 1e-5}) {
+    std::vector<double> p;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t i = 0; i <= n; ++i) p.insert(p.end(), {i * apart, 0, 1});
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      const double a = 6.283185307179586 * (i % n) / n;
+      p.insert(p.end(), {std::cos(a), std::sin(a), 0});
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      faces.push_back({i, n + 1 + i, i + 1});
+      faces.push_back({i + 1, n + 1 + i, n + 2 + i});
+    }
+    const PolygonMesh mesh = meshOf(p, faces);
+    REQUIRE(buildSurface(mesh).summary.disk.ok());
+    const WeldedMesh welded = weld(mesh, false);
+    const Surface surface = buildSurface(welded.mesh);
+    CHECK(surface.summary.disk.ok());
+    CHECK(welded.mergedVertices == (apart < 1e-12 ? n : 0));
+    CHECK(welded.collapsedFaces.size() == (apart < 1e-12 ? n : 0));
+    CHECK(surface.summary.triangles == (apart < 1e-12 ? n : 2 * n));
+    CHECK(std::count(welded.cornerFor.begin(), welded.cornerFor.end(), kNone) == 0);
+  }
+}
+
+TEST_CASE("edges that are short beside one of their faces only stay") {
+  // The first vertex is far off the small square.
+  const std::vector<double> p{0, 0, 1e15, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const WeldedMesh welded = weld(meshOf(p, {{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {1, 3, 4}}), false);
+  CHECK(welded.mergedVertices == 0);
+  CHECK(welded.mesh.faceCount() == 4);
 }
