@@ -1,0 +1,49 @@
+#include <cmath>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "support/meshes.h"
+#include "support/unwrapped.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// A capsule as modelling libraries make it: rows of n + 1 vertices from pole to pole, so that the
+/// first and the last of each row are at one place, and quads of two triangles everywhere, of which
+/// one has no area at a pole. `apart`: radius of the rows at the poles.
+PolygonMesh capsule(unsigned n, double apart) {
+  constexpr double kPi = 3.14159265358979323846;
+  std::vector<double> p;
+  std::vector<std::uint32_t> t;
+  const unsigned rows = 2 * n;
+  for (unsigned j = 0; j <= rows; ++j)
+    for (unsigned i = 0; i <= n; ++i) {
+      const double down = kPi * j / rows, around = 2 * kPi * (i % n) / n;
+      const double radius = j % rows == 0 ? apart : std::sin(down);
+      const double height = std::cos(down) + (2 * j < rows ? 0.5 : -0.5);
+      p.insert(p.end(), {radius * std::cos(around), height, radius * std::sin(around)});
+    }
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
+      t.insert(t.end(), {a, a + 1, b});
+      t.insert(t.end(), {a + 1, b + 1, b});
+    }
+  return makeTriangleMesh(std::move(p), std::move(t));
+}
+
+}  // namespace
+
+TEST_CASE("poles of triangles without area cost no charts", "[unwrap]") {
+  for (const unsigned n : {6, 20, 48})
+    for (const double apart : {0.0, 6e-17}) {
+      INFO(n << ", " << apart);
+      const UnwrapResult r = unwrapped(capsule(n, apart), {});
+      CHECK(r.report.charts.size() == 1);
+      CHECK(r.report.symmetricDirichlet <= 1.04);
+      CHECK(r.report.seams.relativeLength < 2);
+    }
+}
