@@ -31,12 +31,14 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken) {
+  // Of charts as small as numbers get any scale would be infinite.
+  constexpr double kMostScale = 1e300;
   const double longest = longestSide(items);
   if (longest == 0) return {};
   const double side = grid.resolution - 2 * grid.border, padded = side + grid.padding;
   ScaleBounds out;
   out.most = scaleOfArea(items, grid.padding, padded * padded,
-                         (side - 4 * grid.slack) / sideForAll(items));
+                         std::min((side - 4 * grid.slack) / sideForAll(items), kMostScale));
   out.least = std::min(out.most, grid.slack / longest);
   // Charts fill about that much of what is free; half a cell is lost on each side.
   constexpr double kFill = 0.72;

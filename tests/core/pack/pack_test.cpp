@@ -122,6 +122,17 @@ TEST_CASE("the unit of the charts does not matter", "[pack]") {
   }
 }
 
+TEST_CASE("charts as small as numbers get are packed, whatever is left of them", "[pack]") {
+  for (const double unit : {1e-100, 1e-300, 1e-306, 1e-310, 0.0}) {
+    std::vector<PackShape> shapes;
+    for (const PackShape& s : makePackShapes("mixed", 12, 5, 6)) shapes.push_back(scaled(s, unit));
+    INFO(unit);
+    const Packing packing = packed(shapes, at(300, 2));
+    CHECK(std::isfinite(packing.scale));
+    CHECK(packing.placements.size() == shapes.size());
+  }
+}
+
 TEST_CASE("threads do not change a packing", "[pack]") {
   for (const std::size_t count : {3, 25, 100, 300}) {
     const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 6);
