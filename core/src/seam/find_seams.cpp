@@ -29,6 +29,21 @@ std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
   return out;
 }
 
+/// Vertices inside that have two triangles only: no flat layout has those side by side.
+std::vector<std::uint32_t> pinched(const SeamMesh& mesh) {
+  std::vector<std::uint8_t> corners(mesh.vertexCount(), 0);
+  for (std::uint32_t c = 0; c < mesh.vertexOfCorner.size(); ++c) {
+    std::uint8_t& count = corners[mesh.vertexOfCorner[c]];
+    // At the boundary there may be any number.
+    if (mesh.twin[c] == kNone || mesh.twin[prevCorner(c)] == kNone) count = 3;
+    if (count < 3) ++count;
+  }
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t v = 0; v < corners.size(); ++v)
+    if (corners[v] == 2) out.push_back(v);
+  return out;
+}
+
 /// Cuts in rounds. A chart that a round leaves as it is stays so; the rounds go on with the others
 /// alone as soon as these are much less than all.
 class Finder {
@@ -46,6 +61,7 @@ class Finder {
  private:
   void analyse();
   void open();
+  void openPinched();
   bool improve();
   CutSurface cut();
   void slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
@@ -112,6 +128,18 @@ void Finder::open() {
   const TopologyCut cut = cutToDisks(whole_, s, std::move(roots), result_, pulse_);
   report_.handleLoops = cut.handleLoops;
   report_.handleLength = cut.length;
+  openPinched();
+}
+
+/// Cuts to them.
+void Finder::openPinched() {
+  const std::vector<std::uint32_t> ends = pinched(whole_);
+  if (ends.empty()) return;
+  const CutSurface s = cutAlong(whole_, result_, pulse_);
+  const PathForest forest = findPaths(whole_, s, {}, {}, pulse_);
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+    if (!s.isBoundary[v] && std::binary_search(ends.begin(), ends.end(), s.meshVertex[v]))
+      markPath(whole_, forest, v, result_);
 }
 
 CutSurface Finder::cut() {

@@ -47,3 +47,13 @@ TEST_CASE("poles of triangles without area cost no charts", "[unwrap]") {
       CHECK(r.report.seams.relativeLength < 2);
     }
 }
+
+TEST_CASE("no vertex inside of a chart has two triangles only", "[unwrap]") {
+  // A face that goes along a line and back again, round a vertex on it.
+  PolygonMesh mesh;
+  mesh.positions = {-2, 2, 0, -2, -1, 0, -1, -1, 0, 0, -1, 0};
+  mesh.faceVertices = {3, 2, 1, 3, 1, 0, 2};
+  mesh.faceOffsets = {0, 7};
+  const UnwrapResult r = unwrapped(mesh, {});
+  for (const UnwrapChart& chart : r.report.charts) CHECK(chart.fallbacks.empty());
+}
