@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "layout/grid_repair.h"
+#include "mesh/triangle_geometry.h"
 #include "round_texcoords.h"
 
 namespace abflat {
@@ -108,6 +109,56 @@ bool isRepaired(const DiskChart& chart, Numbers numbers, const std::vector<doubl
   return true;
 }
 
+std::size_t farthestFrom(const std::vector<double>& uv, std::size_t k) {
+  std::size_t best = k;
+  double most = 0;
+  for (std::size_t i = 0; i < uv.size(); i += 2) {
+    const double distance = norm(uv[i] - uv[k], uv[i + 1] - uv[k + 1]);
+    if (distance <= most) continue;
+    most = distance;
+    best = i;
+  }
+  return best;
+}
+
+/// Makes points that lie within `thin` of a line so many times as far apart across it that they lie
+/// within `wide`. False where they do not.
+bool widen(double thin, double wide, std::vector<double>& uv) {
+  const std::size_t a = farthestFrom(uv, 0), b = farthestFrom(uv, a);
+  const double u = uv[b] - uv[a], v = uv[b + 1] - uv[a + 1], length = norm(u, v);
+  if (!(length > 0)) return false;
+  const double left[2] = {-v / length, u / length};
+  std::vector<double> across;
+  for (std::size_t i = 0; i < uv.size(); i += 2)
+    across.push_back((uv[i] - uv[a]) * left[0] + (uv[i + 1] - uv[a + 1]) * left[1]);
+  const auto [low, high] = std::minmax_element(across.begin(), across.end());
+  const double thickness = *high - *low, middle = *low + thickness / 2;
+  if (!(thickness > 0) || thickness > thin) return false;
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    uv[i] += left[i % 2] * (across[i / 2] - middle) * (wide / thickness - 1);
+  return true;
+}
+
+/// What is as thin as a few steps altogether, such as a fan of needles, is widened so that
+/// repairing it has room.
+bool isRepairedWider(const DiskChart& chart, Numbers numbers, std::vector<double> exact,
+                     FlatChart& flat) {
+  // In steps. Half of it is less than packing leaves free around a chart.
+  constexpr double kThin = 12, kWide = 24;
+  const double step = stepOf(exact, numbers);
+  if (!widen(kThin * step, kWide * step, exact)) return false;
+  std::vector<double> before = std::move(flat.uv);
+  flat.uv = exact;
+  roundTo(numbers, flat);
+  if (isRepaired(chart, numbers, exact, flat)) {
+    flat.movedVertices = static_cast<std::uint32_t>(flat.uv.size() / 2);
+    flat.movedBy += kWide / 2 * step;
+    return true;
+  }
+  flat.uv = std::move(before);
+  return false;
+}
+
 bool isFine(const DiskChart& chart, Numbers numbers, FlatChart& flat) {
   flat.problem.clear();
   roundTo(numbers, flat);
@@ -131,6 +182,7 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
   }
   if (flat.isFixed) return true;  // and says so: its vertices are where they were asked to be
   if (isRepaired(chart, numbers, exact, flat)) return true;
+  if (isRepairedWider(chart, numbers, exact, flat)) return true;
   const bool isSmall = boxOf(flat.uv).side() * kEnlargement <= kMostEnlargedSide;
   if (!mayGrow || !isSmall) return true;
   flat.enlarged *= kEnlargement;
