@@ -57,3 +57,19 @@ TEST_CASE("no vertex inside of a chart has two triangles only", "[unwrap]") {
   const UnwrapResult r = unwrapped(mesh, {});
   for (const UnwrapChart& chart : r.report.charts) CHECK(chart.fallbacks.empty());
 }
+
+TEST_CASE("holes that stay filled may lie at the outline of their chart", "[unwrap]") {
+  UnwrapOptions options;
+  options.fillHoles = FillHoles::Always;
+  // A tile in three is missing, many of them beside each other corner to corner.
+  PolygonMesh mesh = bumpyGrid(12, 12, 0.3, 5);
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < mesh.faceVertices.size(); i += 6)
+    if ((i / 6 / 12 + 2 * (i / 6 % 12)) % 5 != 0)
+      kept.insert(kept.end(), mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(i),
+                  mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(i) + 6);
+  unwrapped(makeTriangleMesh(mesh.positions, kept), options);
+  for (const char* file : {"teapot-5parts.obj", "beetle-nonmanifold.obj", "halftunnel-quads.off"})
+    if (const PolygonMesh shared = sharedMesh(file); shared.faceCount() > 0)
+      unwrapped(shared, options);
+}

@@ -100,6 +100,7 @@ class AtlasChecker {
         boundaryCurves(atlas_.uv, atlas_.triangles, atlas_.chartOf, isWanted_);
     for (const std::uint32_t chart : found.broken) reportPair(chart, chart);
     if (!found.broken.empty()) return true;
+    if (found.arePinched) return findPair();
     const auto wrong = findWrongCover(found.curves);
     if (!wrong) return false;
     const std::vector<std::uint32_t>& ends = found.curves.ends;
@@ -111,7 +112,7 @@ class AtlasChecker {
     return true;
   }
 
-  /// The same by triangles, where some charts may touch each other.
+  /// The same by triangles, where some charts may touch each other or themselves.
   bool findPair() {
     std::vector<double> uv;
     std::vector<std::uint32_t> chart;

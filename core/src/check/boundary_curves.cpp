@@ -30,7 +30,7 @@ class BoundaryFinder {
 
   BoundaryCurves run() {
     keepOpenSides();
-    for (std::uint32_t p = 0; p < next_.size(); ++p)
+    for (std::uint32_t p = 0; p < next_.size() && !out_.arePinched; ++p)
       if (next_[p] != kNone) walk(p);
     std::sort(out_.broken.begin(), out_.broken.end());
     out_.broken.erase(std::unique(out_.broken.begin(), out_.broken.end()), out_.broken.end());
@@ -74,7 +74,7 @@ class BoundaryFinder {
   }
 
   void addEdge(std::uint32_t from, std::uint32_t to, std::uint32_t chart) {
-    if (next_[from] != kNone) return out_.broken.push_back(chart);
+    out_.arePinched = out_.arePinched || next_[from] != kNone;
     next_[from] = to;
     chartOfEdge_[from] = chart;
   }

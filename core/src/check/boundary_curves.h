@@ -12,8 +12,10 @@ struct BoundaryCurves {
   Curves curves;
   std::vector<std::uint32_t> chart;   ///< per curve
   std::vector<std::uint32_t> broken;  ///< charts whose boundary is no set of curves: an edge has
-                                      ///< more than one triangle on a side, or curves have a corner
-                                      ///< in common
+                                      ///< more than one triangle on a side
+  /// Whether curves have a corner in common, as where a hole lies at the outline; then there are no
+  /// curves.
+  bool arePinched = false;
 };
 
 /// `triangles` has 3 texcoords each; those of charts that are not `wanted`, and those with two

@@ -100,3 +100,20 @@ TEST_CASE("an edge with two triangles on one side is no boundary", "[certificate
   REQUIRE(twice.check().size() == 1);
   CHECK(twice.check()[0].other == 0);
 }
+
+TEST_CASE("a hole may lie at the outline, and another chart in the hole", "[certificate]") {
+  Squares atlas;
+  // The outline passes the second corner, and so does the hole.
+  atlas.uv = {0, 0, 0.2, 0, 0.4, 0, 0.4, 0.4, 0, 0.4, 0.3, 0.2, 0.1, 0.2};
+  atlas.triangles = {0, 1, 6, 0, 6, 4, 4, 6, 5, 4, 5, 3, 5, 2, 3, 1, 2, 5};
+  atlas.chartOf.assign(6, 0);
+  atlas.charts = 1;
+  CHECK(atlas.check().empty());
+  atlas.add(0.19, 0.15, 0.02);
+  CHECK(atlas.check().empty());
+  atlas.add(0.25, 0.05, 0.1);
+  const std::vector<ChartDefect> defects = atlas.check();
+  REQUIRE(defects.size() == 2);
+  CHECK(defects[0].other == 2);
+  CHECK(defects[1].other == 0);
+}
