@@ -24,48 +24,13 @@
 #include "unwrap_chart.h"
 #include "unwrap_fixed.h"
 #include "unwrap_known.h"
+#include "unwrap_monitor.h"
 #include "unwrap_output.h"
 #include "unwrap_pinned.h"
 #include "unwrap_seams.h"
 
 namespace abflat {
 namespace {
-
-/// Where the stages are in the progress bar.
-struct Stage {
-  const char* name;
-  double from, to;
-  double UnwrapStages::*field;
-};
-constexpr Stage kSurface{"surface", 0, 0.05, &UnwrapStages::surface},
-    kSeams{"seams", 0.05, 0.2, &UnwrapStages::seams},
-    kSolve{"solve", 0.2, 0.85, &UnwrapStages::solve},
-    kPack{"pack", 0.85, 0.97, &UnwrapStages::pack}, kCheck{"check", 0.97, 1, &UnwrapStages::check};
-
-class Monitor {
- public:
-  explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
-
-  /// False when the run is to end. `share` of the stage is done.
-  bool tell(const Stage& stage, double share = 0) {
-    Progress now;
-    now.stage = stage.name;
-    now.fraction = stage.from + share * (stage.to - stage.from);
-    last_ = now;
-    return tellAgain();
-  }
-  /// The same once more: the work goes on.
-  bool tellAgain() {
-    if (callback_ && !stopped_ && !callback_(last_)) stopped_ = true;
-    return !stopped_;
-  }
-  bool stopped() const { return stopped_; }
-
- private:
-  const ProgressCallback& callback_;
-  Progress last_;
-  std::atomic<bool> stopped_{false};
-};
 
 /// Charts by size, the largest first: what takes longest begins first.
 std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
@@ -294,7 +259,7 @@ class Unwrapping {
   void endCutting() {
     monitor_.tellAgain();
     const Seams seams = visibleSeams(open_);
-    measureSeams(welded_, surface_, seams, report_.seams);
+    measureSeams(open_, seams, report_.seams);
     out_.seams = seamEdges(mesh_, welded_, surface_, seams);
     open_ = OpenSurface();
     wishes_ = std::vector<ChartWishes>();

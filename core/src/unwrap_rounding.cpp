@@ -121,8 +121,8 @@ std::size_t farthestFrom(const std::vector<double>& uv, std::size_t k) {
   return best;
 }
 
-/// Makes points that lie within `thin` of a line so many times as far apart across it that they lie
-/// within `wide`. False where they do not.
+/// Stretches points that lie in a strip of at most the width `thin` across the strip, until its
+/// width is `wide`. False where they lie in none.
 bool widen(double thin, double wide, std::vector<double>& uv) {
   const std::size_t a = farthestFrom(uv, 0), b = farthestFrom(uv, a);
   const double u = uv[b] - uv[a], v = uv[b + 1] - uv[a + 1], length = norm(u, v);

@@ -6,7 +6,6 @@
 
 #include "hole/fill_holes.h"
 #include "hole/filled_table.h"
-#include "mesh/triangle_geometry.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
 #include "seam/prediction.h"
@@ -162,21 +161,16 @@ Seams visibleSeams(const OpenSurface& open) {
   return out;
 }
 
-void measureSeams(const WeldedMesh& welded, const Surface& surface, const Seams& visible,
-                  SeamSummary& summary) {
-  const std::vector<double>& positions = welded.mesh.positions;
-  const std::vector<std::uint32_t>& vertex = surface.table.vertex;
-  double length = 0, doubleArea = 0;
-  for (std::uint32_t h = 0; h < visible.size(); ++h) {
-    const Vec3 edge = edgeVector(positions, vertex[h], vertex[nextCorner(h)]);
-    if (h % 3 == 0)
-      doubleArea += norm(cross(edge, edgeVector(positions, vertex[h], vertex[h + 2])));
+void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
+  double length = 0;
+  for (std::size_t h = 0; h < visible.size(); ++h) {
     if (!visible[h]) continue;
-    length += norm(edge) / 2;
+    length += open.mesh.length[h] / 2;
     ++summary.edges;
   }
   summary.edges /= 2;
-  summary.relativeLength = doubleArea > 0 ? length / std::sqrt(doubleArea / 2) : 0;
+  const double size = std::sqrt(open.mesh.totalArea());
+  summary.relativeLength = size > 0 ? length / size : 0;
 }
 
 }  // namespace abflat

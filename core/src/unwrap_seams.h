@@ -43,7 +43,6 @@ ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open);
 Seams visibleSeams(const OpenSurface& open);
 
 /// Sets how many edges they have and how long they are.
-void measureSeams(const WeldedMesh& welded, const Surface& surface, const Seams& visible,
-                  SeamSummary& summary);
+void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary);
 
 }  // namespace abflat

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "abflat/unwrap.h"
+#include "angle/constants.h"
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/unwrapped.h"
@@ -15,7 +16,6 @@ namespace {
 /// first and the last of each row are at one place, and quads of two triangles everywhere, of which
 /// one has no area at a pole. `apart`: radius of the rows at the poles.
 PolygonMesh capsule(unsigned n, double apart) {
-  constexpr double kPi = 3.14159265358979323846;
   std::vector<double> p;
   std::vector<std::uint32_t> t;
   const unsigned rows = 2 * n;
@@ -61,7 +61,7 @@ TEST_CASE("no vertex inside of a chart has two triangles only", "[unwrap]") {
 TEST_CASE("holes that stay filled may lie at the outline of their chart", "[unwrap]") {
   UnwrapOptions options;
   options.fillHoles = FillHoles::Always;
-  // A tile in three is missing, many of them beside each other corner to corner.
+  // A square in five is missing.
   PolygonMesh mesh = bumpyGrid(12, 12, 0.3, 5);
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < mesh.faceVertices.size(); i += 6)

@@ -1,12 +1,9 @@
-#include <algorithm>
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "abflat/unwrap.h"
 #include "catch.h"
-#include "support/isosurface.h"
 #include "support/meshes.h"
 #include "support/unwrapped.h"
 
@@ -43,6 +40,7 @@ TEST_CASE("a vertex far off leaves the others an atlas that is valid, in every p
         INFO(notesOf(r.value));
         CHECK(r.value.report.valid);
         const bool isCut = notesOf(r.value).find("cut apart") != std::string::npos;
+        // There one of the two meshes has faces that are 2^16 times as long as others.
         if (distance != 1e5) CHECK(isCut == (distance > 1e5));
       }
 }

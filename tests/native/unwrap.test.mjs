@@ -117,8 +117,7 @@ test('loops that cut handles open are counted and measured', async (t) => {
   const opened = await seamsOf(surfaces.plate(3, 3));
   assert.equal(opened.handleLoops, 6);
   assert.ok(opened.handleLength > 0);
-  // Seams are sought on a grid of 2^-28 of the extent.
-  assert.ok(Math.abs(opened.handleLength - opened.relativeLength) < 1e-6);
+  assert.ok(Math.abs(opened.handleLength - opened.relativeLength) < 1e-9);
   const disk = await seamsOf(surfaces.sheet(4, 4, (i, j) => [i, j, 0]));
   assert.deepEqual([disk.handleLoops, disk.handleLength], [0, 0]);
 });

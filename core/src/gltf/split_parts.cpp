@@ -26,7 +26,7 @@ std::size_t groupOf(const std::vector<VertexGroup>& groups, std::uint32_t vertex
 SplitParts splitParts(const Source& source, const std::vector<double>& uv,
                       const std::vector<std::uint32_t>& cornerUv) {
   SplitVertices split = splitVertices(source.vertexCount, source.faceVertices, uv, cornerUv);
-  // Of a mesh without faces there are none.
+  // A mesh without faces has no texcoords.
   if (split.uv.empty()) split.uv.assign(2 * std::size_t{source.vertexCount}, 0);
   SplitParts out;
   for (const VertexGroup& group : source.groups) {

@@ -31,7 +31,7 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken) {
-  // Of charts as small as numbers get any scale would be infinite.
+  // For charts as small as numbers get the scale would be infinite.
   constexpr double kMostScale = 1e300;
   const double longest = longestSide(items);
   if (longest == 0) return {};

@@ -29,8 +29,8 @@ std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
   return out;
 }
 
-/// Vertices inside that have two triangles only: no flat layout has those side by side.
-std::vector<std::uint32_t> pinched(const SeamMesh& mesh) {
+/// Vertices inside, in order, that only two triangles meet at: no flat layout has both.
+std::vector<std::uint32_t> verticesOfTwo(const SeamMesh& mesh) {
   std::vector<std::uint8_t> corners(mesh.vertexCount(), 0);
   for (std::uint32_t c = 0; c < mesh.vertexOfCorner.size(); ++c) {
     std::uint8_t& count = corners[mesh.vertexOfCorner[c]];
@@ -61,7 +61,7 @@ class Finder {
  private:
   void analyse();
   void open();
-  void openPinched();
+  void openBetweenTwo();
   bool improve();
   CutSurface cut();
   void slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
@@ -128,12 +128,12 @@ void Finder::open() {
   const TopologyCut cut = cutToDisks(whole_, s, std::move(roots), result_, pulse_);
   report_.handleLoops = cut.handleLoops;
   report_.handleLength = cut.length;
-  openPinched();
+  openBetweenTwo();
 }
 
-/// Cuts to them.
-void Finder::openPinched() {
-  const std::vector<std::uint32_t> ends = pinched(whole_);
+/// Cuts to vertices between two triangles, so that these need not lie on each other.
+void Finder::openBetweenTwo() {
+  const std::vector<std::uint32_t> ends = verticesOfTwo(whole_);
   if (ends.empty()) return;
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   const PathForest forest = findPaths(whole_, s, {}, {}, pulse_);

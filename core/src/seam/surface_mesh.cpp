@@ -13,6 +13,9 @@ namespace {
 /// that a change of unit brings.
 constexpr double kGrid = 268435456;  // 2^28
 
+/// Of an extent beside the largest one: areas of anything smaller would be 0.
+constexpr double kLeastScale = 1e-120;
+
 /// Cotangent weights outside of this come from needles; inside, the matrix is well conditioned.
 constexpr double kLeastWeight = 0.01, kMostWeight = 50;
 
@@ -41,13 +44,16 @@ std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fan
       extent.most = std::max(extent.most, at(i, d) - extent.low[d]);
     }
   }
+  double largest = 0;
+  for (const Extent& extent : extents) largest = std::max(largest, extent.most);
   std::vector<double> out;
   out.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t d = 0; d < 3; ++d) {
       const Extent& extent = extents[ofFan[i]];
       const double x = at(i, d) - extent.low[d];
-      out.push_back(extent.most > 0 ? std::floor(x / extent.most * kGrid + 0.5) / kGrid : 0);
+      const double rounded = std::floor(x / extent.most * kGrid + 0.5) / kGrid;
+      out.push_back(extent.most > 0 ? rounded * std::max(extent.most / largest, kLeastScale) : 0);
     }
   return out;
 }
