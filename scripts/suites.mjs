@@ -141,7 +141,7 @@ export const GROUPS = {
   node: without('core', 'web'),
   browser: SUITES.filter(({ name }) => name === 'web'),
   sanitize: SANITIZED_SUITES,
-  long: [...SUITES, ...LONG_SUITES],
+  long: [...SUITES, ...LONG_SUITES, LINT],
   lint: [LINT],
   ci: [...SANITIZED_SUITES, ...SUITES, LINT],
 };

@@ -143,9 +143,12 @@ int exponentOf(const PolygonMesh& mesh) {
 /// One run, stage by stage.
 class Unwrapping {
  public:
-  /// `unit`: what a length of 1 is in the mesh of the user.
-  Unwrapping(const PolygonMesh& mesh, const UnwrapOptions& options, double unit)
-      : mesh_(mesh), options_(options), unit_(unit), monitor_(options.progress) {}
+  /// The mesh is taken in units of 2^exponent, lengths in the options are in such units.
+  Unwrapping(const PolygonMesh& input, const UnwrapOptions& options, int exponent)
+      : input_(input),
+        options_(options),
+        unit_(std::ldexp(1.0, exponent)),
+        monitor_(options.progress) {}
 
   Result<UnwrapResult> run() {
     if (Status s = checkInput(); !s.ok()) return s;
@@ -167,21 +170,23 @@ class Unwrapping {
   }
 
  private:
-  CutMesh cutMesh() const { return {mesh_, welded_, surface_, set_}; }
+  CutMesh cutMesh() const { return {input_, welded_, surface_, set_}; }
 
   Status checkInput() const {
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
       return {StatusCode::InvalidOption,
               "several tiles (udim) are for a texel density, which is auto: give a number"};
-    if (mesh_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
+    if (input_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
     return {};
   }
 
   Status seeSurface() {
     const Pulse pulse([this] { return monitor_.tell(kSurface); });
-    report_.input = inspect(mesh_, pulse);
+    PolygonMesh inUnits = input_;
+    for (double& x : inUnits.positions) x /= unit_;
+    report_.input = inspect(inUnits, pulse);
     // A mesh that is a disk may be one because it has been cut: it is taken as it is.
-    if (!pulse.isStopped()) welded_ = weld(mesh_, !report_.input.disk.ok(), pulse);
+    if (!pulse.isStopped()) welded_ = weld(inUnits, !report_.input.disk.ok(), pulse);
     if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
     if (pulse.isStopped()) return {};
     if (surface_.table.vertex.empty())
@@ -196,12 +201,12 @@ class Unwrapping {
   }
 
   Status cut() {
-    Result<Seams> given = givenSeams(mesh_, welded_, surface_, options_.seams);
+    Result<Seams> given = givenSeams(input_, welded_, surface_, options_.seams);
     if (!given.ok()) return given.status;
     Scales scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
     if (scales.sharpest) noteScales(*scales.sharpest);
-    Result<FixedTriangles> fixed = fixedTriangles(mesh_, welded_, surface_, options_);
+    Result<FixedTriangles> fixed = fixedTriangles(input_, welded_, surface_, options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     open_ = cutOpen(
@@ -260,7 +265,7 @@ class Unwrapping {
     monitor_.tellAgain();
     const Seams seams = visibleSeams(open_);
     measureSeams(open_, seams, report_.seams);
-    out_.seams = seamEdges(mesh_, welded_, surface_, seams);
+    out_.seams = seamEdges(input_, welded_, surface_, seams);
     open_ = OpenSurface();
     wishes_ = std::vector<ChartWishes>();
     set_.place = std::vector<std::uint32_t>();
@@ -328,20 +333,24 @@ class Unwrapping {
     monitor_.tellAgain();
     packing_ = Packing();
     noteStretched(flat_, options_, report_.notes);
+    measureStraight(set_, flat_);
+    fillTexcoords(texcoords_, unit_, flat_, out_);
+    giveBackFreeMemory();
     fillReport(set_, flat_, surface_, welded_, unit_, report_);
-    fillOutput(mesh_, welded_, surface_, set_, texcoords_, std::move(flat_), unit_, out_);
+    flat_ = std::vector<FlatChart>();
+    fillFaces(input_, welded_, surface_, set_, texcoords_, out_);
     monitor_.tellAgain();
     set_ = ChartSet();
     surface_ = Surface();
     texcoords_ = Texcoords();
     certify(welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
     if (options_.roundsForGltf) return {};
-    if (std::string note = foldedFansNote(mesh_, out_); !note.empty())
+    if (std::string note = foldedFansNote(input_, out_); !note.empty())
       report_.notes.push_back(std::move(note));
     return {};
   }
 
-  const PolygonMesh& mesh_;
+  const PolygonMesh& input_;
   const UnwrapOptions& options_;
   const double unit_;
   Stopwatch watch_;
@@ -366,14 +375,13 @@ class Unwrapping {
 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
   if (Status s = validateArrays(mesh); !s.ok()) return s;
-  const int exponent = exponentOf(mesh);
-  if (exponent == 0) return Unwrapping(mesh, options, 1).run();
   // So that nothing overflows or gets lost below, and results are the same in every unit.
-  PolygonMesh scaled = mesh;
-  for (double& x : scaled.positions) x = std::ldexp(x, -exponent);
+  const int exponent = exponentOf(mesh);
+  if (exponent == 0 || options.known.unpacked.empty())
+    return Unwrapping(mesh, options, exponent).run();
   UnwrapOptions inUnits = options;
   for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
-  return Unwrapping(scaled, inUnits, std::ldexp(1.0, exponent)).run();
+  return Unwrapping(mesh, inUnits, exponent).run();
 }
 
 }  // namespace abflat

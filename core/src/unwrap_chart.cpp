@@ -12,7 +12,7 @@ namespace {
 void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attempt& attempt,
                   FlatChart& out) {
   out.area = areaOf(chart);
-  out.solver = std::move(attempt.solver);
+  out.solver = attempt.solver;
   out.iterations = static_cast<int>(attempt.solution.history.size());
   out.distortion = ChartDistortion(attempt.distortion);
   if (attempt.fallbacks.empty() && !attempt.pins && !attempt.straight && straight.empty()) return;

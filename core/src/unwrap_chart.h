@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
@@ -37,7 +38,7 @@ struct FlatChart {
   std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
   std::vector<double> uv;        ///< in the atlas
   double area = 0;               ///< of the surface, in the mesh's unit
-  std::string solver;            ///< as in Attempt; "known", "given"
+  std::string_view solver;       ///< as in Attempt; "known", "given"
   ChartDistortion distortion;    ///< before rounding
   std::unique_ptr<UncommonParts> uncommon;
   std::string problem;  ///< why it is not valid, one sentence; empty when it is

@@ -112,9 +112,6 @@ UnwrapChart chartRow(const ChartSet& set, std::size_t i, const FlatChart& flat,
     row.straight = flat.uncommon->straight;
     row.fallbacks = flat.uncommon->fallbacks;
   }
-  if (row.straight)
-    row.straight->deviation =
-        reportStraight(set.chart(i), flat.uncommon->straightPlaces, flat.uv).deviation;
   row.problem = flat.problem;
   row.valid = flat.problem.empty();
   return row;
@@ -173,16 +170,24 @@ Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, cons
   return out;
 }
 
-void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const Texcoords& texcoords, std::vector<FlatChart> flat,
-                double unit, UnwrapResult& out) {
+void measureStraight(const ChartSet& set, std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (!flat[i].uncommon || !flat[i].uncommon->straight) continue;
+    UncommonParts& parts = *flat[i].uncommon;
+    parts.straight->deviation =
+        reportStraight(set.chart(i), parts.straightPlaces, flat[i].uv).deviation;
+  }
+}
+
+void fillTexcoords(const Texcoords& texcoords, double unit, std::vector<FlatChart>& flat,
+                   UnwrapResult& out) {
   const std::size_t numbers = 2 * std::size_t{texcoords.firstOf.back()} + 2;
   out.uv.reserve(numbers);
   out.unpacked.reserve(numbers);
   for (FlatChart& chart : flat) {
     out.uv.insert(out.uv.end(), chart.uv.begin(), chart.uv.end());
     for (const double x : chart.unpacked) out.unpacked.push_back(x * unit);
-    chart = {};
+    chart.uv = chart.unpacked = std::vector<double>();
   }
   out.cornerUv = texcoords.ofCorner;
   std::uint32_t corner = kNone;  // where nothing of a face is left, and of no other at its place
@@ -195,6 +200,10 @@ void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surfac
     }
     texcoord = corner;
   }
+}
+
+void fillFaces(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+               const ChartSet& set, const Texcoords& texcoords, UnwrapResult& out) {
   listCharts(input, welded, surface, set, texcoords.firstOf, out);
   splitVertices(input, out);
   listTriangles(input, welded, surface, set, out);

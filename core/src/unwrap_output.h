@@ -21,11 +21,17 @@ TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
 /// Texcoords of the input's corners, one for each vertex of each chart.
 Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, const ChartSet& set);
 
-/// All of the result but its report, from charts that lie in the atlas, and end here. `unit`: what
-/// a length of 1 is in the mesh of the user.
-void fillOutput(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const Texcoords& texcoords, std::vector<FlatChart> flat,
-                double unit, UnwrapResult& out);
+/// How straight what was asked to be straight is where the charts lie in the atlas.
+void measureStraight(const ChartSet& set, std::vector<FlatChart>& flat);
+
+/// Texcoords of the result, from charts that lie in the atlas, which lose theirs. `unit`: what a
+/// length of 1 is in the mesh of the user.
+void fillTexcoords(const Texcoords& texcoords, double unit, std::vector<FlatChart>& flat,
+                   UnwrapResult& out);
+
+/// What the result says of faces, corners and triangles.
+void fillFaces(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
+               const ChartSet& set, const Texcoords& texcoords, UnwrapResult& out);
 
 /// Charts, means and validity.
 void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const Surface& surface,

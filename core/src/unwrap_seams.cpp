@@ -60,8 +60,10 @@ bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWa
   const bool hasPlace = !open.place.empty();
   if (hasPlace)
     for (const std::uint32_t v : part.vertex) options.place.push_back(open.place[v]);
-  const Seams seams = findSeams(part.mesh, {}, options, &found);
   open.seams.resize(open.mesh.twin.size(), 0);
+  Seams given;
+  for (const std::uint32_t h : part.halfEdge) given.push_back(open.seams[h]);
+  const Seams seams = findSeams(part.mesh, std::move(given), options, &found);
   bool isAny = false;
   for (std::size_t h = 0; h < seams.size(); ++h) {
     if (!seams[h]) continue;
@@ -78,10 +80,22 @@ bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWa
   return isAny;
 }
 
+bool isAlone(const SeamMesh& mesh, std::uint32_t triangle) {
+  const std::uint32_t* twin = &mesh.twin[3 * std::size_t{triangle}];
+  return twin[0] == kNone && twin[1] == kNone && twin[2] == kNone;
+}
+
+bool areMostAlone(const SeamMesh& mesh) {
+  std::uint32_t alone = 0;
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) alone += isAlone(mesh, f);
+  return alone > mesh.triangleCount() / 2;
+}
+
 /// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
+/// So are triangles alone, where they are many: there is nothing to search.
 void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& options,
                 OpenSurface& open, SeamReport& found) {
-  if (isFixed.empty()) {
+  if (isFixed.empty() && !areMostAlone(open.mesh)) {
     open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
     open.place = std::move(found.place);
     open.scale = std::move(found.scale);
@@ -90,7 +104,7 @@ void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& opt
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
   std::vector<std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : islands.charts)
-    isWanted.push_back(!isFixed[chart.firstTriangle]);
+    isWanted.push_back(chart.triangles > 1 && (isFixed.empty() || !isFixed[chart.firstTriangle]));
   findWithin(islands, isWanted, options, open, found);
 }
 

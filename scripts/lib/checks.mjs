@@ -54,11 +54,11 @@ export const formatJobs = ({ fix = false } = {}) =>
     }),
   );
 
-/** All checks. clang-tidy is as many jobs as there are cores, which share its work. */
-export function checkJobs() {
+/** All checks, with `long` deeper ones. clang-tidy is as many jobs as there are cores, which share its work. */
+export function checkJobs({ long = false } = {}) {
   let worker;
   const tidy = () => {
-    worker ??= tidyWorker(join(BUILD, 'native'));
+    worker ??= tidyWorker(join(BUILD, 'native'), { long });
     return worker();
   };
   const tidyJobs = Array.from({ length: Number(JOBS) }, (_, i) => job(`clangTidy ${i + 1}`, tidy));

@@ -16,12 +16,21 @@ const BATCH = 'UnifiedSource.cpp';
 /** A batch includes sources, which is what this check warns of. */
 const BATCH_CHECKS = '--checks=-bugprone-suspicious-include';
 
+/**
+ * How far the analyzer looks into each function: its own limits for a quick and for a deep look, which takes three
+ * times as long.
+ */
+const QUICK_NODES = 75000;
+const DEEP_NODES = 225000;
+const analyzerArgs = (nodes) =>
+  ['-Xclang', '-analyzer-config', '-Xclang', `max-nodes=${nodes}`].map((arg) => `--extra-arg=${arg}`);
+
 const escaped = (path) => path.replaceAll(/[.+*?^$()[\]{}|\\]/g, '\\$&');
 
 /** The sources that were compiled, each once, in the way that batches wants them and with their stamps. */
-function sources(database) {
+function sources(database, nodes) {
   const filesOf = includeScanner();
-  const common = fingerprint([join(ROOT, '.clang-tidy')]);
+  const common = `${nodes} ${fingerprint([join(ROOT, '.clang-tidy')])}`;
   const compiled = JSON.parse(readFileSync(join(database, 'compile_commands.json'), 'utf8'));
   const entries = new Map(compiled.map((entry) => [entry.file, entry]));
   return [...entries.values()]
@@ -42,7 +51,7 @@ function sources(database) {
 }
 
 /** Runs clang-tidy on a file that is compiled as `source` is. */
-async function clangTidy(file, { flags, directory }, folder, args = []) {
+async function clangTidy(file, { flags, directory }, folder, args) {
   const command = `${flags} -o checked.o -c ${file}`;
   const database = JSON.stringify([{ directory, command, file }]);
   writeFileSync(join(folder, 'compile_commands.json'), database);
@@ -53,12 +62,13 @@ async function clangTidy(file, { flags, directory }, folder, args = []) {
  * Reads the sources of a batch as one, or each alone where that cannot be. Resolves to the sources that are clean
  * and to what is said about the others. `folder` is for files of its own.
  */
-export async function checkBatch(list, folder, root = ROOT) {
+export async function checkBatch(list, folder, { root = ROOT, nodes = DEEP_NODES } = {}) {
   mkdirSync(folder, { recursive: true });
   const file = join(folder, BATCH);
   writeFileSync(file, list.map((source) => `#include "${source.file}"\n`).join(''));
   const filter = `--header-filter=^${escaped(root)}/(core/include|core/src|native/src)/.*\\.(h|cpp)$`;
-  const together = await clangTidy(file, list[0], folder, [BATCH_CHECKS, filter]);
+  const args = analyzerArgs(nodes);
+  const together = await clangTidy(file, list[0], folder, [BATCH_CHECKS, filter, ...args]);
   if (together.code === 0) return { clean: list, output: '' };
   // Errors and warnings of the compiler may come of names that only meet here.
   if (!together.output.includes('[clang-diagnostic-'))
@@ -66,7 +76,7 @@ export async function checkBatch(list, folder, root = ROOT) {
   const clean = [];
   let output = '';
   for (const source of list) {
-    const alone = await clangTidy(source.file, source, folder);
+    const alone = await clangTidy(source.file, source, folder, args);
     if (alone.code === 0) clean.push(source);
     else output += alone.output;
   }
@@ -75,17 +85,18 @@ export async function checkBatch(list, folder, root = ROOT) {
 
 /**
  * A function that checks batches until none is left and resolves to `{ isClean, output }`; several calls share them.
- * `database` is a build folder with compile_commands.json.
+ * `database` is a build folder with compile_commands.json. With `long` the analyzer looks deeper.
  */
-export function tidyWorker(database) {
+export function tidyWorker(database, { long = false } = {}) {
   rmSync(FOLDER, { recursive: true, force: true });
-  const stale = sources(database).filter(({ mark, hash }) => !mark.isFresh(hash));
+  const nodes = long ? DEEP_NODES : QUICK_NODES;
+  const stale = sources(database, nodes).filter(({ mark, hash }) => !mark.isFresh(hash));
   const waiting = [...batches(stale, MOST).entries()].sort(([, a], [, b]) => b.length - a.length);
   return async () => {
     const result = { isClean: true, output: '' };
     for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
       const [index, list] = next;
-      const { clean, output } = await checkBatch(list, join(FOLDER, String(index)));
+      const { clean, output } = await checkBatch(list, join(FOLDER, String(index)), { nodes });
       for (const { mark, hash } of clean) mark.set(hash);
       result.isClean &&= clean.length === list.length;
       result.output += output;

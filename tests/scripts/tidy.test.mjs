@@ -94,7 +94,7 @@ test('faults in any source of a batch and in its headers are found', NEEDS_TIDY,
   const { clean: found, output } = await checkBatch(
     [clean, named, analysed],
     join(folder, 'b'),
-    folder,
+    { root: folder },
   );
   assert.deepEqual(found, []);
   assert.match(output, /shared\.h:2.*modernize-use-nullptr/);
@@ -115,8 +115,8 @@ test('sources that cannot be read together are read alone', NEEDS_TIDY, async ()
     ...each,
     flags: `${each.flags} -Wshadow -Werror`,
   }));
-  assert.deepEqual((await checkBatch(strict, join(folder, 'd'), folder)).clean, strict);
-  const { clean, output } = await checkBatch([one, two, bad], join(folder, 'c'), folder);
+  assert.deepEqual((await checkBatch(strict, join(folder, 'd'), { root: folder })).clean, strict);
+  const { clean, output } = await checkBatch([one, two, bad], join(folder, 'c'), { root: folder });
   assert.deepEqual(names([clean]), [['one.cpp', 'two.cpp']]);
   assert.match(output, /bad\.cpp:1.*modernize-use-nullptr/);
   assert.doesNotMatch(output, /redefinition/);

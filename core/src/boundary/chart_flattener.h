@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "abflat/flatten.h"
@@ -36,7 +37,7 @@ struct Attempt {
   std::vector<double> uv;  ///< in chart units
   Validity validity;
   Distortion distortion;
-  std::string solver;                  ///< "activeSet", "interiorPoint" or "tutte"
+  std::string_view solver;             ///< "activeSet", "interiorPoint" or "tutte"
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;
   std::optional<PinReport> pins;

@@ -100,9 +100,8 @@ class AtlasChecker {
         boundaryCurves(atlas_.uv, atlas_.triangles, atlas_.chartOf, isWanted_);
     for (const std::uint32_t chart : found.broken) reportPair(chart, chart);
     if (!found.broken.empty()) return true;
-    if (found.arePinched) return findPair();
     const auto wrong = findWrongCover(found.curves);
-    if (!wrong) return false;
+    if (!wrong) return found.arePinched && findPair();
     const std::vector<std::uint32_t>& ends = found.curves.ends;
     const auto chartAt = [&](std::uint32_t point) {
       return found.chart[static_cast<std::size_t>(

@@ -26,12 +26,13 @@ class BoundaryFinder {
         chartOf_(chartOf),
         isWanted_(isWanted),
         next_(uv.size() / 2, kNone),
-        chartOfEdge_(uv.size() / 2, kNone) {}
+        chartOfEdge_(uv.size() / 2, kNone),
+        isPinched_(isWanted.size(), 0) {}
 
   BoundaryCurves run() {
     keepOpenSides();
-    for (std::uint32_t p = 0; p < next_.size() && !out_.arePinched; ++p)
-      if (next_[p] != kNone) walk(p);
+    for (std::uint32_t p = 0; p < next_.size(); ++p)
+      if (next_[p] != kNone && !isPinched_[chartOfEdge_[p]]) walk(p);
     std::sort(out_.broken.begin(), out_.broken.end());
     out_.broken.erase(std::unique(out_.broken.begin(), out_.broken.end()), out_.broken.end());
     return std::move(out_);
@@ -74,7 +75,10 @@ class BoundaryFinder {
   }
 
   void addEdge(std::uint32_t from, std::uint32_t to, std::uint32_t chart) {
-    out_.arePinched = out_.arePinched || next_[from] != kNone;
+    if (next_[from] != kNone) {
+      isPinched_[chartOfEdge_[from]] = isPinched_[chart] = 1;
+      out_.arePinched = true;
+    }
     next_[from] = to;
     chartOfEdge_[from] = chart;
   }
@@ -106,6 +110,7 @@ class BoundaryFinder {
   const std::vector<std::uint8_t>& isWanted_;
   std::vector<std::uint32_t> next_;         ///< texcoord, of the boundary edge from each texcoord
   std::vector<std::uint32_t> chartOfEdge_;  ///< likewise
+  std::vector<std::uint8_t> isPinched_;     ///< per chart
   std::vector<std::uint32_t> corners_;
   BoundaryCurves out_;
 };

@@ -13,8 +13,8 @@ struct BoundaryCurves {
   std::vector<std::uint32_t> chart;   ///< per curve
   std::vector<std::uint32_t> broken;  ///< charts whose boundary is no set of curves: an edge has
                                       ///< more than one triangle on a side
-  /// Whether curves have a corner in common, as where a hole lies at the outline; then there are no
-  /// curves.
+  /// Whether charts are left out because curves of theirs have a corner in common, as where a hole
+  /// lies at the outline.
   bool arePinched = false;
 };
 

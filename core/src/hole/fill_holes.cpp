@@ -18,9 +18,10 @@ constexpr double kStiff = 50;
 /// One boundary loop, its half-edges the other way round: as what fills it sees them.
 class Filler {
  public:
-  Filler(SeamMesh& mesh, const std::vector<std::uint32_t>& loop, double seamCost)
-      : mesh_(mesh), side_(loop.rbegin(), loop.rend()), seamCost_(seamCost) {
+  Filler(SeamMesh& mesh, BoundaryLoop loop, double seamCost)
+      : mesh_(mesh), side_(loop.begin(), loop.end()), seamCost_(seamCost) {
     // Side j of the hole runs from place j to j + 1.
+    std::reverse(side_.begin(), side_.end());
     std::rotate(side_.begin(), side_.begin() + 1, side_.end());
     for (const std::uint32_t h : side_) place_.push_back(mesh.vertexOfCorner[nextCorner(h)]);
   }
@@ -122,15 +123,14 @@ class Filler {
   double seamCost_;
 };
 
-double lengthOf(const SeamMesh& mesh, const std::vector<std::uint32_t>& loop) {
+double lengthOf(const SeamMesh& mesh, BoundaryLoop loop) {
   double sum = 0;
   for (const std::uint32_t h : loop) sum += mesh.length[h];
   return sum;
 }
 
 /// What a hole is curved in all: 0 where it is cut into a plane, 2 pi where it is an end of a tube.
-double curvatureOf(const SeamMesh& mesh, const CutSurface& s,
-                   const std::vector<std::uint32_t>& loop) {
+double curvatureOf(const SeamMesh& mesh, const CutSurface& s, BoundaryLoop loop) {
   double sum = 2 * kPi;
   for (const std::uint32_t first : loop) {
     sum += kPi;
@@ -147,17 +147,17 @@ std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
   std::vector<std::uint32_t> out;
   for (const CutSurface::Chart& chart : s.charts) {
     if (!isFixed.empty() && isFixed[chart.firstTriangle]) continue;
-    std::uint32_t longest = chart.loopBegin;
+    std::uint32_t longest = chart.firstLoop;
     double length = 0;
     for (std::uint32_t i = 0; chart.loops > 1 && i < chart.loops; ++i) {
-      const double own = lengthOf(mesh, s.loops[chart.loopBegin + i]);
+      const double own = lengthOf(mesh, s.loop(chart.firstLoop + i));
       if (own > length) {
-        longest = chart.loopBegin + i;
+        longest = chart.firstLoop + i;
         length = own;
       }
     }
-    for (std::uint32_t i = chart.loopBegin; i < chart.loopBegin + chart.loops; ++i) {
-      const std::vector<std::uint32_t>& loop = s.loops[i];
+    for (std::uint32_t i = chart.firstLoop; i < chart.firstLoop + chart.loops; ++i) {
+      const BoundaryLoop loop = s.loop(i);
       if (i == longest || loop.size() > kMostEdges) continue;
       if (mode == FillHoles::Always || lengthOf(mesh, loop) <= kSmall * length ||
           std::abs(curvatureOf(mesh, s, loop)) <= kFlat)
@@ -180,7 +180,7 @@ void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMes
   mesh.hole.assign(mesh.triangleCount(), kNone);
   std::uint32_t filled = 0;
   for (const std::uint32_t loop : holes)
-    if (Filler(mesh, s.loops[loop], seamCost).fill(filled)) ++filled;
+    if (Filler(mesh, s.loop(loop), seamCost).fill(filled)) ++filled;
   if (filled == 0) mesh.hole.clear();
 }
 

@@ -13,6 +13,10 @@ namespace {
 /// More places within the tolerance are detail, not rounding.
 constexpr std::size_t kMostPlaces = 64;
 
+/// So is what is further apart than this share of the edges there: one vertex far off makes the
+/// tolerance large, but none of the edges elsewhere.
+constexpr double kMostOfEdge = 1e-3;
+
 bool haveCommon(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
   for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
     if (*i == *j) return true;
@@ -92,16 +96,21 @@ class Merger {
       visit(cornersAt_[i]);
   }
 
-  /// Whether an edge there has one face only.
-  bool isOpen(std::uint32_t place) const {
-    std::vector<std::uint32_t> others;
+  /// Places that edges lead to, one for each face beside an edge, in order.
+  std::vector<std::uint32_t> neighbours(std::uint32_t place) const {
+    std::vector<std::uint32_t> out;
     forCorners(place, [&](std::uint32_t c) {
       const std::uint32_t f = faceOfCorner_[c];
       const std::uint32_t begin = mesh_.faceOffsets[f], last = mesh_.faceOffsets[f + 1] - 1;
-      others.push_back(placeAt(c == last ? begin : c + 1));
-      others.push_back(placeAt(c == begin ? last : c - 1));
+      out.push_back(placeAt(c == last ? begin : c + 1));
+      out.push_back(placeAt(c == begin ? last : c - 1));
     });
-    std::sort(others.begin(), others.end());
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  /// Whether an edge there has one face only.
+  static bool isOpen(const std::vector<std::uint32_t>& others) {
     for (std::size_t i = 0; i < others.size(); ++i) {
       const bool isLikeLast = i > 0 && others[i - 1] == others[i];
       const bool isLikeNext = i + 1 < others.size() && others[i + 1] == others[i];
@@ -131,26 +140,37 @@ class Merger {
     return std::sqrt(square);
   }
 
+  /// How far others may be that are merged with a place, in units of the tolerance.
+  double reachAt(std::uint32_t place, const std::vector<std::uint32_t>& others) const {
+    double longest = 0;
+    for (const std::uint32_t o : others) longest = std::max(longest, distance(place, o));
+    return std::min(1.0, kMostOfEdge * longest);
+  }
+
   /// Each to the nearest that stands for others, of those that no face has both of.
   void mergeGroup(const std::uint32_t* begin, const std::uint32_t* end) {
     struct Standing {
       std::uint32_t place;
+      double reach;
       std::vector<std::uint32_t> faces;  ///< of all that it stands for, in order
     };
     std::vector<Standing> standing;
     for (const std::uint32_t* v = begin; v != end; ++v) {
-      if (!isOpen(*v)) continue;
+      const std::vector<std::uint32_t> others = neighbours(*v);
+      if (!isOpen(others)) continue;
+      const double reach = reachAt(*v, others);
       std::vector<std::uint32_t> faces = facesAt(*v);
       Standing* nearest = nullptr;
-      double least = 1;
+      double least = reach;
       for (Standing& u : standing) {
         const double d = distance(u.place, *v);
-        if (d > least || (nearest && d == least) || haveCommon(faces, u.faces)) continue;
+        if (d > std::min(least, u.reach) || (nearest && d == least) || haveCommon(faces, u.faces))
+          continue;
         nearest = &u;
         least = d;
       }
       if (!nearest) {
-        standing.push_back({*v, std::move(faces)});
+        standing.push_back({*v, reach, std::move(faces)});
         continue;
       }
       of_[*v] = nearest->place;

@@ -31,7 +31,7 @@ void ChordFinder::walk(std::uint32_t chart) {
 }
 
 void ChordFinder::numberLoop(std::uint32_t chart) {
-  const std::vector<std::uint32_t>& loop = surface_.loops[surface_.charts[chart].loopBegin];
+  const BoundaryLoop loop = surface_.outline(chart);
   for (std::size_t i = 0; i < loop.size(); ++i)
     place_[surface_.vertexOfCorner[loop[i]]] = static_cast<std::uint32_t>(i);
 }

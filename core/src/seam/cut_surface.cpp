@@ -54,22 +54,23 @@ void findCharts(CutSurface& s) {
 void findLoops(CutSurface& s) {
   std::vector<std::uint8_t> isSeen(s.twin.size(), 0);
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
-    s.charts[c].loopBegin = static_cast<std::uint32_t>(s.loops.size());
+    s.charts[c].firstLoop = static_cast<std::uint32_t>(s.loopBegin.size());
     for (std::uint32_t i = s.triangleBegin[c]; i < s.triangleBegin[c + 1]; ++i)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t start = 3 * s.triangleOrder[i] + k;
         if (s.twin[start] != kNone || isSeen[start]) continue;
-        s.loops.emplace_back();
+        s.loopBegin.push_back(static_cast<std::uint32_t>(s.loopOrder.size()));
         std::uint32_t h = start;
         do {
           isSeen[h] = 1;
-          s.loops.back().push_back(h);
+          s.loopOrder.push_back(h);
           h = nextCorner(h);
           while (s.twin[h] != kNone) h = nextCorner(s.twin[h]);
         } while (h != start);
       }
-    s.charts[c].loops = static_cast<std::uint32_t>(s.loops.size()) - s.charts[c].loopBegin;
+    s.charts[c].loops = static_cast<std::uint32_t>(s.loopBegin.size()) - s.charts[c].firstLoop;
   }
+  s.loopBegin.push_back(static_cast<std::uint32_t>(s.loopOrder.size()));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> neededEdges(const SeamMesh& mesh, const CutSurface& s
 
 /// A boundary of fewer edges cannot be drawn.
 bool isAlmostClosed(const CutSurface& s, const CutSurface::Chart& chart) {
-  return chart.isDisk() && s.loops[chart.loopBegin].size() < 3;
+  return chart.isDisk() && s.loop(chart.firstLoop).size() < 3;
 }
 
 /// A sphere is opened along a path from its anchor, or from what is open of it, so that three edges

@@ -64,7 +64,7 @@ class Merger {
   }
 
   void addRuns(const CutSurface& s, std::uint32_t chart, std::vector<Run>& out) const {
-    const std::vector<std::uint32_t>& loop = s.loops[s.charts[chart].loopBegin];
+    const BoundaryLoop loop = s.outline(chart);
     const std::size_t n = loop.size();
     std::size_t start = 0;  // of a run
     while (start < n && behind(s, loop[start]) == behind(s, loop[(start + n - 1) % n])) ++start;
@@ -84,7 +84,7 @@ class Merger {
   /// Whether the charts, as they would lie by themselves, fit together.
   bool isPromising(const CutSurface& s, const std::vector<std::vector<Point2>>& outlines,
                    const Run& run) const {
-    const std::vector<std::uint32_t>& loop = s.loops[s.charts[run.b].loopBegin];
+    const BoundaryLoop loop = s.outline(run.b);
     const std::size_t n = outlines[run.a].size(), m = loop.size();
     const auto first = std::find(loop.begin(), loop.end(), mesh_.twin[run.edges.front()]);
     const auto place = static_cast<std::size_t>(first - loop.begin());
@@ -103,7 +103,7 @@ class Merger {
     const auto known = unpromising_.find(run.edges.front());
     if (known != unpromising_.end() && known->second == sizes) return false;
     for (const std::uint32_t c : {run.a, run.b})
-      if (outlines[c].empty()) outlines[c] = predictOutline(mesh_, s, s.charts[c].loopBegin, u_);
+      if (outlines[c].empty()) outlines[c] = predictOutline(mesh_, s, c, u_);
     const bool promises = isPromising(s, outlines, run);
     if (!promises) unpromising_[run.edges.front()] = sizes;
     return promises;
@@ -172,7 +172,7 @@ class Merger {
         trial.prediction.stretch[chart] > 1 + kOfBound * (options_.maxStretch - 1))
       return false;
     const auto outline = [&](const CutSurface& surface, std::uint32_t c) {
-      return predictOutline(trial.part.mesh, surface, surface.charts[c].loopBegin, trial.u);
+      return predictOutline(trial.part.mesh, surface, c, trial.u);
     };
     const std::vector<Point2> whole = outline(s, chart);
     const Shape shape = measureShape(whole);

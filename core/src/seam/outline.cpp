@@ -67,9 +67,9 @@ double overlapArea(const std::vector<Point2>& p) {
 
 }  // namespace
 
-std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, std::uint32_t loop,
+std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, std::uint32_t chart,
                                    const std::vector<double>& u) {
-  const std::vector<std::uint32_t>& boundary = s.loops[loop];
+  const BoundaryLoop boundary = s.outline(chart);
   const std::size_t n = boundary.size();
   std::vector<double> turn(n), lengths(n);
   double total = 0, length = 0;

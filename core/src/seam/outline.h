@@ -14,7 +14,7 @@ using Point2 = std::array<double, 2>;
 /// on its boundary (the angles are then those of Sawhney and Crane 2017), or of a larger chart that
 /// it is cut out of.
 std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& surface,
-                                   std::uint32_t loop, const std::vector<double>& u);
+                                   std::uint32_t chart, const std::vector<double>& u);
 
 /// What the outline tells about the layout.
 struct Shape {

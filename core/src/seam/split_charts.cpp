@@ -66,7 +66,7 @@ std::vector<Shape> shapesToSplit(const SeamMesh& mesh, const CutSurface& s,
   for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
     if (asked[c] == SplitFor::Nothing) continue;
     if (s.charts[c].triangles > 1 && s.charts[c].loops == 1) {
-      out[c] = measureShape(predictOutline(mesh, s, s.charts[c].loopBegin, u));
+      out[c] = measureShape(predictOutline(mesh, s, c, u));
       if (isBad(out[c], asked[c], options) || !out[c].crossings.empty()) continue;
     }
     asked[c] = SplitFor::Nothing;

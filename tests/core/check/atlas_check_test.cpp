@@ -111,6 +111,10 @@ TEST_CASE("a hole may lie at the outline, and another chart in the hole", "[cert
   CHECK(atlas.check().empty());
   atlas.add(0.19, 0.15, 0.02);
   CHECK(atlas.check().empty());
+  Squares touching = atlas;
+  touching.add(0.6, 0.6, 0.1).add(0.7, 0.65, 0.1);
+  REQUIRE(touching.check().size() == 2);
+  CHECK(touching.check()[0].other == 3);
   atlas.add(0.25, 0.05, 0.1);
   const std::vector<ChartDefect> defects = atlas.check();
   REQUIRE(defects.size() == 2);

@@ -102,6 +102,26 @@ TEST_CASE("detail below the tolerance is kept where the surface is closed, and w
   CHECK(weldSurface(loose).merged == 0);
 }
 
+TEST_CASE("a triangle far off merges nothing elsewhere") {
+  // Two squares, one above the other; with the triangle, one is within the tolerance of the other.
+  for (const double gap : {0.01, 1e-12}) {
+    std::vector<double> p;
+    for (const double z : {0.0, gap})
+      for (const double y : {0.0, 1.0})
+        for (const double x : {0.0, 1.0}) p.insert(p.end(), {x, y, z});
+    const std::vector<std::uint32_t> t{0, 1, 3, 0, 3, 2, 5, 4, 6, 5, 6, 7};
+    const std::size_t alone = weldSurface(makeTriangleMesh(p, t)).merged;
+    CHECK(alone == (gap < 1e-6 ? 4 : 0));
+    for (const double far : {1e6, 1e7, 1e9}) {
+      std::vector<double> q = p;
+      q.insert(q.end(), {far, 0, 0, far, far, 0, far, 0, far});
+      std::vector<std::uint32_t> more = t;
+      more.insert(more.end(), {8, 9, 10});
+      CHECK(weldSurface(makeTriangleMesh(q, more)).merged == alone);
+    }
+  }
+}
+
 TEST_CASE("two closed surfaces that are nearly in touch stay two") {
   PolygonMesh mesh = tetrahedron();
   const std::size_t n = mesh.vertexCount();
