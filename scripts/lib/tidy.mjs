@@ -23,7 +23,9 @@ const BATCH_CHECKS = '--checks=-bugprone-suspicious-include';
 const QUICK_NODES = 75000;
 const DEEP_NODES = 225000;
 const analyzerArgs = (nodes) =>
-  ['-Xclang', '-analyzer-config', '-Xclang', `max-nodes=${nodes}`].map((arg) => `--extra-arg=${arg}`);
+  ['-Xclang', '-analyzer-config', '-Xclang', `max-nodes=${nodes}`].map(
+    (arg) => `--extra-arg=${arg}`,
+  );
 
 const escaped = (path) => path.replaceAll(/[.+*?^$()[\]{}|\\]/g, '\\$&');
 

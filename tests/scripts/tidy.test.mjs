@@ -91,11 +91,9 @@ test('faults in any source of a batch and in its headers are found', NEEDS_TIDY,
     'analysed.cpp',
     'int through(bool is) {\n  int* p = nullptr;\n  if (is) return 1;\n  return *p;\n}\n',
   );
-  const { clean: found, output } = await checkBatch(
-    [clean, named, analysed],
-    join(folder, 'b'),
-    { root: folder },
-  );
+  const { clean: found, output } = await checkBatch([clean, named, analysed], join(folder, 'b'), {
+    root: folder,
+  });
   assert.deepEqual(found, []);
   assert.match(output, /shared\.h:2.*modernize-use-nullptr/);
   assert.match(output, /named\.cpp:2.*readability-identifier-naming/);
