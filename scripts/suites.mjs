@@ -58,10 +58,15 @@ const coveredProgram = () =>
 const countingProgram = () =>
   cmakeBuild('steps', { settings: { ABFLAT_STEPS: 'ON' }, targets: ['abflat_scaling'] });
 
-/** Files of tests/FOLDER for node, some of them at a time. `env` is asked for once all is built. */
-function node(folder, needs, { kind = WITHOUT, what = 'node', env = () => ({}) } = {}) {
+/** Files of tests/FOLDER for node, some of them at a time; `waits`: see runPool. `env` is asked for once all is built. */
+function node(
+  folder,
+  needs,
+  { kind = WITHOUT, what = 'node', waits = false, env = () => ({}) } = {},
+) {
   return {
     name: folder,
+    waits,
     title: `tests/${folder} (${kind.title(what)})`,
     purposes: kind.purposes,
     needs,
@@ -92,6 +97,7 @@ export const SUITES = [
   node('wasm', [program, buildWasm]),
   node('web', [program, buildWasm, buildWeb], {
     what: 'Chromium',
+    waits: true,
     env: () => ({ CHROME_PATH: findChrome() }),
   }),
   node('scripts', []),

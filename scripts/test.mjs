@@ -103,6 +103,7 @@ await runMain(async () => {
   const broken = await buildFor(suites, times);
   const runs = suites.map((suite) => ({
     title: suite.title,
+    waits: suite.waits,
     jobs: jobsOf(suite, broken, values),
   }));
   const testing = performance.now();

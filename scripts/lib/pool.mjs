@@ -1,9 +1,10 @@
 // Runs the jobs of several suites side by side, and shows each suite in one piece.
 
 /**
- * Runs `suites` (`{ title, jobs }`), at most `slots` jobs at a time and in their order, so that the
- * first jobs of one suite fill the gaps that the last ones of another leave. A job is
- * `{ name, run }`; `run` resolves to `{ passed, failed, skipped, output }`. `show` is called with
+ * Runs `suites` (`{ title, jobs, waits }`), at most `slots` jobs at a time and in their order, so that the
+ * first jobs of one suite fill the gaps that the last ones of another leave. Jobs of a suite that
+ * `waits` most of the time run one at a time beside the others, and in their slots once these are
+ * done. A job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped, output }`. `show` is called with
  * each suite as it is complete: `{ title, parts }`, where a part is a job's name, result and
  * seconds. Resolves to all of these in the order of the suites.
  */
@@ -13,18 +14,21 @@ export async function runPool(suites, slots, show) {
     parts: new Array(jobs.length),
     left: jobs.length,
   }));
-  const waiting = suites.flatMap(({ jobs }, suite) =>
-    jobs.map((job, part) => ({ job, suite, part })),
-  );
-  const work = async () => {
-    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+  const all = suites.flatMap(({ jobs }, suite) => jobs.map((job, part) => ({ job, suite, part })));
+  const beside = all.filter(({ suite }) => suites[suite].waits);
+  const others = all.filter(({ suite }) => !suites[suite].waits);
+  const work = async (...queues) => {
+    const take = () => queues.find((queue) => queue.length > 0)?.shift();
+    for (let next = take(); next !== undefined; next = take()) {
       const record = records[next.suite];
       record.parts[next.part] = await timed(next.job);
       record.left -= 1;
       if (record.left === 0) show(record);
     }
   };
-  await Promise.all(Array.from({ length: slots }, work));
+  const lanes = Array.from({ length: slots }, () => work(others, beside));
+  if (others.length > 0) lanes.push(work(beside));
+  await Promise.all(lanes);
   return records;
 }
 

@@ -40,6 +40,30 @@ test('never more jobs than slots, and the next suite fills what the last one lea
   assert.deepEqual(shown.at(-1), ['a', ['1', '2', '3']], 'in the order of its jobs');
 });
 
+test('what waits most of the time runs beside the others, and in their place at the end', async () => {
+  const { suites, running, end } = played({ busy: ['1', '2', '3'], page: ['a', 'b', 'c', 'd'] });
+  suites[1].waits = true;
+  const shown = [];
+  const show = ({ title }) => shown.push(title);
+  const all = runPool(suites, 2, show);
+  assert.deepEqual([...running.keys()], ['1', '2', 'a']);
+  await end('a');
+  assert.deepEqual([...running.keys()], ['1', '2', 'b']);
+  await end('1');
+  await end('2');
+  assert.deepEqual([...running.keys()], ['b', '3', 'c']);
+  for (const name of ['b', '3', 'c', 'd']) await end(name);
+  await all;
+  assert.deepEqual(shown, ['busy', 'page']);
+
+  const alone = played({ page: ['a', 'b', 'c'] });
+  alone.suites[0].waits = true;
+  const rest = runPool(alone.suites, 2, show);
+  assert.deepEqual([...alone.running.keys()], ['a', 'b']);
+  for (const name of ['a', 'b', 'c']) await alone.end(name);
+  await rest;
+});
+
 test('the records are in the order of the suites, whichever ended first', async () => {
   const { suites, end } = played({ slow: ['1'], fast: ['2'] });
   const shown = [];

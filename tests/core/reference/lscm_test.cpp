@@ -1,6 +1,6 @@
 #include "reference/lscm.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <set>
 

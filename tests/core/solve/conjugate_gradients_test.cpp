@@ -1,6 +1,6 @@
 #include "solve/conjugate_gradients.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <random>
 

@@ -1,12 +1,12 @@
 #include "solve/cholesky/cholesky.h"
 
-#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
 #include "solve/cholesky/matrices.h"
+#include "support/dense_algebra.h"
 #include "support/meshes.h"
 
 using namespace abflat;
@@ -65,7 +65,7 @@ TEST_CASE("random positive definite systems are solved like a dense solver does"
       REQUIRE(factor.factorize(m.valuePtr()).isOk());
       const Eigen::VectorXd b = randomVector(n, 3), x = solved(factor, b);
       const Eigen::MatrixXd dense = Eigen::MatrixXd(m).selfadjointView<Eigen::Lower>();
-      const Eigen::VectorXd wanted = dense.llt().solve(b);
+      const Eigen::VectorXd wanted = denseSolve(dense, b);
       CHECK((x - wanted).norm() <= 1e-11 * wanted.norm());
       CHECK(factor.negativePivots() == 0);
     }
@@ -75,8 +75,7 @@ TEST_CASE("the negative pivots are as many as the negative eigenvalues", "[chole
   for (const int n : {1, 6, 30, 150}) {
     const SparseMatrix m = randomMatrix(n, 0.2, 0.4, static_cast<unsigned>(n));
     const Eigen::MatrixXd dense = Eigen::MatrixXd(m).selfadjointView<Eigen::Lower>();
-    const Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd values = symmetricEigen(dense).values;
     Cholesky factor(analyzed(m));
     REQUIRE(factor.factorize(m.valuePtr()).isOk());
     CHECK(factor.negativePivots() == (values.array() < 0).count());
