@@ -4,7 +4,8 @@
 
 namespace abflat::test {
 
-// Eigen's decompositions, compiled once: an instrumented one takes as long as a dozen other sources.
+// Eigen's decompositions, compiled once: an instrumented one takes as long as a dozen other
+// sources.
 
 Eigen::VectorXd denseSolve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
