@@ -106,6 +106,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   r.converged = s.converged;
   setMeasures(r, attempt.validity, attempt.distortion);
   r.delaunay = attempt.delaunay;
+  r.refined = attempt.refined;
   r.pins = attempt.pins;
   r.straight = attempt.straight;
   r.fallbacks = attempt.fallbacks;

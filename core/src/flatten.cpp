@@ -11,6 +11,7 @@
 #include "mesh/surface.h"
 #include "parallel.h"
 #include "pin/chart_pins.h"
+#include "refine_chart.h"
 #include "solve/kkt_step_solver.h"
 #include "stopwatch.h"
 
@@ -84,6 +85,11 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
     return Status{StatusCode::InvalidOption,
                   "the product formulation has no Schur elimination, because its Hessian is not "
                   "diagonal; choose minres, symmlq, gmres or bicgstab as the linear solver"};
+  if (options.delaunay && options.balance > 0)
+    return Status{
+        StatusCode::InvalidOption,
+        "delaunay is a condition on angles, which a balance above 0 gives up: ask for one "
+        "of the two"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   if (!monitor.tell("connectivity", 0)) return aborted;
 
@@ -113,12 +119,20 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   const double setUp = watch.lap();
   Attempt best = flattenChart(flattener, t.value, options);
   pin(flattener, pins.value.front(), {solver.allowedBytes, &pool}, best);
+  watch.lap();
+  const double checkBefore = flattener.timings().check;
+  refineChart(flattener,
+              {options.balance, t.value, pins.value.front(), solver.allowedBytes, &pool,
+               [&] { return monitor.tellStage("refine"); }},
+              best);
+  const double refining = watch.lap() - (flattener.timings().check - checkBefore);
   if (best.solution.cancelled || monitor.stopped()) return aborted;
   if (best.pins)
     if (const Exceeded e = exceededBounds(chart, best.uv, t.value); e.count > 0)
       best.fallbacks.push_back("pins: " + exceededText(e));
   timings = flattener.timings();
   timings.solve += setUp;
+  timings.refine = refining;
   timings.connectivity = connectivity;
 
   if (!monitor.tell("check", 0.92)) return aborted;

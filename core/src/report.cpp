@@ -35,6 +35,14 @@ Json delaunayJson(const std::optional<DelaunayReport>& d) {
           {"resisting", d->resisting}};
 }
 
+Json refinedJson(const std::optional<RefineReport>& r) {
+  if (!r) return {};
+  return {{"energyBefore", r->energyBefore},
+          {"energy", r->energy},
+          {"steps", r->steps},
+          {"limit", r->limit}};
+}
+
 Json chartJson(const ChartReport& c) {
   return {
       {"faces", c.faces},
@@ -59,6 +67,7 @@ Json chartJson(const ChartReport& c) {
       {"boundaryCrossings", c.boundaryCrossings},
       {"maxBoundaryAngle", c.maxBoundaryAngle},
       {"delaunay", delaunayJson(c.delaunay)},
+      {"refined", refinedJson(c.refined)},
       {"pins", pinsJson(c.pins)},
       {"straight", straightJson(c.straight)},
       {"fallbacks", c.fallbacks},
@@ -69,10 +78,10 @@ Json chartJson(const ChartReport& c) {
 
 Json timingsJson(const Timings& t) {
   return {
-      {"read", t.read},   {"connectivity", t.connectivity},
-      {"solve", t.solve}, {"layout", t.layout},
-      {"check", t.check}, {"write", t.write},
-      {"total", t.total},
+      {"read", t.read},     {"connectivity", t.connectivity},
+      {"solve", t.solve},   {"layout", t.layout},
+      {"refine", t.refine}, {"check", t.check},
+      {"write", t.write},   {"total", t.total},
   };
 }
 

@@ -47,6 +47,11 @@ std::string resultText(const Report& report, const std::string& inputName,
       << ", residual " << c.constraintResidual << "\n"
       << "  distortion: angles " << c.angularDistortion << ", lengths " << c.lengthDistortion
       << ", conformal " << c.quasiConformalMean << " (at most " << c.quasiConformalMax << ")\n";
+  if (c.refined)
+    out << "  refined: energy " << std::setprecision(5) << c.refined->energyBefore << " -> "
+        << c.refined->energy << std::setprecision(3) << ", "
+        << counted(static_cast<std::size_t>(c.refined->steps), "step", "steps")
+        << (c.refined->limit.empty() ? "" : "; " + c.refined->limit) << "\n";
   if (c.delaunay)
     out << "  Delaunay: " << c.delaunay->violated << " of "
         << counted(c.delaunay->edges, "interior edge", "interior edges") << " violated, before "

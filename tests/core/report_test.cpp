@@ -33,11 +33,11 @@ TEST_CASE("the report has its keys in their order") {
         Keys{"version", "input", "options", "threads", "charts", "valid", "timings"});
   CHECK(keysOf(json["input"]) == Keys{"path", "vertices", "faces", "triangles", "components",
                                       "boundaryLoops", "boundaryEdges", "genus"});
-  CHECK(keysOf(json["options"]) == Keys{"t", "untangle", "linearSolver", "formulation",
+  CHECK(keysOf(json["options"]) == Keys{"t", "balance", "untangle", "linearSolver", "formulation",
                                         "precondition", "memory", "adjacent", "delaunay",
                                         "threads"});
   CHECK(keysOf(json["timings"]) ==
-        Keys{"read", "connectivity", "solve", "layout", "check", "write", "total"});
+        Keys{"read", "connectivity", "solve", "layout", "refine", "check", "write", "total"});
   const Json& chart = json["charts"].at(0);
   CHECK(keysOf(chart) == Keys{"faces",
                               "boundaryVertices",
@@ -61,6 +61,7 @@ TEST_CASE("the report has its keys in their order") {
                               "boundaryCrossings",
                               "maxBoundaryAngle",
                               "delaunay",
+                              "refined",
                               "pins",
                               "straight",
                               "fallbacks",

@@ -77,7 +77,7 @@ test('the report has its keys in their order', async (t) => {
   const keys =
     'faces boundaryVertices t bounds solver linearSolver formulation iterations history constraintResidual converged ' +
     'angularDistortion lengthDistortion quasiConformal stretch symmetricDirichlet areaDistortion ' +
-    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle delaunay pins straight fallbacks problem valid';
+    'degenerateTriangles flippedTriangles boundaryCrossings maxBoundaryAngle delaunay refined pins straight fallbacks problem valid';
   assert.deepEqual(Object.keys(chart), keys.split(' '));
   assert.ok(chart.history.length > 0);
   for (const step of chart.history)
@@ -98,18 +98,40 @@ test('the report has its keys in their order', async (t) => {
 
 test('timings are filled and their sum is not more than the total', async (t) => {
   const at = prepared(t);
-  await flatten(at, ['in.obj', '-o', 'out.obj', '--report', 'r.json']);
+  await flatten(at, ['in.obj', '-o', 'out.obj', '--balance', '0.2', '--report', 'r.json']);
   const { total, ...parts } = JSON.parse(readFileSync(at('r.json'), 'utf8')).timings;
   assert.deepEqual(Object.keys(parts), [
     'read',
     'connectivity',
     'solve',
     'layout',
+    'refine',
     'check',
     'write',
   ]);
   for (const [name, seconds] of Object.entries(parts)) assert.ok(seconds > 0, name);
   assert.ok(Object.values(parts).reduce((sum, seconds) => sum + seconds) <= total);
+});
+
+test('a balance trades angles for lengths, and the bound stays', async (t) => {
+  const at = prepared(t);
+  const chartAt = async (...args) => {
+    const run = await flatten(at, ['in.obj', '-o', 'out.obj', '--report', 'r.json', ...args]);
+    assert.equal(run.code, 0, run.stderr);
+    return JSON.parse(readFileSync(at('r.json'), 'utf8')).charts[0];
+  };
+  for (const bound of ['2', '1']) {
+    const plain = await chartAt('--t', bound);
+    assert.equal(plain.refined, null);
+    const refined = await chartAt('--t', bound, '--balance', '1');
+    assert.ok(refined.valid && refined.refined.energy < refined.refined.energyBefore);
+    assert.ok(refined.symmetricDirichlet < plain.symmetricDirichlet);
+    assert.ok(refined.quasiConformal.mean > plain.quasiConformal.mean);
+    if (bound === '1') assert.ok(refined.maxBoundaryAngle <= Math.PI + 1e-6);
+  }
+  const both = await flatten(at, ['in.obj', '-o', 'o2.obj', '--balance', '0.5', '--delaunay']);
+  assert.equal(both.code, 2);
+  assert.match(both.stderr, /delaunay is a condition on angles/);
 });
 
 test('the largest boundary angle keeps to the bound', async (t) => {

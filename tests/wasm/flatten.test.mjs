@@ -261,7 +261,7 @@ test('the report has times of every stage, and the total covers them', async () 
   const file = { bytes: bytesOf(objText(grid(20))), name: 'a.obj' };
   const { timings } = (await abflat.flatten(file, { obj: true })).report;
   const { total, ...stages } = timings;
-  const names = ['read', 'connectivity', 'solve', 'layout', 'check', 'write'];
+  const names = ['read', 'connectivity', 'solve', 'layout', 'refine', 'check', 'write'];
   assert.deepEqual(Object.keys(stages).sort(), names.sort());
   assert.ok(Object.values(timings).every((seconds) => seconds >= 0));
   // Clocks of browsers and Node are coarse: a stage may be rounded up.

@@ -67,6 +67,7 @@ export type Formulation = 'log' | 'product';
 /** The options of flattening that are plain values, with their defaults. */
 export interface FlattenOptionValues {
   t: number | 'auto';
+  balance: number;
   untangle: Untangle;
   linearSolver: LinearSolver;
   formulation: Formulation;
@@ -79,6 +80,7 @@ export interface FlattenOptionValues {
 
 export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
   t: 'auto',
+  balance: 0,
   untangle: 'auto',
   linearSolver: 'schur',
   formulation: 'log',
@@ -92,6 +94,7 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const FLATTEN_OPTIONS = {
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
+  balance: { type: 'number', default: 0, atLeast: 0, atMost: 1, text: 'between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other', range: 'at least 0 and at most 1' },
   untangle: { type: 'choice', default: 'auto', choices: ['auto', 'none', 'local', 'global', 'best'], text: 'how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less', range: 'auto, none, local, global, best' },
   linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'eigen', 'minres', 'symmlq', 'gmres', 'bicgstab'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen\'s SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF', range: 'schur, eigen, minres, symmlq, gmres, bicgstab' },
   formulation: { type: 'choice', default: 'log', choices: ['log', 'product'], text: 'form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen', range: 'log, product' },

@@ -8,6 +8,7 @@ const STAGES: Record<AnyProgress['stage'], string> = {
   seams: 'Finding seams',
   solve: 'Solving',
   layout: 'Laying out',
+  refine: 'Refining',
   pack: 'Packing charts',
   check: 'Checking',
   write: 'Writing',

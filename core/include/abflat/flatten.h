@@ -87,6 +87,16 @@ struct DelaunayReport {
   std::vector<std::array<std::uint32_t, 2>> resisting;
 };
 
+/// What refining for lengths did, see FlattenOptions::balance. Energies are means over the surface
+/// of (1 - b) (s1/s2 + s2/s1)/2 + b (s1^2 + s2^2 + s1^-2 + s2^-2)/4 with b the balance and s1, s2
+/// the singular values of the map from the surface, at the scale of least energy: 1 at best.
+struct RefineReport {
+  double energyBefore = 1;  ///< of the layout that the angles give
+  double energy = 1;
+  int steps = 0;      ///< of Newton's method
+  std::string limit;  ///< what stood in the way of less energy, one sentence; empty: nothing
+};
+
 /// What became of pins.
 struct PinReport {
   std::size_t count = 0;
@@ -130,6 +140,7 @@ struct ChartReport {
       0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
   double maxBoundaryAngle = 0;             ///< radians
   std::optional<DelaunayReport> delaunay;  ///< when it was asked for
+  std::optional<RefineReport> refined;     ///< when it was asked for
   std::optional<PinReport> pins;           ///< when there are any
   std::optional<StraightReport> straight;  ///< when it was asked for
   std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each
@@ -139,7 +150,8 @@ struct ChartReport {
 
 /// Seconds.
 struct Timings {
-  double read = 0, connectivity = 0, solve = 0, layout = 0, check = 0, write = 0, total = 0;
+  double read = 0, connectivity = 0, solve = 0, layout = 0, refine = 0, check = 0, write = 0,
+         total = 0;
 };
 
 struct Report {

@@ -40,6 +40,7 @@ struct Attempt {
   std::string_view solver;             ///< "activeSet", "interiorPoint" or "tutte"
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;
+  std::optional<RefineReport> refined;
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
   bool isGivenUp = false;         ///< more Newton steps would be needed than are allowed

@@ -95,7 +95,7 @@ Result<std::vector<Model>> findModels(const std::string& folder) {
 
 double secondsOf(const Report& report) {
   const Timings& s = report.timings;
-  return s.connectivity + s.solve + s.layout + s.check;
+  return s.connectivity + s.solve + s.layout + s.refine + s.check;
 }
 
 Experiment::Experiment(const Model& model) : model_(model) {

@@ -61,6 +61,21 @@ export interface DelaunayReport {
   resisting: [number, number][];
 }
 
+/**
+ * What refining for lengths did. Energies are means over the surface of
+ * (1 - b) (s1/s2 + s2/s1) / 2 + b (s1^2 + s2^2 + s1^-2 + s2^-2) / 4 with b the balance, at the scale of least energy: 1
+ * at best.
+ */
+export interface RefineReport {
+  /** Of the layout that the angles give. */
+  energyBefore: number;
+  energy: number;
+  /** Of Newton's method. */
+  steps: number;
+  /** What stood in the way of less energy, one sentence; empty where nothing did. */
+  limit: string;
+}
+
 export interface ChartReport {
   faces: number;
   boundaryVertices: number;
@@ -89,6 +104,8 @@ export interface ChartReport {
   maxBoundaryAngle: number;
   /** Null unless it was asked for. */
   delaunay: DelaunayReport | null;
+  /** Null without a balance above 0. */
+  refined: RefineReport | null;
   /** Null without pins. */
   pins: PinReport | null;
   /** Null where nothing is to be straight. */
@@ -110,7 +127,13 @@ export interface Report {
   threads: number;
   charts: ChartReport[];
   valid: boolean;
-  timings: LayoutTimings & { connectivity: number; solve: number; layout: number; check: number };
+  timings: LayoutTimings & {
+    connectivity: number;
+    solve: number;
+    layout: number;
+    refine: number;
+    check: number;
+  };
 }
 
 /**

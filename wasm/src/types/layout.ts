@@ -16,7 +16,7 @@ export interface CallOptions {
 }
 
 export interface Progress {
-  stage: 'read' | 'connectivity' | 'solve' | 'layout' | 'check' | 'write';
+  stage: 'read' | 'connectivity' | 'solve' | 'layout' | 'refine' | 'check' | 'write';
   /** 0 outside the solve stage. */
   newtonStep: number;
   constraintResidual: number;

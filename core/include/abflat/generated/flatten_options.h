@@ -86,6 +86,8 @@ constexpr double kAutoMemory = 0;
 struct FlattenOptionValues {
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
   double t = 0;
+  /// between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other
+  double balance = 0;
   /// how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
   Untangle untangle = Untangle::Auto;
   /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
@@ -126,6 +128,7 @@ struct OptionInfos {
 inline OptionInfos optionInfos(const FlattenOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
+    {"balance", "--balance", "0", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
     {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
     {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
@@ -135,7 +138,7 @@ inline OptionInfos optionInfos(const FlattenOptionValues&) {
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 9};
+  return {kInfos, 10};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -148,34 +151,38 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
       options.t = static_cast<double>(value);
       return true;
     case 1:
+      if (!(value >= 0 && value <= 1)) return false;
+      options.balance = static_cast<double>(value);
+      return true;
+    case 2:
       if (!(value >= 0 && value < 5 && value == std::trunc(value))) return false;
       options.untangle = static_cast<Untangle>(static_cast<int>(value));
       return true;
-    case 2:
+    case 3:
       if (!(value >= 0 && value < 6 && value == std::trunc(value))) return false;
       options.linearSolver = static_cast<LinearSolver>(static_cast<int>(value));
       return true;
-    case 3:
+    case 4:
       if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.formulation = static_cast<Formulation>(static_cast<int>(value));
       return true;
-    case 4:
+    case 5:
       if (!(value == 0 || value == 1)) return false;
       options.precondition = value != 0;
       return true;
-    case 5:
+    case 6:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 6:
+    case 7:
       if (!(value == 0 || value == 1)) return false;
       options.adjacent = value != 0;
       return true;
-    case 7:
+    case 8:
       if (!(value == 0 || value == 1)) return false;
       options.delaunay = value != 0;
       return true;
-    case 8:
+    case 9:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -186,28 +193,28 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const FlattenOptionValues&, int index, std::string_view text, bool& found) {
   if (index == 0 && text == "auto") return found = true, 0;
-  if (index == 1 && text == "auto") return found = true, 0;
-  if (index == 1 && text == "none") return found = true, 1;
-  if (index == 1 && text == "local") return found = true, 2;
-  if (index == 1 && text == "global") return found = true, 3;
-  if (index == 1 && text == "best") return found = true, 4;
-  if (index == 2 && text == "schur") return found = true, 0;
-  if (index == 2 && text == "eigen") return found = true, 1;
-  if (index == 2 && text == "minres") return found = true, 2;
-  if (index == 2 && text == "symmlq") return found = true, 3;
-  if (index == 2 && text == "gmres") return found = true, 4;
-  if (index == 2 && text == "bicgstab") return found = true, 5;
-  if (index == 3 && text == "log") return found = true, 0;
-  if (index == 3 && text == "product") return found = true, 1;
-  if (index == 5 && text == "auto") return found = true, 0;
+  if (index == 2 && text == "auto") return found = true, 0;
+  if (index == 2 && text == "none") return found = true, 1;
+  if (index == 2 && text == "local") return found = true, 2;
+  if (index == 2 && text == "global") return found = true, 3;
+  if (index == 2 && text == "best") return found = true, 4;
+  if (index == 3 && text == "schur") return found = true, 0;
+  if (index == 3 && text == "eigen") return found = true, 1;
+  if (index == 3 && text == "minres") return found = true, 2;
+  if (index == 3 && text == "symmlq") return found = true, 3;
+  if (index == 3 && text == "gmres") return found = true, 4;
+  if (index == 3 && text == "bicgstab") return found = true, 5;
+  if (index == 4 && text == "log") return found = true, 0;
+  if (index == 4 && text == "product") return found = true, 1;
+  if (index == 6 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const FlattenOptionValues&, int index, char letter) {
-  if (index == 5 && letter == 'M') return 1;
-  if (index == 5 && letter == 'G') return 1024;
-  if (index == 5 && letter == 'T') return 1048576;
+  if (index == 6 && letter == 'M') return 1;
+  if (index == 6 && letter == 'G') return 1024;
+  if (index == 6 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -218,6 +225,7 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
     visit("t", "auto");
   else
     visit("t", options.t);
+  visit("balance", options.balance);
   visit("untangle", untangleName(options.untangle));
   visit("linearSolver", linearSolverName(options.linearSolver));
   visit("formulation", formulationName(options.formulation));

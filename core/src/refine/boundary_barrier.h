@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "chart/disk_chart.h"
+#include "sparse_assembly.h"
+
+namespace abflat {
+
+/// Keeps parts of the boundary apart that nearly touch: (e / distance - 1)^2 for each vertex and
+/// edge of the boundary that are less than e apart (Smith and Schaefer 2015). As the vertex or the
+/// edges there are short so is e.
+class BoundaryBarrier {
+ public:
+  /// `area` of the chart: the barrier acts as far as a small share of its extent.
+  BoundaryBarrier(const DiskChart& chart, double area);
+
+  double energy(const std::vector<double>& uv) const;
+
+  /// Adds to the gradient, and to the lower triangle of a positive semidefinite approximation of
+  /// the Hessian; two rows a vertex, u and v.
+  void addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
+                      SparseEntries& hessian) const;
+
+ private:
+  struct Contact;
+  std::vector<Contact> contacts(const std::vector<double>& uv) const;
+  std::vector<double> outline(const std::vector<double>& uv) const;
+
+  const DiskChart& chart_;
+  double area_, reach_;
+  std::vector<double> length_;  ///< on the surface, per edge of the boundary
+};
+
+}  // namespace abflat

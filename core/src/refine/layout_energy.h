@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "chart/disk_chart.h"
+#include "refine/rest_triangles.h"
+
+namespace abflat {
+
+/// The energy of a layout: that of its triangles by weight. Infinite where one is flipped.
+double layoutEnergy(const DiskChart& chart, const std::vector<RestTriangle>& rest, double balance,
+                    const std::vector<double>& uv);
+
+/// What the layout has to be scaled by to have the least energy; 1 where that is all the same.
+double bestScale(const DiskChart& chart, const std::vector<RestTriangle>& rest, double balance,
+                 const std::vector<double>& uv);
+
+/// The longest step in a direction, at most `most`, before a triangle of a layout without flipped
+/// ones has no area.
+double longestStep(const DiskChart& chart, const std::vector<RestTriangle>& rest,
+                   const std::vector<double>& uv, const std::vector<double>& direction,
+                   double most);
+
+}  // namespace abflat

@@ -1,0 +1,210 @@
+#include "refine/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/crossings.h"
+#include "mesh/triangle_geometry.h"
+#include "refine/boundary_barrier.h"
+#include "refine/layout_energy.h"
+#include "refine/refine_system.h"
+#include "solve/row_solver.h"
+
+namespace abflat {
+namespace {
+
+/// Of the residual in the largest entry of the gradient.
+constexpr double kLinearTolerance = 1e-3;
+/// Of the way to the first triangle without area.
+constexpr double kShareOfLongest = 0.9;
+constexpr double kArmijo = 1e-4;
+constexpr int kMostHalvings = 40;
+/// Of the energy: less is not to be told from its rounding.
+constexpr double kRounding = 1e-10;
+
+std::vector<std::uint32_t> placeOfRows(const DiskChart& chart) {
+  std::vector<std::uint32_t> out;
+  for (const std::uint32_t place : chart.place) out.insert(out.end(), 2, place);
+  return out;
+}
+
+class Refiner {
+ public:
+  Refiner(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options)
+      : chart_(chart),
+        options_(options),
+        rest_(restTriangles(chart, uv)),
+        uv_(std::move(uv)),
+        system_(chart, rest_) {
+    findHeld();
+  }
+
+  Refinement run() {
+    if (options_.isFixed.empty()) {
+      const double scale = bestScale(chart_, rest_, options_.balance, uv_);
+      for (double& x : uv_) x *= scale;
+    }
+    out_.energyBefore = energy_ = energyOf(uv_);
+    const std::vector<double> start = uv_;
+    if (std::isfinite(energy_)) iterate();
+    out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_);
+    if (!(out_.energy < out_.energyBefore)) {
+      out_.energy = out_.energyBefore;
+      uv_ = start;
+    }
+    out_.uv = std::move(uv_);
+    return std::move(out_);
+  }
+
+ private:
+  /// The energy does not change when the whole layout moves: where nothing is fixed one vertex is,
+  /// and the one farthest from it does not turn round it.
+  void findHeld() {
+    isFixed_ = options_.isFixed;
+    if (std::find(isFixed_.begin(), isFixed_.end(), 1) != isFixed_.end()) return;
+    isFixed_.assign(chart_.vertexCount(), 0);
+    held_ = chart_.vertexOfCorner[chart_.boundary.front()];
+    isFixed_[held_] = 1;
+    double most = 0;
+    for (std::uint32_t v = 0; v < chart_.vertexCount(); ++v) {
+      const double distance =
+          norm(uv_[2 * v] - uv_[2 * held_], uv_[2 * v + 1] - uv_[2 * held_ + 1]);
+      if (distance <= most) continue;
+      most = distance;
+      far_ = v;
+    }
+  }
+
+  double energyOf(const std::vector<double>& uv) const {
+    const double own = layoutEnergy(chart_, rest_, options_.balance, uv);
+    return barrier_ && std::isfinite(own) ? own + barrier_->energy(uv) : own;
+  }
+
+  bool isSimple(const std::vector<double>& uv) const {
+    std::vector<double> points;
+    for (const std::uint32_t h : chart_.boundary)
+      for (std::size_t d = 0; d < 2; ++d)
+        points.push_back(uv[2 * std::size_t{chart_.vertexOfCorner[h]} + d]);
+    return findCrossings(points, 1).count == 0;
+  }
+
+  void assemble() {
+    system_.assemble(options_.balance, uv_, isFixed_);
+    gradient_ = system_.gradient();
+    if (barrier_) addBarrier();
+    if (far_ == kNone) return;
+    const double x = uv_[2 * far_] - uv_[2 * held_], y = uv_[2 * far_ + 1] - uv_[2 * held_ + 1];
+    const double length = norm(x, y);
+    system_.pull(far_, -y / length, x / length, 1);
+  }
+
+  bool isFixedRow(int row) const { return isFixed_[static_cast<std::size_t>(row) / 2] != 0; }
+
+  void addBarrier() {
+    contacts_.clear();
+    barrier_->addDerivatives(uv_, gradient_, contacts_);
+    for (int row = 0; row < gradient_.size(); ++row)
+      if (isFixedRow(row)) gradient_[row] = 0;
+  }
+
+  /// With contacts, which are entries that the pattern does not have.
+  Eigen::SparseMatrix<double> extended() const {
+    const Eigen::SparseMatrix<double>& own = system_.matrix();
+    SparseEntries entries;
+    entries.reserve(static_cast<std::size_t>(own.nonZeros()) + contacts_.size());
+    for (int c = 0; c < own.outerSize(); ++c)
+      for (int i = own.outerIndexPtr()[c]; i < own.outerIndexPtr()[c + 1]; ++i)
+        entries.emplace_back(own.innerIndexPtr()[i], c, own.valuePtr()[i]);
+    for (const auto& e : contacts_)
+      if (!isFixedRow(e.row()) && !isFixedRow(e.col())) entries.push_back(e);
+    return assembled(own.rows(), entries);
+  }
+
+  /// False where the system has no solution.
+  bool findDirection() {
+    const Eigen::VectorXd b = -gradient_;
+    const bool isExtended = !contacts_.empty();
+    const Eigen::SparseMatrix<double> withContacts =
+        isExtended ? extended() : Eigen::SparseMatrix<double>();
+    const Eigen::SparseMatrix<double>& matrix = isExtended ? withContacts : system_.matrix();
+    if (!solver_ || isExtended || wasExtended_)
+      solver_ =
+          makeRowSolverWithin(matrix, kinds(), out_.memory, options_.pool, placeOfRows(chart_));
+    wasExtended_ = isExtended;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+    const double tolerance = kLinearTolerance * b.lpNorm<Eigen::Infinity>();
+    if (!solver_->solve(matrix, b, tolerance, x) || !x.allFinite()) return false;
+    direction_.assign(x.data(), x.data() + x.size());
+    slope_ = -b.dot(x);
+    return slope_ < 0;
+  }
+
+  std::vector<std::uint8_t> kinds() const {
+    std::vector<std::uint8_t> out(2 * std::size_t{chart_.vertexCount()});
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = i % 2;
+    return out;
+  }
+
+  void iterate() {
+    while (out_.steps < options_.maxSteps && (!options_.onStep || options_.onStep())) {
+      assemble();
+      if (!findDirection()) return;
+      const double gain = -slope_ / 2;
+      const bool isLast = gain <= options_.tolerance * (energy_ - 1) + kRounding;
+      const Step taken = step();
+      if (taken == Step::Crosses) {
+        barrier_ = std::make_unique<BoundaryBarrier>(chart_, surfaceArea(chart_));
+        energy_ = energyOf(uv_);
+        out_.isHeldApart = true;
+        continue;
+      }
+      out_.steps += taken == Step::Taken;
+      out_.isConverged = isLast;
+      if (isLast || taken == Step::None) return;
+    }
+  }
+
+  enum class Step { Taken, None, Crosses };
+
+  Step step() {
+    double length = std::min(1.0, kShareOfLongest * longestStep(chart_, rest_, uv_, direction_, 2));
+    std::vector<double> next(uv_.size());
+    for (int i = 0; i < kMostHalvings; ++i, length /= 2) {
+      for (std::size_t k = 0; k < uv_.size(); ++k) next[k] = uv_[k] + length * direction_[k];
+      const double energy = energyOf(next);
+      if (!(energy <= energy_ + kArmijo * length * slope_)) continue;
+      if (options_.keepsSimple && !isSimple(next)) {
+        if (!barrier_) return Step::Crosses;
+        continue;
+      }
+      const bool isLess = energy < energy_;
+      energy_ = energy;
+      uv_ = std::move(next);
+      return isLess ? Step::Taken : Step::None;
+    }
+    return Step::None;
+  }
+
+  const DiskChart& chart_;
+  const RefineOptions& options_;
+  std::vector<RestTriangle> rest_;
+  std::vector<double> uv_, direction_;
+  RefineSystem system_;
+  std::unique_ptr<BoundaryBarrier> barrier_;  ///< once the boundary would cross itself
+  Eigen::VectorXd gradient_;
+  SparseEntries contacts_;
+  bool wasExtended_ = false;
+  std::unique_ptr<RowSolver> solver_;
+  std::vector<std::uint8_t> isFixed_;
+  std::uint32_t held_ = kNone, far_ = kNone;
+  double energy_ = 0, slope_ = 0;
+  Refinement out_;
+};
+
+}  // namespace
+
+Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options) {
+  return Refiner(chart, std::move(uv), options).run();
+}
+
+}  // namespace abflat

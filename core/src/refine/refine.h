@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "chart/disk_chart.h"
+#include "parallel.h"
+#include "solve/factor_memory.h"
+
+namespace abflat {
+
+struct RefineOptions {
+  double balance = 0;  ///< see elementEnergy; nothing is to be done for 0
+  /// Per vertex: stays where it is; empty: none.
+  std::vector<std::uint8_t> isFixed;
+  bool keepsSimple = true;  ///< of a boundary that does not cross itself
+  int maxSteps = 100;
+  /// Of the energy above 1: what further steps would gain less than does not matter.
+  double tolerance = 5e-4;
+  std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
+  ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
+  /// Hears of each step; false: no further one.
+  std::function<bool()> onStep;
+};
+
+struct Refinement {
+  std::vector<double> uv;
+  double energyBefore = 0, energy = 0;
+  int steps = 0;
+  bool isConverged = false;  ///< false: ended by the limit of steps, by rounding or by the caller
+  bool isHeldApart = false;  ///< the boundary would have crossed itself
+  FactorMemory memory;
+};
+
+/// From a layout without flipped triangles to one of less energy, by projected Newton (Teran et al.
+/// 2005; eigenvalues in closed form after Smith, de Goes and Kim 2019) with steps that flip no
+/// triangle (Smith and Schaefer 2015). The boundary is free. Where
+/// it would cross itself its parts are kept apart.
+Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
+
+}  // namespace abflat

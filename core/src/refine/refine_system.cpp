@@ -1,0 +1,147 @@
+#include "refine/refine_system.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace abflat {
+namespace {
+
+/// What a vertex moves z and w by, for its u and its v.
+using VertexColumns = std::array<PlaneMap, 2>;
+
+std::array<VertexColumns, 3> columnsOf(const RestTriangle& t) {
+  const std::array<double, 2> c[3] = {{-t.c1x, -t.c1y - t.c2y}, {t.c1x, t.c1y}, {0, t.c2y}};
+  std::array<VertexColumns, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [x, y] = c[k];
+    out[k] = {PlaneMap{x, -y, x, y}, PlaneMap{y, x, -y, x}};
+  }
+  return out;
+}
+
+double dot(const PlaneMap& a, const PlaneMap& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+PlaneMap product(const std::array<double, 10>& h, const PlaneMap& x) {
+  return {h[0] * x[0] + h[1] * x[1] + h[3] * x[2] + h[6] * x[3],
+          h[1] * x[0] + h[2] * x[1] + h[4] * x[2] + h[7] * x[3],
+          h[3] * x[0] + h[4] * x[1] + h[5] * x[2] + h[8] * x[3],
+          h[6] * x[0] + h[7] * x[1] + h[8] * x[2] + h[9] * x[3]};
+}
+
+}  // namespace
+
+RefineSystem::RefineSystem(const DiskChart& chart, const std::vector<RestTriangle>& rest)
+    : chart_(chart), rest_(rest) {
+  buildPattern();
+}
+
+void RefineSystem::buildPattern() {
+  const std::uint32_t n = chart_.vertexCount();
+  using Later = std::pair<std::uint32_t, std::uint32_t>;  // a vertex and a half-edge to it
+  std::vector<std::uint32_t> begin(n + 1, 0);
+  const auto forEdges = [&](const auto& use) {
+    for (std::uint32_t h = 0; h < chart_.twin.size(); ++h) {
+      if (chart_.twin[h] != kNone && chart_.twin[h] < h) continue;
+      const std::uint32_t a = chart_.vertexOfCorner[h], b = chart_.vertexOfCorner[nextCorner(h)];
+      use(h, std::min(a, b), std::max(a, b));
+    }
+  };
+  forEdges([&](std::uint32_t, std::uint32_t a, std::uint32_t) { ++begin[a + 1]; });
+  for (std::uint32_t v = 0; v < n; ++v) begin[v + 1] += begin[v];
+  std::vector<Later> later(begin.back());
+  std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
+  forEdges([&](std::uint32_t h, std::uint32_t a, std::uint32_t b) { later[fill[a]++] = {b, h}; });
+
+  const Eigen::Index rows = 2 * static_cast<Eigen::Index>(n);
+  matrix_.resize(rows, rows);
+  matrix_.resizeNonZeros(static_cast<Eigen::Index>(3 * n + 4 * later.size()));
+  entryOfEdge_.resize(chart_.twin.size());
+  int* start = matrix_.outerIndexPtr();
+  int* row = matrix_.innerIndexPtr();
+  int at = 0;
+  for (std::uint32_t v = 0; v < n; ++v) {
+    std::sort(later.begin() + begin[v], later.begin() + begin[v + 1]);
+    for (int d = 0; d < 2; ++d) {
+      start[2 * v + static_cast<std::uint32_t>(d)] = at;
+      for (int e = d; e < 2; ++e) row[at++] = 2 * static_cast<int>(v) + e;
+      for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
+        if (d == 0) {
+          const std::uint32_t h = later[i].second, o = chart_.twin[h];
+          entryOfEdge_[h] = static_cast<std::uint32_t>(at);
+          if (o != kNone) entryOfEdge_[o] = static_cast<std::uint32_t>(at);
+        }
+        for (int e = 0; e < 2; ++e) row[at++] = 2 * static_cast<int>(later[i].first) + e;
+      }
+    }
+  }
+  start[2 * n] = at;
+  gradient_.resize(rows);
+}
+
+void RefineSystem::addTriangle(std::uint32_t f, double balance, const std::vector<double>& uv) {
+  const RestTriangle& rest = rest_[f];
+  if (rest.weight == 0) return;
+  const std::uint32_t* v = &chart_.vertexOfCorner[3 * f];
+  const auto at = [&](std::size_t k) { return &uv[2 * std::size_t{v[k]}]; };
+  const ElementDerivatives d = elementDerivatives(rest.mapTo(at(0), at(1), at(2)), balance);
+  const std::array<VertexColumns, 3> columns = columnsOf(rest);
+  std::array<VertexColumns, 3> products;
+  const int* start = matrix_.outerIndexPtr();
+  double* value = matrix_.valuePtr();
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t e = 0; e < 2; ++e) {
+      products[k][e] = product(d.hessian, columns[k][e]);
+      for (double& x : products[k][e]) x *= rest.weight;
+      gradient_.data()[2 * std::size_t{v[k]} + e] += rest.weight * dot(d.gradient, columns[k][e]);
+    }
+  for (std::size_t k = 0; k < 3; ++k) {
+    double* own = value + start[2 * v[k]];
+    own[0] += dot(columns[k][0], products[k][0]);
+    own[1] += dot(columns[k][1], products[k][0]);
+    value[start[2 * v[k] + 1]] += dot(columns[k][1], products[k][1]);
+    const std::size_t l = (k + 1) % 3;
+    const std::size_t early = v[k] < v[l] ? k : l, late = v[k] < v[l] ? l : k;
+    // The columns of the earlier vertex, one after the other.
+    double* first = value + entryOfEdge_[3 * f + k];
+    const std::uint32_t u = 2 * v[early];
+    double* second = first + (start[u + 1] - start[u]) - 1;
+    for (std::size_t e = 0; e < 2; ++e) {
+      first[e] += dot(columns[late][e], products[early][0]);
+      second[e] += dot(columns[late][e], products[early][1]);
+    }
+  }
+}
+
+void RefineSystem::pull(std::uint32_t vertex, double x, double y, double stiffness) {
+  double* value = matrix_.valuePtr();
+  const int* start = matrix_.outerIndexPtr();
+  value[start[2 * vertex]] += stiffness * x * x;
+  value[start[2 * vertex] + 1] += stiffness * x * y;
+  value[start[2 * vertex + 1]] += stiffness * y * y;
+}
+
+void RefineSystem::fix(const std::vector<std::uint8_t>& isFixed) {
+  const auto n = static_cast<std::uint32_t>(isFixed.size());
+  const int* start = matrix_.outerIndexPtr();
+  const int* row = matrix_.innerIndexPtr();
+  double* value = matrix_.valuePtr();
+  for (std::uint32_t c = 0; c < 2 * n; ++c) {
+    for (int i = start[c]; i < start[c + 1]; ++i) {
+      const auto r = static_cast<std::uint32_t>(row[i]);
+      if (isFixed[c / 2] || isFixed[r / 2]) value[i] = r == c ? 1 : 0;
+    }
+    if (isFixed[c / 2]) gradient_.data()[c] = 0;
+  }
+}
+
+void RefineSystem::assemble(double balance, const std::vector<double>& uv,
+                            const std::vector<std::uint8_t>& isFixed) {
+  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+  gradient_.setZero();
+  for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) addTriangle(f, balance, uv);
+  if (!isFixed.empty()) fix(isFixed);
+}
+
+}  // namespace abflat

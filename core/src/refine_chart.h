@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "boundary/chart_flattener.h"
+#include "pin/pinned_layout.h"
+
+namespace abflat {
+
+struct RefineWishes {
+  double balance = 0;  ///< nothing is done for 0
+  /// Interior angles that may not be exceeded, times pi, per boundary vertex; empty: any.
+  std::vector<double> bounds;
+  std::vector<ChartPin> pins;
+  std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
+  ThreadPool* pool = nullptr;
+  std::function<bool()> onStep;  ///< hears of each step; false: no further one
+};
+
+/// Trades angles of a valid layout for lengths, and checks and measures it anew. What was asked for
+/// stays: pins, straight runs and bounds.
+void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt);
+
+}  // namespace abflat

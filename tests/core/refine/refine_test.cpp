@@ -1,0 +1,206 @@
+#include "refine/refine.h"
+
+#include <cmath>
+
+#include "boundary/chart_flattener.h"
+#include "catch.h"
+#include "flatten_chart.h"
+#include "refine/boundary_barrier.h"
+#include "refine/layout_energy.h"
+#include "refine/refine_system.h"
+#include "support/dense_algebra.h"
+#include "support/meshes.h"
+#include "support/problems.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+std::vector<double> conformalLayout(const DiskChart& chart) {
+  ThreadPool pool(1);
+  SolverOptions options;
+  options.pool = &pool;
+  ChartFlattener flattener(chart, options);
+  flattener.requireSeparation();
+  const Attempt a =
+      flattenChart(flattener, std::vector<double>(chart.boundary.size(), 2), FlattenOptions());
+  REQUIRE(a.valid());
+  return a.uv;
+}
+
+RefineOptions withBalance(double balance) {
+  RefineOptions out;
+  out.balance = balance;
+  return out;
+}
+
+/// Largest difference of edge lengths, in those of `a`.
+double lengthDifference(const DiskChart& chart, const std::vector<double>& a,
+                        const std::vector<double>& b) {
+  double most = 0;
+  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+    const std::size_t p = 2 * chart.vertexOfCorner[h], q = 2 * chart.vertexOfCorner[nextCorner(h)];
+    const double x = std::hypot(a[p] - a[q], a[p + 1] - a[q + 1]);
+    const double y = std::hypot(b[p] - b[q], b[p + 1] - b[q + 1]);
+    most = std::max(most, std::abs(x - y) / x);
+  }
+  return most;
+}
+
+/// A sheet rolled up along a curve: it can be flattened without any distortion.
+PolygonMesh rolledSheet() {
+  PolygonMesh mesh = bumpyGrid(12, 8, 0, 4);
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    double* p = &mesh.positions[3 * v];
+    const double angle = p[0] / 4;
+    p[0] = 4 * std::sin(angle);
+    p[2] = 4 - 4 * std::cos(angle);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("gradient and matrix of a layout agree with differences of its energy", "[refine]") {
+  const DiskChart chart = chartOf(bumpyGrid(4, 3, 0.6, 9));
+  const std::vector<double> uv = conformalLayout(chart);
+  const std::vector<RestTriangle> rest = restTriangles(chart, uv);
+  for (const double balance : {0.0, 0.2, 1.0}) {
+    RefineSystem system(chart, rest);
+    system.assemble(balance, uv, {});
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd(system.matrix()).selfadjointView<Eigen::Lower>();
+    CHECK(symmetricEigen(matrix).values[0] > -1e-9);
+    constexpr double kStep = 1e-6;
+    for (std::size_t i = 0; i < uv.size(); ++i) {
+      std::vector<double> up = uv, down = uv;
+      up[i] += kStep;
+      down[i] -= kStep;
+      const double slope =
+          (layoutEnergy(chart, rest, balance, up) - layoutEnergy(chart, rest, balance, down)) /
+          (2 * kStep);
+      CHECK(system.gradient()[static_cast<Eigen::Index>(i)] == Approx(slope).margin(1e-7));
+    }
+    // Nothing changes when all moves.
+    Eigen::VectorXd shift = Eigen::VectorXd::Zero(matrix.rows());
+    for (Eigen::Index i = 0; i < shift.size(); i += 2) shift[i] = 1;
+    CHECK((matrix * shift).cwiseAbs().maxCoeff() < 1e-9);
+  }
+}
+
+TEST_CASE("a sheet that is only bent becomes flat without distortion", "[refine]") {
+  const PolygonMesh mesh = rolledSheet();
+  const DiskChart chart = chartOf(mesh);
+  std::vector<double> uv = conformalLayout(chart);
+  for (std::size_t i = 0; i < uv.size(); i += 2) uv[i] *= 1.5;
+  const Refinement r = refine(chart, uv, withBalance(1));
+  CHECK(r.isConverged);
+  CHECK(r.energyBefore > 1.01);
+  CHECK(r.energy == Approx(1).epsilon(1e-4));
+}
+
+TEST_CASE("refining takes energy away and flips nothing", "[refine]") {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const DiskChart chart = chartOf(bumpyGrid(9 + seed, 14, 0.15 * (seed + 1), seed));
+    const std::vector<double> uv = conformalLayout(chart);
+    for (const double balance : {0.05, 0.3, 1.0}) {
+      const Refinement r = refine(chart, uv, withBalance(balance));
+      CAPTURE(seed, balance, r.steps);
+      CHECK(r.isConverged);
+      CHECK(r.energy < r.energyBefore);
+      CHECK(r.energy >= 1);
+      CHECK(checkValidity(chart, r.uv).valid());
+      CHECK(r.energy == Approx(layoutEnergy(chart, restTriangles(chart, uv), balance, r.uv)));
+      // A second time there is nothing left to gain.
+      const Refinement again = refine(chart, r.uv, withBalance(balance));
+      CHECK(again.energyBefore - again.energy <= 2e-3 * (r.energyBefore - 1));
+    }
+  }
+}
+
+TEST_CASE("refining depends neither on the unit, nor on numbers, nor on where the layout lies",
+          "[refine]") {
+  const PolygonMesh mesh = bumpyGrid(15, 11, 0.8, 2);
+  const DiskChart chart = chartOf(mesh);
+  const std::vector<double> uv = conformalLayout(chart);
+  RefineOptions options = withBalance(0.3);
+  options.tolerance = 1e-9;
+  const Refinement wanted = refine(chart, uv, options);
+  std::vector<double> turned;
+  for (std::size_t i = 0; i < uv.size(); i += 2)
+    turned.insert(turned.end(), {3 * (0.6 * uv[i] - 0.8 * uv[i + 1]) + 5,
+                                 3 * (0.8 * uv[i] + 0.6 * uv[i + 1]) - 2});
+  CHECK(lengthDifference(chart, wanted.uv, refine(chart, turned, options).uv) < 1e-4);
+
+  const Renumbered other = renumbered(mesh, 8);
+  const DiskChart renamed = chartOf(other.mesh);
+  std::vector<double> moved(uv.size());
+  std::vector<std::uint32_t> ofInput(mesh.vertexCount());
+  for (std::uint32_t v = 0; v < renamed.vertexCount(); ++v) ofInput[renamed.inputVertex[v]] = v;
+  const auto now = [&](std::uint32_t v) { return ofInput[other.vertex[chart.inputVertex[v]]]; };
+  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+    for (std::size_t d = 0; d < 2; ++d) moved[2 * std::size_t{now(v)} + d] = uv[2 * v + d];
+  const Refinement found = refine(renamed, moved, options);
+  std::vector<double> back(uv.size());
+  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+    for (std::size_t d = 0; d < 2; ++d) back[2 * v + d] = found.uv[2 * std::size_t{now(v)} + d];
+  CHECK(lengthDifference(chart, wanted.uv, back) < 1e-4);
+  CHECK(found.energy == Approx(wanted.energy).epsilon(1e-8));
+}
+
+TEST_CASE("vertices that are fixed stay where they are", "[refine]") {
+  const DiskChart chart = chartOf(bumpyGrid(12, 12, 0.7, 6));
+  const std::vector<double> uv = conformalLayout(chart);
+  RefineOptions options = withBalance(0.5);
+  options.isFixed.assign(chart.vertexCount(), 0);
+  for (const std::uint32_t h : chart.boundary) options.isFixed[chart.vertexOfCorner[h]] = 1;
+  const Refinement r = refine(chart, uv, options);
+  CHECK(r.energy < r.energyBefore);
+  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+    if (options.isFixed[v]) {
+      CHECK(r.uv[2 * v] == uv[2 * v]);
+      CHECK(r.uv[2 * v + 1] == uv[2 * v + 1]);
+    }
+}
+
+TEST_CASE("minima of public disks", "[refine]") {
+  struct Known {
+    const char* file;
+    double least, leastDirichlet;
+  };
+  for (const Known& k :
+       {Known{"nefertiti.off", 1.00454, 1.00915}, Known{"cathead.obj", 1.17018, 1.34033},
+        Known{"hemisphere.obj", 1.01273, 1.03532}}) {
+    const PolygonMesh mesh = sharedMesh(k.file);
+    if (mesh.faceCount() == 0) continue;
+    const DiskChart chart = chartOf(mesh);
+    const std::vector<double> uv = conformalLayout(chart);
+    CHECK(refine(chart, uv, withBalance(0.2)).energy == Approx(k.least).epsilon(5e-5));
+    CHECK(refine(chart, uv, withBalance(1)).energy == Approx(k.leastDirichlet).epsilon(5e-5));
+  }
+}
+
+TEST_CASE("derivatives of the barrier agree with differences", "[refine]") {
+  const DiskChart chart = chartOf(bumpyGrid(6, 1, 0, 1));
+  // A strip bent to a ring whose ends nearly touch.
+  std::vector<double> uv;
+  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v) {
+    const double turn = (v % 7) / 6.002, radius = (1 + v / 7) / chart.unit;
+    const double angle = turn * 2 * 3.141592653589793;
+    uv.insert(uv.end(), {radius * std::sin(angle), -radius * std::cos(angle)});
+  }
+  const BoundaryBarrier barrier(chart, surfaceArea(chart));
+  REQUIRE(barrier.energy(uv) > 0);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(uv.size()));
+  SparseEntries hessian;
+  barrier.addDerivatives(uv, gradient, hessian);
+  constexpr double kStep = 1e-8;
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    std::vector<double> up = uv, down = uv;
+    up[i] += kStep;
+    down[i] -= kStep;
+    const double slope = (barrier.energy(up) - barrier.energy(down)) / (2 * kStep);
+    CHECK(gradient[static_cast<Eigen::Index>(i)] ==
+          Approx(slope).epsilon(1e-4).margin(1e-6 * gradient.cwiseAbs().maxCoeff()));
+  }
+}
