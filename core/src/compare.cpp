@@ -6,11 +6,11 @@
 #include "chart/disk_chart.h"
 #include "check/distortion.h"
 #include "check/validity.h"
+#include "layout/pose.h"
 #include "layout/tutte.h"
 #include "mesh/surface.h"
 #include "reference/edge_weights.h"
 #include "reference/lscm.h"
-#include "reference/pose.h"
 #include "stopwatch.h"
 
 namespace abflat {

@@ -1,9 +1,8 @@
 #include "refine_chart.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "flatten_chart.h"
+#include "layout/pose.h"
 #include "refine/refine.h"
 
 namespace abflat {
@@ -24,28 +23,19 @@ std::vector<std::uint8_t> fixedVertices(const DiskChart& chart, const RefineWish
   return out;
 }
 
-double areaOf(const DiskChart& chart, const std::vector<double>& uv) {
-  double sum = 0;
-  for (const std::uint32_t h : chart.boundary) {
-    const double* a = &uv[2 * std::size_t{chart.vertexOfCorner[h]}];
-    const double* b = &uv[2 * std::size_t{chart.vertexOfCorner[nextCorner(h)]}];
-    sum += (a[0] * b[1] - a[1] * b[0]) / 2;
-  }
-  return sum;
-}
-
-void scaleToArea(const DiskChart& chart, double area, std::vector<double>& uv) {
-  const double scale = std::sqrt(area / areaOf(chart, uv));
-  for (double& x : uv) x *= scale;
+std::string limitOf(const Refinement& found, bool keepsOutline) {
+  if (keepsOutline) return "the boundary keeps its form, so that it keeps its angles";
+  if (!found.isConverged)
+    return "Newton's method was ended after " + std::to_string(found.steps) + " steps";
+  return found.isHeldApart ? "parts of the boundary are held apart" : "";
 }
 
 }  // namespace
 
 void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
   if (!(wishes.balance > 0) || attempt.solution.cancelled) return;
-  attempt.refined = RefineReport();
   if (!attempt.valid()) {
-    attempt.refined->limit = "a layout that is not valid is not refined";
+    attempt.fallbacks.emplace_back("a layout that is not valid is not refined");
     return;
   }
   flattener.endSolving();  // so that one factor is held at a time
@@ -56,31 +46,24 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
   RefineOptions options;
   options.balance = wishes.balance;
   options.isFixed = fixedVertices(chart, wishes, keepsOutline);
+  options.mayScale = wishes.pins.empty();
   options.allowedBytes = wishes.allowedBytes;
   options.pool = wishes.pool;
   options.onStep = wishes.onStep;
-  Attempt refined = attempt;
   Refinement found = refine(chart, attempt.uv, options);
-  if (options.isFixed.empty()) scaleToArea(chart, areaOf(chart, attempt.uv), found.uv);
+  if (options.mayScale) pose(chart, attempt.uv, found.uv);
+  Attempt refined = attempt;
   refined.uv = std::move(found.uv);
   flattener.measure(refined);
-  RefineReport& report = *refined.refined;
-  report.energyBefore = found.energyBefore;
-  report.energy = found.energy;
-  report.steps = found.steps;
-  if (keepsOutline)
-    report.limit = "the boundary stays where it is, so that it keeps its angles";
-  else if (found.isHeldApart)
-    report.limit = "parts of the boundary are held apart";
-  if (const std::string note = withoutFactorNote(found.memory); !note.empty())
-    refined.fallbacks.push_back("refining: " + note);
-  if (refined.valid()) {
-    attempt = std::move(refined);
+  if (!refined.valid()) {
+    attempt.refined = {found.energyBefore, found.energyBefore, found.steps,
+                       "what has less energy is not valid"};
     return;
   }
-  report.limit = "what has less energy is not valid";
-  report.energy = report.energyBefore;
-  attempt.refined = report;
+  refined.refined = {found.energyBefore, found.energy, found.steps, limitOf(found, keepsOutline)};
+  if (const std::string note = withoutFactorNote(found.memory); !note.empty())
+    refined.fallbacks.push_back("refining: " + note);
+  attempt = std::move(refined);
 }
 
 }  // namespace abflat

@@ -89,7 +89,8 @@ struct DelaunayReport {
 
 /// What refining for lengths did, see FlattenOptions::balance. Energies are means over the surface
 /// of (1 - b) (s1/s2 + s2/s1)/2 + b (s1^2 + s2^2 + s1^-2 + s2^-2)/4 with b the balance and s1, s2
-/// the singular values of the map from the surface, at the scale of least energy: 1 at best.
+/// the singular values of the map from the surface, at the scale of least energy unless pins give
+/// one: 1 at best.
 struct RefineReport {
   double energyBefore = 1;  ///< of the layout that the angles give
   double energy = 1;
@@ -140,7 +141,7 @@ struct ChartReport {
       0;  ///< pairs of boundary edges that cross or touch, by an exact predicate
   double maxBoundaryAngle = 0;             ///< radians
   std::optional<DelaunayReport> delaunay;  ///< when it was asked for
-  std::optional<RefineReport> refined;     ///< when it was asked for
+  std::optional<RefineReport> refined;     ///< when it was asked for, of a valid layout
   std::optional<PinReport> pins;           ///< when there are any
   std::optional<StraightReport> straight;  ///< when it was asked for
   std::vector<std::string> fallbacks;  ///< what was done beyond the plain solver, one sentence each

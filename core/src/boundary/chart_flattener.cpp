@@ -97,14 +97,6 @@ Crossings touching(const DiskChart& chart, const std::vector<double>& uv) {
   return out;
 }
 
-std::vector<double> outlinePoints(const DiskChart& chart, const std::vector<double>& uv) {
-  std::vector<double> out;
-  for (const std::uint32_t h : chart.boundary)
-    for (std::size_t d = 0; d < 2; ++d)
-      out.push_back(uv[2 * std::size_t{chart.vertexOfCorner[h]} + d]);
-  return out;
-}
-
 }  // namespace
 
 Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
@@ -167,7 +159,7 @@ double ChartFlattener::leastDistance(const std::vector<double>& uv) const {
 }
 
 Crossings ChartFlattener::crossings(const std::vector<double>& uv) const {
-  Crossings exact = findCrossings(outlinePoints(chart_, uv));
+  Crossings exact = findCrossings(boundaryUv(chart_, uv));
   return exact.count > 0 || !requiresSeparation_ ? exact : touching(chart_, uv);
 }
 

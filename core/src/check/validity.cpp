@@ -17,6 +17,16 @@ double angleAt(const double* o, const double* a, const double* b) {
 
 }  // namespace
 
+std::vector<double> boundaryUv(const DiskChart& chart, const std::vector<double>& uv) {
+  std::vector<double> out;
+  out.reserve(2 * chart.boundary.size());
+  for (const std::uint32_t h : chart.boundary) {
+    const std::size_t v = chart.vertexOfCorner[h];
+    out.insert(out.end(), {uv[2 * v], uv[2 * v + 1]});
+  }
+  return out;
+}
+
 double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t h) {
   double sum = 0;
   for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(chart.twin, c))
@@ -37,12 +47,7 @@ Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
     const int sign = finite ? orientation(&uv[2 * v[0]], &uv[2 * v[1]], &uv[2 * v[2]]) : -1;
     if (sign < 0 || (sign == 0 && !degenerate)) ++out.flippedTriangles;
   }
-  std::vector<double> points;
-  for (std::uint32_t h : chart.boundary) {
-    const std::uint32_t v = chart.vertexOfCorner[h];
-    points.insert(points.end(), {uv[2 * v], uv[2 * v + 1]});
-  }
-  out.crossings = findCrossings(points);
+  out.crossings = findCrossings(boundaryUv(chart, uv));
   for (const std::uint32_t h : chart.boundary)
     out.maxBoundaryAngle = std::max(out.maxBoundaryAngle, boundaryAngle(chart, uv, h));
   return out;

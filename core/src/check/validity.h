@@ -7,6 +7,9 @@
 
 namespace abflat {
 
+/// uv of the boundary's vertices, in order.
+std::vector<double> boundaryUv(const DiskChart& chart, const std::vector<double>& uv);
+
 /// Interior angle of the layout, radians, at the boundary vertex that half-edge h of the boundary
 /// leaves.
 double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t h);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/validity.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/near_pairs.h"
 
@@ -24,25 +25,16 @@ struct BoundaryBarrier::Contact {
   double distance, reach, weight;
 };
 
-BoundaryBarrier::BoundaryBarrier(const DiskChart& chart, double area)
-    : chart_(chart), area_(area), reach_(kReach * std::sqrt(area)) {
+BoundaryBarrier::BoundaryBarrier(const DiskChart& chart)
+    : chart_(chart), area_(surfaceArea(chart)), reach_(kReach * std::sqrt(area_)) {
   for (const std::uint32_t h : chart.boundary)
     length_.push_back(norm(
         edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
 }
 
-std::vector<double> BoundaryBarrier::outline(const std::vector<double>& uv) const {
-  std::vector<double> out;
-  out.reserve(2 * chart_.boundary.size());
-  for (const std::uint32_t h : chart_.boundary)
-    for (std::size_t d = 0; d < 2; ++d)
-      out.push_back(uv[2 * std::size_t{chart_.vertexOfCorner[h]} + d]);
-  return out;
-}
-
 std::vector<BoundaryBarrier::Contact> BoundaryBarrier::contacts(
     const std::vector<double>& uv) const {
-  const std::vector<double> points = outline(uv);
+  const std::vector<double> points = boundaryUv(chart_, uv);
   const std::size_t n = points.size() / 2;
   std::vector<Contact> out;
   for (const auto& [p, e] : findNearPairs(points, reach_)) {

@@ -9,12 +9,12 @@
 namespace abflat {
 
 /// Keeps parts of the boundary apart that nearly touch: (e / distance - 1)^2 for each vertex and
-/// edge of the boundary that are less than e apart (Smith and Schaefer 2015). As the vertex or the
-/// edges there are short so is e.
+/// edge of the boundary that are less than e apart (Smith and Schaefer 2015). e is a small share of
+/// the chart's extent, and less where edges are short.
 class BoundaryBarrier {
  public:
-  /// `area` of the chart: the barrier acts as far as a small share of its extent.
-  BoundaryBarrier(const DiskChart& chart, double area);
+  /// Keeps a reference.
+  explicit BoundaryBarrier(const DiskChart& chart);
 
   double energy(const std::vector<double>& uv) const;
 
@@ -26,7 +26,6 @@ class BoundaryBarrier {
  private:
   struct Contact;
   std::vector<Contact> contacts(const std::vector<double>& uv) const;
-  std::vector<double> outline(const std::vector<double>& uv) const;
 
   const DiskChart& chart_;
   double area_, reach_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/crossings.h"
+#include "check/validity.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/boundary_barrier.h"
 #include "refine/layout_energy.h"
@@ -40,7 +40,7 @@ class Refiner {
   }
 
   Refinement run() {
-    if (options_.isFixed.empty()) {
+    if (options_.mayScale) {
       const double scale = bestScale(chart_, rest_, options_.balance, uv_);
       for (double& x : uv_) x *= scale;
     }
@@ -81,11 +81,7 @@ class Refiner {
   }
 
   bool isSimple(const std::vector<double>& uv) const {
-    std::vector<double> points;
-    for (const std::uint32_t h : chart_.boundary)
-      for (std::size_t d = 0; d < 2; ++d)
-        points.push_back(uv[2 * std::size_t{chart_.vertexOfCorner[h]} + d]);
-    return findCrossings(points, 1).count == 0;
+    return findCrossings(boundaryUv(chart_, uv), 1).count == 0;
   }
 
   void assemble() {
@@ -153,7 +149,7 @@ class Refiner {
       const bool isLast = gain <= options_.tolerance * (energy_ - 1) + kRounding;
       const Step taken = step();
       if (taken == Step::Crosses) {
-        barrier_ = std::make_unique<BoundaryBarrier>(chart_, surfaceArea(chart_));
+        barrier_ = std::make_unique<BoundaryBarrier>(chart_);
         energy_ = energyOf(uv_);
         out_.isHeldApart = true;
         continue;
@@ -173,7 +169,7 @@ class Refiner {
       for (std::size_t k = 0; k < uv_.size(); ++k) next[k] = uv_[k] + length * direction_[k];
       const double energy = energyOf(next);
       if (!(energy <= energy_ + kArmijo * length * slope_)) continue;
-      if (options_.keepsSimple && !isSimple(next)) {
+      if (!isSimple(next)) {
         if (!barrier_) return Step::Crosses;
         continue;
       }

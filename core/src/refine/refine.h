@@ -15,7 +15,7 @@ struct RefineOptions {
   double balance = 0;  ///< see elementEnergy; nothing is to be done for 0
   /// Per vertex: stays where it is; empty: none.
   std::vector<std::uint8_t> isFixed;
-  bool keepsSimple = true;  ///< of a boundary that does not cross itself
+  bool mayScale = true;  ///< all of it, also what is fixed: energies are those at the best scale
   int maxSteps = 100;
   /// Of the energy above 1: what further steps would gain less than does not matter.
   double tolerance = 5e-4;
@@ -34,10 +34,10 @@ struct Refinement {
   FactorMemory memory;
 };
 
-/// From a layout without flipped triangles to one of less energy, by projected Newton (Teran et al.
-/// 2005; eigenvalues in closed form after Smith, de Goes and Kim 2019) with steps that flip no
-/// triangle (Smith and Schaefer 2015). The boundary is free. Where
-/// it would cross itself its parts are kept apart.
+/// From a layout without flipped triangles, whose boundary does not cross itself, to another of
+/// less energy, by projected Newton (Teran et al. 2005; eigenvalues in closed form after Smith, de
+/// Goes and Kim 2019) with steps that flip no triangle (Smith and Schaefer 2015). The boundary is
+/// free, and kept apart where it would cross itself.
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
 
 }  // namespace abflat

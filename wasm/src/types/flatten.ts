@@ -63,8 +63,8 @@ export interface DelaunayReport {
 
 /**
  * What refining for lengths did. Energies are means over the surface of
- * (1 - b) (s1/s2 + s2/s1) / 2 + b (s1^2 + s2^2 + s1^-2 + s2^-2) / 4 with b the balance, at the scale of least energy: 1
- * at best.
+ * (1 - b) (s1/s2 + s2/s1) / 2 + b (s1^2 + s2^2 + s1^-2 + s2^-2) / 4 with b the balance, at the scale of least energy
+ * unless pins give one: 1 at best.
  */
 export interface RefineReport {
   /** Of the layout that the angles give. */
@@ -104,7 +104,7 @@ export interface ChartReport {
   maxBoundaryAngle: number;
   /** Null unless it was asked for. */
   delaunay: DelaunayReport | null;
-  /** Null without a balance above 0. */
+  /** Null without a balance above 0, and of a layout that is not valid. */
   refined: RefineReport | null;
   /** Null without pins. */
   pins: PinReport | null;

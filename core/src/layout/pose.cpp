@@ -1,4 +1,4 @@
-#include "reference/pose.h"
+#include "layout/pose.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 
 double totalArea(const DiskChart& chart, const std::vector<double>& uv) {
   double area = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
     const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
     const double *a = &uv[2 * v[0]], *b = &uv[2 * v[1]], *c = &uv[2 * v[2]];
     area += std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
