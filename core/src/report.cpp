@@ -35,14 +35,6 @@ Json delaunayJson(const std::optional<DelaunayReport>& d) {
           {"resisting", d->resisting}};
 }
 
-Json refinedJson(const std::optional<RefineReport>& r) {
-  if (!r) return {};
-  return {{"energyBefore", r->energyBefore},
-          {"energy", r->energy},
-          {"steps", r->steps},
-          {"limit", r->limit}};
-}
-
 Json chartJson(const ChartReport& c) {
   return {
       {"faces", c.faces},

@@ -48,6 +48,15 @@ inline Json pinsJson(const std::optional<PinReport>& pins) {
   return {{"count", pins->count}, {"deviation", pins->deviation}};
 }
 
+/// Null where nothing is refined.
+inline Json refinedJson(const std::optional<RefineReport>& refined) {
+  if (!refined) return {};
+  return {{"energyBefore", refined->energyBefore},
+          {"energy", refined->energy},
+          {"steps", refined->steps},
+          {"limit", refined->limit}};
+}
+
 /// Null where nothing is to be straight.
 inline Json straightJson(const std::optional<StraightReport>& straight) {
   if (!straight) return {};

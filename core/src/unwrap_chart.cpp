@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "chart_report.h"
+#include "refine_chart.h"
 
 namespace abflat {
 
@@ -15,9 +16,12 @@ void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attemp
   out.solver = attempt.solver;
   out.iterations = static_cast<int>(attempt.solution.history.size());
   out.distortion = ChartDistortion(attempt.distortion);
-  if (attempt.fallbacks.empty() && !attempt.pins && !attempt.straight && straight.empty()) return;
+  if (attempt.fallbacks.empty() && !attempt.refined && !attempt.pins && !attempt.straight &&
+      straight.empty())
+    return;
   out.uncommon = std::make_unique<UncommonParts>();
   out.uncommon->fallbacks = std::move(attempt.fallbacks);
+  out.uncommon->refined = std::move(attempt.refined);
   out.uncommon->pins = attempt.pins;
   out.uncommon->straight = attempt.straight;
   out.uncommon->straightPlaces = straight;
@@ -29,6 +33,13 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
   if (patience == Patience::All) return {8, 40};
   const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
   return {20, std::clamp(steps, kFewest, kMost), options.maxStretch, true};
+}
+
+/// Most charts of some meshes are a triangle, or flat.
+void refineWhereStretched(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
+  constexpr double kRounding = 1e-9;
+  if (attempt.distortion.symmetricDirichlet > 1 + kRounding)
+    refineChart(flattener, wishes, attempt);
 }
 
 }  // namespace
@@ -49,14 +60,20 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   // convex as others.
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
+  const std::vector<double> bounds(chart.boundary.size(), t);
   FlatChart out;
-  Attempt attempt = flattenChart(flattener, std::vector<double>(chart.boundary.size(), t), wanted,
-                                 effortFor(patience, chart, options));
+  Attempt attempt = flattenChart(flattener, bounds, wanted, effortFor(patience, chart, options));
   if (attempt.solution.cancelled) return out;
   out.isTangled = patience == Patience::Little && isTangled(attempt);
+  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
+  const auto unpinned = wishes.pins.empty() ? nullptr : std::make_unique<Attempt>(attempt);
+  refineWhereStretched(flattener, refining, attempt);
   out.unpacked = inMeshUnit(chart, attempt);
-  if (!wishes.pins.empty()) {
+  if (unpinned) {
+    attempt = std::move(*unpinned);
     pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);
+    refining.pins = wishes.pins;
+    refineWhereStretched(flattener, refining, attempt);
     out.uv = inMeshUnit(chart, attempt);
     out.isFixed = true;
   }

@@ -28,6 +28,7 @@ struct ChartDistortion {
 /// What is known of some charts only.
 struct UncommonParts {
   std::vector<std::string> fallbacks;
+  std::optional<RefineReport> refined;
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
   StraightPlaces straightPlaces;

@@ -127,7 +127,9 @@ Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
   if (!order.ok()) return order.status;
   Known known{layout, std::move(order.value), {}};
   // Other angles were wanted then.
-  if (layout.t != options.t || layout.straightSeams != options.straightSeams) return {};
+  if (layout.t != options.t || layout.balance != options.balance ||
+      layout.straightSeams != options.straightSeams)
+    return {};
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
   for (std::uint32_t t = 0; t < known.order.ofTriangle.size(); ++t)
     ++known.trianglesOfChart[known.chartOf(t)];
@@ -150,6 +152,7 @@ Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
 KnownLayout knownLayout(const UnwrapResult& earlier) {
   KnownLayout out;
   out.t = earlier.report.options.t;
+  out.balance = earlier.report.options.balance;
   out.straightSeams = earlier.report.options.straightSeams;
   out.vertexMap = earlier.vertexMap;
   out.triangles = earlier.triangles;

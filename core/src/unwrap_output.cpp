@@ -108,6 +108,7 @@ UnwrapChart chartRow(const ChartSet& set, std::size_t i, const FlatChart& flat,
   row.quasiConformalMax = flat.distortion.quasiConformalMax;
   row.symmetricDirichlet = flat.distortion.symmetricDirichlet;
   if (flat.uncommon) {
+    row.refined = flat.uncommon->refined;
     row.pins = flat.uncommon->pins;
     row.straight = flat.uncommon->straight;
     row.fallbacks = flat.uncommon->fallbacks;

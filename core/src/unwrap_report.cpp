@@ -40,6 +40,7 @@ Json chartJson(const UnwrapChart& c) {
           {"angularDistortion", c.angularDistortion},
           {"quasiConformal", {{"mean", c.quasiConformalMean}, {"max", c.quasiConformalMax}}},
           {"symmetricDirichlet", c.symmetricDirichlet},
+          {"refined", refinedJson(c.refined)},
           {"pins", pinsJson(c.pins)},
           {"straight", straightJson(c.straight)},
           {"fallbacks", c.fallbacks},

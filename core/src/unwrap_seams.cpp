@@ -41,11 +41,18 @@ OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams 
   return out;
 }
 
+/// The stretch of a conformal layout that refining turns into the given one, about: of what is
+/// above 1 a share is left that depends on the balance, and little on the chart.
+double beforeRefining(double stretch, double balance) {
+  const double left = balance > 0 ? 0.2 + 0.8 / (1 + 40 * balance) : 1;
+  return 1 + (stretch - 1) / left;
+}
+
 SeamOptions seamOptions(const UnwrapOptions& options, ThreadPool& pool,
                         std::function<bool()> keepsOn) {
   SeamOptions out;
   out.isAuto = options.seams.isAuto;
-  out.maxStretch = options.maxStretch;
+  out.maxStretch = beforeRefining(options.maxStretch, options.balance);
   out.fillHoles = options.fillHoles;
   out.pool = &pool;
   out.keepsOn = std::move(keepsOn);
@@ -149,8 +156,9 @@ bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
     isWanted[c] = 1;
     // Where it is more, it is not area alone that is distorted: one seam, and flattening tells.
     constexpr double kMost = 8, kSlightly = 1.01;
-    const double leastToCut = kSlightly * (options.maxStretch - 1) / told;
-    excess[c] = std::min((stretch[i] - 1) / told, std::max(kMost, leastToCut));
+    const auto above = [&](double x) { return beforeRefining(x, options.balance) - 1; };
+    const double leastToCut = kSlightly * above(options.maxStretch) / told;
+    excess[c] = std::min(above(stretch[i]) / told, std::max(kMost, leastToCut));
   }
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)

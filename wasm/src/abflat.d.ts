@@ -20,7 +20,7 @@ export interface NativeModule {
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatRoundsForGltf(job: number): void;
   _abflatNormalizes(job: number): void;
-  _abflatKnownOptions(job: number, t: number, straightSeams: boolean): void;
+  _abflatKnownOptions(job: number, t: number, balance: number, straightSeams: boolean): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatAddStraight(job: number, from: number, to: number): void;
   _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;

@@ -110,6 +110,7 @@ export type FillHoles = 'auto' | 'never' | 'always';
 /** The options of unwrapping that are plain values, with their defaults. */
 export interface UnwrapOptionValues {
   maxStretch: number;
+  balance: number;
   fillHoles: FillHoles;
   t: number | 'auto';
   straightSeams: boolean;
@@ -124,6 +125,7 @@ export interface UnwrapOptionValues {
 
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.04,
+  balance: 0,
   fillHoles: 'auto',
   t: 'auto',
   straightSeams: false,
@@ -139,6 +141,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.04, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
+  balance: { type: 'number', default: 0, atLeast: 0, atMost: 1, text: 'between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other', range: 'at least 0 and at most 1' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is', range: '' },

@@ -58,7 +58,7 @@ export class Heap {
     mesh.indices = new Uint32Array();
   }
 
-  writeKnown(job: number, { t, straightSeams, arrays }: KnownArrays): void {
+  writeKnown(job: number, { t, balance, straightSeams, arrays }: KnownArrays): void {
     const entries = Object.entries(arrays);
     this.#checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
     for (const [name, array] of entries) {
@@ -70,7 +70,7 @@ export class Heap {
       if (array instanceof Float64Array) this.#writeReals(start, array);
       else this.writeNumbers(start, array);
     }
-    this.#native._abflatKnownOptions(job, t, straightSeams);
+    this.#native._abflatKnownOptions(job, t, balance, straightSeams);
   }
 
   writeName(job: number, name: string): void {

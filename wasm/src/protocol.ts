@@ -57,6 +57,7 @@ export interface FlattenRequest extends LayoutRequest {
 export interface KnownArrays {
   /** As in `values` of a request. */
   t: number;
+  balance: number;
   straightSeams: boolean;
   /** `uv` where charts are fixed. */
   arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'> &

@@ -221,6 +221,11 @@ export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | und
   const { uv, unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
   return {
     t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
+    balance: optionNumber(
+      'known.report.options.balance',
+      report?.options?.balance,
+      UNWRAP_OPTIONS.balance,
+    ),
     straightSeams: report?.options?.straightSeams === true,
     arrays: {
       ...(needsUv && uv ? { uv: new Float64Array(uv) } : {}),

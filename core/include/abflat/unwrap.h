@@ -32,6 +32,7 @@ Result<SeamSources> parseSeams(std::string_view text);
 /// What an earlier run gave for the same mesh; names as in UnwrapResult.
 struct KnownLayout {
   double t = 0;                          ///< its UnwrapOptionValues::t
+  double balance = 0;                    ///< likewise
   bool straightSeams = false;            ///< likewise
   std::vector<double> unpacked;          ///< 2 per vertex, where UnwrapResult has texcoords
   std::vector<double> uv;                ///< likewise; only fixedCharts need it
@@ -105,6 +106,7 @@ struct UnwrapChart {
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
          symmetricDirichlet = 0;
+  std::optional<RefineReport> refined;     ///< where refining gained something
   std::optional<PinReport> pins;           ///< when there are any
   std::optional<StraightReport> straight;  ///< when it was asked for
   std::vector<std::string> fallbacks;

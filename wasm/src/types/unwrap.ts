@@ -1,6 +1,7 @@
 // `unwrap`: an atlas of any mesh.
 
 import type { UnwrapOptionValues } from '../generated.js';
+import type { RefineReport } from './flatten.js';
 import type {
   Layout,
   LayoutOptions,
@@ -24,7 +25,10 @@ export interface KnownLayout {
   indices: Uint32Array;
   vertexMap: Uint32Array;
   chartOfTriangle: Uint32Array;
-  report: { options: Pick<UnwrapOptionValues, 't' | 'straightSeams'> };
+  report: {
+    options: Pick<UnwrapOptionValues, 't' | 'straightSeams'> &
+      Partial<Pick<UnwrapOptionValues, 'balance'>>;
+  };
 }
 
 /** The plain values are described, with their defaults, by UNWRAP_OPTIONS. */
@@ -37,7 +41,7 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   fixedFaces?: Uint32Array | 'uv';
   /** Charts of `known` that stay exactly where they are; all others are packed around them. */
   fixedCharts?: Uint32Array;
-  /** Charts that have the triangles and the outline of one of these, and the same `t` and `straightSeams`, are not flattened again. */
+  /** Charts that have the triangles and the outline of one of these, and the same `t`, `balance` and `straightSeams`, are not flattened again. */
   known?: KnownLayout;
   onProgress?: (progress: UnwrapProgress) => void;
 }
@@ -79,6 +83,8 @@ export interface UnwrapChart {
   angularDistortion: number;
   quasiConformal: { mean: number; max: number };
   symmetricDirichlet: number;
+  /** Null where refining gained nothing, as with a balance of 0. */
+  refined: RefineReport | null;
   /** Null without pins. */
   pins: PinReport | null;
   /** Null where nothing is to be straight. */

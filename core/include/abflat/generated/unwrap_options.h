@@ -36,6 +36,8 @@ constexpr double kAutoTexelDensity = 0;
 struct UnwrapOptionValues {
   /// how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts
   double maxStretch = 1.04;
+  /// between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other
+  double balance = 0;
   /// whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches
   FillHoles fillHoles = FillHoles::Auto;
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
@@ -61,6 +63,7 @@ struct UnwrapOptionValues {
 inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"maxStretch", "--max-stretch", "1.04", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
+    {"balance", "--balance", "0", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is", true, false},
@@ -72,7 +75,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 11};
+  return {kInfos, 12};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -85,42 +88,46 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.maxStretch = static_cast<double>(value);
       return true;
     case 1:
+      if (!(value >= 0 && value <= 1)) return false;
+      options.balance = static_cast<double>(value);
+      return true;
+    case 2:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
       return true;
-    case 2:
+    case 3:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
       return true;
-    case 3:
+    case 4:
       if (!(value == 0 || value == 1)) return false;
       options.straightSeams = value != 0;
       return true;
-    case 4:
+    case 5:
       if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 5:
+    case 6:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 6:
+    case 7:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 7:
+    case 8:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 8:
+    case 9:
       if (!(value == 0 || value == 1)) return false;
       options.rotate = value != 0;
       return true;
-    case 9:
+    case 10:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 10:
+    case 11:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -130,20 +137,20 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
 
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const UnwrapOptionValues&, int index, std::string_view text, bool& found) {
-  if (index == 1 && text == "auto") return found = true, 0;
-  if (index == 1 && text == "never") return found = true, 1;
-  if (index == 1 && text == "always") return found = true, 2;
   if (index == 2 && text == "auto") return found = true, 0;
-  if (index == 6 && text == "auto") return found = true, 0;
-  if (index == 9 && text == "auto") return found = true, 0;
+  if (index == 2 && text == "never") return found = true, 1;
+  if (index == 2 && text == "always") return found = true, 2;
+  if (index == 3 && text == "auto") return found = true, 0;
+  if (index == 7 && text == "auto") return found = true, 0;
+  if (index == 10 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 9 && letter == 'M') return 1;
-  if (index == 9 && letter == 'G') return 1024;
-  if (index == 9 && letter == 'T') return 1048576;
+  if (index == 10 && letter == 'M') return 1;
+  if (index == 10 && letter == 'G') return 1024;
+  if (index == 10 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -151,6 +158,7 @@ inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
 template <class Visit>
 void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("maxStretch", options.maxStretch);
+  visit("balance", options.balance);
   visit("fillHoles", fillHolesName(options.fillHoles));
   if (options.t == 0)
     visit("t", "auto");
