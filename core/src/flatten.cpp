@@ -117,22 +117,21 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
                            {options.linearSolver, options.formulation, options.precondition});
   flattener.requireStraight(std::move(straight.value));
   const double setUp = watch.lap();
-  Attempt best = flattenChart(flattener, t.value, options);
-  pin(flattener, pins.value.front(), {solver.allowedBytes, &pool}, best);
-  watch.lap();
-  const double checkBefore = flattener.timings().check;
-  refineChart(flattener,
-              {options.balance, t.value, pins.value.front(), solver.allowedBytes, &pool,
-               [&] { return monitor.tellStage("refine"); }},
-              best);
-  const double refining = watch.lap() - (flattener.timings().check - checkBefore);
+  const RefineWishes refining{
+      options.balance,     t.value, pins.value.front(),
+      solver.allowedBytes, &pool,   [&] { return monitor.tellStage("refine"); }};
+  Attempt best = refining.pins.empty() ? flattenAndRefine(flattener, t.value, options, {}, refining)
+                                       : flattenChart(flattener, t.value, options);
+  if (!refining.pins.empty()) {
+    pin(flattener, refining.pins, {solver.allowedBytes, &pool}, best);
+    refineChart(flattener, refining, best);
+  }
   if (best.solution.cancelled || monitor.stopped()) return aborted;
   if (best.pins)
     if (const Exceeded e = exceededBounds(chart, best.uv, t.value); e.count > 0)
       best.fallbacks.push_back("pins: " + exceededText(e));
   timings = flattener.timings();
   timings.solve += setUp;
-  timings.refine = refining;
   timings.connectivity = connectivity;
 
   if (!monitor.tell("check", 0.92)) return aborted;

@@ -47,11 +47,15 @@ unsigned usefulThreads(int wanted, std::size_t faces) {
   return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
 }
 
+Untangle untangleOf(const FlattenOptions& options) {
+  return options.t == kAutoT && options.untangle == Untangle::Auto ? Untangle::Best
+                                                                   : options.untangle;
+}
+
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                      const FlattenOptions& options, const Effort& effort) {
   const bool isAuto = options.t == kAutoT;
-  const Untangle untangle =
-      isAuto && options.untangle == Untangle::Auto ? Untangle::Best : options.untangle;
+  const Untangle untangle = untangleOf(options);
   Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle, effort)
                         : untangled(flattener, flattener.attempt(t, nullptr), untangle, effort);
   if (!options.delaunay || best.solution.cancelled) return best;

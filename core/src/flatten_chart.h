@@ -19,6 +19,9 @@ unsigned usefulThreads(int wanted, std::size_t faces);
 Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
                      const FlattenOptions& options, const Effort& effort = {});
 
+/// How crossings are removed under these options.
+Untangle untangleOf(const FlattenOptions& options);
+
 /// Moves the attempt's layout to where its pins are, and checks and measures it anew. Without pins
 /// it stays.
 void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const PinOptions& options,

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "boundary/chart_flattener.h"
+#include "boundary/auto_bounds.h"
 #include "pin/pinned_layout.h"
 
 namespace abflat {
@@ -17,6 +17,12 @@ struct RefineWishes {
   ThreadPool* pool = nullptr;
   std::function<bool()> onStep;  ///< hears of each step; false: no further one
 };
+
+/// A chart flattened as flattenChart() does, and refined. A free boundary that crosses itself may
+/// well no longer do so once lengths are kept: that is tried before it is untangled.
+Attempt flattenAndRefine(ChartFlattener& flattener, const std::vector<double>& t,
+                         const FlattenOptions& options, const Effort& effort,
+                         const RefineWishes& wishes);
 
 /// Trades angles of a valid layout for lengths, and checks and measures it anew. What was asked for
 /// stays: pins, straight runs and bounds.

@@ -35,13 +35,6 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
   return {20, std::clamp(steps, kFewest, kMost), options.maxStretch, true};
 }
 
-/// Most charts of some meshes are a triangle, or flat.
-void refineWhereStretched(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
-  constexpr double kRounding = 1e-9;
-  if (attempt.distortion.symmetricDirichlet > 1 + kRounding)
-    refineChart(flattener, wishes, attempt);
-}
-
 }  // namespace
 
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
@@ -62,20 +55,24 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const std::vector<double> bounds(chart.boundary.size(), t);
   FlatChart out;
-  Attempt attempt = flattenChart(flattener, bounds, wanted, effortFor(patience, chart, options));
+  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
+  const Effort effort = effortFor(patience, chart, options);
+  const bool isPinned = !wishes.pins.empty();
+  Attempt attempt = isPinned ? flattenChart(flattener, bounds, wanted, effort)
+                             : flattenAndRefine(flattener, bounds, wanted, effort, refining);
   if (attempt.solution.cancelled) return out;
   out.isTangled = patience == Patience::Little && isTangled(attempt);
-  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
-  const auto unpinned = wishes.pins.empty() ? nullptr : std::make_unique<Attempt>(attempt);
-  refineWhereStretched(flattener, refining, attempt);
-  out.unpacked = inMeshUnit(chart, attempt);
-  if (unpinned) {
-    attempt = std::move(*unpinned);
-    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);
+  if (isPinned) {
+    Attempt alone = attempt;
+    refineChart(flattener, refining, alone);
     refining.pins = wishes.pins;
-    refineWhereStretched(flattener, refining, attempt);
+    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);
+    refineChart(flattener, refining, attempt);
     out.uv = inMeshUnit(chart, attempt);
+    out.unpacked = inMeshUnit(chart, alone);
     out.isFixed = true;
+  } else {
+    out.unpacked = inMeshUnit(chart, attempt);
   }
   if (attempt.straight) attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, attempt);

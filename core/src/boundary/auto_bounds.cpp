@@ -96,7 +96,11 @@ Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
 
 Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
                              Untangle untangle, const Effort& effort) {
-  Attempt first = flattener.attempt(t, nullptr);
+  return madeValid(flattener, flattener.attempt(t, nullptr), t, untangle, effort);
+}
+
+Attempt madeValid(ChartFlattener& flattener, Attempt first, const std::vector<double>& t,
+                  Untangle untangle, const Effort& effort) {
   if (first.valid() || first.solution.cancelled) return first;
   Attempt best = untangled(flattener, std::move(first), untangle, effort);
   if (best.valid() || best.solution.cancelled) return best;

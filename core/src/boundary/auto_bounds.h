@@ -23,6 +23,10 @@ struct Effort {
 Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
                              Untangle untangle, const Effort& effort = {});
 
+/// The same, from what flattening under those bounds gave.
+Attempt madeValid(ChartFlattener& flattener, Attempt first, const std::vector<double>& t,
+                  Untangle untangle, const Effort& effort = {});
+
 /// Removes the crossings of an attempt where it can; returns the attempt itself where there are
 /// none or it cannot.
 Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,

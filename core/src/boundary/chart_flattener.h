@@ -114,6 +114,9 @@ class ChartFlattener {
   /// Checks and measures the layout of an attempt, whoever made it.
   void measure(Attempt& a);
 
+  /// Beside what it measures itself.
+  void addRefining(double seconds) { timings_.refine += seconds; }
+
   /// Seconds spent so far, over all attempts.
   const Timings& timings() const { return timings_; }
 

@@ -46,6 +46,7 @@ class Refiner {
     }
     out_.energyBefore = energy_ = energyOf(uv_);
     const std::vector<double> start = uv_;
+    isSimple_ = isSimple(uv_);
     if (std::isfinite(energy_)) iterate();
     out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_);
     if (!(out_.energy < out_.energyBefore)) {
@@ -169,10 +170,12 @@ class Refiner {
       for (std::size_t k = 0; k < uv_.size(); ++k) next[k] = uv_[k] + length * direction_[k];
       const double energy = energyOf(next);
       if (!(energy <= energy_ + kArmijo * length * slope_)) continue;
-      if (!isSimple(next)) {
+      const bool isNextSimple = isSimple(next);
+      if (isSimple_ && !isNextSimple) {
         if (!barrier_) return Step::Crosses;
         continue;
       }
+      isSimple_ = isNextSimple;
       const bool isLess = energy < energy_;
       energy_ = energy;
       uv_ = std::move(next);
@@ -190,6 +193,7 @@ class Refiner {
   Eigen::VectorXd gradient_;
   SparseEntries contacts_;
   bool wasExtended_ = false;
+  bool isSimple_ = true;
   std::unique_ptr<RowSolver> solver_;
   std::vector<std::uint8_t> isFixed_;
   std::uint32_t held_ = kNone, far_ = kNone;

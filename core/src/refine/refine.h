@@ -34,10 +34,10 @@ struct Refinement {
   FactorMemory memory;
 };
 
-/// From a layout without flipped triangles, whose boundary does not cross itself, to another of
-/// less energy, by projected Newton (Teran et al. 2005; eigenvalues in closed form after Smith, de
-/// Goes and Kim 2019) with steps that flip no triangle (Smith and Schaefer 2015). The boundary is
-/// free, and kept apart where it would cross itself.
+/// From a layout without flipped triangles to another of less energy, by projected Newton (Teran et
+/// al. 2005; eigenvalues in closed form after Smith, de Goes and Kim 2019) with steps that flip no
+/// triangle (Smith and Schaefer 2015). The boundary is free. One that does not cross itself is kept
+/// apart where it would; one that does may go on to, until it no longer does.
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
 
 }  // namespace abflat
