@@ -52,7 +52,8 @@ bool isBounded(const RefineWishes& wishes) {
 Attempt refined(ChartFlattener& flattener, const RefineWishes& wishes, const Attempt& attempt) {
   const DiskChart& chart = flattener.chart();
   const bool keepsOutline = isBounded(wishes) || !flattener.straight().empty();
-  const RefineOptions options = optionsFor(chart, wishes, keepsOutline);
+  RefineOptions options = optionsFor(chart, wishes, keepsOutline);
+  options.place = flattener.place();
   Refinement found = refine(chart, attempt.uv, options);
   if (options.mayScale) pose(chart, attempt.uv, found.uv);
   Attempt out = attempt;

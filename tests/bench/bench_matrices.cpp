@@ -3,9 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <random>
 
+#include "abflat/io.h"
 #include "abflat/samples.h"
 #include "angle/angle_problem.h"
 #include "chart/disk_chart.h"
@@ -83,6 +88,31 @@ PolygonMesh subdivided(const PolygonMesh& mesh) {
     triangles.insert(triangles.end(), {v[0], a, c, a, v[1], b, c, b, v[2], a, b, c});
   }
   return makeTriangleMesh(positions, triangles);
+}
+
+bool makeMesh(const std::string& what, PolygonMesh& mesh) {
+  const std::string head = "head-";
+  const bool isHead = what.compare(0, head.size(), head) == 0;
+  const std::string number = isHead ? what.substr(head.size()) : what;
+  if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos) {
+    const auto faces = static_cast<unsigned>(std::stoul(number));
+    mesh = isHead ? noisyHead(faces) : noisyCap(faces);
+    return true;
+  }
+  const std::size_t plus = what.find('+');
+  const std::string path = what.substr(0, plus);
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const Result<MeshFormat> format = detectFormat(path, bytes);
+  Result<PolygonMesh> read = readMesh(bytes, format.value, path);
+  if (!in || !format.ok() || !read.ok()) {
+    std::fprintf(stderr, "%s cannot be read\n", path.c_str());
+    return false;
+  }
+  mesh = std::move(read.value);
+  for (int i = plus == std::string::npos ? 0 : std::atoi(what.c_str() + plus + 1); i > 0; --i)
+    mesh = subdivided(mesh);
+  return true;
 }
 
 Eigen::SparseMatrix<double> cotangentLaplacian(const PolygonMesh& mesh) {

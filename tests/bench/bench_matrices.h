@@ -16,6 +16,10 @@ PolygonMesh noisyHead(unsigned faces);
 /// Each triangle becomes four.
 PolygonMesh subdivided(const PolygonMesh& mesh);
 
+/// N: noisyCap(N); head-N: noisyHead(N); FILE or FILE+N: of a file, subdivided N times. False, with
+/// a message on standard error, where it cannot be read.
+bool makeMesh(const std::string& what, PolygonMesh& mesh);
+
 /// Lower triangle of the cotangent Laplacian, weights at least 1e-3, plus 1e-3 on the diagonal.
 Eigen::SparseMatrix<double> cotangentLaplacian(const PolygonMesh& mesh);
 

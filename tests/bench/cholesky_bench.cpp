@@ -2,15 +2,12 @@
 // runs on one thread, one row per solver and matrix.
 //
 //   abflat_cholesky_bench [--repeat N] [--no-eigen] WHAT...
-//   WHAT: a number of faces of a generated mesh, or FILE or FILE+N, subdivided N times
+//   WHAT: see bench::makeMesh
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
-#include "abflat/io.h"
 #include "bench_matrices.h"
 #include "factor_rows.h"
 
@@ -56,27 +53,6 @@ void compare(const SparseMatrix& m, const char* kind, int repeat, bool withEigen
   std::fflush(stdout);
 }
 
-bool makeMesh(const std::string& what, PolygonMesh& mesh) {
-  if (what.find_first_not_of("0123456789") == std::string::npos) {
-    mesh = bench::noisyCap(static_cast<unsigned>(std::stoul(what)));
-    return true;
-  }
-  const std::size_t plus = what.find('+');
-  const std::string path = what.substr(0, plus);
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  const Result<MeshFormat> format = detectFormat(path, bytes);
-  Result<PolygonMesh> read = readMesh(bytes, format.value, path);
-  if (!in || !format.ok() || !read.ok()) {
-    std::fprintf(stderr, "%s cannot be read\n", path.c_str());
-    return false;
-  }
-  mesh = std::move(read.value);
-  for (int i = plus == std::string::npos ? 0 : std::atoi(what.c_str() + plus + 1); i > 0; --i)
-    mesh = bench::subdivided(mesh);
-  return true;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -91,7 +67,7 @@ int main(int argc, char** argv) {
       repeat = std::max(1, std::atoi(argv[++i]));
     } else {
       PolygonMesh mesh;
-      if (!makeMesh(argv[i], mesh)) return 1;
+      if (!bench::makeMesh(argv[i], mesh)) return 1;
       std::printf("%s: %zu faces\n", argv[i], mesh.faceCount());
       compare(bench::cotangentLaplacian(mesh), "cotangent Laplacian", repeat, withEigen);
       std::string message;

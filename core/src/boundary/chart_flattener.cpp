@@ -135,7 +135,15 @@ ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
 
 ChartFlattener::~ChartFlattener() = default;
 
-void ChartFlattener::endSolving() { solver_.reset(); }
+void ChartFlattener::endSolving() {
+  if (!solver_) return;
+  place_ = solver_->placeOfVertices();
+  solver_.reset();
+}
+
+std::vector<std::uint32_t> ChartFlattener::place() const {
+  return solver_ ? solver_->placeOfVertices() : place_;
+}
 
 SolverOptions ChartFlattener::counting(SolverOptions options) {
   options.onStep = [this, told = std::move(options.onStep)](int step, const NewtonStep& now) {

@@ -111,6 +111,10 @@ class ChartFlattener {
   /// Frees factors. There are to be no more attempts, but for Tutte's.
   void endSolving();
 
+  /// Per vertex, its place in an order of elimination that is good for the chart; empty where none
+  /// was found.
+  std::vector<std::uint32_t> place() const;
+
   /// Checks and measures the layout of an attempt, whoever made it.
   void measure(Attempt& a);
 
@@ -142,6 +146,7 @@ class ChartFlattener {
   bool isStopped_ = false;  ///< by the caller
   int steps_ = 0, mostSteps_ = std::numeric_limits<int>::max();
   StraightPlaces straight_;
+  std::vector<std::uint32_t> place_;  ///< once solving has ended
 };
 
 }  // namespace abflat

@@ -37,6 +37,12 @@ Symmetric2 projected(const Symmetric2& m) {
   return {scale * (radius + half), scale * m.xy, scale * (radius - half)};
 }
 
+/// For scalings by r: the secant of r^2 + r^-2 from r to 1 in the curvature at r.
+double secantShare(double r) {
+  const double i = 1 / r, i2 = i * i;
+  return (1 + i + i2 + i * i2) / (1 + 3 * i2 * i2);
+}
+
 }  // namespace
 
 double elementEnergy(const PlaneMap& m, double balance) {
@@ -45,7 +51,8 @@ double elementEnergy(const PlaneMap& m, double balance) {
   return (1 - balance) * sum / det + balance * (sum + sum / (det * det)) / 2;
 }
 
-ElementDerivatives elementDerivatives(const PlaneMap& m, double balance) {
+ElementDerivatives elementDerivatives(const PlaneMap& m, double balance,
+                                      ElementCurvature curvature) {
   const double p = m[0] * m[0] + m[1] * m[1], q = m[2] * m[2] + m[3] * m[3];
   const SquareDerivatives d = derivatives(p, q, balance);
   ElementDerivatives out;
@@ -55,8 +62,10 @@ ElementDerivatives elementDerivatives(const PlaneMap& m, double balance) {
   }
   // Along z and along w, and, apart from these, across z (a rotation) and across w.
   const double rootP = std::sqrt(p), rootQ = std::sqrt(q);
+  const double share = curvature == ElementCurvature::Far ? secantShare(rootP) : 1;
   const Symmetric2 r =
-      projected({2 * d.p + 4 * p * d.pp, 4 * rootP * rootQ * d.pq, 2 * d.q + 4 * q * d.qq});
+      projected({share * (2 * d.p + 4 * p * d.pp), std::sqrt(share) * 4 * rootP * rootQ * d.pq,
+                 2 * d.q + 4 * q * d.qq});
   const double acrossZ = std::max(2 * d.p, 0.0), acrossW = 2 * d.q;
   const double zx = m[0] / rootP, zy = m[1] / rootP;
   const double wx = rootQ > 0 ? m[2] / rootQ : 1, wy = rootQ > 0 ? m[3] / rootQ : 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 namespace abflat {
 
@@ -15,10 +16,14 @@ double elementEnergy(const PlaneMap& map, double balance);
 
 struct ElementDerivatives {
   PlaneMap gradient;
-  /// Positive semidefinite: the Hessian without its negative eigenvalues. Rows of the lower
-  /// triangle.
+  /// Positive semidefinite. Rows of the lower triangle.
   std::array<double, 10> hessian;
 };
-ElementDerivatives elementDerivatives(const PlaneMap& map, double balance);
+
+/// Near: the Hessian without its negative eigenvalues. Far: along z with the secant towards scale 1
+/// in place of the curvature, which lets a triangle grow by a third at most, however small it is.
+enum class ElementCurvature : std::uint8_t { Near, Far };
+ElementDerivatives elementDerivatives(const PlaneMap& map, double balance,
+                                      ElementCurvature curvature = ElementCurvature::Near);
 
 }  // namespace abflat

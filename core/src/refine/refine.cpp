@@ -14,17 +14,24 @@ namespace abflat {
 namespace {
 
 /// Of the residual in the largest entry of the gradient.
-constexpr double kLinearTolerance = 1e-3;
+constexpr double kLinearTolerance = 1e-2;
 /// Of the way to the first triangle without area.
 constexpr double kShareOfLongest = 0.9;
+/// A step that promises to take more of the energy above 1 is followed by one from far away.
+constexpr double kFar = 0.15;
+/// Of the energy, counts as much as all of the energy above 1.
+constexpr double kShareOfEnergy = 0.025;
+/// Of what a step gains in what the one before gained: no better is hoped for, and nothing is
+/// concluded from worse.
+constexpr double kFastest = 0.1, kSlowest = 0.5;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 40;
 /// Of the energy: less is not to be told from its rounding.
 constexpr double kRounding = 1e-10;
 
-std::vector<std::uint32_t> placeOfRows(const DiskChart& chart) {
+std::vector<std::uint32_t> placeOfRows(const std::vector<std::uint32_t>& ofVertices) {
   std::vector<std::uint32_t> out;
-  for (const std::uint32_t place : chart.place) out.insert(out.end(), 2, place);
+  for (const std::uint32_t place : ofVertices) out.insert(out.end(), 2, place);
   return out;
 }
 
@@ -35,8 +42,11 @@ class Refiner {
         options_(options),
         rest_(restTriangles(chart, uv)),
         uv_(std::move(uv)),
-        system_(chart, rest_) {
+        system_(chart, rest_, options.pool) {
+    out_.memory.allowed = options.allowedBytes;
     findHeld();
+    makeSolver(system_.matrix());
+    if (solver_->place()) system_.divide(*solver_->place());
   }
 
   Refinement run() {
@@ -48,7 +58,7 @@ class Refiner {
     const std::vector<double> start = uv_;
     isSimple_ = isSimple(uv_);
     if (std::isfinite(energy_)) iterate();
-    out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_);
+    out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_, options_.pool);
     if (!(out_.energy < out_.energyBefore)) {
       out_.energy = out_.energyBefore;
       uv_ = start;
@@ -77,7 +87,7 @@ class Refiner {
   }
 
   double energyOf(const std::vector<double>& uv) const {
-    const double own = layoutEnergy(chart_, rest_, options_.balance, uv);
+    const double own = layoutEnergy(chart_, rest_, options_.balance, uv, options_.pool);
     return barrier_ && std::isfinite(own) ? own + barrier_->energy(uv) : own;
   }
 
@@ -86,7 +96,8 @@ class Refiner {
   }
 
   void assemble() {
-    system_.assemble(options_.balance, uv_, isFixed_);
+    const ElementCurvature curvature = isFar_ ? ElementCurvature::Far : ElementCurvature::Near;
+    system_.assemble({uv_, options_.balance, curvature}, isFixed_);
     gradient_ = system_.gradient();
     if (barrier_) addBarrier();
     if (far_ == kNone) return;
@@ -117,6 +128,12 @@ class Refiner {
     return assembled(own.rows(), entries);
   }
 
+  void makeSolver(const Eigen::SparseMatrix<double>& matrix) {
+    const std::vector<std::uint32_t>& place =
+        options_.place.empty() ? chart_.place : options_.place;
+    solver_ = makeRowSolverWithin(matrix, kinds(), out_.memory, options_.pool, placeOfRows(place));
+  }
+
   /// False where the system has no solution.
   bool findDirection() {
     const Eigen::VectorXd b = -gradient_;
@@ -124,15 +141,15 @@ class Refiner {
     const Eigen::SparseMatrix<double> withContacts =
         isExtended ? extended() : Eigen::SparseMatrix<double>();
     const Eigen::SparseMatrix<double>& matrix = isExtended ? withContacts : system_.matrix();
-    if (!solver_ || isExtended || wasExtended_)
-      solver_ =
-          makeRowSolverWithin(matrix, kinds(), out_.memory, options_.pool, placeOfRows(chart_));
+    if (isExtended || wasExtended_) makeSolver(matrix);
     wasExtended_ = isExtended;
+    solver_->forget();  // it would take more iterations than a new factor pays for
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     const double tolerance = kLinearTolerance * b.lpNorm<Eigen::Infinity>();
     if (!solver_->solve(matrix, b, tolerance, x) || !x.allFinite()) return false;
     direction_.assign(x.data(), x.data() + x.size());
-    slope_ = -b.dot(x);
+    slope_ = 0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) slope_ -= b[i] * x[i];
     return slope_ < 0;
   }
 
@@ -147,8 +164,11 @@ class Refiner {
       assemble();
       if (!findDirection()) return;
       const double gain = -slope_ / 2;
-      const bool isLast = gain <= options_.tolerance * (energy_ - 1) + kRounding;
+      isFar_ = gain > kFar * (energy_ - 1);
+      const double small = std::min(energy_ - 1, kShareOfEnergy * energy_);
+      const bool isLast = remainder(gain) <= options_.tolerance * small + kRounding;
       const Step taken = step();
+      lastGain_ = isFull_ ? gain : 0;
       if (taken == Step::Crosses) {
         barrier_ = std::make_unique<BoundaryBarrier>(chart_);
         energy_ = energyOf(uv_);
@@ -161,10 +181,18 @@ class Refiner {
     }
   }
 
+  /// What steps after the next one would gain, were they to go on as from the last to this one.
+  double remainder(double gain) const {
+    const double rate = std::max(gain / lastGain_, kFastest);
+    return lastGain_ > 0 && rate < kSlowest ? gain * rate / (1 - rate) : gain;
+  }
+
   enum class Step { Taken, None, Crosses };
 
   Step step() {
-    double length = std::min(1.0, kShareOfLongest * longestStep(chart_, rest_, uv_, direction_, 2));
+    isFull_ = false;
+    double length = std::min(
+        1.0, kShareOfLongest * longestStep(chart_, rest_, uv_, direction_, 2, options_.pool));
     std::vector<double> next(uv_.size());
     for (int i = 0; i < kMostHalvings; ++i, length /= 2) {
       for (std::size_t k = 0; k < uv_.size(); ++k) next[k] = uv_[k] + length * direction_[k];
@@ -176,6 +204,7 @@ class Refiner {
         continue;
       }
       isSimple_ = isNextSimple;
+      isFull_ = length == 1;
       const bool isLess = energy < energy_;
       energy_ = energy;
       uv_ = std::move(next);
@@ -194,10 +223,13 @@ class Refiner {
   SparseEntries contacts_;
   bool wasExtended_ = false;
   bool isSimple_ = true;
+  bool isFar_ = true;    ///< from the minimum
+  bool isFull_ = false;  ///< the last step
   std::unique_ptr<RowSolver> solver_;
   std::vector<std::uint8_t> isFixed_;
   std::uint32_t held_ = kNone, far_ = kNone;
   double energy_ = 0, slope_ = 0;
+  double lastGain_ = 0;  ///< that a full step promised; 0: there was none
   Refinement out_;
 };
 

@@ -17,8 +17,11 @@ struct RefineOptions {
   std::vector<std::uint8_t> isFixed;
   bool mayScale = true;  ///< all of it, also what is fixed: energies are those at the best scale
   int maxSteps = 100;
-  /// Of the energy above 1: what further steps would gain less than does not matter.
-  double tolerance = 5e-4;
+  /// Of the energy above 1, and 1/40 of that of the whole: it does not matter that further steps
+  /// would gain less.
+  double tolerance = 2e-3;
+  /// Per vertex, where it comes in an elimination order that is known; empty: that of the chart.
+  std::vector<std::uint32_t> place;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
   /// Hears of each step; false: no further one.

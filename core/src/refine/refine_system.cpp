@@ -6,6 +6,9 @@
 namespace abflat {
 namespace {
 
+constexpr std::uint32_t kGrain = 2048;  ///< triangles or columns that are one piece of work
+constexpr std::uint32_t kRegions = 16;
+
 /// What a vertex moves z and w by, for its u and its v.
 using VertexColumns = std::array<PlaneMap, 2>;
 
@@ -32,9 +35,27 @@ PlaneMap product(const std::array<double, 10>& h, const PlaneMap& x) {
 
 }  // namespace
 
-RefineSystem::RefineSystem(const DiskChart& chart, const std::vector<RestTriangle>& rest)
-    : chart_(chart), rest_(rest) {
+RefineSystem::RefineSystem(const DiskChart& chart, const std::vector<RestTriangle>& rest,
+                           ThreadPool* pool)
+    : chart_(chart), rest_(rest), pool_(pool) {
   buildPattern();
+}
+
+void RefineSystem::divide(const std::vector<std::uint32_t>& placeOfRow) {
+  if (!isParallel(pool_) || chart_.triangleCount() < kRegions * kGrain) return;
+  regionOfVertex_.resize(chart_.vertexCount());
+  for (std::uint32_t v = 0; v < chart_.vertexCount(); ++v)
+    regionOfVertex_[v] =
+        static_cast<std::uint8_t>(kRegions * std::uint64_t{placeOfRow[2 * v]} / placeOfRow.size());
+  triangles_.resize(kRegions);
+  for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart_.vertexOfCorner[3 * f];
+    const std::uint8_t a = regionOfVertex_[v[0]], b = regionOfVertex_[v[1]],
+                       c = regionOfVertex_[v[2]];
+    triangles_[a].push_back(f);
+    if (b != a) triangles_[b].push_back(f);
+    if (c != a && c != b) triangles_[c].push_back(f);
+  }
 }
 
 void RefineSystem::buildPattern() {
@@ -80,12 +101,17 @@ void RefineSystem::buildPattern() {
   gradient_.resize(rows);
 }
 
-void RefineSystem::addTriangle(std::uint32_t f, double balance, const std::vector<double>& uv) {
+/// Into the rows of the vertices of a region only; columns of the matrix count as rows.
+void RefineSystem::addTriangle(const RefinePoint& at, std::uint32_t f, std::uint32_t region) {
   const RestTriangle& rest = rest_[f];
   if (rest.weight == 0) return;
   const std::uint32_t* v = &chart_.vertexOfCorner[3 * f];
-  const auto at = [&](std::size_t k) { return &uv[2 * std::size_t{v[k]}]; };
-  const ElementDerivatives d = elementDerivatives(rest.mapTo(at(0), at(1), at(2)), balance);
+  const auto placeOf = [&](std::size_t k) { return &at.uv[2 * std::size_t{v[k]}]; };
+  const auto isOwn = [&](std::size_t k) {
+    return regionOfVertex_.empty() || regionOfVertex_[v[k]] == region;
+  };
+  const ElementDerivatives d =
+      elementDerivatives(rest.mapTo(placeOf(0), placeOf(1), placeOf(2)), at.balance, at.curvature);
   const std::array<VertexColumns, 3> columns = columnsOf(rest);
   std::array<VertexColumns, 3> products;
   const int* start = matrix_.outerIndexPtr();
@@ -94,15 +120,19 @@ void RefineSystem::addTriangle(std::uint32_t f, double balance, const std::vecto
     for (std::size_t e = 0; e < 2; ++e) {
       products[k][e] = product(d.hessian, columns[k][e]);
       for (double& x : products[k][e]) x *= rest.weight;
-      gradient_.data()[2 * std::size_t{v[k]} + e] += rest.weight * dot(d.gradient, columns[k][e]);
     }
   for (std::size_t k = 0; k < 3; ++k) {
-    double* own = value + start[2 * v[k]];
-    own[0] += dot(columns[k][0], products[k][0]);
-    own[1] += dot(columns[k][1], products[k][0]);
-    value[start[2 * v[k] + 1]] += dot(columns[k][1], products[k][1]);
+    if (isOwn(k)) {
+      for (std::size_t e = 0; e < 2; ++e)
+        gradient_.data()[2 * std::size_t{v[k]} + e] += rest.weight * dot(d.gradient, columns[k][e]);
+      double* own = value + start[2 * v[k]];
+      own[0] += dot(columns[k][0], products[k][0]);
+      own[1] += dot(columns[k][1], products[k][0]);
+      value[start[2 * v[k] + 1]] += dot(columns[k][1], products[k][1]);
+    }
     const std::size_t l = (k + 1) % 3;
     const std::size_t early = v[k] < v[l] ? k : l, late = v[k] < v[l] ? l : k;
+    if (!isOwn(early)) continue;
     // The columns of the earlier vertex, one after the other.
     double* first = value + entryOfEdge_[3 * f + k];
     const std::uint32_t u = 2 * v[early];
@@ -123,24 +153,29 @@ void RefineSystem::pull(std::uint32_t vertex, double x, double y, double stiffne
 }
 
 void RefineSystem::fix(const std::vector<std::uint8_t>& isFixed) {
-  const auto n = static_cast<std::uint32_t>(isFixed.size());
   const int* start = matrix_.outerIndexPtr();
   const int* row = matrix_.innerIndexPtr();
   double* value = matrix_.valuePtr();
-  for (std::uint32_t c = 0; c < 2 * n; ++c) {
-    for (int i = start[c]; i < start[c + 1]; ++i) {
-      const auto r = static_cast<std::uint32_t>(row[i]);
-      if (isFixed[c / 2] || isFixed[r / 2]) value[i] = r == c ? 1 : 0;
+  parallelRanges(pool_, 2 * isFixed.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      for (int i = start[c]; i < start[c + 1]; ++i) {
+        const auto r = static_cast<std::size_t>(row[i]);
+        if (isFixed[c / 2] || isFixed[r / 2]) value[i] = r == c ? 1 : 0;
+      }
+      if (isFixed[c / 2]) gradient_.data()[c] = 0;
     }
-    if (isFixed[c / 2]) gradient_.data()[c] = 0;
-  }
+  });
 }
 
-void RefineSystem::assemble(double balance, const std::vector<double>& uv,
-                            const std::vector<std::uint8_t>& isFixed) {
+void RefineSystem::assemble(const RefinePoint& at, const std::vector<std::uint8_t>& isFixed) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
   gradient_.setZero();
-  for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) addTriangle(f, balance, uv);
+  if (triangles_.empty())
+    for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) addTriangle(at, f, 0);
+  parallelFor(pool_, triangles_.size(), [&](std::size_t region) {
+    for (const std::uint32_t f : triangles_[region])
+      addTriangle(at, f, static_cast<std::uint32_t>(region));
+  });
   if (!isFixed.empty()) fix(isFixed);
 }
 

@@ -5,20 +5,32 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
+#include "parallel.h"
 #include "refine/rest_triangles.h"
 
 namespace abflat {
+
+/// A layout, and which derivatives of its energy are wanted.
+struct RefinePoint {
+  const std::vector<double>& uv;
+  double balance = 0;
+  ElementCurvature curvature = ElementCurvature::Near;
+};
 
 /// The gradient of a layout's energy and the matrix of projected Newton: two rows a vertex, u and
 /// v, in a pattern that never changes.
 class RefineSystem {
  public:
-  /// Keeps references.
-  RefineSystem(const DiskChart& chart, const std::vector<RestTriangle>& rest);
+  /// Keeps references. `pool`: null for one thread.
+  RefineSystem(const DiskChart& chart, const std::vector<RestTriangle>& rest,
+               ThreadPool* pool = nullptr);
+
+  /// For assembling with several threads: each gets rows that are neighbours in the given order of
+  /// elimination, which keeps regions of the mesh together.
+  void divide(const std::vector<std::uint32_t>& placeOfRow);
 
   /// Rows of vertices that are `isFixed` become identity rows with gradient 0; empty: none.
-  void assemble(double balance, const std::vector<double>& uv,
-                const std::vector<std::uint8_t>& isFixed);
+  void assemble(const RefinePoint& at, const std::vector<std::uint8_t>& isFixed);
 
   /// Afterwards: adds what pulls a vertex back that leaves its place along (x, y).
   void pull(std::uint32_t vertex, double x, double y, double stiffness);
@@ -29,11 +41,16 @@ class RefineSystem {
 
  private:
   void buildPattern();
-  void addTriangle(std::uint32_t f, double balance, const std::vector<double>& uv);
+  void addTriangle(const RefinePoint& at, std::uint32_t f, std::uint32_t region);
   void fix(const std::vector<std::uint8_t>& isFixed);
 
   const DiskChart& chart_;
   const std::vector<RestTriangle>& rest_;
+  ThreadPool* pool_;
+  std::vector<std::uint8_t> regionOfVertex_;  ///< whose rows one thread fills; empty: not divided
+  /// Per region those that contribute to its rows, ascending: each entry is summed in the order of
+  /// the triangles, whoever does it.
+  std::vector<std::vector<std::uint32_t>> triangles_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd gradient_;
   /// Per half-edge: where the values have the row u of its later vertex and the column u of its

@@ -28,6 +28,7 @@ class AngleSolver {
   AngleSolution solveDelaunay(const AngleSolution& start);
 
   const FactorMemory& memory() const { return system_->memory(); }
+  std::vector<std::uint32_t> placeOfVertices() const { return system_->placeOfVertices(); }
 
  private:
   AngleSolution runActiveSet(const AngleSolution* start);

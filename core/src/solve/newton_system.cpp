@@ -30,6 +30,14 @@ NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedByt
   if (solver_->place()) schur_.divide(*solver_->place());
 }
 
+std::vector<std::uint32_t> NewtonSystem::placeOfVertices() const {
+  std::vector<std::uint32_t> out;
+  if (const std::vector<std::uint32_t>* place = solver_->place())
+    for (std::size_t v = 0; v + 1 < rows_.ofVertex.size(); ++v)
+      out.push_back((*place)[rows_.ofVertex[v]]);
+  return out;
+}
+
 bool NewtonSystem::step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) {
   schur_.assemble(at.lin, at.active);
   x_ = Eigen::Map<const Eigen::VectorXd>(at.multipliers.row.data(), rows_.count());

@@ -81,7 +81,8 @@ class InexactRowSolver : public RowSolver {
              Eigen::VectorXd& x) override {
     iterations_ = 0;
     if (tolerance > 0) {
-      if (factor_ && iterate(lower, b, {tolerance, kMaxIterations, kWorthwhile}, x)) return true;
+      if (factor_ && isNear_ && iterate(lower, b, {tolerance, kMaxIterations, kWorthwhile}, x))
+        return true;
       if (refactor(lower) && iterate(lower, b, {tolerance, kMaxIterations}, x)) return true;
     }
     factor_.reset();
@@ -91,12 +92,14 @@ class InexactRowSolver : public RowSolver {
     return isSolved;
   }
 
+  void forget() override { isNear_ = false; }
   int iterations() const override { return iterations_; }
 
  private:
   /// False where the matrix is not positive definite in single precision.
   bool refactor(const SparseMatrix& lower) {
     exact_.reset();
+    isNear_ = true;
     if (!factor_)
       factor_ = std::make_unique<FloatCholesky>(symbolic_, choleskyOptions(false, pool_));
     return factor_->factorize(lower.valuePtr()).isOk();
@@ -115,6 +118,7 @@ class InexactRowSolver : public RowSolver {
   std::function<std::unique_ptr<RowSolver>()> makeExact_;
   std::unique_ptr<FloatCholesky> factor_;  ///< of this or an earlier matrix
   std::unique_ptr<RowSolver> exact_;       ///< at most one of the two exists
+  bool isNear_ = true;                     ///< the factor's matrix to the next one
   int iterations_ = 0;
 };
 

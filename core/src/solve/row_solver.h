@@ -18,6 +18,8 @@ class RowSolver {
   /// entry of b - A x need be below `tolerance`. False when there is none.
   virtual bool solve(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
                      double tolerance, Eigen::VectorXd& x) = 0;
+  /// What is known of earlier matrices is of no use for the next one.
+  virtual void forget() {}
   /// Iterations of the last solve; 0 for a direct one.
   virtual int iterations() const { return 0; }
   /// Rows of the matrix in the order of elimination, see CholeskySymbolic; null where unknown.

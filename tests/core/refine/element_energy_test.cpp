@@ -87,3 +87,21 @@ TEST_CASE("derivatives of the energy agree with differences, without negative cu
       CHECK((symmetric(d.hessian) - wanted).cwiseAbs().maxCoeff() <= 1e-5 * size + 1e-6);
     }
 }
+
+TEST_CASE("from far away a triangle of any scale goes to scale 1 in one step", "[refine]") {
+  for (const double r : {1e-3, 0.1, 0.7, 1.0, 1.5, 20.0}) {
+    const double x = 0.6 * r, y = 0.8 * r;
+    const ElementDerivatives d = elementDerivatives({x, y, 0, 0}, 1, ElementCurvature::Far);
+    const Eigen::Matrix4d h = symmetric(d.hessian);
+    const Eigen::Vector4d out{0.6, 0.8, 0, 0},
+        gradient = Eigen::Map<const Eigen::Vector4d>(d.gradient.data());
+    CHECK(r - out.dot(gradient) / out.dot(h * out) == Approx(1));
+  }
+  for (const PlaneMap& m : someMaps())
+    for (const double b : kBalances) {
+      const ElementDerivatives far = elementDerivatives(m, b, ElementCurvature::Far);
+      CHECK(far.gradient == elementDerivatives(m, b).gradient);
+      const Eigen::VectorXd values = symmetricEigen(symmetric(far.hessian)).values;
+      CHECK(values.minCoeff() >= -1e-9 * values.maxCoeff());
+    }
+}

@@ -68,7 +68,7 @@ TEST_CASE("gradient and matrix of a layout agree with differences of its energy"
   const std::vector<RestTriangle> rest = restTriangles(chart, uv);
   for (const double balance : {0.0, 0.2, 1.0}) {
     RefineSystem system(chart, rest);
-    system.assemble(balance, uv, {});
+    system.assemble({uv, balance}, {});
     const Eigen::MatrixXd matrix = Eigen::MatrixXd(system.matrix()).selfadjointView<Eigen::Lower>();
     CHECK(symmetricEigen(matrix).values[0] > -1e-9);
     constexpr double kStep = 1e-6;
@@ -146,6 +146,20 @@ TEST_CASE("refining depends neither on the unit, nor on numbers, nor on where th
     for (std::size_t d = 0; d < 2; ++d) back[2 * v + d] = found.uv[2 * std::size_t{now(v)} + d];
   CHECK(lengthDifference(chart, wanted.uv, back) < 1e-4);
   CHECK(found.energy == Approx(wanted.energy).epsilon(1e-8));
+}
+
+TEST_CASE("refining does not depend on threads", "[refine]") {
+  // Large enough for all that is divided among threads.
+  const DiskChart chart = chartOf(bumpyGrid(140, 130, 0.7, 3));
+  const std::vector<double> uv = conformalLayout(chart);
+  RefineOptions options = withBalance(0.5);
+  const Refinement one = refine(chart, uv, options);
+  ThreadPool pool(2);
+  options.pool = &pool;
+  const Refinement two = refine(chart, uv, options);
+  CHECK(one.uv == two.uv);
+  CHECK(one.energy == two.energy);
+  CHECK(one.steps == two.steps);
 }
 
 TEST_CASE("vertices that are fixed stay where they are", "[refine]") {
