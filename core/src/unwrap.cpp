@@ -125,7 +125,7 @@ std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
     const std::uint32_t old = before.ofTriangle[now.triangles(i).front()];
     const ChartTopology a = before.topology(old), b = now.topology(i);
     if (a.triangleCount() == b.triangleCount() && a.surfaceTriangles() == b.surfaceTriangles() &&
-        a.boundary.size() == b.boundary.size())
+        std::equal(a.twin.begin(), a.twin.end(), b.twin.begin()))
       out[i] = std::move(flat[old]);
   }
   return out;
@@ -308,18 +308,21 @@ class Unwrapping {
 
   bool cutFurther() {
     if (!canCut(options_)) return false;
-    std::vector<double> stretch;
+    std::vector<Stretched> charts;
     const double slightlyMore = 1 + 1.01 * (options_.maxStretch - 1);
     for (FlatChart& chart : flat_) {
       const bool isAsked =
           (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
       const double now = chart.distortion.symmetricDirichlet;
-      stretch.push_back(!isAsked ? 0 : chart.isTangled ? std::max(now, slightlyMore) : now);
+      charts.push_back({!isAsked          ? 0
+                        : chart.isTangled ? std::max(now, slightlyMore)
+                                          : now,
+                        chart.isTangled});
       // Unless its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }
     return cutStretched(
-        set_, stretch, options_, *pool_, [&] { return tellSolve(0); }, open_);
+        set_, charts, options_, *pool_, [&] { return tellSolve(0); }, open_);
   }
 
   Status packCharts() {

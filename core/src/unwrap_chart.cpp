@@ -4,6 +4,7 @@
 
 #include "chart_report.h"
 #include "refine_chart.h"
+#include "seam/prediction.h"
 
 namespace abflat {
 
@@ -32,7 +33,8 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
   constexpr int kFewest = 60, kMost = 200, kTriangles = 80000;
   if (patience == Patience::All) return {8, 40};
   const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
-  return {20, std::clamp(steps, kFewest, kMost), options.maxStretch, true};
+  return {20, std::clamp(steps, kFewest, kMost),
+          stretchBeforeRefining(options.maxStretch, options.balance), true};
 }
 
 }  // namespace

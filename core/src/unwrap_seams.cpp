@@ -41,26 +41,34 @@ OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams 
   return out;
 }
 
-/// The stretch of a conformal layout that refining turns into the given one, about: of what is
-/// above 1 a share is left that depends on the balance, and little on the chart.
-double beforeRefining(double stretch, double balance) {
-  const double left = balance > 0 ? 0.2 + 0.8 / (1 + 40 * balance) : 1;
-  return 1 + (stretch - 1) / left;
-}
-
 SeamOptions seamOptions(const UnwrapOptions& options, ThreadPool& pool,
                         std::function<bool()> keepsOn) {
   SeamOptions out;
   out.isAuto = options.seams.isAuto;
-  out.maxStretch = beforeRefining(options.maxStretch, options.balance);
+  out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
   out.fillHoles = options.fillHoles;
   out.pool = &pool;
   out.keepsOn = std::move(keepsOn);
   return out;
 }
 
-/// Adds seams within the charts that are wanted alone to those of `open`; false when there are
-/// none.
+bool isGiven(const OpenSurface& open, std::size_t h) {
+  return h < open.given.size() && open.given[h];
+}
+
+/// Seams that part charts; slits within a chart are none, unless they are given.
+Seams seamsBetween(const CutSurface& s, const OpenSurface& open) {
+  Seams out = open.seams;
+  for (std::size_t h = 0; h < out.size(); ++h) {
+    const std::uint32_t o = open.mesh.twin[h];
+    if (o != kNone && s.chartOfTriangle[h / 3] == s.chartOfTriangle[o / 3] && !isGiven(open, h))
+      out[h] = 0;
+  }
+  return out;
+}
+
+/// Finds the seams anew within the charts of `surface` that are wanted, beginning with those that
+/// were found before; false when they are as before.
 bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWanted,
                 SeamOptions options, OpenSurface& open, SeamReport& found) {
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
@@ -68,22 +76,43 @@ bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWa
   if (hasPlace)
     for (const std::uint32_t v : part.vertex) options.place.push_back(open.place[v]);
   open.seams.resize(open.mesh.twin.size(), 0);
+  open.found.resize(open.mesh.twin.size(), 0);
   Seams given;
-  for (const std::uint32_t h : part.halfEdge) given.push_back(open.seams[h]);
+  for (const std::uint32_t h : part.halfEdge) {
+    given.push_back(open.seams[h] && isGiven(open, h));
+    options.first.push_back(open.found[h]);
+  }
   const Seams seams = findSeams(part.mesh, std::move(given), options, &found);
   bool isAny = false;
-  for (std::size_t h = 0; h < seams.size(); ++h) {
-    if (!seams[h]) continue;
-    open.seams[part.halfEdge[h]] = 1;
-    isAny = true;
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    const std::uint32_t h = part.halfEdge[i];
+    if (part.mesh.twin[i] == kNone) continue;
+    isAny = isAny || open.seams[h] != seams[i];
+    open.seams[h] = seams[i];
+    open.found[h] = found.found[i];
   }
   open.place.resize(open.mesh.vertexCount(), 0);
   open.scale.resize(open.mesh.vertexCount(), 0);
+  open.foundScale.resize(open.mesh.vertexCount(), 0);
   for (std::size_t v = 0; v < found.place.size(); ++v) {
     // A chart is to be solved in the same order whenever it is found.
     if (!hasPlace) open.place[part.vertex[v]] = found.place[v];
     open.scale[part.vertex[v]] = found.scale[v];
+    open.foundScale[part.vertex[v]] = found.foundScale[v];
   }
+  return isAny;
+}
+
+/// Makes the seams of a chart as long as they were found; false when they are.
+bool restore(const CutSurface& s, std::uint32_t chart, OpenSurface& open) {
+  bool isAny = false;
+  for (std::uint32_t k = s.triangleBegin[chart]; k < s.triangleBegin[chart + 1]; ++k)
+    for (std::uint32_t h = 3 * s.triangleOrder[k]; h < 3 * s.triangleOrder[k] + 3; ++h) {
+      const std::uint32_t v = open.mesh.vertexOfCorner[h];
+      if (!s.isBoundary[s.vertexOfCorner[h]]) open.scale[v] = open.foundScale[v];
+      if (open.seams[h] || !open.found[h] || open.mesh.twin[h] == kNone) continue;
+      open.seams[h] = isAny = true;
+    }
   return isAny;
 }
 
@@ -106,6 +135,8 @@ void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& opt
     open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
     open.place = std::move(found.place);
     open.scale = std::move(found.scale);
+    open.found = std::move(found.found);
+    open.foundScale = std::move(found.foundScale);
     return;
   }
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
@@ -139,32 +170,41 @@ OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seam
   return open;
 }
 
-bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
+bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open) {
-  const auto isAbove = [&](double x) { return x > options.maxStretch; };
-  if (std::none_of(stretch.begin(), stretch.end(), isAbove)) return false;
+  const auto isAbove = [&](const Stretched& chart) { return chart.stretch > options.maxStretch; };
+  if (std::none_of(charts.begin(), charts.end(), isAbove)) return false;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
-  std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
-  std::vector<double> excess(s.charts.size(), 0);
-  for (std::size_t i = 0; i < stretch.size(); ++i) {
-    if (!isAbove(stretch[i])) continue;
+  std::vector<double> excess(s.charts.size(), 0);  // 0: stays
+  bool isAnyRestored = false;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    if (!isAbove(charts[i])) continue;
     const std::uint32_t c = s.chartOfTriangle[set.triangles(i).front()];
+    if (charts[i].isTangled && restore(s, c, open)) {
+      isAnyRestored = true;
+      continue;
+    }
     const double told = (expected.stretch[c] - 1) / expected.excess[c];
     if (!(told > 0)) continue;
-    isWanted[c] = 1;
     // Where it is more, it is not area alone that is distorted: one seam, and flattening tells.
     constexpr double kMost = 8, kSlightly = 1.01;
-    const auto above = [&](double x) { return beforeRefining(x, options.balance) - 1; };
+    const auto above = [&](double x) { return stretchBeforeRefining(x, options.balance) - 1; };
     const double leastToCut = kSlightly * above(options.maxStretch) / told;
-    excess[c] = std::min(above(stretch[i]) / told, std::max(kMost, leastToCut));
+    excess[c] = std::min(above(charts[i].stretch) / told, std::max(kMost, leastToCut));
   }
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)
-    if (const std::uint32_t c = s.chartOfTriangle[f]; isWanted[c]) open.mesh.excess[f] = excess[c];
+    if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;
+  const CutSurface apart = cutAlong(open.mesh, seamsBetween(s, open));
+  std::vector<std::uint8_t> isWanted(apart.charts.size(), 0);
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
   SeamReport found;
-  return findWithin(s, isWanted, seamOptions(options, pool, std::move(keepsOn)), open, found);
+  const bool isAnyFound =
+      findWithin(apart, isWanted, seamOptions(options, pool, std::move(keepsOn)), open, found);
+  return isAnyFound || isAnyRestored;
 }
 
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {

@@ -19,8 +19,10 @@ struct OpenSurface {
   std::vector<std::uint32_t> inputVertex;  ///< per vertex of `mesh`, of the welded mesh
   Seams given;                             ///< of the surface
   Seams seams;                             ///< of `mesh`; what is given may be its boundary instead
+  Seams found;                             ///< before they were shortened; a superset of `seams`
   std::vector<std::uint32_t> place;        ///< per vertex of `mesh`, in an elimination order
   std::vector<double> scale;               ///< per vertex of `mesh`, the log-scale to be expected
+  std::vector<double> foundScale;          ///< the same before seams were shortened
 };
 
 /// Cuts the surface around what is fixed, and fills the holes of its charts; `keepsOn` as in
@@ -29,10 +31,16 @@ OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seam
                     const Scales& scales, const FixedTriangles& fixed, const UnwrapOptions& options,
                     ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary);
 
-/// Cuts charts further that flattening has stretched by more than `options.maxStretch`; `stretch`
-/// is that per chart, 0 for those to be left as they are. False where none of them can be cut so
-/// that less is to be expected.
-bool cutStretched(const ChartSet& set, const std::vector<double>& stretch,
+/// What flattening has made of a chart.
+struct Stretched {
+  double stretch = 0;      ///< 0: it is to stay as it is
+  bool isTangled = false;  ///< its boundary crosses itself
+};
+
+/// Cuts charts further that are stretched by more than `options.maxStretch`: their seams are found
+/// anew, from those that were found before, with a prediction that what they are tells better.
+/// False where none of them can be cut so that less is to be expected.
+bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open);
 

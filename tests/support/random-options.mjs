@@ -14,7 +14,8 @@ function randomValue(random, option) {
   if (name === 'padding') return random.pick([0, 1, 2, 5, 16, 256]);
   if (name === 'threads') return random.below(4);
   const low = option.above ?? option.atLeast ?? 0;
-  return low + random.pick([1e-9, 1e-3, 0.04, 0.3, 1, 1.7, 20, 1e6]);
+  const value = low + random.pick([1e-9, 1e-3, 0.04, 0.3, 1, 1.7, 20, 1e6]);
+  return Math.min(value, option.atMost ?? value);
 }
 
 function schemaArguments(random, option) {

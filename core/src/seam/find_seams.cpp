@@ -10,6 +10,7 @@
 #include "seam/log_scale.h"
 #include "seam/merge_charts.h"
 #include "seam/prediction.h"
+#include "seam/shorten_seams.h"
 #include "seam/slits.h"
 #include "seam/split_charts.h"
 #include "stopwatch.h"
@@ -235,6 +236,8 @@ void Finder::handBack() {
 
 Seams Finder::run() {
   analyse();
+  for (std::size_t h = 0; h < options_.first.size(); ++h)
+    if (options_.first[h] && whole_.twin[h] != kNone) result_[h] = 1;
   open();
   seams_ = result_;
   u_.assign(whole_.vertexCount(), 0);
@@ -252,6 +255,10 @@ Seams Finder::run() {
   // Slits and splits are made where each is needed; together they may be more than that.
   if (options_.isAuto && goesOn())
     report_.merges = mergeCharts(whole_, given_, options_, report_.place, u_, result_);
+  report_.found = result_;
+  report_.foundScale = u_;
+  if (options_.isAuto && goesOn())
+    shortenSeams(whole_, given_, options_, report_.place, u_, result_);
   report_.mergeSeconds = watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;

@@ -13,6 +13,7 @@ struct SeamOptions {
   bool isAuto = true;  ///< false: only what topology needs
   /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
   double maxStretch = 1.04;
+  Seams first;  ///< to begin with, beside what is given; empty: none
   /// Least share of its convex hull that a chart may fill once it has been cut.
   double leastFill = 0.5;
   /// Share of a chart that its predicted layout may cover twice.
@@ -36,7 +37,9 @@ struct SeamReport {
   /// Per vertex of the mesh, its place in an elimination order that was found for the whole and is
   /// good for any part of it.
   std::vector<std::uint32_t> place;
-  std::vector<double> scale;  ///< per vertex of the mesh, the log-scale that is expected
+  Seams found;                     ///< before they were shortened
+  std::vector<double> foundScale;  ///< `scale` before that
+  std::vector<double> scale;       ///< per vertex of the mesh, the log-scale that is expected
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
 };

@@ -22,6 +22,9 @@ class LogScale {
   /// at; there the curvature is taken relative to its mean. Empty when the system cannot be solved.
   std::vector<double> solve(const CutSurface& surface, const std::vector<std::uint32_t>& anchors);
 
+  /// Another right-hand side for the charts of the last solve().
+  void solveAgain(std::vector<double>& b) { factor_.solve(b.data()); }
+
   /// Per vertex, where its row comes in the elimination: also good for any part of the surface.
   const std::vector<std::uint32_t>& place() const { return symbolic_->place; }
 

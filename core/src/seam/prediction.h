@@ -29,4 +29,8 @@ double kinkStretch(const SeamMesh& mesh, const CutSurface& surface, std::uint32_
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& surface,
                           const std::vector<double>& u);
 
+/// The stretch of a conformal layout that refining with the given balance turns into `stretch`, by
+/// experience: of what is above 1 a share is left that depends little on the chart.
+double stretchBeforeRefining(double stretch, double balance);
+
 }  // namespace abflat

@@ -167,7 +167,7 @@ TEST_CASE("charts that touch themselves cost no more than one solution each") {
   const Counted sphere = unwrapped(mesh);
   CHECK(sphere.report.valid);
   // Three steps. Untangling took hundreds, with dozens of calls each.
-  CHECK(sphere.steps <= 100);
+  CHECK(sphere.steps <= 200);
   CHECK(sphere.report.symmetricDirichlet < 1.04);
   CHECK(sphere.report.seams.relativeLength < 1.4);
 }

@@ -1,0 +1,195 @@
+#include "seam/seam_tips.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "angle/constants.h"
+#include "portable_math.h"
+
+namespace abflat {
+namespace {
+
+/// What one round may free; further away first order tells nothing.
+constexpr double kMostScale = 0.35;
+
+/// Per vertex of the mesh, how its chart's stretch depends on its scale.
+std::vector<double> gradientOf(const TipSearch& t, const CutSurface& s, const Prediction& p) {
+  std::vector<double> shrunk(s.charts.size(), 0);  // mean of e^(-2u) times the area
+  for (std::uint32_t c = 0; c < s.charts.size(); ++c) shrunk[c] = s.charts[c].area;
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
+    const std::uint32_t i = s.meshVertex[v];
+    if (!s.isBoundary[v])
+      shrunk[s.chartOfVertex(v)] += t.mesh.vertexArea[i] * (portable::exp(-2 * t.u[i]) - 1);
+  }
+  std::vector<double> out(t.mesh.vertexCount(), 0);
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
+    const std::uint32_t i = s.meshVertex[v], c = s.chartOfVertex(v);
+    const double area = s.charts[c].area, grown = portable::exp(2 * t.u[i]);
+    if (area > 0)
+      out[i] = p.excess[c] * t.mesh.vertexArea[i] / area *
+               (grown * shrunk[c] / area - p.meanScale[c] / grown);
+  }
+  return out;
+}
+
+/// Of the system's right-hand side `b`, what the solution x does not meet: at a vertex that is held
+/// at zero, what holds it there.
+std::vector<double> lackOf(const SeamMesh& mesh, std::vector<double> b,
+                           const std::vector<double>& x) {
+  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
+    if (mesh.twin[h] != kNone && mesh.twin[h] < h) continue;
+    const std::uint32_t i = mesh.vertexOfCorner[h], j = mesh.vertexOfCorner[nextCorner(h)];
+    const double flow = mesh.stiffness(h) * (x[i] - x[j]);
+    b[i] -= flow;
+    b[j] += flow;
+  }
+  return b;
+}
+
+/// Seams at a vertex as outgoing half-edges, up to three; a vertex of the mesh's boundary counts as
+/// one with more than two.
+struct SeamsAt {
+  std::array<std::uint32_t, 3> h{};
+  int count = 0;
+};
+
+SeamsAt seamsAt(const TipSearch& t, std::uint32_t v) {
+  SeamsAt out;
+  const std::uint32_t first = t.outgoing[v];
+  if (rotateClockwise(t.mesh.twin, first) == kNone) {
+    out.count = 3;
+    return out;
+  }
+  std::uint32_t h = first;
+  do {
+    if (t.seams[h]) out.h[static_cast<std::size_t>(out.count++)] = h;
+    h = rotateCounterClockwise(t.mesh.twin, h);
+  } while (h != kNone && h != first && out.count < 3);
+  return out;
+}
+
+bool isFree(const TipSearch& t, std::uint32_t h) { return !t.kept[h] && t.mesh.isOnSurface(h); }
+
+/// The path from an end; of one that ends at both ends half.
+std::vector<std::uint32_t> pathFrom(const TipSearch& t, std::uint32_t end) {
+  std::vector<std::uint32_t> out;
+  SeamsAt at = seamsAt(t, end);
+  if (at.count != 1) return out;
+  std::uint32_t h = at.h[0];
+  while (isFree(t, h)) {
+    out.push_back(h);
+    at = seamsAt(t, t.mesh.vertexOfCorner[nextCorner(h)]);
+    if (at.count != 2) break;
+    h = at.h[0] == t.mesh.twin[h] ? at.h[1] : at.h[0];
+  }
+  if (at.count == 1) out.resize(out.size() / 2);
+  return out;
+}
+
+/// Neighbouring vertices of a path as one.
+struct Lump {
+  double distance = 0;  ///< from where the path would end
+  double size = 0, flux = 0, adjoint = 0;
+};
+
+/// Green's function of the plane without a ray, on the ray's continuation.
+double influence(const Lump& x, const Lump& y) {
+  constexpr double kOwn = 0.15;  // of a lump's size: how far it is from itself
+  const double a = std::sqrt(x.distance), b = std::sqrt(y.distance);
+  const double apart = std::max(std::abs(a - b), kOwn * (x.size + y.size) / (a + b));
+  return portable::log((a + b) / apart) / (2 * kPi);
+}
+
+std::vector<Lump> lumpsOf(const SeamTip& tip, const std::vector<double>& flux,
+                          const std::vector<double>& adjoint, std::size_t count) {
+  constexpr std::size_t kMost = 24;
+  std::vector<Lump> out(std::min(count, kMost));
+  std::vector<std::size_t> in(out.size(), 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = i * out.size() / count;
+    const double passed = i == 0 ? 0 : tip.length[i - 1];
+    out[k].distance += tip.length[count - 1] - passed;
+    out[k].size += tip.length[i] - passed;
+    out[k].flux += flux[i];
+    out[k].adjoint += adjoint[i];
+    ++in[k];
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) out[k].distance /= static_cast<double>(in[k]);
+  return out;
+}
+
+/// What the chart is stretched more without the first `count` edges.
+double stretchWithout(const SeamTip& tip, const std::vector<double>& flux,
+                      const std::vector<double>& adjoint, std::size_t count) {
+  const std::vector<Lump> lumps = lumpsOf(tip, flux, adjoint, count);
+  double sum = 0, most = 0;
+  for (const Lump& x : lumps) {
+    double freed = 0;
+    for (const Lump& y : lumps) freed += influence(x, y) * y.flux;
+    sum += x.adjoint * freed;
+    most = std::max(most, std::abs(freed));
+  }
+  if (count > 1 && most > kMostScale) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, sum);
+}
+
+/// For some numbers of edges, ever farther apart; between them what the next one costs. More is
+/// never cheaper.
+void setStretch(const std::vector<double>& flux, const std::vector<double>& adjoint, SeamTip& tip) {
+  const std::size_t n = tip.edges.size();
+  tip.stretch.assign(n, 0);
+  std::size_t from = 0;
+  double least = 0;
+  for (std::size_t count = 1; from < n; count = std::min(n, count + 1 + count / 4)) {
+    least = std::max(least, stretchWithout(tip, flux, adjoint, count));
+    for (; from < count; ++from) tip.stretch[from] = least;
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> outgoingHalfEdges(const SeamMesh& mesh) {
+  std::vector<std::uint32_t> out(mesh.vertexCount(), kNone);
+  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
+    std::uint32_t& first = out[mesh.vertexOfCorner[h]];
+    if (first == kNone || rotateClockwise(mesh.twin, h) == kNone) first = h;
+  }
+  return out;
+}
+
+std::vector<SeamTip> findTips(const TipSearch& t, const CutSurface& s, const Prediction& p,
+                              const std::vector<std::uint8_t>& isWanted, LogScale& scale) {
+  const SeamMesh& mesh = t.mesh;
+  std::vector<double> curvature, adjoint = gradientOf(t, s, p);
+  for (std::uint32_t i = 0; i < mesh.vertexCount(); ++i)
+    curvature.push_back(mesh.angleSum[i] - 2 * kPi);
+  const std::vector<double> lack = lackOf(mesh, std::move(curvature), t.u);
+  std::vector<double> gradient = adjoint;
+  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+    if (s.isBoundary[v]) adjoint[s.meshVertex[v]] = 0;
+  scale.solveAgain(adjoint);
+  const std::vector<double> lackOfAdjoint = lackOf(mesh, std::move(gradient), adjoint);
+  std::vector<SeamTip> out;
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    SeamTip tip;
+    tip.edges = pathFrom(t, v);
+    if (tip.edges.empty()) continue;
+    tip.chart = s.chartOfTriangle[tip.edges.front() / 3];
+    if (!isWanted[tip.chart]) continue;
+    std::vector<double> flux, fluxOfAdjoint;
+    double length = 0;
+    for (const std::uint32_t h : tip.edges) {
+      length += mesh.cost[h];
+      tip.length.push_back(length);
+      flux.push_back(lack[mesh.vertexOfCorner[h]]);
+      fluxOfAdjoint.push_back(lackOfAdjoint[mesh.vertexOfCorner[h]]);
+    }
+    setStretch(flux, fluxOfAdjoint, tip);
+    out.push_back(std::move(tip));
+  }
+  return out;
+}
+
+}  // namespace abflat

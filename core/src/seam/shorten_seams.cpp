@@ -1,0 +1,242 @@
+#include "seam/shorten_seams.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "seam/log_scale.h"
+#include "seam/outline.h"
+#include "seam/prediction.h"
+#include "seam/seam_tips.h"
+
+namespace abflat {
+namespace {
+
+constexpr int kMostRounds = 10;
+/// Of the stretch that is left; first order tells too little rather than too much.
+constexpr double kShareOfSlack = 0.8;
+/// Less of the bound is not worth a round.
+constexpr double kLittle = 0.03;
+/// Of a freed vertex: farther from the chart's mean the log-scale tells too little.
+constexpr double kMostShift = 0.8;
+
+/// How a chart is being shortened.
+struct Progress {
+  double model = 1;       ///< stretch that was added for each that was expected
+  double expected = 0;    ///< of this round
+  bool isSingle = false;  ///< one tip at a time, after several did not work together
+  bool isDone = false;
+};
+
+class Shortener {
+ public:
+  Shortener(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
+            const std::vector<std::uint32_t>& place, std::vector<double>& u, Seams& seams)
+      : mesh_(mesh),
+        kept_(kept),
+        options_(options),
+        scale_(mesh, options.pool, place),
+        outgoing_(outgoingHalfEdges(mesh)),
+        u_(u),
+        seams_(seams) {}
+
+  void run() {
+    surface_ = cutAlong(mesh_, seams_, pulse_);
+    std::vector<double> u = scale_.solve(surface_, {});
+    if (u.empty()) return;
+    u_ = std::move(u);
+    prediction_ = predictStretch(mesh_, surface_, u_);
+    progress_.resize(surface_.charts.size());
+    for (int round = 0; round < kMostRounds && (!options_.keepsOn || options_.keepsOn()); ++round)
+      if (!shorten()) return;
+  }
+
+ private:
+  /// A tip and how many of its edges are taken back.
+  struct Choice {
+    SeamTip tip;
+    std::size_t count = 0;
+  };
+
+  void mark(const Choice& choice, bool isSeam) {
+    for (std::size_t i = 0; i < choice.count; ++i) {
+      const std::uint32_t h = choice.tip.edges[i];
+      seams_[h] = seams_[mesh_.twin[h]] = isSeam;
+    }
+  }
+
+  /// One round; false when there is nothing left to do.
+  bool shorten() {
+    std::vector<Choice> choices = choose();
+    if (choices.empty()) return false;
+    for (const Choice& choice : choices) mark(choice, false);
+    CutSurface next = cutAlong(mesh_, seams_, pulse_);
+    std::vector<double> u = scale_.solve(next, {});
+    // Charts are the same ones, in the same order: no seam between them is gone.
+    if (u.empty() || next.charts.size() != surface_.charts.size()) {
+      for (const Choice& choice : choices) mark(choice, true);
+      return false;
+    }
+    Prediction told = predictStretch(mesh_, next, u);
+    const std::vector<std::uint8_t> isRefused = refused(choices, next, told, u);
+    settle(choices, isRefused, told);
+    // Charts do not depend on each other.
+    for (std::uint32_t v = 0; v < surface_.vertexCount(); ++v)
+      if (const std::uint32_t c = surface_.chartOfVertex(v); isRefused[c]) {
+        u[surface_.meshVertex[v]] = u_[surface_.meshVertex[v]];
+        told.stretch[c] = prediction_.stretch[c];
+        told.meanScale[c] = prediction_.meanScale[c];
+      }
+    u_ = std::move(u);
+    prediction_ = std::move(told);
+    surface_ = cutAlong(mesh_, seams_, pulse_);
+    return scaleIsOfSurface(isRefused);
+  }
+
+  std::vector<Choice> choose() {
+    std::vector<std::uint8_t> isWanted;
+    for (std::uint32_t c = 0; c < progress_.size(); ++c) {
+      Progress& p = progress_[c];
+      p.isDone = p.isDone || !surface_.charts[c].isDisk() || !(slack(c) > kLittle * most());
+      isWanted.push_back(!p.isDone);
+    }
+    if (std::find(isWanted.begin(), isWanted.end(), 1) == isWanted.end()) return {};
+    std::vector<std::vector<Choice>> of(progress_.size());
+    for (SeamTip& tip :
+         findTips({mesh_, seams_, kept_, u_, outgoing_}, surface_, prediction_, isWanted, scale_)) {
+      const auto limit = limit_.find(tip.vertex(mesh_));
+      if (limit != limit_.end()) tip.edges.resize(std::min(tip.edges.size(), limit->second));
+      if (!tip.edges.empty()) of[tip.chart].push_back({std::move(tip), 0});
+    }
+    std::vector<Choice> out;
+    for (std::uint32_t c = 0; c < of.size(); ++c) {
+      chooseIn(c, of[c]);
+      Progress& p = progress_[c];
+      p.expected = 0;
+      bool isAny = false;
+      for (Choice& choice : of[c]) {
+        if (choice.count == 0) continue;
+        isAny = true;
+        p.expected += p.model * choice.tip.stretch[choice.count - 1];
+        out.push_back(std::move(choice));
+      }
+      p.isDone = p.isDone || !isAny;
+    }
+    return out;
+  }
+
+  /// Of each tip as much as costs at most a certain stretch for its length, the same for all, so
+  /// that all together use up the slack.
+  void chooseIn(std::uint32_t c, std::vector<Choice>& choices) const {
+    const double budget = kShareOfSlack * slack(c) / progress_[c].model;
+    const auto takeAt = [&](double rate) {
+      double sum = 0;
+      for (Choice& choice : choices) {
+        const SeamTip& tip = choice.tip;
+        choice.count = tip.edges.size();
+        while (choice.count > 0 &&
+               tip.stretch[choice.count - 1] > rate * tip.length[choice.count - 1])
+          --choice.count;
+        if (choice.count > 0) sum += tip.stretch[choice.count - 1];
+      }
+      return sum;
+    };
+    double low = 0, high = 1;
+    constexpr double kHighest = 1e9;
+    while (high < kHighest && takeAt(high) <= budget) high *= 4;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double rate = (low + high) / 2;
+      (takeAt(rate) <= budget ? low : high) = rate;
+    }
+    takeAt(low);
+    if (!progress_[c].isSingle) return;
+    const auto longest =
+        std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+          const auto length = [](const Choice& x) {
+            return x.count > 0 ? x.tip.length[x.count - 1] : 0;
+          };
+          return length(a) < length(b);
+        });
+    for (auto choice = choices.begin(); choice != choices.end(); ++choice)
+      if (choice != longest) choice->count = 0;
+  }
+
+  double most() const { return options_.maxStretch - 1; }
+  double slack(std::uint32_t c) const { return options_.maxStretch - prediction_.stretch[c]; }
+
+  /// Charts that do not keep to what is asked for.
+  std::vector<std::uint8_t> refused(const std::vector<Choice>& choices, const CutSurface& next,
+                                    const Prediction& told, const std::vector<double>& u) const {
+    std::vector<std::uint8_t> isChanged(progress_.size(), 0), out(progress_.size(), 0);
+    for (const Choice& choice : choices) {
+      const std::uint32_t c = choice.tip.chart;
+      isChanged[c] = 1;
+      for (std::size_t i = 0; i < choice.count; ++i)
+        if (told.shift(c, u[mesh_.vertexOfCorner[choice.tip.edges[i]]]) > kMostShift) out[c] = 1;
+    }
+    for (std::uint32_t c = 0; c < out.size(); ++c)
+      if (isChanged[c] && (told.stretch[c] > options_.maxStretch || !next.charts[c].isDisk() ||
+                           overlapsMore(next, c, u)))
+        out[c] = 1;
+    return out;
+  }
+
+  bool overlapsMore(const CutSurface& next, std::uint32_t c, const std::vector<double>& u) const {
+    const Shape now = measureShape(predictOutline(mesh_, next, c, u));
+    if (now.crossings.empty()) return false;
+    const Shape before = measureShape(predictOutline(mesh_, surface_, c, u_));
+    return now.overlap > std::max(before.overlap, options_.mostOverlap) ||
+           now.crossings.size() > before.crossings.size();
+  }
+
+  /// Takes back what was refused, and learns from all.
+  void settle(const std::vector<Choice>& choices, const std::vector<std::uint8_t>& isRefused,
+              const Prediction& told) {
+    for (const Choice& choice : choices) {
+      const std::uint32_t c = choice.tip.chart;
+      if (!isRefused[c]) continue;
+      mark(choice, true);
+      if (progress_[c].isSingle) limit_[choice.tip.vertex(mesh_)] = choice.count / 2;
+    }
+    constexpr double kLeast = 0.7, kMost = 3;
+    for (std::uint32_t c = 0; c < progress_.size(); ++c) {
+      Progress& p = progress_[c];
+      if (p.isDone) continue;
+      if (isRefused[c])
+        p.isSingle = true;
+      else if (p.expected > 0)
+        p.model *=
+            std::clamp((told.stretch[c] - prediction_.stretch[c]) / p.expected, kLeast, kMost);
+    }
+  }
+
+  /// The factor is to be that of the surface as it is now.
+  bool scaleIsOfSurface(const std::vector<std::uint8_t>& isRefused) {
+    if (std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end()) return true;
+    return !scale_.solve(surface_, {}).empty();
+  }
+
+  const SeamMesh& mesh_;
+  const Seams& kept_;
+  const SeamOptions& options_;
+  const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
+  LogScale scale_;
+  const std::vector<std::uint32_t> outgoing_;
+  std::vector<double>& u_;  ///< per vertex, of the charts as they are
+  Seams& seams_;
+  CutSurface surface_;
+  Prediction prediction_;
+  std::vector<Progress> progress_;  ///< per chart
+  /// By the vertex that a tip ends at: how many edges were not refused, or not yet.
+  std::map<std::uint32_t, std::size_t> limit_;
+};
+
+}  // namespace
+
+void shortenSeams(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
+                  const std::vector<std::uint32_t>& place, std::vector<double>& u, Seams& seams) {
+  Shortener(mesh, kept, options, place, u, seams).run();
+}
+
+}  // namespace abflat

@@ -1,0 +1,160 @@
+#include "seam/shorten_seams.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "catch.h"
+#include "seam/log_scale.h"
+#include "seam/prediction.h"
+#include "seam/seam_tips.h"
+#include "support/cut_meshes.h"
+#include "support/isosurface.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// A plane with a round hill, and a slit from the border over its top, far beyond.
+struct Hill {
+  static constexpr unsigned kSide = 41;
+  Cuttable c{makeTriangleMesh(positions(), triangles())};
+  Seams seams = Seams(c.seamMesh.twin.size(), 0);
+  std::vector<std::uint32_t> place = LogScale(c.seamMesh, nullptr).place();
+
+  Hill() {
+    for (std::uint32_t h = 0; h < seams.size(); ++h)
+      if (isOnSlit(c.seamMesh.vertexOfCorner[h]) &&
+          isOnSlit(c.seamMesh.vertexOfCorner[nextCorner(h)]))
+        seams[h] = 1;
+  }
+
+  /// Its column goes through the top, which is in row 12.
+  bool isOnSlit(std::uint32_t v) const {
+    const double *p = &c.seamMesh.positions[3 * v], *first = c.seamMesh.positions.data();
+    const double unit = (c.seamMesh.positions[3 * (kSide * kSide - 1)] - first[0]) / (kSide - 1);
+    const auto column = std::lround((p[0] - first[0]) / unit);
+    const auto row = std::lround((p[1] - first[1]) / unit);
+    return column == 20 && row <= 34;
+  }
+  static std::vector<double> positions() {
+    std::vector<double> out;
+    for (unsigned j = 0; j < kSide; ++j)
+      for (unsigned i = 0; i < kSide; ++i) {
+        const double x = (i - 20.0) / 6, y = (j - 12.0) / 6;
+        out.insert(out.end(), {1.0 * i, 1.0 * j, 14 * std::exp(-x * x - y * y)});
+      }
+    return out;
+  }
+  static std::vector<std::uint32_t> triangles() {
+    std::vector<std::uint32_t> out;
+    for (unsigned j = 0; j + 1 < kSide; ++j)
+      for (unsigned i = 0; i + 1 < kSide; ++i) {
+        const std::uint32_t a = j * kSide + i;
+        out.insert(out.end(), {a, a + 1, a + kSide + 1, a, a + kSide + 1, a + kSide});
+      }
+    return out;
+  }
+};
+
+double lengthOf(const SeamMesh& mesh, const Seams& seams) {
+  double out = 0;
+  for (std::size_t h = 0; h < seams.size(); ++h)
+    if (seams[h]) out += mesh.length[h] / 2;
+  return out;
+}
+
+double stretchOf(const SeamMesh& mesh, const Seams& seams) {
+  const CutSurface s = cutAlong(mesh, seams);
+  return predictStretch(mesh, s, LogScale(mesh, nullptr).solve(s, {})).stretch.front();
+}
+
+Seams shortened(const Hill& hill, double maxStretch) {
+  SeamOptions options;
+  options.maxStretch = maxStretch;
+  Seams out = hill.seams;
+  std::vector<double> u;
+  shortenSeams(hill.c.seamMesh, Seams(out.size(), 0), options, hill.place, u, out);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("what taking a seam back costs is told within a factor of two", "[seams]") {
+  const Hill hill;
+  const SeamMesh& mesh = hill.c.seamMesh;
+  LogScale scale(mesh, nullptr);
+  const Seams kept(hill.seams.size(), 0);
+  Seams seams = hill.seams;
+  // Beyond the top nothing depends on the slit; on the way to it more and more does.
+  for (int row = 34; row > 16; row -= 3) {
+    const CutSurface s = cutAlong(mesh, seams);
+    const std::vector<double> u = scale.solve(s, {});
+    const Prediction p = predictStretch(mesh, s, u);
+    const std::vector<SeamTip> tips =
+        findTips({mesh, seams, kept, u, outgoingHalfEdges(mesh)}, s, p, {1}, scale);
+    REQUIRE(tips.size() == 1);
+    REQUIRE(tips[0].edges.size() == static_cast<std::size_t>(row));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t h = tips[0].edges[i];
+      seams[h] = seams[mesh.twin[h]] = 0;
+    }
+    const double change = stretchOf(mesh, seams) - p.stretch[0];
+    CAPTURE(row, change, tips[0].stretch[2]);
+    CHECK(tips[0].stretch[2] >= 0);
+    if (change > 1e-3) {
+      CHECK(tips[0].stretch[2] < 2 * change);
+      CHECK(tips[0].stretch[2] > change / 2);
+    }
+  }
+}
+
+TEST_CASE("seams are taken back as far as the bound allows", "[seams]") {
+  const Hill hill;
+  const SeamMesh& mesh = hill.c.seamMesh;
+  const double least = stretchOf(mesh, hill.seams);
+  double before = lengthOf(mesh, hill.seams);
+  for (const double more : {1.02, 1.035, 1.05}) {
+    const double bound = least * more;
+    const Seams seams = shortened(hill, bound);
+    CAPTURE(least, bound);
+    for (std::size_t h = 0; h < seams.size(); ++h) CHECK((!seams[h] || hill.seams[h]));
+    const double stretch = stretchOf(mesh, seams), length = lengthOf(mesh, seams);
+    CHECK(stretch <= bound);
+    CHECK(stretch - 1 > 0.6 * (bound - 1));
+    CHECK(length < before);
+    before = length;
+  }
+  CHECK(lengthOf(mesh, shortened(hill, 2)) == 0);
+}
+
+TEST_CASE("where there is no room seams stay as they are", "[seams]") {
+  const Hill hill;
+  CHECK(shortened(hill, 1.0001) == hill.seams);
+}
+
+TEST_CASE("seams that are given are not shortened", "[seams]") {
+  const Hill hill;
+  SeamOptions options;
+  options.maxStretch = 100;
+  Seams seams = hill.seams;
+  std::vector<double> u;
+  shortenSeams(hill.c.seamMesh, hill.seams, options, hill.place, u, seams);
+  CHECK(seams == hill.seams);
+}
+
+TEST_CASE("the more stretch is allowed the shorter are seams; charts are disks", "[seams]") {
+  const Cuttable c(isosurface(24, rings(1)));
+  double before = 1e9;
+  for (const double maxStretch : {1.01, 1.05, 1.3, 3.0}) {
+    SeamOptions options;
+    options.maxStretch = maxStretch;
+    SeamReport report;
+    const Seams seams = findSeams(c.seamMesh, {}, options, &report);
+    CHECK(report.seamLength <= before);
+    before = report.seamLength;
+    for (std::size_t h = 0; h < seams.size(); ++h) CHECK((!seams[h] || report.found[h]));
+    for (const PolygonMesh& chart : chartsOf(c, seams)) CHECK(inspect(chart).disk.ok());
+  }
+}
