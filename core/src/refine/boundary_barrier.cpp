@@ -10,7 +10,6 @@
 namespace abflat {
 namespace {
 
-constexpr double kReach = 1e-3;  ///< of the root of the area
 constexpr double kShareOfEdge = 0.25;
 /// Of the energy of as much surface as lies within reach.
 constexpr double kStrength = 1;
@@ -18,15 +17,12 @@ constexpr double kStrength = 1;
 }  // namespace
 
 /// A vertex and the nearest point of an edge.
-struct BoundaryBarrier::Contact {
-  std::uint32_t vertex[3];  ///< the vertex, the ends of the edge
-  double share[3];          ///< of their movement along the normal in the distance
-  double normal[2];
+struct BoundaryBarrier::Contact : BoundaryContact {
   double distance, reach, weight;
 };
 
 BoundaryBarrier::BoundaryBarrier(const DiskChart& chart)
-    : chart_(chart), area_(surfaceArea(chart)), reach_(kReach * std::sqrt(area_)) {
+    : chart_(chart), area_(surfaceArea(chart)), reach_(kContactReach * std::sqrt(area_)) {
   for (const std::uint32_t h : chart.boundary)
     length_.push_back(norm(
         edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
@@ -81,16 +77,7 @@ void BoundaryBarrier::addDerivatives(const std::vector<double>& uv, Eigen::Vecto
     const double ratio = c.reach / c.distance, inverse = 1 / c.distance;
     const double slope = -2 * c.weight * (ratio - 1) * ratio * inverse;
     const double curvature = 2 * c.weight * ratio * (3 * ratio - 2) * inverse * inverse;
-    for (std::size_t i = 0; i < 6; ++i) {
-      const double gi = c.share[i / 2] * c.normal[i % 2];
-      const auto row = static_cast<int>(2 * c.vertex[i / 2] + i % 2);
-      gradient[row] += slope * gi;
-      for (std::size_t j = 0; j < 6; ++j) {
-        const auto column = static_cast<int>(2 * c.vertex[j / 2] + j % 2);
-        if (column > row) continue;
-        hessian.emplace_back(row, column, curvature * gi * c.share[j / 2] * c.normal[j % 2]);
-      }
-    }
+    c.BoundaryContact::addDerivatives(slope, curvature, gradient, hessian);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
-#include "sparse_assembly.h"
+#include "refine/boundary_contact.h"
 
 namespace abflat {
 

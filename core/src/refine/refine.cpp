@@ -6,6 +6,7 @@
 #include "check/validity.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/boundary_barrier.h"
+#include "refine/foreseen_contacts.h"
 #include "refine/layout_energy.h"
 #include "refine/refine_system.h"
 #include "solve/row_solver.h"
@@ -24,6 +25,8 @@ constexpr double kShareOfEnergy = 0.025;
 /// Of what a step gains in what the one before gained: no better is hoped for, and nothing is
 /// concluded from worse.
 constexpr double kFastest = 0.1, kSlowest = 0.5;
+/// Of looking ahead in a step: each of them solves a system.
+constexpr int kRounds = 6;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 40;
 /// Of the energy: less is not to be told from its rounding.
@@ -116,14 +119,14 @@ class Refiner {
   }
 
   /// With contacts, which are entries that the pattern does not have.
-  Eigen::SparseMatrix<double> extended() const {
+  Eigen::SparseMatrix<double> extended(const SparseEntries& contacts) const {
     const Eigen::SparseMatrix<double>& own = system_.matrix();
     SparseEntries entries;
-    entries.reserve(static_cast<std::size_t>(own.nonZeros()) + contacts_.size());
+    entries.reserve(static_cast<std::size_t>(own.nonZeros()) + contacts.size());
     for (int c = 0; c < own.outerSize(); ++c)
       for (int i = own.outerIndexPtr()[c]; i < own.outerIndexPtr()[c + 1]; ++i)
         entries.emplace_back(own.innerIndexPtr()[i], c, own.valuePtr()[i]);
-    for (const auto& e : contacts_)
+    for (const auto& e : contacts)
       if (!isFixedRow(e.row()) && !isFixedRow(e.col())) entries.push_back(e);
     return assembled(own.rows(), entries);
   }
@@ -136,10 +139,41 @@ class Refiner {
 
   /// False where the system has no solution.
   bool findDirection() {
-    const Eigen::VectorXd b = -gradient_;
-    const bool isExtended = !contacts_.empty();
+    if (foreseen_) foreseen_->begin(uv_);
+    if (!minimizeModel()) return false;
+    for (int i = 0; foreseen_ && i < kRounds; ++i) {
+      if (!foreseen_->update(uv_, direction_, longest())) break;
+      if (!minimizeModel()) return false;
+    }
+    if (slope() < 0) return true;
+    if (!foreseen_) return false;
+    foreseen_->clear();  // together they push uphill
+    return minimizeModel() && slope() < 0;
+  }
+
+  /// Of the energy, along the direction.
+  double slope() {
+    slope_ = 0;
+    for (std::size_t i = 0; i < direction_.size(); ++i)
+      slope_ += gradient_.data()[i] * direction_[i];
+    return slope_;
+  }
+
+  /// Of the direction, without a flip.
+  double longest() const {
+    return std::min(
+        1.0, kShareOfLongest * longestStep(chart_, rest_, uv_, direction_, 2, options_.pool));
+  }
+
+  /// With the springs that are foreseen.
+  bool minimizeModel() {
+    Eigen::VectorXd b = gradient_;
+    SparseEntries contacts = contacts_;
+    if (foreseen_) foreseen_->addDerivatives(b, contacts);
+    for (int row = 0; row < b.size(); ++row) b[row] = isFixedRow(row) ? 0 : -b[row];
+    const bool isExtended = !contacts.empty();
     const Eigen::SparseMatrix<double> withContacts =
-        isExtended ? extended() : Eigen::SparseMatrix<double>();
+        isExtended ? extended(contacts) : Eigen::SparseMatrix<double>();
     const Eigen::SparseMatrix<double>& matrix = isExtended ? withContacts : system_.matrix();
     if (isExtended || wasExtended_) makeSolver(matrix);
     wasExtended_ = isExtended;
@@ -148,9 +182,7 @@ class Refiner {
     const double tolerance = kLinearTolerance * b.lpNorm<Eigen::Infinity>();
     if (!solver_->solve(matrix, b, tolerance, x) || !x.allFinite()) return false;
     direction_.assign(x.data(), x.data() + x.size());
-    slope_ = 0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) slope_ -= b[i] * x[i];
-    return slope_ < 0;
+    return true;
   }
 
   std::vector<std::uint8_t> kinds() const {
@@ -171,6 +203,7 @@ class Refiner {
       lastGain_ = isFull_ ? gain : 0;
       if (taken == Step::Crosses) {
         barrier_ = std::make_unique<BoundaryBarrier>(chart_);
+        foreseen_ = std::make_unique<ForeseenContacts>(chart_);
         energy_ = energyOf(uv_);
         out_.isHeldApart = true;
         continue;
@@ -191,8 +224,7 @@ class Refiner {
 
   Step step() {
     isFull_ = false;
-    double length = std::min(
-        1.0, kShareOfLongest * longestStep(chart_, rest_, uv_, direction_, 2, options_.pool));
+    double length = longest();
     std::vector<double> next(uv_.size());
     for (int i = 0; i < kMostHalvings; ++i, length /= 2) {
       for (std::size_t k = 0; k < uv_.size(); ++k) next[k] = uv_[k] + length * direction_[k];
@@ -219,6 +251,7 @@ class Refiner {
   std::vector<double> uv_, direction_;
   RefineSystem system_;
   std::unique_ptr<BoundaryBarrier> barrier_;  ///< once the boundary would cross itself
+  std::unique_ptr<ForeseenContacts> foreseen_;
   Eigen::VectorXd gradient_;
   SparseEntries contacts_;
   bool wasExtended_ = false;

@@ -2,38 +2,20 @@
 
 #include <cmath>
 
-#include "boundary/chart_flattener.h"
 #include "catch.h"
-#include "flatten_chart.h"
 #include "refine/boundary_barrier.h"
 #include "refine/layout_energy.h"
 #include "refine/refine_system.h"
 #include "support/dense_algebra.h"
+#include "support/instrumented.h"
 #include "support/meshes.h"
 #include "support/problems.h"
+#include "support/refined.h"
 
 using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-std::vector<double> conformalLayout(const DiskChart& chart) {
-  ThreadPool pool(1);
-  SolverOptions options;
-  options.pool = &pool;
-  ChartFlattener flattener(chart, options);
-  flattener.requireSeparation();
-  const Attempt a =
-      flattenChart(flattener, std::vector<double>(chart.boundary.size(), 2), FlattenOptions());
-  REQUIRE(a.valid());
-  return a.uv;
-}
-
-RefineOptions withBalance(double balance) {
-  RefineOptions out;
-  out.balance = balance;
-  return out;
-}
 
 /// Largest difference of edge lengths, in those of `a`.
 double lengthDifference(const DiskChart& chart, const std::vector<double>& a,
@@ -114,6 +96,21 @@ TEST_CASE("refining takes energy away and flips nothing", "[refine]") {
       // A second time there is nothing left to gain.
       const Refinement again = refine(chart, r.uv, withBalance(balance));
       CHECK(again.energyBefore - again.energy <= 2e-3 * (r.energyBefore - 1));
+    }
+  }
+}
+
+TEST_CASE("hundreds of disks stay valid at any balance", "[refine]") {
+  for (unsigned seed = 0; seed < cases(300u, 20u); ++seed) {
+    const DiskChart chart =
+        chartOf(bumpyGrid(3 + seed % 7, 4 + seed % 5, 0.05 * (seed % 29), seed));
+    const std::vector<double> uv = conformalLayout(chart);
+    for (const double balance : {0.0, 0.25, 0.5, 1.0}) {
+      const Refinement r = refine(chart, uv, withBalance(balance));
+      CAPTURE(seed, balance, r.steps, r.energyBefore, r.energy);
+      CHECK(checkSeparated(chart, r.uv).valid());
+      CHECK(r.energy <= r.energyBefore);
+      CHECK(r.energy >= 1 - 1e-12);
     }
   }
 }
@@ -200,7 +197,7 @@ TEST_CASE("derivatives of the barrier agree with differences", "[refine]") {
   // A strip bent to a ring whose ends nearly touch.
   std::vector<double> uv;
   for (std::uint32_t v = 0; v < chart.vertexCount(); ++v) {
-    const double turn = (v % 7) / 6.002, radius = (1 + v / 7) / chart.unit;
+    const double turn = (v % 7) / 6.0005, radius = (1 + v / 7) / chart.unit;
     const double angle = turn * 2 * 3.141592653589793;
     uv.insert(uv.end(), {radius * std::sin(angle), -radius * std::cos(angle)});
   }

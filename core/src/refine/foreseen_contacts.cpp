@@ -1,0 +1,109 @@
+#include "refine/foreseen_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/validity.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Of a step: where its course is looked at, so that what touches first is found too.
+constexpr double kMoments[] = {0.125, 0.25, 0.5, 1};
+/// That of the barrier where places are half its reach apart: stiffer than any surface, and no
+/// more than single precision holds.
+constexpr double kStiffness = 64;
+
+std::vector<double> moved(std::vector<double> uv, const std::vector<double>& step, double by) {
+  for (std::size_t i = 0; i < uv.size(); ++i) uv[i] += by * step[i];
+  return uv;
+}
+
+}  // namespace
+
+ForeseenContacts::ForeseenContacts(const DiskChart& chart)
+    : chart_(chart), area_(surfaceArea(chart)), distance_(kContactReach * std::sqrt(area_)) {}
+
+/// Between a point and the place of an edge that is nearest `then`. Its gap is not positive where
+/// they are not on the right sides of each other `now`.
+ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& now,
+                                                    const std::vector<double>& then,
+                                                    std::uint32_t point, std::uint32_t edge) const {
+  const auto n = static_cast<std::uint32_t>(now.size() / 2);
+  const std::uint32_t end = (edge + 1) % n;
+  const double *x = &then[2 * point], *a = &then[2 * edge], *b = &then[2 * end];
+  const double ux = b[0] - a[0], uy = b[1] - a[1], length = norm(ux, uy);
+  Spring s{point, edge, {}, 0, 0, kStiffness * length / (distance_ * area_)};
+  if (!(length > 0)) return s;
+  const double along = ((x[0] - a[0]) * ux + (x[1] - a[1]) * uy) / (length * length);
+  const double share = std::clamp(along, 0.0, 1.0);
+  const std::uint32_t places[3] = {point, edge, end};
+  const double shares[3] = {1, share - 1, -share};
+  // Outwards: the surface is on the left.
+  s.contact.normal[0] = uy / length;
+  s.contact.normal[1] = -ux / length;
+  for (std::size_t k = 0; k < 3; ++k) {
+    s.contact.vertex[k] = chart_.vertexOfCorner[chart_.boundary[places[k]]];
+    s.contact.share[k] = shares[k];
+    for (std::size_t d = 0; d < 2; ++d)
+      s.gap += shares[k] * now[2 * places[k] + d] * s.contact.normal[d];
+  }
+  s.target = std::min(distance_, s.gap);
+  return s;
+}
+
+void ForeseenContacts::begin(const std::vector<double>& uv) {
+  const std::vector<double> now = boundaryUv(chart_, uv);
+  std::vector<Spring> kept;
+  for (const Spring& old : springs_) {
+    const Spring s = springAt(now, now, old.point, old.edge);
+    const bool isBeside = s.contact.share[1] < 0 && s.contact.share[2] < 0;
+    if (s.gap > 0 && isBeside) kept.push_back(s);
+  }
+  springs_ = std::move(kept);
+}
+
+bool ForeseenContacts::releasePulling(const std::vector<double>& step) {
+  const auto pulls = [&](const Spring& s) { return s.gap + s.contact.along(step) > s.target; };
+  const auto end = std::remove_if(springs_.begin(), springs_.end(), pulls);
+  const bool isAny = end != springs_.end();
+  springs_.erase(end, springs_.end());
+  return isAny;
+}
+
+bool ForeseenContacts::add(const Spring& spring, const std::vector<double>& step) {
+  if (!(spring.gap > 0) || spring.gap + spring.contact.along(step) >= 0) return false;
+  const auto isBefore = [](const Spring& a, const Spring& b) {
+    return a.point != b.point ? a.point < b.point : a.edge < b.edge;
+  };
+  const auto at = std::lower_bound(springs_.begin(), springs_.end(), spring, isBefore);
+  if (at != springs_.end() && !isBefore(spring, *at)) return false;
+  springs_.insert(at, spring);
+  return true;
+}
+
+bool ForeseenContacts::update(const std::vector<double>& uv, const std::vector<double>& step,
+                              double length) {
+  bool isChanged = releasePulling(step), isCrossing = false;
+  const std::vector<double> now = boundaryUv(chart_, uv);
+  const auto n = static_cast<std::uint32_t>(now.size() / 2);
+  for (const double moment : kMoments) {
+    const std::vector<double> then = boundaryUv(chart_, moved(uv, step, moment * length));
+    const Crossings crossings = findCrossings(then);
+    isCrossing |= crossings.count > 0;
+    for (const auto& [i, j] : crossings.first)
+      for (const auto& [edge, other] : {std::pair{i, j}, std::pair{j, i}})
+        for (const std::uint32_t point : {other, (other + 1) % n})
+          if (point != edge && point != (edge + 1) % n)
+            isChanged |= add(springAt(now, then, point, edge), step);
+  }
+  return isCrossing && isChanged;
+}
+
+void ForeseenContacts::addDerivatives(Eigen::VectorXd& gradient, SparseEntries& hessian) const {
+  for (const Spring& s : springs_)
+    s.contact.addDerivatives(s.stiffness * (s.gap - s.target), s.stiffness, gradient, hessian);
+}
+
+}  // namespace abflat

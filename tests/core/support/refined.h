@@ -1,0 +1,29 @@
+#pragma once
+
+#include "boundary/chart_flattener.h"
+#include "catch.h"
+#include "flatten_chart.h"
+#include "refine/refine.h"
+
+namespace abflat::test {
+
+/// Valid, with the angles of the surface as far as that allows.
+inline std::vector<double> conformalLayout(const DiskChart& chart) {
+  ThreadPool pool(1);
+  SolverOptions options;
+  options.pool = &pool;
+  ChartFlattener flattener(chart, options);
+  flattener.requireSeparation();
+  const Attempt a =
+      flattenChart(flattener, std::vector<double>(chart.boundary.size(), 2), FlattenOptions());
+  REQUIRE(a.valid());
+  return a.uv;
+}
+
+inline RefineOptions withBalance(double balance) {
+  RefineOptions out;
+  out.balance = balance;
+  return out;
+}
+
+}  // namespace abflat::test
