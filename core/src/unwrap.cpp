@@ -26,7 +26,9 @@
 #include "unwrap_known.h"
 #include "unwrap_monitor.h"
 #include "unwrap_output.h"
+#include "unwrap_pieces.h"
 #include "unwrap_pinned.h"
+#include "unwrap_room.h"
 #include "unwrap_seams.h"
 
 namespace abflat {
@@ -40,18 +42,6 @@ std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
     return charts.topology(a).triangleCount() > charts.topology(b).triangleCount();
   });
   return order;
-}
-
-/// What the input gives is not to be pinned elsewhere.
-Status checkUnpinned(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
-                     const std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    if (flat[i].isGiven && !wishes[i].pins.empty())
-      return {StatusCode::InvalidOption,
-              "vertex " +
-                  std::to_string(charts.topology(i).inputVertex[wishes[i].pins.front().vertex]) +
-                  " is pinned, but its chart is to keep its texcoords; leave one of them out"};
-  return {};
 }
 
 /// Whether charts are as little stretched as seams let them be.
@@ -115,20 +105,6 @@ void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& opti
   notes.push_back(text + std::string(isFree(options) ? "seams that were tried do not help enough"
                                      : options.straightSeams ? "straight seams take that"
                                                              : "a larger t, or auto, takes less"));
-}
-
-/// Layouts of the charts that are as they were, and of the same form.
-std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
-                                   std::vector<FlatChart>& flat) {
-  std::vector<FlatChart> out(now.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::uint32_t old = before.ofTriangle[now.triangles(i).front()];
-    const ChartTopology a = before.topology(old), b = now.topology(i);
-    if (a.triangleCount() == b.triangleCount() && a.surfaceTriangles() == b.surfaceTriangles() &&
-        std::equal(a.twin.begin(), a.twin.end(), b.twin.begin()))
-      out[i] = std::move(flat[old]);
-  }
-  return out;
 }
 
 /// The exponent of the power of two that brings the largest coordinate of a face to 1 to 2.
@@ -205,7 +181,8 @@ class Unwrapping {
     if (!given.ok()) return given.status;
     Scales scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
-    if (scales.sharpest) noteScales(*scales.sharpest);
+    if (scales.sharpest)
+      report_.notes.push_back(scaleNote(*scales.sharpest, welded_, surface_, unit_));
     Result<FixedTriangles> fixed = fixedTriangles(input_, welded_, surface_, options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
@@ -216,19 +193,6 @@ class Unwrapping {
     monitor_.tellAgain();
     if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
     return {};
-  }
-
-  void noteScales(const ScaleJump& jump) {
-    const auto faceOf = [&](std::uint32_t triangle) {
-      return welded_.inputFace[surface_.triangulation.face[triangle]];
-    };
-    char text[160];
-    std::snprintf(
-        text, sizeof text,
-        "faces of very different size are cut apart: face %u is %.3g long, face %u beside "
-        "it %.3g",
-        faceOf(jump.large), jump.largeSide * unit_, faceOf(jump.small), jump.smallSide * unit_);
-    report_.notes.emplace_back(text);
   }
 
   /// Charts that turn out to be stretched more than was expected are cut further.
@@ -255,7 +219,6 @@ class Unwrapping {
     for (FlatChart& chart : flat_) chart.isCutEnough = true;
     if (dropTangled())
       if (Status s = layOut(); !s.ok()) return s;
-    endCutting();
     return {};
   }
 
@@ -292,12 +255,14 @@ class Unwrapping {
   }
 
   /// What has no layout yet.
-  Status layOut() {
+  Status layOut(const std::function<bool(double)>& tell) {
     if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
-    flattenAll(
-        set_, wishes_, options_, *pool_, monitor_, [&](double share) { return tellSolve(share); },
-        flat_);
+    flattenAll(set_, wishes_, options_, *pool_, monitor_, tell, flat_);
     return {};
+  }
+
+  Status layOut() {
+    return layOut([&](double share) { return tellSolve(share); });
   }
 
   /// Each round has a part of what those before left.
@@ -327,8 +292,54 @@ class Unwrapping {
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
-    const auto tell = [&](double share) { return monitor_.tell(kPack, share); };
+    const bool mayCut = canCut(options_) && cutsForRoom(options_, flat_);
+    Status s = packNow(0, mayCut ? kUncut : 1);
+    if (s.ok() && mayCut) s = cutForRoom();
+    if (s.ok()) endCutting();
+    return s;
+  }
+
+  /// Which is that part of the stage.
+  Status packNow(double from, double to) {
+    const auto tell = [&, from, to](double share) {
+      return monitor_.tell(kPack, from + (to - from) * share);
+    };
     return packAll(set_, options_, unit_, *pool_, tell, flat_, packing_, report_.atlas);
+  }
+
+  /// Charts are cut where they are packed so much denser then that it is worth the seams, and stay
+  /// as they were otherwise.
+  Status cutForRoom() {
+    const auto goesOn = [&] { return monitor_.tell(kPack, kUncut); };
+    const RoomCuts cuts =
+        findRoomCuts(set_, flat_, open_, options_, report_.atlas.utilization, goesOn);
+    if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
+    const AtlasReport uncut = report_.atlas;
+    const Seams seams = open_.seams;
+    Packing packing = std::move(packing_);
+    addCuts(cuts, options_, open_);
+    ChartSet before = std::move(set_);
+    set_ = chartsOf(welded_, open_);
+    std::vector<FlatChart> flat = std::move(flat_);
+    flat_ = layoutsKept(before, set_, flat);
+    takePieces(before, flat, set_, *pool_, flat_);
+    if (Status s = readWishes(); !s.ok()) return s;
+    if (Status s = layOut([&](double) { return goesOn(); }); !s.ok()) return s;
+    report_.atlas.packingCuts = cuts.count;
+    report_.atlas.packingCutLength = cuts.length;
+    report_.atlas.uncutTexelDensity = uncut.texelDensity;
+    const Status packed = packNow(kUncut, 1);
+    if (packed.code == StatusCode::Aborted) return packed;
+    if (packed.ok() && isWorth(cuts, report_.atlas.texelDensity / uncut.texelDensity, options_))
+      return {};
+    giveBack(before, set_, flat_, flat);
+    set_ = std::move(before);
+    flat_ = std::move(flat);
+    open_.seams = seams;
+    packing_ = std::move(packing);
+    report_.atlas = uncut;
+    placeInAtlas(packing_, flat_);
+    return readWishes();
   }
 
   Status finish() {
@@ -370,7 +381,8 @@ class Unwrapping {
   Texcoords texcoords_;
   std::vector<ChartWishes> wishes_;
   std::vector<FlatChart> flat_;
-  int round_ = 0;  ///< of flattening
+  int round_ = 0;                        ///< of flattening
+  static constexpr double kUncut = 0.6;  ///< of packing, where charts may be cut for it
   Packing packing_;
 };
 

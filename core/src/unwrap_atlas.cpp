@@ -56,12 +56,13 @@ class BeforeRounding {
 };
 
 /// What packing may look at, in the unit of PackOptions: per triangle so much that it takes less
-/// time than flattening, but enough for a good packing of the smallest meshes.
-double packWork(const std::vector<PackShape>& shapes) {
-  constexpr double kWorkOfCorner = 10, kLeastWork = 4000;
+/// time than flattening, but enough for a good packing of the smallest meshes. Where charts have
+/// been cut for it, it is to be as good as was expected.
+double packWork(const std::vector<PackShape>& shapes, bool isCut) {
+  constexpr double kWorkOfCorner = 10, kLeastWork = 4000, kLeastOfCut = 100000;
   double corners = 0;
   for (const PackShape& shape : shapes) corners += static_cast<double>(shape.triangles.size());
-  return std::max(kWorkOfCorner * corners, kLeastWork);
+  return std::max(kWorkOfCorner * corners, isCut ? kLeastOfCut : kLeastWork);
 }
 
 /// Packs again what has to be larger, as long as it fits.
@@ -100,7 +101,7 @@ Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double
   how.pool = &pool;
   how.progress = tell;
   std::vector<PackShape> shapes = shapesOf(charts, flat);
-  how.work = packWork(shapes);
+  how.work = packWork(shapes, atlas.packingCuts > 0);
   Result<Packing> packed = pack(std::move(shapes), how);
   if (!packed.ok()) return packed.status;
   packing = std::move(packed.value);
@@ -110,8 +111,11 @@ Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double
     packing.placements[i].b *= flat[i].enlarged;
   }
   placeInAtlas(packing, flat);
-  atlas = {options.resolution, options.padding, static_cast<int>(packing.tiles),
-           packing.utilization, packing.texelDensity};
+  atlas.resolution = options.resolution;
+  atlas.padding = options.padding;
+  atlas.tiles = static_cast<int>(packing.tiles);
+  atlas.utilization = packing.utilization;
+  atlas.texelDensity = packing.texelDensity;
   return {};
 }
 

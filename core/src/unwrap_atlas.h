@@ -12,7 +12,8 @@
 namespace abflat {
 
 /// Places the charts that are not fixed in the atlas. `unit`: what a length of 1 is in the mesh.
-/// `tell` hears which share is done; when it returns false the status is Aborted.
+/// `tell` hears which share is done; when it returns false the status is Aborted. Sets what
+/// `atlas` says of packing, and leaves what it says of cuts for it.
 Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit,
                ThreadPool& pool, const std::function<bool(double)>& tell,
                std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas);

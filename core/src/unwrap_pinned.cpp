@@ -38,6 +38,17 @@ Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoord
   return out;
 }
 
+Status checkUnpinned(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
+                     const std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (flat[i].isGiven && !wishes[i].pins.empty())
+      return {StatusCode::InvalidOption,
+              "vertex " +
+                  std::to_string(charts.topology(i).inputVertex[wishes[i].pins.front().vertex]) +
+                  " is pinned, but its chart is to keep its texcoords; leave one of them out"};
+  return {};
+}
+
 Status checkPinned(const CutMesh& mesh, const std::vector<FlatChart>& flat) {
   std::vector<double> triangles;     // 6 coordinates each
   std::vector<std::uint32_t> faces;  // of the input, for each of these

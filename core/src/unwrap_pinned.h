@@ -13,6 +13,10 @@ Result<std::vector<ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoord
                                              const FixedTriangles& fixed,
                                              const UnwrapOptions& options);
 
+/// What the input gives is not to be pinned elsewhere.
+Status checkUnpinned(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
+                     const std::vector<FlatChart>& flat);
+
 /// Charts with pins must be inside the unit square and not on each other. Errors: InvalidOption
 /// names a vertex or two faces.
 Status checkPinned(const CutMesh& mesh, const std::vector<FlatChart>& flat);

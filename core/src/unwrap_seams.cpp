@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "hole/fill_holes.h"
@@ -156,6 +157,20 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 }
 
 }  // namespace
+
+std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Surface& surface,
+                      double unit) {
+  const auto faceOf = [&](std::uint32_t triangle) {
+    return welded.inputFace[surface.triangulation.face[triangle]];
+  };
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "faces of very different size are cut apart: face %u is %.3g long, face %u beside "
+                "it %.3g",
+                faceOf(jump.large), jump.largeSide * unit, faceOf(jump.small),
+                jump.smallSide * unit);
+  return text;
+}
 
 OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
                     const Scales& scales, const FixedTriangles& fixed, const UnwrapOptions& options,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "abflat/unwrap.h"
@@ -12,6 +13,10 @@
 #include "unwrap_fixed.h"
 
 namespace abflat {
+
+/// That the surface is cut between two faces. `unit`: what a length of 1 is in the mesh.
+std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Surface& surface,
+                      double unit);
 
 /// The surface, its holes filled, with the seams that cut it to disks.
 struct OpenSurface {

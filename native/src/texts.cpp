@@ -84,6 +84,10 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << report.atlas.resolution << " x " << report.atlas.resolution << ", "
       << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
       << " texels per unit\n";
+  if (report.atlas.packingCuts > 0)
+    out << "  " << counted(static_cast<std::size_t>(report.atlas.packingCuts), "cut", "cuts")
+        << " for packing, without which it is " << report.atlas.uncutTexelDensity
+        << " texels per unit\n";
   for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();

@@ -118,6 +118,7 @@ export interface UnwrapOptionValues {
   padding: number;
   texelDensity: number | 'auto';
   udim: boolean;
+  minUtilization: number | 'auto';
   rotate: boolean;
   memory: number | 'auto';
   threads: number;
@@ -133,6 +134,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   padding: 2,
   texelDensity: 'auto',
   udim: false,
+  minUtilization: 0,
   rotate: true,
   memory: 'auto',
   threads: 0,
@@ -149,6 +151,7 @@ export const UNWRAP_OPTIONS = {
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10', range: '' },
+  minUtilization: { type: 'number', default: 0, atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where seams as long as the root of the surface\'s area bring at least an eighth more texels per unit)', range: 'at least 0 and at most 1, or auto' },
   rotate: { type: 'boolean', default: true, text: 'turning of charts as they fit best', range: '' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },

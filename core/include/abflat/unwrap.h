@@ -115,11 +115,14 @@ struct UnwrapChart {
 };
 
 struct AtlasReport {
-  int resolution = 0;       ///< texels along a side
-  int padding = 0;          ///< texels
-  int tiles = 1;            ///< unit squares, ten in a row: UDIM 1001 and on
-  double utilization = 0;   ///< uv area of the charts, of that of the tiles
-  double texelDensity = 0;  ///< texels per unit of length of the mesh
+  int resolution = 0;            ///< texels along a side
+  int padding = 0;               ///< texels
+  int tiles = 1;                 ///< unit squares, ten in a row: UDIM 1001 and on
+  double utilization = 0;        ///< uv area of the charts, of that of the tiles
+  double texelDensity = 0;       ///< texels per unit of length of the mesh
+  int packingCuts = 0;           ///< charts that were cut in two so that all are packed denser
+  double packingCutLength = 0;   ///< of these seams, over the root of the area
+  double uncutTexelDensity = 0;  ///< without them; 0 where there are none
 
   int columns() const { return tiles < 10 ? tiles : 10; }
   int rows() const { return (tiles + 9) / 10; }

@@ -116,6 +116,22 @@ Mass massOf(const PackShape& shape) {
   return out;
 }
 
+Mass massOf(const std::vector<PlanePoint>& polygon) {
+  Mass out;
+  const PlanePoint o = polygon.front();
+  PlanePoint sum;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const PlanePoint a = polygon[i], b = polygon[i + 1];
+    const double area = doubleArea(o, a, b) / 2;
+    out.area += area;
+    sum.x += area / 3 * (a.x + b.x - 2 * o.x);
+    sum.y += area / 3 * (a.y + b.y - 2 * o.y);
+  }
+  out.center = o;
+  if (out.area > 0) out.center = {o.x + sum.x / out.area, o.y + sum.y / out.area};
+  return out;
+}
+
 std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points) {
   std::sort(points.begin(), points.end(), isLess);
   points.erase(std::unique(points.begin(), points.end(),

@@ -29,6 +29,8 @@ struct Mass {
   PlanePoint center;
 };
 Mass massOf(const PackShape& shape);
+/// Of what a counter-clockwise polygon bounds.
+Mass massOf(const std::vector<PlanePoint>& polygon);
 
 /// Strictly convex, counter-clockwise; one or two points when all lie in a point or on a line.
 std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points);

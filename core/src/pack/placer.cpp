@@ -51,10 +51,11 @@ class Placer {
         return out;
       }
       if (!items_[i].loops.points.empty() && !placeItem(i, out.spots[i])) {
+        if (out.fit == Fit::All) out.missing = i;
         out.fit = Fit::TooMany;
         out.work = work_;
-        out.missing = i;
-        return out;
+        if (!options_.skipsMissing) return out;
+        continue;
       }
       out.rows = std::max(out.rows, topOf(i, out.spots[i]));
       if (++count < items_.size()) take(i, out.spots[i]);

@@ -72,6 +72,7 @@ struct PlaceSpace {
 struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
+  bool skipsMissing = false;                         ///< the others are placed nevertheless
   std::function<bool(std::size_t placed)> onPlaced;  ///< false cancels
 };
 

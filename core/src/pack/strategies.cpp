@@ -67,6 +67,10 @@ std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, 
 
 int posesFor(std::size_t items) { return effortFor(items).poses; }
 
+PlaceStrategy largestFirst(const std::vector<PackItem>& items, int angles) {
+  return {ordered(items, Key::Box, 0), angles, {}};
+}
+
 std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
   const Effort effort = effortFor(items.size());
   std::vector<PlaceStrategy> out;

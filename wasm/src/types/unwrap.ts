@@ -134,6 +134,12 @@ export interface UnwrapReport {
     utilization: number;
     /** Texels per unit of length of the mesh. */
     texelDensity: number;
+    /** Charts that were cut in two so that all are packed denser. */
+    packingCuts: number;
+    /** Length of these seams, over the root of the area. */
+    packingCutLength: number;
+    /** Without them; 0 where there are none. */
+    uncutTexelDensity: number;
   };
   /** Every chart is valid and none overlap. */
   valid: boolean;

@@ -31,6 +31,8 @@ inline const char* fillHolesName(FillHoles code) {
 
 /// "auto" as a value of the option texelDensity.
 constexpr double kAutoTexelDensity = 0;
+/// "auto" as a value of the option minUtilization.
+constexpr double kAutoMinUtilization = -1;
 
 /// The options of unwrapping that are plain values, with their defaults.
 struct UnwrapOptionValues {
@@ -52,6 +54,8 @@ struct UnwrapOptionValues {
   double texelDensity = 0;
   /// as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10
   bool udim = false;
+  /// share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where seams as long as the root of the surface's area bring at least an eighth more texels per unit)
+  double minUtilization = 0;
   /// turning of charts as they fit best
   bool rotate = true;
   /// what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
@@ -71,11 +75,12 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)", false, false},
     {"udim", "--udim", "false", "", "as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10", true, false},
+    {"minUtilization", "--min-utilization", "0", "at least 0 and at most 1, or auto", "share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where seams as long as the root of the surface's area bring at least an eighth more texels per unit)", false, false},
     {"rotate", "--no-rotate", "true", "", "without turning of charts as they fit best", true, false},
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 12};
+  return {kInfos, 13};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -120,14 +125,18 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.udim = value != 0;
       return true;
     case 9:
+      if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
+      options.minUtilization = static_cast<double>(value);
+      return true;
+    case 10:
       if (!(value == 0 || value == 1)) return false;
       options.rotate = value != 0;
       return true;
-    case 10:
+    case 11:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 11:
+    case 12:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -142,15 +151,16 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 2 && text == "always") return found = true, 2;
   if (index == 3 && text == "auto") return found = true, 0;
   if (index == 7 && text == "auto") return found = true, 0;
-  if (index == 10 && text == "auto") return found = true, 0;
+  if (index == 9 && text == "auto") return found = true, -1;
+  if (index == 11 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 10 && letter == 'M') return 1;
-  if (index == 10 && letter == 'G') return 1024;
-  if (index == 10 && letter == 'T') return 1048576;
+  if (index == 11 && letter == 'M') return 1;
+  if (index == 11 && letter == 'G') return 1024;
+  if (index == 11 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -172,6 +182,10 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   else
     visit("texelDensity", options.texelDensity);
   visit("udim", options.udim);
+  if (options.minUtilization == -1)
+    visit("minUtilization", "auto");
+  else
+    visit("minUtilization", options.minUtilization);
   visit("rotate", options.rotate);
   if (options.memory == 0)
     visit("memory", "auto");

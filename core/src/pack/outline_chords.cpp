@@ -1,0 +1,85 @@
+#include "pack/outline_chords.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pack/pose.h"
+
+namespace abflat {
+namespace {
+
+double cross(PlanePoint a, PlanePoint b) { return a.x * b.y - a.y * b.x; }
+
+double turn(PlanePoint a, PlanePoint b, PlanePoint c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool doCross(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
+  return turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
+}
+
+/// The wedge between both edges at a point, inside.
+bool beginsInside(const std::vector<PlanePoint>& p, std::size_t i, PlanePoint to) {
+  const PlanePoint before = p[(i + p.size() - 1) % p.size()], after = p[(i + 1) % p.size()];
+  const bool isLeftOfBefore = turn(before, p[i], to) > 0, isLeftOfAfter = turn(p[i], after, to) > 0;
+  return turn(before, p[i], after) > 0 ? isLeftOfBefore && isLeftOfAfter
+                                       : isLeftOfBefore || isLeftOfAfter;
+}
+
+bool isInside(const std::vector<PlanePoint>& p, std::size_t i, std::size_t j) {
+  if (!beginsInside(p, i, p[j]) || !beginsInside(p, j, p[i])) return false;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const std::size_t next = (k + 1) % p.size();
+    if (k == i || k == j || next == i || next == j) continue;
+    if (doCross(p[i], p[j], p[k], p[next])) return false;
+  }
+  return true;
+}
+
+/// Cuts that are alike: which share they part off, at which end, and across or along the box.
+constexpr std::size_t kShares = 5, kKinds = 4 * kShares;
+
+std::size_t kindOf(PlanePoint from, PlanePoint to, double share) {
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  // The way from one to the other lies to the right, and that is how much it encloses.
+  const bool isRightSmaller = share < 0.5;
+  const bool isAcross = std::abs(dy) > std::abs(dx);
+  const bool isAtEnd = (isAcross ? dy > 0 : dx < 0) == isRightSmaller;
+  const double part = 2 * kShares * std::min(share, 1 - share);
+  return 4 * std::min(static_cast<std::size_t>(part), kShares - 1) + (isAcross ? 2 : 0) +
+         (isAtEnd ? 1 : 0);
+}
+
+}  // namespace
+
+std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline) {
+  constexpr double kLeastShare = 0.03;
+  const std::size_t n = outline.size();
+  const Pose box = leastBoxPose(convexHull(outline));
+  std::vector<PlanePoint> p;
+  p.reserve(n);
+  for (const PlanePoint& q : outline) p.push_back(box.rotated(q));
+  std::vector<double> swept(n + 1, 0);
+  for (std::size_t i = 0; i < n; ++i) swept[i + 1] = swept[i] + cross(p[i], p[(i + 1) % n]);
+  std::array<OutlineChord, kKinds> best{};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const double share = (swept[j] - swept[i] + cross(p[j], p[i])) / swept[n];
+      if (!(std::min(share, 1 - share) > kLeastShare)) continue;
+      const double dx = p[j].x - p[i].x, dy = p[j].y - p[i].y;
+      const double length = std::sqrt(dx * dx + dy * dy);
+      OutlineChord& shortest = best[kindOf(p[i], p[j], share)];
+      if (shortest.to > 0 && !(length < shortest.length)) continue;
+      if (isInside(p, i, j)) shortest = {i, j, length, share};
+    }
+  std::vector<OutlineChord> out;
+  for (const OutlineChord& chord : best)
+    if (chord.to > 0) out.push_back(chord);
+  std::stable_sort(out.begin(), out.end(), [](const OutlineChord& a, const OutlineChord& b) {
+    return a.length < b.length;
+  });
+  return out;
+}
+
+}  // namespace abflat

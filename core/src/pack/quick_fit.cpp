@@ -1,0 +1,84 @@
+#include "pack/quick_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pack/strategies.h"
+
+namespace abflat {
+
+QuickFit::QuickFit(int resolution, int padding, bool rotate) : poses_(rotate ? 8 : 1) {
+  constexpr int kCells = 96;
+  grid_ = makePackGrid(resolution, padding, 1);
+  grid_.cell = std::max(std::min(resolution / kCells, resolution - 2 * grid_.border), 1);
+}
+
+PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {
+  PackItem out;
+  if (outline.empty()) return out;
+  out.loops.points = outline;
+  out.loops.ends = {static_cast<std::uint32_t>(outline.size())};
+  out.loops.isGroup = {1};
+  const std::vector<PlanePoint> hull = convexHull(outline);
+  out.poses = Poses(poses_ > 1 ? leastBoxPose(hull) : Pose{}, static_cast<int>(poses_), hull);
+  out.mass = massOf(outline);
+  return out;
+}
+
+void QuickFit::add(PackItem item) {
+  items_.push_back(std::move(item));
+  space_.touched.resize(items_.size() * poses_);
+  space_.taken.resize(items_.size() * poses_);
+  forget(items_.size() - 1);
+}
+
+void QuickFit::removeLast() { items_.pop_back(); }
+
+PackItem QuickFit::exchange(std::size_t i, PackItem item) {
+  std::swap(items_[i], item);
+  forget(i);
+  return item;
+}
+
+/// The cells that were kept of it.
+void QuickFit::forget(std::size_t i) {
+  for (std::size_t k = i * poses_; k < (i + 1) * poses_; ++k)
+    space_.touched[k].texelsPerUnit = space_.taken[k].texelsPerUnit = 0;
+}
+
+std::vector<std::uint8_t> QuickFit::placed(double side) {
+  PlaceOptions options;
+  options.texelsPerUnit = grid_.resolution / side;
+  options.skipsMissing = true;
+  const PlaceStrategy strategy = largestFirst(items_, static_cast<int>(poses_));
+  const Placed found = place(items_, strategy, grid_, {BitGrid()}, options, space_);
+  std::vector<std::uint8_t> out;
+  out.reserve(items_.size());
+  for (std::size_t i = 0; i < items_.size(); ++i)
+    out.push_back(items_[i].loops.points.empty() || found.spots[i].cell.isFound());
+  return out;
+}
+
+double QuickFit::leastSide() {
+  constexpr double kStep = 1.25, kFine = 1.01;
+  constexpr int kMostSteps = 60;
+  double area = 0;
+  for (const PackItem& item : items_) area += item.mass.area;
+  const auto fits = [&](double side) {
+    const std::vector<std::uint8_t> isPlaced = placed(side);
+    return std::find(isPlaced.begin(), isPlaced.end(), 0) == isPlaced.end();
+  };
+  double low = std::sqrt(area), high = low;
+  for (int i = 0; i < kMostSteps && !fits(high); ++i) {
+    low = high;
+    high *= kStep;
+  }
+  while (high > low * kFine) {
+    const double middle = std::sqrt(low * high);
+    (fits(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace abflat

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pack/placer.h"
+
+namespace abflat {
+
+/// Tells on few cells and in few poses which outlines find room in a square: what packing will tell
+/// in a hundred times as long.
+class QuickFit {
+ public:
+  QuickFit(int resolution, int padding, bool rotate);
+
+  /// `outline`: counter-clockwise and simple; empty: it takes no room.
+  PackItem itemOf(const std::vector<PlanePoint>& outline) const;
+
+  const std::vector<PackItem>& items() const { return items_; }
+  void add(PackItem item);
+  void removeLast();
+  /// Returns the one before.
+  PackItem exchange(std::size_t i, PackItem item);
+
+  /// Per item whether it has a place in a square of that side, the largest placed first.
+  std::vector<std::uint8_t> placed(double side);
+
+  /// About the side of the least square that has room for all.
+  double leastSide();
+
+ private:
+  void forget(std::size_t i);
+
+  PackGrid grid_;
+  std::size_t poses_;
+  std::vector<PackItem> items_;
+  PlaceSpace space_;
+};
+
+}  // namespace abflat

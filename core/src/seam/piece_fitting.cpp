@@ -1,0 +1,187 @@
+#include "seam/piece_fitting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace abflat {
+namespace {
+
+double distance(PlanePoint a, PlanePoint b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
+
+double perimeterOf(const std::vector<PlanePoint>& loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sum += distance(loop[i], loop[(i + 1) % loop.size()]);
+  return sum;
+}
+
+/// Places along a loop, at least so far apart.
+std::vector<std::size_t> sampled(const std::vector<PlanePoint>& loop, double spacing) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (out.empty() || distance(loop[i], loop[out.back()]) >= spacing) out.push_back(i);
+  return out;
+}
+
+/// From one place to another, along a loop of places.
+std::vector<PlanePoint> pointsBetween(const std::vector<PlanePoint>& loop,
+                                      const std::vector<std::size_t>& places, std::size_t from,
+                                      std::size_t to) {
+  std::vector<PlanePoint> out;
+  for (std::size_t k = from;; k = (k + 1) % places.size()) {
+    out.push_back(loop[places[k]]);
+    if (k == to) return out;
+  }
+}
+
+}  // namespace
+
+PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit)
+    : flat_(flat),
+      fit_(fit),
+      cutter_(mesh, flat.surface, flat.at),
+      charts_(static_cast<int>(cutter_.pieces().size())),
+      size_(std::sqrt(mesh.totalArea())) {
+  for (std::uint32_t p = 0; p < cutter_.pieces().size(); ++p) {
+    addPiece();
+    shapes_[p].canCut = flat.canCut[p] != 0;
+    // What has been taken out of a hole takes no room.
+    if (!mesh.isFilling(flat.surface.charts[p].firstTriangle)) takeShape(p);
+  }
+}
+
+double PieceFitting::area() const {
+  double sum = 0;
+  for (const PackItem& item : fit_.items()) sum += item.mass.area;
+  return sum;
+}
+
+bool PieceFitting::fitInto(double side, double mostLength, int& tries) {
+  constexpr int kMostCuts = 40;
+  for (int i = 0; i < kMostCuts; ++i) {
+    const std::vector<std::uint8_t> isPlaced = fit_.placed(side);
+    const double missing = missingArea(isPlaced);
+    if (missing == 0) return true;
+    if (length() > mostLength || !cutBest(isPlaced, missing, side, mostLength, tries)) return false;
+  }
+  return false;
+}
+
+double PieceFitting::missingArea(const std::vector<std::uint8_t>& isPlaced) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < isPlaced.size(); ++i)
+    if (!isPlaced[i]) sum += fit_.items()[i].mass.area;
+  return sum;
+}
+
+void PieceFitting::addPiece() {
+  fit_.add({});
+  shapes_.emplace_back();
+}
+
+void PieceFitting::takeShape(std::uint32_t p) {
+  constexpr double kPoints = 400, kEnds = 72;
+  const Piece& piece = cutter_.pieces()[p];
+  Shape& shape = shapes_[p];
+  // Each is to have its own area.
+  const double factor =
+      piece.flatArea > 0 ? std::sqrt(piece.area * flat_.unitArea / piece.flatArea) : 1;
+  shape.loop.clear();
+  for (const std::uint32_t v : piece.loop)
+    shape.loop.push_back({factor * flat_.at[v].x, factor * flat_.at[v].y});
+  const double perimeter = perimeterOf(shape.loop);
+  shape.reach = perimeter / kEnds;
+  shape.places = sampled(shape.loop, shape.reach);
+  shape.chords.reset();
+  const std::vector<std::size_t> fine = sampled(shape.loop, perimeter / kPoints);
+  PackItem item = fit_.itemOf(pointsBetween(shape.loop, fine, 0, fine.size() - 1));
+  shape.solid = piece.area * flat_.unitArea / item.mass.area;
+  item.mass.area *= shape.solid;
+  fit_.exchange(p, std::move(item));
+}
+
+double PieceFitting::missingWith(const Candidate& c, double side) {
+  constexpr double kHasHole = 0.95;
+  if (shapes_[c.piece].solid < kHasHole) {
+    // What the cut leaves of the hole's rim belongs to the outlines.
+    PieceFitting trial = *this;
+    trial.cut(c);
+    return trial.missingArea(trial.fit_.placed(side));
+  }
+  const auto part = [&](std::size_t from, std::size_t to) {
+    const Shape& shape = shapes_[c.piece];
+    PackItem item = fit_.itemOf(pointsBetween(shape.loop, shape.places, from, to));
+    item.mass.area *= shape.solid;
+    return item;
+  };
+  PackItem whole = fit_.exchange(c.piece, part(c.chord.to, c.chord.from));
+  fit_.add(part(c.chord.from, c.chord.to));
+  const double out = missingArea(fit_.placed(side));
+  fit_.removeLast();
+  fit_.exchange(c.piece, std::move(whole));
+  return out;
+}
+
+/// Cuts of the largest pieces that have no place.
+std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(
+    const std::vector<std::uint8_t>& isPlaced) {
+  constexpr std::size_t kMostPieces = 2;
+  std::vector<std::uint32_t> asked;
+  for (std::uint32_t p = 0; p < isPlaced.size(); ++p)
+    if (!isPlaced[p] && shapes_[p].canCut) asked.push_back(p);
+  std::stable_sort(asked.begin(), asked.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return fit_.items()[a].mass.area > fit_.items()[b].mass.area;
+  });
+  if (asked.size() > kMostPieces) asked.resize(kMostPieces);
+  std::vector<Candidate> out;
+  for (const std::uint32_t p : asked) {
+    Shape& shape = shapes_[p];
+    if (!shape.chords)
+      shape.chords =
+          outlineChords(pointsBetween(shape.loop, shape.places, 0, shape.places.size() - 1));
+    for (const OutlineChord& chord : *shape.chords)
+      out.push_back({p, chord, shape.solid * chord.length, 0});
+  }
+  return out;
+}
+
+bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
+                           double mostLength, int& tries) {
+  constexpr double kWithOthers = 1.2;  // of a piece's area may find a place when it is cut
+  constexpr double kHalf = 0.3;        // at least
+  constexpr double kLater = 2;         // times as much may later cuts bring
+  std::vector<Candidate> candidates = candidatesOf(isPlaced);
+  double best = 0;
+  for (Candidate& c : candidates) {
+    const double most = std::min(missing, kWithOthers * fit_.items()[c.piece].mass.area);
+    if (most <= best * c.length) continue;
+    if (--tries < 0) return false;
+    c.gain = (missing - missingWith(c, side)) / c.length;
+    best = std::max(best, c.gain);
+  }
+  const double unit = size_ * std::sqrt(flat_.unitArea);
+  if (best > 0 && length() + missing / (kLater * best * unit) > mostLength) return false;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+  for (const Candidate& c : candidates)
+    if (c.gain > 0 && cut(c)) return true;
+  // Nothing finds a place yet: the largest is halved.
+  for (const Candidate& c : candidates)
+    if (std::min(c.chord.share, 1 - c.chord.share) > kHalf && cut(c)) return true;
+  return false;
+}
+
+bool PieceFitting::cut(const Candidate& c) {
+  const Shape& shape = shapes_[c.piece];
+  const std::size_t from = shape.places[c.chord.from], to = shape.places[c.chord.to];
+  if (!cutter_.split(c.piece, from, to, shape.reach)) return false;
+  addPiece();
+  takeShape(c.piece);
+  takeShape(static_cast<std::uint32_t>(shapes_.size() - 1));
+  return true;
+}
+
+}  // namespace abflat

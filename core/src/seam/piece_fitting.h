@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "pack/outline_chords.h"
+#include "pack/quick_fit.h"
+#include "seam/piece_cutter.h"
+
+namespace abflat {
+
+/// Charts that have been flattened, on the cut surface.
+struct FlatSurface {
+  CutSurface surface;
+  std::vector<PlanePoint> at;        ///< per vertex of the surface
+  std::vector<std::uint8_t> canCut;  ///< per chart
+  double unitArea = 1;               ///< of the plane, for an area of 1 of the mesh
+};
+
+/// Cuts charts until they find room in a square.
+class PieceFitting {
+ public:
+  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit);
+
+  /// About the side of the least square that has room for the pieces as they are.
+  double leastSide() { return fit_.leastSide(); }
+  /// Of all pieces.
+  double area() const;
+
+  /// Cuts where the most area finds a place for the length of the cut, one cut after the other,
+  /// until all has one in a square of that side. False where seams would have to be longer than
+  /// `mostLength`, or nothing helps. `tries` are counted down, and are not to end.
+  bool fitInto(double side, double mostLength, int& tries);
+
+  const std::vector<std::uint32_t>& cuts() const { return cutter_.cuts(); }
+  int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
+  /// Of the cuts, over the root of the surface's area.
+  double length() const { return cutter_.length() / size_; }
+
+ private:
+  struct Candidate {
+    std::uint32_t piece = 0;
+    OutlineChord chord;
+    double length = 0;  ///< about, without what leads through holes
+    double gain = 0;    ///< area that finds a place, over the length
+  };
+
+  void addPiece();
+  void takeShape(std::uint32_t piece);
+  double missingArea(const std::vector<std::uint8_t>& isPlaced) const;
+  double missingWith(const Candidate& candidate, double side);
+  std::vector<Candidate> candidatesOf(const std::vector<std::uint8_t>& isPlaced);
+  bool cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
+               double mostLength, int& tries);
+  bool cut(const Candidate& candidate);
+
+  /// One piece, as it is packed.
+  struct Shape {
+    std::vector<PlanePoint> loop;
+    std::vector<std::size_t> places;  ///< of the loop, where cuts may end
+    double reach = 0;                 ///< from one to the next
+    double solid = 1;                 ///< share of what the loop bounds that is no hole
+    std::optional<std::vector<OutlineChord>> chords;
+    bool canCut = true;
+  };
+
+  const FlatSurface& flat_;
+  QuickFit fit_;
+  PieceCutter cutter_;
+  std::vector<Shape> shapes_;
+  int charts_ = 0;
+  double size_ = 1;
+};
+
+}  // namespace abflat

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "support/meshes.h"
+#include "support/unwrapped.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// A grid of quads in the plane.
+PolygonMesh strip(unsigned columns, unsigned rows, double width, double height) {
+  PolygonMesh mesh;
+  mesh.faceOffsets = {0};
+  for (unsigned j = 0; j <= rows; ++j)
+    for (unsigned i = 0; i <= columns; ++i)
+      mesh.positions.insert(mesh.positions.end(), {width * i / columns, height * j / rows, 0});
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const unsigned v = j * (columns + 1) + i, above = v + columns + 1;
+      for (const unsigned w : {v, v + 1, above + 1, above}) mesh.faceVertices.push_back(w);
+      mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+    }
+  return mesh;
+}
+
+/// In the plane, with a round hole.
+PolygonMesh ring(double inner, unsigned columns) {
+  PolygonMesh mesh = cylinder(columns, 4);
+  double low = 1e9, high = -1e9;
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    low = std::min(low, mesh.positions[3 * v + 2]);
+    high = std::max(high, mesh.positions[3 * v + 2]);
+  }
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    double* p = &mesh.positions[3 * v];
+    const double radius = inner + (1 - inner) * (p[2] - low) / (high - low);
+    const double now = std::hypot(p[0], p[1]);
+    p[0] *= radius / now;
+    p[1] *= radius / now;
+    p[2] = 0;
+  }
+  return mesh;
+}
+
+UnwrapOptions atLeast(double utilization) {
+  UnwrapOptions out;
+  out.minUtilization = utilization;
+  return out;
+}
+
+const UnwrapOptions kAuto = atLeast(kAutoMinUtilization), kNever = atLeast(0);
+
+}  // namespace
+
+TEST_CASE("a long strip is cut across", "[room]") {
+  const PolygonMesh mesh = strip(200, 4, 10, 0.2);
+  const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
+  CHECK(whole.report.charts.size() == 1);
+  CHECK(whole.report.atlas.packingCuts == 0);
+  CHECK(whole.report.atlas.uncutTexelDensity == 0);
+  CHECK(cut.report.charts.size() == 1 + static_cast<std::size_t>(cut.report.atlas.packingCuts));
+  CHECK(cut.report.atlas.utilization > 10 * whole.report.atlas.utilization);
+  CHECK(cut.report.atlas.uncutTexelDensity == whole.report.atlas.texelDensity);
+  // Straight across: each is as long as the strip is wide.
+  CHECK(cut.report.atlas.packingCutLength * std::sqrt(2.0) ==
+        Approx(0.2 * cut.report.atlas.packingCuts));
+  CHECK(cut.report.seams.relativeLength == Approx(cut.report.atlas.packingCutLength));
+}
+
+TEST_CASE("a thin ring is cut through its hole", "[room]") {
+  const PolygonMesh mesh = ring(0.95, 96);
+  const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
+  CHECK(whole.report.seams.filledHoles == 1);
+  CHECK(cut.report.seams.filledHoles == 0);
+  CHECK(cut.report.atlas.utilization > 2.5 * whole.report.atlas.utilization);
+}
+
+TEST_CASE("what fills its square is not cut", "[room]") {
+  for (const PolygonMesh& mesh : {strip(10, 10, 1, 1), tetrahedron()}) {
+    const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
+    if (whole.report.atlas.utilization < 0.9) continue;
+    CHECK(cut.report.atlas.packingCuts == 0);
+    CHECK(cut.uv == whole.uv);
+  }
+}
+
+TEST_CASE("cuts for packing bring texels for their length, or are not made", "[room]") {
+  const std::vector<PolygonMesh> meshes = {
+      strip(40, 4, 3, 0.5), ring(0.5, 48), ring(0.8, 64), torus(60, 12),
+      cylinder(40, 30),     cone(24, 2),   star(11),      bumpyGrid(20, 14, 0.8, 2)};
+  int cuts = 0;
+  for (const PolygonMesh& mesh : meshes)
+    for (const double balance : {0.0, 0.2}) {
+      UnwrapOptions options = kNever;
+      options.balance = balance;
+      const UnwrapResult whole = unwrapped(mesh, options);
+      options.minUtilization = kAutoMinUtilization;
+      const UnwrapResult cut = unwrapped(mesh, options);
+      const AtlasReport& atlas = cut.report.atlas;
+      const double gain = std::log(atlas.texelDensity / whole.report.atlas.texelDensity);
+      const double more = cut.report.seams.relativeLength - whole.report.seams.relativeLength;
+      CHECK(more == Approx(atlas.packingCutLength).margin(1e-12));
+      if (atlas.packingCuts > 0)
+        CHECK(gain > 0.12 * more);
+      else
+        CHECK(cut.uv == whole.uv);
+      cuts += atlas.packingCuts;
+    }
+  CHECK(cuts > 0);
+}
+
+TEST_CASE("charts are cut until they cover the share that is asked for", "[room]") {
+  const PolygonMesh mesh = strip(60, 6, 6, 0.6);
+  double before = 0;
+  for (const double asked : {0.3, 0.5, 0.7}) {
+    const UnwrapResult r = unwrapped(mesh, atLeast(asked));
+    CHECK(r.report.atlas.utilization >= asked);
+    CHECK(r.report.atlas.packingCutLength >= before);
+    before = r.report.atlas.packingCutLength;
+  }
+}
+
+TEST_CASE("cuts for packing are the same for any number of threads", "[room]") {
+  const PolygonMesh mesh = ring(0.8, 64);
+  UnwrapOptions options = kAuto;
+  options.threads = 1;
+  const UnwrapResult one = unwrapped(mesh, options);
+  options.threads = 2;
+  const UnwrapResult two = unwrapped(mesh, options);
+  CHECK(one.report.atlas.packingCuts > 0);
+  CHECK(one.uv == two.uv);
+  CHECK(one.cornerUv == two.cornerUv);
+}
+
+TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "[room]") {
+  const PolygonMesh mesh = strip(60, 4, 10, 0.5);
+  UnwrapOptions given = kAuto, bounded = kAuto, straight = kAuto, dense = kAuto, pinned = kAuto;
+  given.seams.isAuto = false;
+  bounded.t = 2;
+  straight.straightSeams = true;
+  dense.texelDensity = 10;
+  pinned.pins = {{0, 0.1, 0.1}, {60, 0.8, 0.1}};
+  for (const UnwrapOptions& options : {given, bounded, straight, dense, pinned}) {
+    const UnwrapResult r = unwrapped(mesh, options);
+    CHECK(r.report.charts.size() == 1);
+    CHECK(r.report.atlas.packingCuts == 0);
+  }
+  UnwrapOptions kept = kAuto;
+  kept.known = knownLayout(unwrapped(mesh, kNever));
+  kept.fixedCharts = {0};
+  CHECK(unwrapped(mesh, kept).report.charts.size() == 1);
+}
