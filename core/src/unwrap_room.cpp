@@ -20,7 +20,7 @@ struct RoomWish {
 };
 
 RoomWish wishOf(const UnwrapOptionValues& options) {
-  constexpr double kSeamWorth = 0.12, kMost = 0.92;
+  constexpr double kSeamWorth = 0.08, kMost = 0.92;
   if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMost};
   // Few cells tell a little more or less than packing.
   constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
@@ -50,7 +50,7 @@ FlatSurface flatSurface(const ChartSet& set, const std::vector<FlatChart>& flat,
 
 /// Of so many triangles of all charts: what the rest of a run takes is a matter of these.
 int mostTries(const OpenSurface& open) {
-  constexpr int kLeast = 300, kTrianglesOfTry = 40;
+  constexpr int kLeast = 500, kTrianglesOfTry = 40;
   return kLeast + static_cast<int>(open.mesh.triangleCount() / kTrianglesOfTry);
 }
 
@@ -65,8 +65,8 @@ RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
                       const OpenSurface& open, const UnwrapOptionValues& options,
                       double utilization, const std::function<bool()>& goesOn) {
   constexpr std::size_t kMostCharts = 64;
-  constexpr double kStep = 0.06, kLeast = 0.02;
-  constexpr int kMostSteps = 8;
+  constexpr double kStep = 0.05, kLeast = 0.02;
+  constexpr int kMostSteps = 16;
   const RoomWish wish = wishOf(options);
   RoomCuts out;
   if (set.size() > kMostCharts || !(utilization > 0)) return out;
@@ -83,7 +83,7 @@ RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
   const auto attempt = [&](PieceFitting now, double gain) {
     const double affordable = (gain - best) / wish.seamWorth;
     if (!now.fitInto(side * portable::exp(-gain), affordable, tries)) return;
-    const double worth = gain - wish.seamWorth * now.length();
+    const double worth = gain - wish.seamWorth * now.cost();
     if (!(worth > best)) return;
     best = worth;
     found.emplace(std::move(now));
@@ -107,7 +107,9 @@ void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurfac
 }
 
 bool isWorth(const RoomCuts& cuts, double densityRatio, const UnwrapOptionValues& options) {
-  return densityRatio > 1 && portable::log(densityRatio) > wishOf(options).seamWorth * cuts.length;
+  return densityRatio > 1 &&
+         portable::log(densityRatio) >
+             wishOf(options).seamWorth * PieceFitting::costOf(cuts.count, cuts.length);
 }
 
 }  // namespace abflat

@@ -106,7 +106,7 @@ TEST_CASE("cuts for packing bring texels for their length, or are not made", "[r
       const double more = cut.report.seams.relativeLength - whole.report.seams.relativeLength;
       CHECK(more == Approx(atlas.packingCutLength).margin(1e-12));
       if (atlas.packingCuts > 0)
-        CHECK(gain > 0.12 * more);
+        CHECK(gain > 0.08 * (more + 0.03 * atlas.packingCuts));
       else
         CHECK(cut.uv == whole.uv);
       cuts += atlas.packingCuts;

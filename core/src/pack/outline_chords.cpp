@@ -76,9 +76,6 @@ std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline) 
   std::vector<OutlineChord> out;
   for (const OutlineChord& chord : best)
     if (chord.to > 0) out.push_back(chord);
-  std::stable_sort(out.begin(), out.end(), [](const OutlineChord& a, const OutlineChord& b) {
-    return a.length < b.length;
-  });
   return out;
 }
 

@@ -12,7 +12,7 @@ struct OutlineChord {
 };
 
 /// Cuts that may make an outline fit better: of those that part off about as much, at the same
-/// end, and across or along, the shortest. In order of their lengths.
+/// end, and across or along, the shortest.
 std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline);
 
 }  // namespace abflat

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 #include <queue>
 #include <utility>
 
@@ -84,27 +83,23 @@ bool PieceCutter::isOpen(std::uint32_t piece, std::uint32_t h) const {
 PieceCutter::Path PieceCutter::findPath(std::uint32_t piece, const Vertices& from,
                                         const Vertices& to, double room) const {
   constexpr double kStraightness = 8;
-  struct Reached {
-    double cost = std::numeric_limits<double>::infinity();
-    std::uint32_t by = kNone;
-  };
   const std::uint32_t a = from[0], b = to[0];
   const double straight = distance(a, b);
-  std::map<std::uint32_t, Reached> reached;
+  std::vector<double> reached(surface_.vertexCount(), std::numeric_limits<double>::infinity());
+  Path by(reached.size(), kNone);
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (const std::uint32_t v : from) {
-    reached[v].cost = 0;
+    reached[v] = 0;
     queue.push({0, v});
   }
   Path out;
   while (!queue.empty()) {
     const auto [cost, v] = queue.top();
     queue.pop();
-    if (cost > reached[v].cost) continue;
+    if (cost > reached[v]) continue;
     if (contains(to, v)) {
-      for (std::uint32_t w = v; reached[w].by != kNone; w = beginOf(out.back()))
-        out.push_back(reached[w].by);
+      for (std::uint32_t w = v; by[w] != kNone; w = beginOf(out.back())) out.push_back(by[w]);
       std::reverse(out.begin(), out.end());
       return out;
     }
@@ -115,9 +110,9 @@ PieceCutter::Path PieceCutter::findPath(std::uint32_t piece, const Vertices& fro
         return;
       const double off = std::abs(cross(at_[a], at_[b], at_[w])) / (straight * straight);
       const double sum = cost + mesh_.cost[h] * (1 + kStraightness * off);
-      Reached& r = reached[w];
-      if (!(sum < r.cost)) return;
-      r = {sum, h};
+      if (!(sum < reached[w])) return;
+      reached[w] = sum;
+      by[w] = h;
       queue.push({sum, w});
     });
   }
@@ -149,16 +144,15 @@ void PieceCutter::open(std::uint32_t hole) {
 /// The vertices between two of a hole's rim, counter-clockwise round the hole.
 void PieceCutter::addRim(std::uint32_t hole, std::uint32_t from, std::uint32_t to,
                          Vertices& out) const {
-  std::map<std::uint32_t, std::uint32_t> next;
-  for (std::uint32_t f = mesh_.triangleCount(); f-- > 0 && mesh_.isFilling(f);)
-    for (std::uint32_t h = 3 * f; mesh_.hole[f] == hole && h < 3 * f + 3; ++h)
-      if (!mesh_.isFilling(mesh_.twin[h] / 3)) next[beginOf(h)] = endOf(h);
-  // A rim that passes a vertex twice is not followed.
-  std::uint32_t v = next[from];
-  for (std::size_t i = 0; v != to && i < next.size(); ++i) {
-    out.push_back(v);
-    v = next[v];
-  }
+  const auto next = [&](std::uint32_t v) {
+    for (std::uint32_t f = mesh_.triangleCount(); f-- > 0 && mesh_.isFilling(f);)
+      for (std::uint32_t h = 3 * f; mesh_.hole[f] == hole && h < 3 * f + 3; ++h)
+        if (beginOf(h) == v && !mesh_.isFilling(mesh_.twin[h] / 3)) return endOf(h);
+    return to;
+  };
+  // A rim that passes a vertex twice is not followed for ever.
+  const std::size_t most = out.size() + mesh_.triangleCount();
+  for (std::uint32_t v = next(from); v != to && out.size() < most; v = next(v)) out.push_back(v);
 }
 
 /// What lies between the ends of a path on one side of it: where it leads through a hole or

@@ -41,6 +41,7 @@ std::vector<PlanePoint> pointsBetween(const std::vector<PlanePoint>& loop,
 
 PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit)
     : flat_(flat),
+      unit_(std::sqrt(mesh.totalArea() * flat.unitArea)),
       fit_(fit),
       cutter_(mesh, flat.surface, flat.at),
       charts_(static_cast<int>(cutter_.pieces().size())),
@@ -59,13 +60,13 @@ double PieceFitting::area() const {
   return sum;
 }
 
-bool PieceFitting::fitInto(double side, double mostLength, int& tries) {
+bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
   constexpr int kMostCuts = 40;
   for (int i = 0; i < kMostCuts; ++i) {
     const std::vector<std::uint8_t> isPlaced = fit_.placed(side);
     const double missing = missingArea(isPlaced);
     if (missing == 0) return true;
-    if (length() > mostLength || !cutBest(isPlaced, missing, side, mostLength, tries)) return false;
+    if (cost() > mostCost || !cutBest(isPlaced, missing, side, mostCost, tries)) return false;
   }
   return false;
 }
@@ -125,31 +126,31 @@ double PieceFitting::missingWith(const Candidate& c, double side) {
   return out;
 }
 
-/// Cuts of the largest pieces that have no place.
+/// Cuts of the two largest pieces that have no place.
 std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(
     const std::vector<std::uint8_t>& isPlaced) {
-  constexpr std::size_t kMostPieces = 2;
-  std::vector<std::uint32_t> asked;
-  for (std::uint32_t p = 0; p < isPlaced.size(); ++p)
-    if (!isPlaced[p] && shapes_[p].canCut) asked.push_back(p);
-  std::stable_sort(asked.begin(), asked.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return fit_.items()[a].mass.area > fit_.items()[b].mass.area;
-  });
-  if (asked.size() > kMostPieces) asked.resize(kMostPieces);
+  std::uint32_t asked[] = {kNone, kNone};
+  const auto areaOf = [&](std::uint32_t p) { return p == kNone ? -1 : fit_.items()[p].mass.area; };
+  for (std::uint32_t p = 0; p < isPlaced.size(); ++p) {
+    if (isPlaced[p] || !shapes_[p].canCut || !(areaOf(p) > areaOf(asked[1]))) continue;
+    asked[1] = p;
+    if (areaOf(p) > areaOf(asked[0])) std::swap(asked[0], asked[1]);
+  }
   std::vector<Candidate> out;
   for (const std::uint32_t p : asked) {
+    if (p == kNone) continue;
     Shape& shape = shapes_[p];
     if (!shape.chords)
       shape.chords =
           outlineChords(pointsBetween(shape.loop, shape.places, 0, shape.places.size() - 1));
     for (const OutlineChord& chord : *shape.chords)
-      out.push_back({p, chord, shape.solid * chord.length, 0});
+      out.push_back({p, chord, shape.solid * chord.length + kCostOfCut * unit_, 0});
   }
   return out;
 }
 
 bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
-                           double mostLength, int& tries) {
+                           double mostCost, int& tries) {
   constexpr double kWithOthers = 1.2;  // of a piece's area may find a place when it is cut
   constexpr double kHalf = 0.3;        // at least
   constexpr double kLater = 2;         // times as much may later cuts bring
@@ -157,17 +158,20 @@ bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double mis
   double best = 0;
   for (Candidate& c : candidates) {
     const double most = std::min(missing, kWithOthers * fit_.items()[c.piece].mass.area);
-    if (most <= best * c.length) continue;
+    if (most <= best * c.cost) continue;
     if (--tries < 0) return false;
-    c.gain = (missing - missingWith(c, side)) / c.length;
+    c.gain = (missing - missingWith(c, side)) / c.cost;
     best = std::max(best, c.gain);
   }
-  const double unit = size_ * std::sqrt(flat_.unitArea);
-  if (best > 0 && length() + missing / (kLater * best * unit) > mostLength) return false;
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
-  for (const Candidate& c : candidates)
-    if (c.gain > 0 && cut(c)) return true;
+  if (best > 0 && cost() + missing / (kLater * best * unit_) > mostCost) return false;
+  while (best > 0) {
+    Candidate* first = nullptr;
+    for (Candidate& c : candidates)
+      if (c.gain > (first ? first->gain : 0)) first = &c;
+    if (!first) break;
+    if (cut(*first)) return true;
+    first->gain = 0;
+  }
   // Nothing finds a place yet: the largest is halved.
   for (const Candidate& c : candidates)
     if (std::min(c.chord.share, 1 - c.chord.share) > kHalf && cut(c)) return true;

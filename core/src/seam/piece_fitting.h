@@ -29,21 +29,24 @@ class PieceFitting {
   double area() const;
 
   /// Cuts where the most area finds a place for the length of the cut, one cut after the other,
-  /// until all has one in a square of that side. False where seams would have to be longer than
-  /// `mostLength`, or nothing helps. `tries` are counted down, and are not to end.
-  bool fitInto(double side, double mostLength, int& tries);
+  /// until all has one in a square of that side. False where that would cost more than `mostCost`,
+  /// or nothing helps. `tries` are counted down, and are not to end.
+  bool fitInto(double side, double mostCost, int& tries);
 
   const std::vector<std::uint32_t>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
   /// Of the cuts, over the root of the surface's area.
   double length() const { return cutter_.length() / size_; }
+  double cost() const { return costOf(count(), length()); }
+  /// A cut costs as much as that length of it, besides its own: two charts are harder to paint on.
+  static double costOf(int count, double length) { return length + kCostOfCut * count; }
 
  private:
   struct Candidate {
     std::uint32_t piece = 0;
     OutlineChord chord;
-    double length = 0;  ///< about, without what leads through holes
-    double gain = 0;    ///< area that finds a place, over the length
+    double cost = 0;  ///< in the plane, about, without what leads through holes
+    double gain = 0;  ///< area that finds a place, over the cost
   };
 
   void addPiece();
@@ -52,7 +55,7 @@ class PieceFitting {
   double missingWith(const Candidate& candidate, double side);
   std::vector<Candidate> candidatesOf(const std::vector<std::uint8_t>& isPlaced);
   bool cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
-               double mostLength, int& tries);
+               double mostCost, int& tries);
   bool cut(const Candidate& candidate);
 
   /// One piece, as it is packed.
@@ -65,7 +68,10 @@ class PieceFitting {
     bool canCut = true;
   };
 
+  static constexpr double kCostOfCut = 0.03;
+
   const FlatSurface& flat_;
+  double unit_ = 1;  ///< root of the area, in the plane
   QuickFit fit_;
   PieceCutter cutter_;
   std::vector<Shape> shapes_;
