@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "hole/fill_holes.h"
@@ -74,19 +74,20 @@ RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
   if (!(most > kLeast)) return out;
   const FlatSurface surface = flatSurface(set, flat, open);
   const QuickFit fit(options.resolution, options.padding, options.rotate);
-  const PieceFitting uncut(open.mesh, surface, fit);
-  const double side = PieceFitting(uncut).leastSide();
+  PieceFitting uncut(open.mesh, surface, fit);
+  const double side = uncut.leastSide();
   const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
   int tries = mostTries(open);
   double best = 0;
-  std::optional<PieceFitting> found;
-  const auto attempt = [&](PieceFitting now, double gain) {
+  std::unique_ptr<PieceFitting> found;
+  const auto attempt = [&](const PieceFitting& from, double gain) {
+    auto now = std::make_unique<PieceFitting>(from);
     const double affordable = (gain - best) / wish.seamWorth;
-    if (!now.fitInto(side * portable::exp(-gain), affordable, tries)) return;
-    const double worth = gain - wish.seamWorth * now.cost();
+    if (!now->fitInto(side * portable::exp(-gain), affordable, tries)) return;
+    const double worth = gain - wish.seamWorth * now->cost();
     if (!(worth > best)) return;
     best = worth;
-    found.emplace(std::move(now));
+    found = std::move(now);
   };
   for (int k = 1; k <= steps && tries > 0 && goesOn(); ++k) {
     const double gain = most * k / steps;

@@ -54,11 +54,8 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
   }
 }
 
-double PieceFitting::area() const {
-  double sum = 0;
-  for (const PackItem& item : fit_.items()) sum += item.mass.area;
-  return sum;
-}
+PieceFitting::PieceFitting(const PieceFitting&) = default;
+PieceFitting::~PieceFitting() = default;
 
 bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
   constexpr int kMostCuts = 40;

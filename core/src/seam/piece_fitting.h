@@ -22,11 +22,11 @@ struct FlatSurface {
 class PieceFitting {
  public:
   PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit);
+  PieceFitting(const PieceFitting& other);  // in one place: there is much to copy
+  ~PieceFitting();
 
   /// About the side of the least square that has room for the pieces as they are.
   double leastSide() { return fit_.leastSide(); }
-  /// Of all pieces.
-  double area() const;
 
   /// Cuts where the most area finds a place for the length of the cut, one cut after the other,
   /// until all has one in a square of that side. False where that would cost more than `mostCost`,

@@ -105,6 +105,7 @@ Counted unwrapped(const PolygonMesh& mesh) {
   double begin = 0;
   UnwrapOptions options;
   options.threads = 1;
+  options.minUtilization = 0;
   options.progress = [&](const Progress& now) {
     if (std::string(now.stage) != "solve") return true;
     if (out.steps++ == 0) begin = now.fraction;
