@@ -1,7 +1,9 @@
 #include "refine_chart.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "angle/constants.h"
 #include "flatten_chart.h"
 #include "layout/pose.h"
 #include "refine/refine.h"
@@ -25,44 +27,125 @@ std::vector<std::uint8_t> fixedVertices(const DiskChart& chart, const RefineWish
   return out;
 }
 
-std::string limitOf(const Refinement& found, bool keepsOutline) {
-  if (keepsOutline) return "the boundary keeps its form, so that it keeps its angles";
-  if (!found.isConverged)
-    return "Newton's method was ended after " + std::to_string(found.steps) + " steps";
-  return found.isHeldApart ? "parts of the boundary are held apart" : "";
+bool isBounded(const RefineWishes& wishes) {
+  return std::any_of(wishes.bounds.begin(), wishes.bounds.end(),
+                     [](double t) { return t < kFree; });
 }
 
-RefineOptions optionsFor(const DiskChart& chart, const RefineWishes& wishes, bool keepsOutline) {
+/// How the outline is kept as it should be.
+enum class Outline : std::uint8_t { Free, Shaped, Fixed };
+
+RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wishes,
+                         Outline outline) {
   RefineOptions out;
   out.balance = wishes.balance;
-  out.isFixed = fixedVertices(chart, wishes, keepsOutline);
+  out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
   out.mayScale = wishes.pins.empty();
+  out.place = flattener.place();
   out.allowedBytes = wishes.allowedBytes;
   out.pool = wishes.pool;
   out.onStep = wishes.onStep;
   return out;
 }
 
-bool isBounded(const RefineWishes& wishes) {
-  return std::any_of(wishes.bounds.begin(), wishes.bounds.end(),
-                     [](double t) { return t < kFree; });
+std::string limitOf(const Refinement& found) {
+  if (!found.isConverged)
+    return "Newton's method was ended after " + std::to_string(found.steps) + " steps";
+  return found.isHeldApart ? "parts of the boundary are held apart" : "";
+}
+
+/// Of an outline that has found its form.
+std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
+                    const std::vector<double>& uv) {
+  std::vector<double> nearly = rules.bounds;
+  for (double& t : nearly)
+    if (t < kFree) t -= rules.margin / kPi;
+  if (exceededBounds(chart, uv, nearly).count > 0)
+    return "angles of the boundary reach their bounds";
+  return rules.straight.empty() ? "" : "straight parts of the boundary stay straight";
 }
 
 /// The attempt's layout refined, checked and measured anew, valid or not.
-Attempt refined(ChartFlattener& flattener, const RefineWishes& wishes, const Attempt& attempt) {
+Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const Attempt& attempt) {
   const DiskChart& chart = flattener.chart();
-  const bool keepsOutline = isBounded(wishes) || !flattener.straight().empty();
-  RefineOptions options = optionsFor(chart, wishes, keepsOutline);
-  options.place = flattener.place();
   Refinement found = refine(chart, attempt.uv, options);
   if (options.mayScale) pose(chart, attempt.uv, found.uv);
   Attempt out = attempt;
   out.uv = std::move(found.uv);
   flattener.measure(out);
-  out.refined = {found.energyBefore, found.energy, found.steps, limitOf(found, keepsOutline)};
+  out.refined = {found.energyBefore, found.energy, found.steps, limitOf(found)};
   if (const std::string note = withoutFactorNote(found.memory); !note.empty())
     out.fallbacks.push_back("refining: " + note);
   return out;
+}
+
+/// Bounds, times pi, lowered where they are below 2, by as much as leaves the outline a part of its
+/// freedom: all angles sum to (n - 2) pi.
+std::vector<double> lowered(std::vector<double> t, const StraightPlaces& straight, double& by) {
+  constexpr double kMost = 5e-3, kPart = 6;
+  double room = 2, count = 0;
+  const auto isHeld = [&](std::size_t i) { return !straight.empty() && straight[i] != 0; };
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (isHeld(i)) continue;
+    room += t[i] - 1;
+    count += t[i] < kFree;
+  }
+  by = count > 0 ? std::min(kMost, room / (kPart * count)) : 0;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    if (!isHeld(i) && t[i] < kFree) t[i] -= by;
+  return t;
+}
+
+/// A step solves several systems where bounds hold an outline: large charts take fewer of them.
+int solvesFor(const DiskChart& chart) {
+  constexpr double kTriangles = 4e6, kFewest = 12, kMost = 200;
+  return static_cast<int>(std::clamp(kTriangles / chart.triangleCount(), kFewest, kMost));
+}
+
+/// With an outline that keeps straight and within its bounds, but not its form; nothing where that
+/// gains nothing. It begins some way from its bounds.
+std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& wishes,
+                                const Attempt& attempt) {
+  constexpr double kLeast = 1e-6;
+  constexpr int kSteps = 40;
+  if (!wishes.pins.empty() || attempt.solver == "tutte") return std::nullopt;
+  const DiskChart& chart = flattener.chart();
+  OutlineRules rules{flattener.straight(), {}, 0};
+  Attempt start = attempt;
+  double by = 0;
+  if (isBounded(wishes)) {
+    rules.bounds = wishes.bounds;
+    const std::vector<double> t = lowered(wishes.bounds, flattener.straight(), by);
+    if (!(by > kLeast)) return std::nullopt;
+    rules.margin = by * kPi;
+    std::vector<double> both = attempt.t;
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::min(both[i], t[i]);
+    start = flattener.attempt(both, &attempt);
+    if (!start.valid() || exceededBounds(chart, start.uv, t).count > 0) return std::nullopt;
+    pose(chart, attempt.uv, start.uv);
+  }
+  RefineOptions options = optionsFor(flattener, wishes, Outline::Shaped);
+  options.maxSteps = kSteps;
+  options.maxSolves = solvesFor(chart);
+  options.outline = std::move(rules);
+  const double before = energyOf(chart, attempt.uv, wishes.balance);
+  start = refined(flattener, options, start);
+  if (!start.valid() || !(start.refined->energy < before) ||
+      exceededBounds(chart, start.uv, wishes.bounds).count > 0)
+    return std::nullopt;
+  Attempt out = attempt;
+  out.uv = std::move(start.uv);
+  flattener.measure(out);
+  out.refined = start.refined;
+  out.refined->energyBefore = before;
+  if (out.refined->limit.empty()) out.refined->limit = limitOf(options.outline, chart, out.uv);
+  return out;
+}
+
+/// An outline that bounds hold nearly everywhere may do worse than the one it has.
+bool isWellShaped(const RefineReport& report) {
+  constexpr double kWorthwhile = 0.5;
+  return report.energy - 1 < kWorthwhile * (report.energyBefore - 1);
 }
 
 /// Counts what passes as refining, checks aside.
@@ -95,7 +178,7 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const std::vector<double>& t
   Attempt first = flattener.attempt(t, nullptr);
   if (isTangled(first)) {
     const RefiningTime time(flattener);
-    Attempt out = refined(flattener, wishes, first);
+    Attempt out = refined(flattener, optionsFor(flattener, wishes, Outline::Free), first);
     if (out.valid()) return out;
   }
   Attempt out = madeValid(flattener, std::move(first), t, untangleOf(options), effort);
@@ -112,9 +195,20 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
     attempt.fallbacks.emplace_back("a layout that is not valid is not refined");
     return;
   }
-  flattener.endSolving();  // so that one factor is held at a time
   const RefiningTime time(flattener);
-  Attempt out = refined(flattener, wishes, attempt);
+  const bool isFree = !isBounded(wishes) && flattener.straight().empty();
+  std::optional<Attempt> shaped;
+  if (!isFree) shaped = reshaped(flattener, wishes, attempt);
+  if (shaped && isWellShaped(*shaped->refined)) {
+    attempt = std::move(*shaped);
+    return;
+  }
+  flattener.endSolving();  // so that one factor is held at a time
+  Attempt out = refined(
+      flattener, optionsFor(flattener, wishes, isFree ? Outline::Free : Outline::Fixed), attempt);
+  if (!isFree) out.refined->limit = "the boundary keeps its form, so that it keeps its angles";
+  if (shaped && !(out.valid() && out.refined->energy < shaped->refined->energy))
+    out = std::move(*shaped);
   if (out.valid()) {
     attempt = std::move(out);
     return;

@@ -45,18 +45,10 @@ std::vector<BoundaryBarrier::Contact> BoundaryBarrier::contacts(
     const double nx = x[0] - a[0] - share * ux, ny = x[1] - a[1] - share * uy;
     const double distance = norm(nx, ny);
     if (!(distance < reach)) continue;
-    Contact c;
-    const std::size_t places[3] = {p, e, end};
-    for (std::size_t k = 0; k < 3; ++k)
-      c.vertex[k] = chart_.vertexOfCorner[chart_.boundary[places[k]]];
-    c.share[0] = 1;
-    c.share[1] = share - 1;
-    c.share[2] = -share;
-    c.normal[0] = nx / distance;
-    c.normal[1] = ny / distance;
-    c.distance = distance;
-    c.reach = reach;
-    c.weight = kStrength * reach * (length_[before] + length_[p]) / 2 / area_;
+    const auto vertexAt = [&](std::size_t i) { return chart_.vertexOfCorner[chart_.boundary[i]]; };
+    Contact c{distanceContact({vertexAt(p), vertexAt(e), vertexAt(end)}, share, nx / distance,
+                              ny / distance),
+              distance, reach, kStrength * reach * (length_[before] + length_[p]) / 2 / area_};
     out.push_back(c);
   }
   return out;
@@ -73,12 +65,8 @@ double BoundaryBarrier::energy(const std::vector<double>& uv) const {
 
 void BoundaryBarrier::addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
                                      SparseEntries& hessian) const {
-  for (const Contact& c : contacts(uv)) {
-    const double ratio = c.reach / c.distance, inverse = 1 / c.distance;
-    const double slope = -2 * c.weight * (ratio - 1) * ratio * inverse;
-    const double curvature = 2 * c.weight * ratio * (3 * ratio - 2) * inverse * inverse;
-    c.BoundaryContact::addDerivatives(slope, curvature, gradient, hessian);
-  }
+  for (const Contact& c : contacts(uv))
+    c.addBarrier(c.distance, c.reach, c.weight, gradient, hessian);
 }
 
 }  // namespace abflat

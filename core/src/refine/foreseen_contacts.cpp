@@ -22,8 +22,11 @@ std::vector<double> moved(std::vector<double> uv, const std::vector<double>& ste
 
 }  // namespace
 
-ForeseenContacts::ForeseenContacts(const DiskChart& chart)
-    : chart_(chart), area_(surfaceArea(chart)), distance_(kContactReach * std::sqrt(area_)) {}
+ForeseenContacts::ForeseenContacts(const DiskChart& chart, const OutlineShape& shape)
+    : chart_(chart),
+      shape_(shape),
+      area_(surfaceArea(chart)),
+      distance_(kContactReach * std::sqrt(area_)) {}
 
 /// Between a point and the place of an edge that is nearest `then`. Its gap is not positive where
 /// they are not on the right sides of each other `now`.
@@ -34,32 +37,44 @@ ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& n
   const std::uint32_t end = (edge + 1) % n;
   const double *x = &then[2 * point], *a = &then[2 * edge], *b = &then[2 * end];
   const double ux = b[0] - a[0], uy = b[1] - a[1], length = norm(ux, uy);
-  Spring s{point, edge, {}, 0, 0, kStiffness * length / (distance_ * area_)};
+  Spring s{point, edge, false, {}, 0, 0, kStiffness * length / (distance_ * area_)};
   if (!(length > 0)) return s;
   const double along = ((x[0] - a[0]) * ux + (x[1] - a[1]) * uy) / (length * length);
   const double share = std::clamp(along, 0.0, 1.0);
-  const std::uint32_t places[3] = {point, edge, end};
-  const double shares[3] = {1, share - 1, -share};
+  s.isBeside = share > 0 && share < 1;
+  const auto vertexAt = [&](std::uint32_t i) { return chart_.vertexOfCorner[chart_.boundary[i]]; };
   // Outwards: the surface is on the left.
-  s.contact.normal[0] = uy / length;
-  s.contact.normal[1] = -ux / length;
-  for (std::size_t k = 0; k < 3; ++k) {
-    s.contact.vertex[k] = chart_.vertexOfCorner[chart_.boundary[places[k]]];
-    s.contact.share[k] = shares[k];
-    for (std::size_t d = 0; d < 2; ++d)
-      s.gap += shares[k] * now[2 * places[k] + d] * s.contact.normal[d];
-  }
+  s.contact = distanceContact({vertexAt(point), vertexAt(edge), vertexAt(end)}, share, uy / length,
+                              -ux / length);
+  const std::uint32_t places[3] = {point, edge, end};
+  for (std::size_t i = 0; i < 6; ++i) s.gap += s.contact.change[i] * now[2 * places[i / 2] + i % 2];
   s.target = std::min(distance_, s.gap);
   return s;
+}
+
+/// Of an angle.
+ForeseenContacts::Spring ForeseenContacts::springAt(const OutlineShape::Bound& bound,
+                                                    const std::vector<double>& uv) const {
+  const OutlineShape::Slack slack = shape_.slackOf(bound, uv);
+  const double half = shape_.margin() / 2;
+  return {bound.place,
+          bound.place,
+          true,
+          slack.contact,
+          slack.value,
+          std::min(half, slack.value),
+          kStiffness * bound.weight / (4 * half * half)};
 }
 
 void ForeseenContacts::begin(const std::vector<double>& uv) {
   const std::vector<double> now = boundaryUv(chart_, uv);
   std::vector<Spring> kept;
+  auto bound = shape_.bounds().begin();
   for (const Spring& old : springs_) {
-    const Spring s = springAt(now, now, old.point, old.edge);
-    const bool isBeside = s.contact.share[1] < 0 && s.contact.share[2] < 0;
-    if (s.gap > 0 && isBeside) kept.push_back(s);
+    const bool isAngle = old.point == old.edge;
+    while (isAngle && bound->place != old.point) ++bound;
+    const Spring s = isAngle ? springAt(*bound, uv) : springAt(now, now, old.point, old.edge);
+    if (s.gap > 0 && s.isBeside) kept.push_back(s);
   }
   springs_ = std::move(kept);
 }
@@ -72,22 +87,52 @@ bool ForeseenContacts::releasePulling(const std::vector<double>& step) {
   return isAny;
 }
 
+std::vector<ForeseenContacts::Spring>::iterator ForeseenContacts::placeFor(const Spring& spring) {
+  return std::lower_bound(springs_.begin(), springs_.end(), spring, isBefore);
+}
+
+bool ForeseenContacts::isBefore(const Spring& a, const Spring& b) {
+  return a.point != b.point ? a.point < b.point : a.edge < b.edge;
+}
+
 bool ForeseenContacts::add(const Spring& spring, const std::vector<double>& step) {
   if (!(spring.gap > 0) || spring.gap + spring.contact.along(step) >= 0) return false;
-  const auto isBefore = [](const Spring& a, const Spring& b) {
-    return a.point != b.point ? a.point < b.point : a.edge < b.edge;
-  };
-  const auto at = std::lower_bound(springs_.begin(), springs_.end(), spring, isBefore);
+  const auto at = placeFor(spring);
   if (at != springs_.end() && !isBefore(spring, *at)) return false;
   springs_.insert(at, spring);
   return true;
 }
 
+/// Angles do not change in proportion to a long step: springs follow what they do at its end. True
+/// where one exceeds its bound there.
+bool ForeseenContacts::updateAngles(const std::vector<double>& uv, const std::vector<double>& step,
+                                    double length) {
+  if (shape_.bounds().empty()) return false;
+  const std::vector<double> then = moved(uv, step, length);
+  bool isAny = false;
+  for (const OutlineShape::Bound& bound : shape_.bounds()) {
+    const OutlineShape::Slack end = shape_.slackOf(bound, then);
+    const bool isExceeded = !(end.value > 0);
+    isAny |= isExceeded;
+    Spring spring = springAt(bound, uv);
+    spring.contact = end.contact;
+    spring.gap = end.value - length * end.contact.along(step);
+    const auto at = placeFor(spring);
+    if (at != springs_.end() && !isBefore(spring, *at))
+      *at = spring;
+    else if (isExceeded)
+      springs_.insert(at, spring);
+  }
+  return isAny;
+}
+
 bool ForeseenContacts::update(const std::vector<double>& uv, const std::vector<double>& step,
-                              double length) {
+                              double length, double angleLength) {
   bool isChanged = releasePulling(step), isCrossing = false;
   const std::vector<double> now = boundaryUv(chart_, uv);
   const auto n = static_cast<std::uint32_t>(now.size() / 2);
+  isCrossing = updateAngles(uv, step, angleLength);
+  isChanged |= isCrossing;
   for (const double moment : kMoments) {
     const std::vector<double> then = boundaryUv(chart_, moved(uv, step, moment * length));
     const Crossings crossings = findCrossings(then);

@@ -3,16 +3,17 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
-#include "refine/boundary_contact.h"
+#include "refine/outline_shape.h"
 
 namespace abflat {
 
-/// Places where the boundary would cross itself along a step. Springs keep them apart in the model
-/// of the energy that the step minimises, so that the step is not cut short there.
+/// Places where the boundary would cross itself along a step, or an angle exceed its bound. Springs
+/// keep them from it in the model of the energy that the step minimises, so that the step is not
+/// cut short there.
 class ForeseenContacts {
  public:
-  /// Keeps a reference.
-  explicit ForeseenContacts(const DiskChart& chart);
+  /// Keeps references.
+  ForeseenContacts(const DiskChart& chart, const OutlineShape& shape);
 
   /// Of the springs that the last step needed, keeps those that the next one from `uv` may need.
   void begin(const std::vector<double>& uv);
@@ -20,7 +21,9 @@ class ForeseenContacts {
   /// Looks along a step that was found with the springs so far: adds some where it crosses, takes
   /// away those that pull. False where the step is as good as it gets: crosses nowhere, or only
   /// where springs do not help.
-  bool update(const std::vector<double>& uv, const std::vector<double>& step, double length);
+  /// Angles are looked at after `angleLength` of it.
+  bool update(const std::vector<double>& uv, const std::vector<double>& step, double length,
+              double angleLength);
 
   void clear() { springs_.clear(); }
 
@@ -29,7 +32,8 @@ class ForeseenContacts {
 
  private:
   struct Spring {
-    std::uint32_t point, edge;  ///< along the boundary
+    std::uint32_t point, edge;  ///< along the boundary; the same twice: an angle
+    bool isBeside;              ///< the point an inner place of the edge
     BoundaryContact contact;
     double gap;     ///< now
     double target;  ///< after the step, at least
@@ -38,11 +42,16 @@ class ForeseenContacts {
 
   Spring springAt(const std::vector<double>& now, const std::vector<double>& then,
                   std::uint32_t point, std::uint32_t edge) const;
+  Spring springAt(const OutlineShape::Bound& bound, const std::vector<double>& uv) const;
+  bool updateAngles(const std::vector<double>& uv, const std::vector<double>& step, double length);
+  static bool isBefore(const Spring& a, const Spring& b);
+  std::vector<Spring>::iterator placeFor(const Spring& spring);
   bool releasePulling(const std::vector<double>& step);
   /// Where the step would go through it.
   bool add(const Spring& spring, const std::vector<double>& step);
 
   const DiskChart& chart_;
+  const OutlineShape& shape_;
   double area_, distance_;
   std::vector<Spring> springs_;  ///< by points, then by edges
 };

@@ -10,7 +10,6 @@
 #include "refine/layout_energy.h"
 #include "refine/refine_system.h"
 #include "solve/row_solver.h"
-
 namespace abflat {
 namespace {
 
@@ -45,11 +44,13 @@ class Refiner {
         options_(options),
         rest_(restTriangles(chart, uv)),
         uv_(std::move(uv)),
-        system_(chart, rest_, options.pool) {
+        system_(chart, rest_, options.pool),
+        shape_(chart, options.outline) {
     out_.memory.allowed = options.allowedBytes;
     findHeld();
     makeSolver(system_.matrix());
     if (solver_->place()) system_.divide(*solver_->place());
+    if (!options.outline.isEmpty()) lookAhead();
   }
 
   Refinement run() {
@@ -57,6 +58,7 @@ class Refiner {
       const double scale = bestScale(chart_, rest_, options_.balance, uv_);
       for (double& x : uv_) x *= scale;
     }
+    shape_.straighten(uv_);
     out_.energyBefore = energy_ = energyOf(uv_);
     const std::vector<double> start = uv_;
     isSimple_ = isSimple(uv_);
@@ -91,7 +93,8 @@ class Refiner {
 
   double energyOf(const std::vector<double>& uv) const {
     const double own = layoutEnergy(chart_, rest_, options_.balance, uv, options_.pool);
-    return barrier_ && std::isfinite(own) ? own + barrier_->energy(uv) : own;
+    if (!std::isfinite(own)) return own;
+    return own + shape_.energy(uv) + (barrier_ ? barrier_->energy(uv) : 0);
   }
 
   bool isSimple(const std::vector<double>& uv) const {
@@ -102,7 +105,7 @@ class Refiner {
     const ElementCurvature curvature = isFar_ ? ElementCurvature::Far : ElementCurvature::Near;
     system_.assemble({uv_, options_.balance, curvature}, isFixed_);
     gradient_ = system_.gradient();
-    if (barrier_) addBarrier();
+    if (foreseen_) addContacts();
     if (far_ == kNone) return;
     const double x = uv_[2 * far_] - uv_[2 * held_], y = uv_[2 * far_ + 1] - uv_[2 * held_ + 1];
     const double length = norm(x, y);
@@ -111,11 +114,16 @@ class Refiner {
 
   bool isFixedRow(int row) const { return isFixed_[static_cast<std::size_t>(row) / 2] != 0; }
 
-  void addBarrier() {
+  void addContacts() {
     contacts_.clear();
-    barrier_->addDerivatives(uv_, gradient_, contacts_);
+    shape_.addDerivatives(uv_, gradient_, contacts_);
+    if (barrier_) barrier_->addDerivatives(uv_, gradient_, contacts_);
     for (int row = 0; row < gradient_.size(); ++row)
       if (isFixedRow(row)) gradient_[row] = 0;
+  }
+
+  void lookAhead() {
+    if (!foreseen_) foreseen_ = std::make_unique<ForeseenContacts>(chart_, shape_);
   }
 
   /// With contacts, which are entries that the pattern does not have.
@@ -141,8 +149,9 @@ class Refiner {
   bool findDirection() {
     if (foreseen_) foreseen_->begin(uv_);
     if (!minimizeModel()) return false;
-    for (int i = 0; foreseen_ && i < kRounds; ++i) {
-      if (!foreseen_->update(uv_, direction_, longest())) break;
+    for (int i = 0; foreseen_ && i < kRounds && solves_ < options_.maxSolves; ++i) {
+      const double length = longest();
+      if (!foreseen_->update(uv_, direction_, length, length / (1 << i / 2))) break;
       if (!minimizeModel()) return false;
     }
     if (slope() < 0) return true;
@@ -167,6 +176,7 @@ class Refiner {
 
   /// With the springs that are foreseen.
   bool minimizeModel() {
+    ++solves_;
     Eigen::VectorXd b = gradient_;
     SparseEntries contacts = contacts_;
     if (foreseen_) foreseen_->addDerivatives(b, contacts);
@@ -192,7 +202,8 @@ class Refiner {
   }
 
   void iterate() {
-    while (out_.steps < options_.maxSteps && (!options_.onStep || options_.onStep())) {
+    while (out_.steps < options_.maxSteps && solves_ < options_.maxSolves &&
+           (!options_.onStep || options_.onStep())) {
       assemble();
       if (!findDirection()) return;
       const double gain = -slope_ / 2;
@@ -203,7 +214,7 @@ class Refiner {
       lastGain_ = isFull_ ? gain : 0;
       if (taken == Step::Crosses) {
         barrier_ = std::make_unique<BoundaryBarrier>(chart_);
-        foreseen_ = std::make_unique<ForeseenContacts>(chart_);
+        lookAhead();
         energy_ = energyOf(uv_);
         out_.isHeldApart = true;
         continue;
@@ -228,6 +239,7 @@ class Refiner {
     std::vector<double> next(uv_.size());
     for (int i = 0; i < kMostHalvings; ++i, length /= 2) {
       for (std::size_t k = 0; k < uv_.size(); ++k) next[k] = uv_[k] + length * direction_[k];
+      shape_.straighten(next);
       const double energy = energyOf(next);
       if (!(energy <= energy_ + kArmijo * length * slope_)) continue;
       const bool isNextSimple = isSimple(next);
@@ -250,10 +262,12 @@ class Refiner {
   std::vector<RestTriangle> rest_;
   std::vector<double> uv_, direction_;
   RefineSystem system_;
+  OutlineShape shape_;
   std::unique_ptr<BoundaryBarrier> barrier_;  ///< once the boundary would cross itself
   std::unique_ptr<ForeseenContacts> foreseen_;
   Eigen::VectorXd gradient_;
   SparseEntries contacts_;
+  int solves_ = 0;
   bool wasExtended_ = false;
   bool isSimple_ = true;
   bool isFar_ = true;    ///< from the minimum
@@ -270,6 +284,13 @@ class Refiner {
 
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options) {
   return Refiner(chart, std::move(uv), options).run();
+}
+
+double energyOf(const DiskChart& chart, std::vector<double> uv, double balance) {
+  const std::vector<RestTriangle> rest = restTriangles(chart, uv);
+  const double scale = bestScale(chart, rest, balance, uv);
+  for (double& x : uv) x *= scale;
+  return layoutEnergy(chart, rest, balance, uv);
 }
 
 }  // namespace abflat

@@ -7,6 +7,7 @@
 
 #include "chart/disk_chart.h"
 #include "parallel.h"
+#include "refine/outline_shape.h"
 #include "solve/factor_memory.h"
 
 namespace abflat {
@@ -15,8 +16,10 @@ struct RefineOptions {
   double balance = 0;  ///< see elementEnergy; nothing is to be done for 0
   /// Per vertex: stays where it is; empty: none.
   std::vector<std::uint8_t> isFixed;
+  OutlineRules outline;  ///< the layout has to keep to it from the start
   bool mayScale = true;  ///< all of it, also what is fixed: energies are those at the best scale
   int maxSteps = 100;
+  int maxSolves = std::numeric_limits<int>::max();  ///< of linear systems, in all steps together
   /// Of the energy above 1, and 1/40 of that of the whole: it does not matter that further steps
   /// would gain less.
   double tolerance = 2e-3;
@@ -42,5 +45,8 @@ struct Refinement {
 /// triangle (Smith and Schaefer 2015). The boundary is free. One that does not cross itself is kept
 /// apart where it would; one that does may go on to, until it no longer does.
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
+
+/// Of a layout, at the scale where it is least.
+double energyOf(const DiskChart& chart, std::vector<double> uv, double balance);
 
 }  // namespace abflat

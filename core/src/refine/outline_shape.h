@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "chart/disk_chart.h"
+#include "refine/boundary_contact.h"
+
+namespace abflat {
+
+/// What the outline has to keep. Per place along the boundary, see DiskChart.
+struct OutlineRules {
+  std::vector<std::uint8_t> straight;  ///< 1: goes straight on; empty: nowhere
+  std::vector<double> bounds;  ///< the largest interior angle, times pi; from 2 on any; empty: any
+  /// Radians, that angles stay away from their bounds where that costs little. They begin so far
+  /// away.
+  double margin = 0;
+
+  bool isEmpty() const { return straight.empty() && bounds.empty(); }
+};
+
+/// Keeps straight parts of the outline straight, and angles below their bounds.
+class OutlineShape {
+ public:
+  /// Keeps a reference to the chart.
+  OutlineShape(const DiskChart& chart, const OutlineRules& rules);
+
+  /// Puts what lies within a straight part on the line between its ends.
+  void straighten(std::vector<double>& uv) const;
+
+  /// Infinite where an angle is not below its bound.
+  double energy(const std::vector<double>& uv) const;
+  /// See BoundaryBarrier. Straight parts are stiff across.
+  void addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
+                      SparseEntries& hessian) const;
+
+  struct Bound {
+    std::uint32_t place;
+    double most, weight;
+  };
+  const std::vector<Bound>& bounds() const { return bounds_; }
+  double margin() const { return margin_; }
+
+  /// What an angle is below its bound, and how that changes.
+  struct Slack {
+    double value;
+    BoundaryContact contact;
+  };
+  Slack slackOf(const Bound& bound, const std::vector<double>& uv) const;
+
+ private:
+  /// Straight places come between.
+  struct Run {
+    std::uint32_t from, to;
+  };
+  void findRuns(const std::vector<std::uint8_t>& straight);
+  void findBounds(const OutlineRules& rules);
+  std::uint32_t vertexAt(std::size_t place) const {
+    return chart_.vertexOfCorner[chart_.boundary[place % chart_.boundary.size()]];
+  }
+  /// use(place, share of the way) for what lies within a run.
+  template <class Use>
+  void within(const Run& run, const std::vector<double>& uv, const Use& use) const;
+
+  const DiskChart& chart_;
+  double margin_;
+  std::vector<Run> runs_;
+  std::vector<Bound> bounds_;
+};
+
+}  // namespace abflat
