@@ -315,6 +315,7 @@ class Unwrapping {
         findRoomCuts(set_, flat_, open_, options_, report_.atlas.utilization, goesOn);
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     const AtlasReport uncut = report_.atlas;
+    const double bound = std::max(mostStretch(flat_), options_.maxStretch);
     const Seams seams = open_.seams;
     Packing packing = std::move(packing_);
     addCuts(cuts, options_, open_);
@@ -322,7 +323,7 @@ class Unwrapping {
     set_ = chartsOf(welded_, open_);
     std::vector<FlatChart> flat = std::move(flat_);
     flat_ = layoutsKept(before, set_, flat);
-    takePieces(before, flat, set_, *pool_, flat_);
+    takePieces(before, flat, set_, options_.maxStretch, *pool_, flat_);
     if (Status s = readWishes(); !s.ok()) return s;
     if (Status s = layOut([&](double) { return goesOn(); }); !s.ok()) return s;
     report_.atlas.packingCuts = cuts.count;
@@ -330,7 +331,8 @@ class Unwrapping {
     report_.atlas.uncutTexelDensity = uncut.texelDensity;
     const Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
-    if (packed.ok() && isWorth(cuts, report_.atlas.texelDensity / uncut.texelDensity, options_))
+    if (packed.ok() && mostStretch(flat_) <= bound &&
+        isWorth(cuts, report_.atlas.texelDensity / uncut.texelDensity, options_))
       return {};
     giveBack(before, set_, flat_, flat);
     set_ = std::move(before);

@@ -45,6 +45,12 @@ bool isSame(const ChartTopology& a, const ChartTopology& b) {
 
 }  // namespace
 
+double mostStretch(const std::vector<FlatChart>& flat) {
+  double most = 0;
+  for (const FlatChart& chart : flat) most = std::max(most, chart.distortion.symmetricDirichlet);
+  return most;
+}
+
 std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
                                    std::vector<FlatChart>& flat) {
   std::vector<FlatChart> out(now.size());
@@ -64,7 +70,8 @@ void giveBack(const ChartSet& before, const ChartSet& now, std::vector<FlatChart
 }
 
 void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore,
-                const ChartSet& now, ThreadPool& pool, std::vector<FlatChart>& flat) {
+                const ChartSet& now, double mostStretch, ThreadPool& pool,
+                std::vector<FlatChart>& flat) {
   std::vector<std::array<double, 2>> at(3 * before.ofTriangle.size());  // per corner
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (flatBefore[i].unpacked.empty()) continue;
@@ -87,6 +94,8 @@ void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore
       uv[2 * std::size_t{chart.vertexOfCorner[c]} + 1] = p[1];
     }
     flat[i] = pieceAsItLies(now.chart(i), std::move(uv), whole.solver);
+    if (flat[i].distortion.symmetricDirichlet > mostStretch) flat[i] = {};
+    flat[i].isCutEnough = true;
   });
 }
 

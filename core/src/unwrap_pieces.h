@@ -8,6 +8,9 @@
 
 namespace abflat {
 
+/// Of the chart that is stretched most.
+double mostStretch(const std::vector<FlatChart>& flat);
+
 /// Moves layouts of the charts that are as they were, and of the same form, from those before.
 std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
                                    std::vector<FlatChart>& flat);
@@ -17,8 +20,10 @@ void giveBack(const ChartSet& before, const ChartSet& now, std::vector<FlatChart
               std::vector<FlatChart>& flat);
 
 /// Layouts for charts that have none: as they lay before they were parted from others, at a scale
-/// of their own. Those that numbers cannot keep apart where they lie stay without one.
+/// of their own. Those that are stretched by more than `mostStretch` then, or that numbers cannot
+/// keep apart where they lie, stay without one.
 void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore,
-                const ChartSet& now, ThreadPool& pool, std::vector<FlatChart>& flat);
+                const ChartSet& now, double mostStretch, ThreadPool& pool,
+                std::vector<FlatChart>& flat);
 
 }  // namespace abflat

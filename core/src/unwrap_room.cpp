@@ -76,6 +76,7 @@ RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
   const QuickFit fit(options.resolution, options.padding, options.rotate);
   PieceFitting uncut(open.mesh, surface, fit);
   const double side = uncut.leastSide();
+  if (!(side > 0)) return out;
   const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
   int tries = mostTries(open);
   double best = 0;

@@ -109,6 +109,8 @@ TEST_CASE("cuts for packing bring texels for their length, or are not made", "[r
         CHECK(gain > 0.08 * (more + 0.03 * atlas.packingCuts));
       else
         CHECK(cut.uv == whole.uv);
+      for (const UnwrapChart& c : cut.report.charts)
+        CHECK(c.symmetricDirichlet <= options.maxStretch);
       cuts += atlas.packingCuts;
     }
   CHECK(cuts > 0);
@@ -154,4 +156,16 @@ TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "
   kept.known = knownLayout(unwrapped(mesh, kNever));
   kept.fixedCharts = {0};
   CHECK(unwrapped(mesh, kept).report.charts.size() == 1);
+}
+
+TEST_CASE("needles and faces that are far too large end in a valid atlas", "[room]") {
+  for (const double far : {1e2, 1e4, 1e6, 1e9}) {
+    PolygonMesh mesh = torus(24, 16);
+    mesh.positions[3 * 77] += 0.48 * far;
+    mesh.positions[3 * 77 + 1] -= 0.64 * far;
+    mesh.positions[3 * 77 + 2] += 0.6 * far;
+    UnwrapOptions options = kAuto;
+    options.roundsToSingle = true;
+    CHECK(unwrapped(mesh, options).report.atlas.texelDensity > 0);
+  }
 }

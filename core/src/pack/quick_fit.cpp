@@ -65,6 +65,7 @@ double QuickFit::leastSide() {
   constexpr int kMostSteps = 60;
   double area = 0;
   for (const PackItem& item : items_) area += item.mass.area;
+  if (!(area > 0)) return 0;
   const auto fits = [&](double side) {
     const std::vector<std::uint8_t> isPlaced = placed(side);
     return std::find(isPlaced.begin(), isPlaced.end(), 0) == isPlaced.end();

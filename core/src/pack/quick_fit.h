@@ -22,7 +22,7 @@ class QuickFit {
   /// Per item whether it has a place in a square of that side, the largest placed first.
   std::vector<std::uint8_t> placed(double side);
 
-  /// About the side of the least square that has room for all.
+  /// About the side of the least square that has room for all; 0 where they have no area.
   double leastSide();
 
  private:

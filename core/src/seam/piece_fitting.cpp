@@ -96,8 +96,10 @@ void PieceFitting::takeShape(std::uint32_t p) {
   shape.chords.reset();
   const std::vector<std::size_t> fine = sampled(shape.loop, perimeter / kPoints);
   PackItem item = fit_.itemOf(pointsBetween(shape.loop, fine, 0, fine.size() - 1));
-  shape.solid = piece.area * flat_.unitArea / item.mass.area;
-  item.mass.area *= shape.solid;
+  // Of a needle rounding may leave no area.
+  const double area = std::max(piece.area * flat_.unitArea, 0.0);
+  shape.solid = item.mass.area > 0 && area > 0 ? area / item.mass.area : 1;
+  item.mass.area = area;
   fit_.exchange(p, std::move(item));
 }
 
@@ -112,7 +114,7 @@ double PieceFitting::missingWith(const Candidate& c, double side) {
   const auto part = [&](std::size_t from, std::size_t to) {
     const Shape& shape = shapes_[c.piece];
     PackItem item = fit_.itemOf(pointsBetween(shape.loop, shape.places, from, to));
-    item.mass.area *= shape.solid;
+    item.mass.area = std::max(shape.solid * item.mass.area, 0.0);
     return item;
   };
   PackItem whole = fit_.exchange(c.piece, part(c.chord.to, c.chord.from));
