@@ -124,6 +124,7 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
     if (!start.valid() || exceededBounds(chart, start.uv, t).count > 0) return std::nullopt;
     pose(chart, attempt.uv, start.uv);
   }
+  flattener.endSolving();  // so that one factor is held at a time
   RefineOptions options = optionsFor(flattener, wishes, Outline::Shaped);
   options.maxSteps = kSteps;
   options.maxSolves = solvesFor(chart);
