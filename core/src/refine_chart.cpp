@@ -123,6 +123,11 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
     start = flattener.attempt(both, &attempt);
     if (!start.valid() || exceededBounds(chart, start.uv, t).count > 0) return std::nullopt;
     pose(chart, attempt.uv, start.uv);
+    std::vector<std::string> notes = attempt.fallbacks;
+    for (const std::string& note : start.fallbacks)
+      if (std::find(notes.begin(), notes.end(), note) == notes.end())
+        notes.push_back("refining: " + note);
+    start.fallbacks = std::move(notes);
   }
   flattener.endSolving();  // so that one factor is held at a time
   RefineOptions options = optionsFor(flattener, wishes, Outline::Shaped);
@@ -136,6 +141,7 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
     return std::nullopt;
   Attempt out = attempt;
   out.uv = std::move(start.uv);
+  out.fallbacks = std::move(start.fallbacks);
   flattener.measure(out);
   out.refined = start.refined;
   out.refined->energyBefore = before;
