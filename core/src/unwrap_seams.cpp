@@ -7,6 +7,7 @@
 
 #include "hole/fill_holes.h"
 #include "hole/filled_table.h"
+#include "mesh/triangle_geometry.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
 #include "seam/prediction.h"
@@ -42,12 +43,23 @@ OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams 
   return out;
 }
 
-SeamOptions seamOptions(const UnwrapOptions& options, ThreadPool& pool,
+/// Of the seam finder's mesh, in that of the welded one; told from the longest edge.
+double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
+  const auto longest = std::max_element(open.mesh.length.begin(), open.mesh.length.end());
+  if (longest == open.mesh.length.end() || !(*longest > 0)) return 1;
+  const auto h = static_cast<std::uint32_t>(longest - open.mesh.length.begin());
+  const auto input = [&](std::uint32_t c) { return open.inputVertex[open.mesh.vertexOfCorner[c]]; };
+  return norm(edgeVector(welded.mesh.positions, input(h), input(nextCorner(h)))) / *longest;
+}
+
+SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
                         std::function<bool()> keepsOn) {
   SeamOptions out;
   out.isAuto = options.seams.isAuto;
   out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
   out.fillHoles = options.fillHoles;
+  if (options.udim)  // each chart has to fit a tile
+    out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
   out.pool = &pool;
   out.keepsOn = std::move(keepsOn);
   return out;
@@ -172,13 +184,15 @@ std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Sur
   return text;
 }
 
-OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                    const Scales& scales, const FixedTriangles& fixed, const UnwrapOptions& options,
-                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary) {
+OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surface,
+                    const Seams& asked, const Scales& scales, const FixedTriangles& fixed,
+                    const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                    SeamSummary& summary) {
   OpenSurface open = openAndFill(welded, surface, withBorders(asked, fixed), scales, fixed,
                                  options.fillHoles, Pulse(keepsOn));
   SeamReport found;
-  findAround(fixed.isFixed, seamOptions(options, pool, std::move(keepsOn)), open, found);
+  open.unit = unit * unitOf(welded, open);
+  findAround(fixed.isFixed, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
   summary.genus = surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
@@ -217,8 +231,8 @@ bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
   for (std::size_t c = 0; c < s.charts.size(); ++c)
     if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
   SeamReport found;
-  const bool isAnyFound =
-      findWithin(apart, isWanted, seamOptions(options, pool, std::move(keepsOn)), open, found);
+  const bool isAnyFound = findWithin(
+      apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
   return isAnyFound || isAnyRestored;
 }
 

@@ -21,6 +21,7 @@ std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Sur
 /// The surface, its holes filled, with the seams that cut it to disks.
 struct OpenSurface {
   SeamMesh mesh;
+  double unit = 1;                         ///< of `mesh`, in that of the input
   std::vector<std::uint32_t> inputVertex;  ///< per vertex of `mesh`, of the welded mesh
   Seams given;                             ///< of the surface
   Seams seams;                             ///< of `mesh`; what is given may be its boundary instead
@@ -31,10 +32,11 @@ struct OpenSurface {
 };
 
 /// Cuts the surface around what is fixed, and fills the holes of its charts; `keepsOn` as in
-/// SeamOptions.
-OpenSurface cutOpen(const WeldedMesh& welded, const Surface& surface, const Seams& asked,
-                    const Scales& scales, const FixedTriangles& fixed, const UnwrapOptions& options,
-                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary);
+/// SeamOptions, `unit` that of the welded mesh, in the input's.
+OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surface,
+                    const Seams& asked, const Scales& scales, const FixedTriangles& fixed,
+                    const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                    SeamSummary& summary);
 
 /// What flattening has made of a chart.
 struct Stretched {

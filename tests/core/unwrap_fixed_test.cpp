@@ -254,8 +254,8 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
 
 TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
   const PolygonMesh mesh = torus(24, 16);
-  const double most = unwrapped(mesh, severalCharts()).report.atlas.texelDensity;
   UnwrapOptions options = severalCharts();
+  const double most = unwrapped(mesh, options).report.atlas.texelDensity;
   options.texelDensity = most / 2;
   UnwrapResult r = unwrapped(mesh, options);
   CHECK(r.report.atlas.tiles == 1);

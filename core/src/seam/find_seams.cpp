@@ -187,7 +187,7 @@ bool Finder::improve() {
   prediction_ = predictStretch(*mesh_, s, u);
   pulse_.beat(mesh_->triangleCount());
   isChanged_.assign(s.charts.size(), 0);
-  const ShapeOptions shape{options_.leastFill, options_.mostOverlap};
+  const ShapeOptions shape{options_.leastFill, options_.mostOverlap, options_.longest};
   std::vector<SplitFor> asked = splitsAsked(s);
   const std::vector<Shape> shapes = shapesToSplit(*mesh_, s, u, shape, asked);
   std::vector<std::uint8_t> isWanted;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
@@ -18,6 +19,8 @@ struct SeamOptions {
   double leastFill = 0.5;
   /// Share of a chart that its predicted layout may cover twice.
   double mostOverlap = 0.0003;
+  /// Charts are to be no longer, in the unit of the mesh; infinite: no matter how long.
+  double longest = std::numeric_limits<double>::infinity();
   /// What is a disk before anything is cut stays whole, however much it is distorted.
   bool keepDisks = false;
   std::vector<std::uint32_t> place;       ///< as in SeamReport; empty: one is sought

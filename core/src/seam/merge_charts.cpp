@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "seam/extract_charts.h"
@@ -15,6 +16,11 @@ namespace {
 /// How much larger the convex hull of a union may be than those of its charts together: hulls tell
 /// what packing needs.
 constexpr double kMostRoom = 1.05;
+
+/// The same of a union that hangs together by a part of its seam, and what else it has to keep: the
+/// share of its hull that it fills, and its extent, over the root of the mesh's area, so that it
+/// fits a square that is filled well, from corner to corner.
+constexpr double kMostRoomOfHinged = 1.4, kLeastFill = 0.3, kLongest = 1.9;
 
 /// A path along which two charts touch. Opening it joins two disks to one.
 struct Run {
@@ -42,20 +48,62 @@ class Merger {
         place_(place),
         u_(u),
         seams_(seams),
+        longest_(std::min(options.longest, kLongest * std::sqrt(mesh.totalArea()))),
         isRefused_(seams.size(), 0) {}
 
   std::uint32_t run() {
+    std::uint32_t done = joinAll();
+    isHinge_ = true;
+    std::fill(isRefused_.begin(), isRefused_.end(), 0);
+    return done + joinAll();
+  }
+
+ private:
+  std::uint32_t joinAll() {
     std::uint32_t done = 0;
     while (!options_.keepsOn || options_.keepsOn()) {
       const std::vector<Run> runs = matching(cutAlong(mesh_, seams_, pulse_));
-      const std::uint32_t now = runs.empty() ? 0 : joinWherePossible(runs);
-      if (now == 0) break;
+      if (runs.empty()) break;
+      const std::uint32_t now = joinWherePossible(runs);
+      if (now == 0 && !isHinge_) break;  // the other runs are shorter
       done += now;
     }
     return done;
   }
 
- private:
+  /// Parts of the runs that charts could hang together by, of each those first that are nearest to
+  /// its middle.
+  std::vector<Run> hingesOf(const CutSurface& s, const std::vector<Run>& runs) const {
+    constexpr double kWidth = 0.15;  // of the root of the smaller chart's area
+    constexpr int kMost = 5;         // of a run
+    std::vector<Run> out;
+    for (const Run& run : runs) {
+      const double width = kWidth * std::sqrt(std::min(s.charts[run.a].area, s.charts[run.b].area));
+      const int slots = static_cast<int>(std::min<double>(kMost, run.length / width));
+      for (int k = 0; k < slots; ++k) {
+        const int slot = slots / 2 + (k % 2 == 1 ? (k + 1) / 2 : -k / 2);
+        const double middle = run.length * (slot + 0.5) / slots;
+        if (Run part = partOf(run, middle - width / 2, middle + width / 2); !part.edges.empty())
+          out.push_back(std::move(part));
+      }
+    }
+    return out;
+  }
+
+  /// The edges that begin between two places along it.
+  Run partOf(const Run& run, double from, double to) const {
+    Run out{run.a, run.b, {}, run.place, 0};
+    double passed = 0;
+    for (const std::uint32_t h : run.edges) {
+      if (passed >= from && passed < to) {
+        out.edges.push_back(h);
+        out.length += mesh_.length[h];
+      }
+      passed += mesh_.length[h];
+    }
+    return out;
+  }
+
   /// The chart behind an edge that may be opened.
   std::uint32_t behind(const CutSurface& s, std::uint32_t h) const {
     const std::uint32_t o = mesh_.twin[h];
@@ -123,10 +171,12 @@ class Merger {
     std::sort(runs.begin(), runs.end(), [](const Run& x, const Run& y) {
       return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
     });
+    if (isHinge_) runs = hingesOf(s, runs);
     std::vector<std::uint8_t> isUsed(s.charts.size(), 0);
     std::vector<Run> out;
     for (Run& run : runs) {
-      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !stillPromises(s, outlines, run))
+      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) ||
+          (!isHinge_ && !stillPromises(s, outlines, run)))
         continue;
       isUsed[run.a] = isUsed[run.b] = 1;
       out.push_back(std::move(run));
@@ -164,12 +214,14 @@ class Merger {
   }
 
   bool keepsBounds(const Trial& trial, std::uint32_t run) const {
-    // What is cut, is cut for good reasons: no union is to come near the bound.
-    constexpr double kOfBound = 0.7;
+    // What is cut, is cut for good reasons: no union is to come near the bound. One that hangs
+    // together by a part of its seam alone is not stretched more than its charts are.
+    constexpr double kMuch = 0.7, kNearlyAll = 0.95;
+    const double ofBound = isHinge_ ? kNearlyAll : kMuch;
     const CutSurface& s = trial.joined;
     const std::uint32_t chart = s.chartOfTriangle[run / 3];
     if (!s.charts[chart].isDisk() ||
-        trial.prediction.stretch[chart] > 1 + kOfBound * (options_.maxStretch - 1))
+        trial.prediction.stretch[chart] > 1 + ofBound * (options_.maxStretch - 1))
       return false;
     const auto outline = [&](const CutSurface& surface, std::uint32_t c) {
       return predictOutline(trial.part.mesh, surface, c, trial.u);
@@ -177,12 +229,13 @@ class Merger {
     const std::vector<Point2> whole = outline(s, chart);
     const Shape shape = measureShape(whole);
     if (!shape.crossings.empty() || shape.overlap > options_.mostOverlap ||
-        shape.fill < options_.leastFill)
+        shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
       return false;
     double room = 0;
     for (const std::uint32_t h : {run, trial.part.mesh.twin[run]})
       room += hullArea(outline(trial.apart, trial.apart.chartOfTriangle[h / 3]));
-    return hullArea(whole) <= kMostRoom * room;
+    if (shape.extent > (isHinge_ ? longest_ : options_.longest)) return false;
+    return hullArea(whole) <= (isHinge_ ? kMostRoomOfHinged : kMostRoom) * room;
   }
 
   std::uint32_t joinWherePossible(const std::vector<Run>& runs) {
@@ -217,6 +270,8 @@ class Merger {
   const std::vector<std::uint32_t>& place_;
   std::vector<double>& u_;  ///< per vertex, of the charts as they are
   Seams& seams_;
+  const double longest_;
+  bool isHinge_ = false;                 ///< joined along parts of runs
   std::vector<std::uint8_t> isRefused_;  ///< per half-edge
   /// By the first half-edge of a run, triangles of both charts and edges when they did not fit.
   std::map<std::uint32_t, std::array<std::size_t, 3>> unpromising_;

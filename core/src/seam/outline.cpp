@@ -125,10 +125,27 @@ double hullArea(std::vector<Point2> p) {
   return polygonArea(hull);
 }
 
+double longestExtent(const std::vector<Point2>& points) {
+  constexpr int kDirections = 16;
+  double longest = 0;
+  for (int k = 0; k < kDirections; ++k) {
+    const portable::SinCos along = portable::sinCos(kPi * k / kDirections);
+    double low = 0, high = 0;
+    for (const Point2& p : points) {
+      const double x = (p[0] - points[0][0]) * along.cos + (p[1] - points[0][1]) * along.sin;
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
+
 Shape measureShape(const std::vector<Point2>& outline) {
   Shape shape;
   const double area = polygonArea(outline);
   if (outline.size() < 3) return shape;
+  shape.extent = longestExtent(outline);
   if (!(area > 0)) {  // turned inside out: nothing of it will fit
     shape.fill = 0;
     return shape;

@@ -20,6 +20,7 @@ std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& surfa
 struct Shape {
   double fill = 1;     ///< area over that of the convex hull
   double overlap = 0;  ///< area that is covered more than once, over the whole
+  double extent = 0;   ///< see longestExtent()
   /// Pairs of half-edges of the loop that cross, at most `kMostCrossings`.
   std::vector<std::array<std::uint32_t, 2>> crossings;
 };
@@ -28,5 +29,8 @@ Shape measureShape(const std::vector<Point2>& outline);
 
 double polygonArea(const std::vector<Point2>& points);
 double hullArea(std::vector<Point2> points);
+
+/// In the direction in which it is largest, to a percent.
+double longestExtent(const std::vector<Point2>& points);
 
 }  // namespace abflat

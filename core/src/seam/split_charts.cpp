@@ -7,7 +7,7 @@ namespace abflat {
 namespace {
 
 bool isBad(const Shape& shape, SplitFor reason, const ShapeOptions& options) {
-  return shape.overlap > options.mostOverlap ||
+  return shape.overlap > options.mostOverlap || shape.extent > options.longest ||
          (reason == SplitFor::OverlapOrFill && shape.fill < options.leastFill);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "seam/outline.h"
@@ -10,6 +11,7 @@ namespace abflat {
 struct ShapeOptions {
   double leastFill = 0;    ///< of the convex hull
   double mostOverlap = 0;  ///< of the chart's area
+  double longest = std::numeric_limits<double>::infinity();
 };
 
 /// What a chart is split for.

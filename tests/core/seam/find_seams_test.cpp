@@ -1,4 +1,5 @@
 #include "abflat/flatten.h"
+#include "abflat/unwrap.h"
 #include "catch.h"
 #include "mesh/triangle_geometry.h"
 #include "support/cut_meshes.h"
@@ -185,14 +186,13 @@ TEST_CASE("seams of real meshes meet the yardsticks", "[seams]") {
   for (const Yardstick& y : yardsticks) {
     PolygonMesh mesh = sharedMesh(y.file);
     if (mesh.faceCount() == 0) continue;
-    const Cuttable c(std::move(mesh));
-    SeamReport report;
-    const Seams seams = findSeams(c.seamMesh, {}, {}, &report);
-    const Flattened flat = flattened(c, seams);
+    const Result<UnwrapResult> r = unwrap(mesh, {});
     INFO(y.file);
-    CHECK(report.charts <= 0.3 * y.charts);
-    CHECK(report.seamLength <= 0.56 * y.length);
-    CHECK(flat.stretch <= SeamOptions().maxStretch);
-    CHECK(flat.invalid == 0);
+    REQUIRE(r.ok());
+    const UnwrapReport& report = r.value.report;
+    CHECK(report.valid);
+    CHECK(static_cast<double>(report.charts.size()) <= 0.3 * y.charts);
+    CHECK(report.seams.relativeLength <= 0.56 * y.length);
+    CHECK(report.symmetricDirichlet <= UnwrapOptions().maxStretch);
   }
 }

@@ -73,6 +73,26 @@ TEST_CASE("charts stay apart where together they would take more room", "[merge]
   CHECK(after == seams);
 }
 
+TEST_CASE("charts hang together by a part of their seam where all of it cannot be joined",
+          "[merge]") {
+  const Cuttable c(isosurface(24, rings(1)));
+  SeamOptions tight;
+  tight.maxStretch = 1.02;
+  SeamReport report;
+  const Seams seams = findSeams(c.seamMesh, {}, tight, &report);
+  const CutSurface s = cutAlong(c.seamMesh, report.found);
+  // Seams that end within a chart between two that were apart.
+  std::size_t ends = 0;
+  std::vector<int> degree(c.seamMesh.vertexCount(), 0);
+  for (std::uint32_t h = 0; h < report.found.size(); ++h)
+    if (report.found[h]) ++degree[c.seamMesh.vertexOfCorner[h]];
+  for (const int d : degree) ends += d == 1;
+  CHECK(ends >= 2);
+  CHECK(s.charts.size() <= 3);
+  for (const CutSurface::Chart& chart : s.charts) CHECK(chart.isDisk());
+  CHECK(report.stretch <= tight.maxStretch);
+}
+
 TEST_CASE("joined charts keep the bounds, and no seam is added", "[merge]") {
   for (const PolygonMesh& mesh : {isosurface(24, rings(2)), isosurface(28, noise(2, 4))}) {
     const Cuttable c(mesh);
