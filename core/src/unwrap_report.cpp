@@ -1,6 +1,4 @@
-#include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "abflat/unwrap.h"
@@ -9,110 +7,102 @@
 namespace abflat {
 namespace {
 
-Json repairJson(const RepairReport& r) {
-  return {{"mergedVertices", r.mergedVertices},
-          {"collapsedFaces", r.collapsedFaces},
-          {"splitFaces", r.splitFaces},
-          {"duplicateFaces", r.duplicateFaces},
-          {"nonManifoldEdges", r.nonManifoldEdges},
-          {"orientationConflicts", r.orientationConflicts},
-          {"degenerateTriangles", r.degenerateTriangles}};
+void writeRepair(JsonWriter& json, const RepairReport& r) {
+  json.object("repair");
+  json.field("mergedVertices", r.mergedVertices);
+  json.field("collapsedFaces", r.collapsedFaces);
+  json.field("splitFaces", r.splitFaces);
+  json.field("duplicateFaces", r.duplicateFaces);
+  json.field("nonManifoldEdges", r.nonManifoldEdges);
+  json.field("orientationConflicts", r.orientationConflicts);
+  json.field("degenerateTriangles", r.degenerateTriangles);
+  json.end();
 }
 
-Json seamsJson(const SeamSummary& s) {
-  return {{"edges", s.edges},
-          {"relativeLength", s.relativeLength},
-          {"genus", s.genus},
-          {"handleLoops", s.handleLoops},
-          {"handleLength", s.handleLength},
-          {"filledHoles", s.filledHoles}};
+void writeSeams(JsonWriter& json, const SeamSummary& s) {
+  json.object("seams");
+  json.field("edges", s.edges);
+  json.field("relativeLength", s.relativeLength);
+  json.field("genus", s.genus);
+  json.field("handleLoops", s.handleLoops);
+  json.field("handleLength", s.handleLength);
+  json.field("filledHoles", s.filledHoles);
+  json.end();
 }
 
-Json chartJson(const UnwrapChart& c) {
-  return {{"faces", c.faces},
-          {"firstFace", c.firstFace},
-          {"boundaryVertices", c.boundaryVertices},
-          {"filledHoles", c.filledHoles},
-          {"area", c.area},
-          {"solver", c.solver},
-          {"fixed", c.fixed},
-          {"iterations", c.iterations},
-          {"angularDistortion", c.angularDistortion},
-          {"quasiConformal", {{"mean", c.quasiConformalMean}, {"max", c.quasiConformalMax}}},
-          {"symmetricDirichlet", c.symmetricDirichlet},
-          {"refined", refinedJson(c.refined)},
-          {"pins", pinsJson(c.pins)},
-          {"straight", straightJson(c.straight)},
-          {"fallbacks", c.fallbacks},
-          {"problem", c.problem},
-          {"valid", c.valid}};
+void writeChart(JsonWriter& json, const UnwrapChart& c) {
+  json.object();
+  json.field("faces", c.faces);
+  json.field("firstFace", c.firstFace);
+  json.field("boundaryVertices", c.boundaryVertices);
+  json.field("filledHoles", c.filledHoles);
+  json.field("area", c.area);
+  json.field("solver", c.solver);
+  json.field("fixed", c.fixed);
+  json.field("iterations", c.iterations);
+  json.field("angularDistortion", c.angularDistortion);
+  writeQuasiConformal(json, c.quasiConformalMean, c.quasiConformalMax);
+  json.field("symmetricDirichlet", c.symmetricDirichlet);
+  writeRefined(json, c.refined);
+  writePins(json, c.pins);
+  writeStraight(json, c.straight);
+  json.field("fallbacks", c.fallbacks);
+  json.field("problem", c.problem);
+  json.field("valid", c.valid);
+  json.end();
 }
 
-Json stagesJson(const UnwrapStages& s) {
-  return {{"read", s.read}, {"surface", s.surface}, {"seams", s.seams}, {"solve", s.solve},
-          {"pack", s.pack}, {"check", s.check},     {"write", s.write}};
+void writeAtlas(JsonWriter& json, const AtlasReport& a) {
+  json.object("atlas");
+  json.field("resolution", a.resolution);
+  json.field("padding", a.padding);
+  json.field("tiles", a.tiles);
+  json.field("utilization", a.utilization);
+  json.field("texelDensity", a.texelDensity);
+  json.field("packingCuts", a.packingCuts);
+  json.field("packingCutLength", a.packingCutLength);
+  json.field("uncutTexelDensity", a.uncutTexelDensity);
+  json.end();
 }
 
-Json timingsJson(const UnwrapTimings& t) {
-  Json out = stagesJson(t);
-  out["total"] = t.total;
-  return out;
-}
-
-/// Adds them as jsonText has the elements of an array that is one level deep. There may be as many
-/// charts as faces: only one at a time is a tree of objects.
-void addCharts(const std::vector<UnwrapChart>& charts, std::string& out) {
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    std::string text = "\n" + jsonText(chartJson(charts[i]));
-    text.back() = ',';
-    if (i + 1 == charts.size()) text.pop_back();
-    for (const char c : text) {
-      out += c;
-      if (c == '\n') out += "    ";
-    }
-    if (i == 0) out.reserve(out.size() + charts.size() * (text.size() + text.size() / 2));
-  }
-  out += "\n  ";
+void writeStages(JsonWriter& json, const UnwrapStages& s) {
+  json.field("read", s.read);
+  json.field("surface", s.surface);
+  json.field("seams", s.seams);
+  json.field("solve", s.solve);
+  json.field("pack", s.pack);
+  json.field("check", s.check);
+  json.field("write", s.write);
 }
 
 }  // namespace
 
 std::string unwrapReportJson(const UnwrapReport& report) {
-  Json out = {
-      {"version", ABFLAT_VERSION},
-      {"input", inputJson(report.input, report.path, report.error.code)},
-      {"options", optionsJson(report.options)},
-      {"threads", report.threads},
-      {"repair", repairJson(report.repair)},
-      {"seams", seamsJson(report.seams)},
-      {"charts", Json::array()},
-      {"notes", report.notes},
-      {"angularDistortion", report.angularDistortion},
-      {"quasiConformalMean", report.quasiConformalMean},
-      {"symmetricDirichlet", report.symmetricDirichlet},
-      {"atlas",
-       {{"resolution", report.atlas.resolution},
-        {"padding", report.atlas.padding},
-        {"tiles", report.atlas.tiles},
-        {"utilization", report.atlas.utilization},
-        {"texelDensity", report.atlas.texelDensity},
-        {"packingCuts", report.atlas.packingCuts},
-        {"packingCutLength", report.atlas.packingCutLength},
-        {"uncutTexelDensity", report.atlas.uncutTexelDensity}}},
-      {"valid", report.valid},
-      {"timings", timingsJson(report.timings)},
-      {"peakMemory", stagesJson(report.peakMemory)},
-  };
-  if (!report.error.ok()) out["error"] = errorJson(report.error);
-  std::string text = jsonText(out);
-  if (report.charts.empty()) return text;
-  // Nothing before reads like that: quotes within texts are escaped.
-  const std::string_view key = "\n  \"charts\": [";
-  const std::size_t at = text.find(key) + key.size();
-  const std::string rest = text.substr(at);
-  text.erase(at);
-  addCharts(report.charts, text);
-  return text += rest;
+  JsonWriter json;
+  json.field("version", ABFLAT_VERSION);
+  writeInput(json, report.input, report.path, report.error.code);
+  writeOptions(json, report.options);
+  json.field("threads", report.threads);
+  writeRepair(json, report.repair);
+  writeSeams(json, report.seams);
+  json.array("charts");
+  for (const UnwrapChart& chart : report.charts) writeChart(json, chart);
+  json.end();
+  json.field("notes", report.notes);
+  json.field("angularDistortion", report.angularDistortion);
+  json.field("quasiConformalMean", report.quasiConformalMean);
+  json.field("symmetricDirichlet", report.symmetricDirichlet);
+  writeAtlas(json, report.atlas);
+  json.field("valid", report.valid);
+  json.object("timings");
+  writeStages(json, report.timings);
+  json.field("total", report.timings.total);
+  json.end();
+  json.object("peakMemory");
+  writeStages(json, report.peakMemory);
+  json.end();
+  writeError(json, report.error);
+  return json.take();
 }
 
 }  // namespace abflat

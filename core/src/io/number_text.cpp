@@ -49,14 +49,18 @@ bool parseDouble(std::string_view word, double& value) {
   return !word.empty() && scanDouble(word.data(), end, value) == end;
 }
 
+char* writeReal(char* out, double value) {
+  // Grisu2. Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give
+  // the same bytes.
+  return nlohmann::detail::to_chars(out, out + kMostDoubleChars, value);
+}
+
 char* writeDouble(char* out, double value) {
   if (!std::isfinite(value)) {
     const std::string_view text = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
     return std::copy(text.begin(), text.end(), out);
   }
-  // Grisu2. Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give
-  // the same bytes.
-  char* const end = nlohmann::detail::to_chars(out, out + kMostDoubleChars, value);
+  char* const end = writeReal(out, value);
   return end - out > 2 && end[-1] == '0' && end[-2] == '.' ? end - 2 : end;
 }
 

@@ -25,6 +25,8 @@ constexpr std::size_t kMostDoubleChars = 32, kMostIntegerChars = 10;
 /// Writes a text of at most kMostDoubleChars that reads back as the same double, and returns its
 /// end. The same everywhere, and nearly always the shortest.
 char* writeDouble(char* out, double value);
+/// The same of a finite double, with ".0" where it is whole.
+char* writeReal(char* out, double value);
 /// The same with at most kMostIntegerChars.
 char* writeInteger(char* out, std::uint32_t value);
 

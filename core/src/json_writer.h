@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace abflat {
+
+/// JSON text of an object, written as it is told: one field a line, indented by two spaces.
+/// Browsers load it, so it is a few small functions rather than a tree of values.
+class JsonWriter {
+ public:
+  JsonWriter() { begin(nullptr, '{'); }
+
+  /// Null where it is not finite.
+  void field(const char* name, double value);
+  void field(const char* name, bool value);
+  /// What is not UTF-8 becomes U+FFFD: paths and quoted input need not be.
+  void field(const char* name, std::string_view text);
+  void field(const char* name, const char* text) { field(name, std::string_view(text)); }
+  void field(const char* name, const std::string& text) { field(name, std::string_view(text)); }
+  void field(const char* name, const std::vector<std::string>& texts);
+  void field(const char* name, const std::vector<std::uint32_t>& values);
+  void field(const char* name, const std::vector<std::array<std::uint32_t, 2>>& pairs);
+  template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
+  void field(const char* name, Integer value) {
+    integer(name, static_cast<std::int64_t>(value));
+  }
+  void null(const char* name) { put(name, "null"); }
+
+  /// What follows is inside, until end(). Elements of arrays have no name.
+  void object(const char* name = nullptr) { begin(name, '{'); }
+  void array(const char* name = nullptr) { begin(name, '['); }
+  void end();
+
+  /// Ends the object and its line.
+  std::string take();
+
+ private:
+  void begin(const char* name, char bracket);
+  void integer(const char* name, std::int64_t value);
+  void put(const char* name, std::string_view value);
+  void startLine();
+
+  std::string text_;
+  std::string open_;  ///< brackets that are not closed yet
+  bool isEmpty_ = true;
+};
+
+}  // namespace abflat
