@@ -59,8 +59,9 @@ struct SweepCommand {
   std::string input;
   bool allowsOutside = false;
   std::vector<double> t = {2, 1.05, 1,
-                           0.968};  ///< those of the paper's table 2; kAutoT may be among them
-  std::string csv;                  ///< file to write; empty: a table for people
+                           0.968};    ///< those of the paper's table 2; kAutoT may be among them
+  std::vector<double> balance = {0};  ///< each with each t
+  std::string csv;                    ///< file to write; empty: a table for people
 };
 
 struct CompareCommand {

@@ -54,7 +54,7 @@ std::string bestText(const std::vector<MethodResult>& rows, const Measure& measu
 }
 
 std::string rowText(const MethodResult& row, const std::vector<MethodResult>& rows) {
-  std::string out = formatted("%-24s%9.3f", row.title.c_str(), row.seconds);
+  std::string out = formatted("%-27s%9.3f", row.title.c_str(), row.seconds);
   for (const Measure& m : kMeasures) {
     const std::string value = numberText(m, row.*m.value);
     out += formatted("%11s%c", value.c_str(), row.valid && value == bestText(rows, m) ? '*' : ' ');
@@ -70,7 +70,7 @@ std::string tableText(const Comparison& comparison, const std::string& name) {
       name + formatted(": %zu %s, %zu vertices, %zu on the boundary\n\n", input.triangles,
                        input.triangles == 1 ? "triangle" : "triangles", input.vertices,
                        input.boundaryEdges);
-  out += formatted("%-24s%9s", "method", "seconds");
+  out += formatted("%-27s%9s", "method", "seconds");
   for (const Measure& m : kMeasures) out += formatted("%11s ", m.title);
   out += formatted("%8s%11s  %s\n", "flipped", "crossings", "valid");
   for (const MethodResult& row : comparison.methods) out += rowText(row, comparison.methods);

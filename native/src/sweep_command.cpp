@@ -12,18 +12,19 @@
 namespace abflat::cli {
 namespace {
 
-/// What came of one t: a report, or the status that says why there is none.
+/// What came of one t and balance: a report, or the status that says why there is none.
 struct Row {
-  double t;
+  double t, balance;
   Result<FlattenResult> result;
 };
 
-std::string boundText(double t) {
-  if (t == kAutoT) return "auto";
+std::string numberText(double x) {
   std::ostringstream out;
-  out << t;
+  out << x;
   return out.str();
 }
+
+std::string boundText(double t) { return t == kAutoT ? "auto" : numberText(t); }
 
 /// A cell of a CSV file; quoted, since sentences hold commas.
 std::string quoted(const std::string& text) {
@@ -35,19 +36,19 @@ std::string quoted(const std::string& text) {
 std::string csvText(const std::vector<Row>& rows) {
   std::ostringstream out;
   out << std::setprecision(10);
-  out << "t,used t,solver,steps,angular distortion,length "
-         "distortion,crossings,flipped,valid,seconds,problem\n";
+  out << "t,balance,used t,solver,steps,angular distortion,length distortion,symmetric "
+         "Dirichlet,crossings,flipped,valid,seconds,problem\n";
   for (const Row& row : rows) {
-    out << boundText(row.t) << ',';
+    out << boundText(row.t) << ',' << row.balance << ',';
     if (!row.result.ok()) {
-      out << ",,,,,,,false,," << quoted(row.result.status.message) << '\n';
+      out << ",,,,,,,,false,," << quoted(row.result.status.message) << '\n';
       continue;
     }
     const ChartReport& c = row.result.value.report.charts.front();
     const Timings& s = row.result.value.report.timings;
     out << c.t << ',' << c.solver << ',' << c.iterations << ',' << c.angularDistortion << ','
-        << c.lengthDistortion << ',' << c.boundaryCrossings << ',' << c.flippedTriangles << ','
-        << (c.valid ? "true" : "false") << ','
+        << c.lengthDistortion << ',' << c.symmetricDirichlet << ',' << c.boundaryCrossings << ','
+        << c.flippedTriangles << ',' << (c.valid ? "true" : "false") << ','
         << s.connectivity + s.solve + s.layout + s.refine + s.check << ',' << quoted(c.problem)
         << '\n';
   }
@@ -56,14 +57,15 @@ std::string csvText(const std::vector<Row>& rows) {
 
 std::string tableText(const std::vector<Row>& rows) {
   std::ostringstream out;
-  out << std::setw(8) << "t" << std::setw(8) << "used" << std::setw(7) << "steps" << std::setw(12)
-      << "angular" << std::setw(12) << "length" << std::setw(11) << "crossings" << std::setw(9)
-      << "flipped" << std::setw(9) << "seconds"
+  out << std::setw(8) << "t" << std::setw(9) << "balance" << std::setw(8) << "used" << std::setw(7)
+      << "steps" << std::setw(12) << "angular" << std::setw(12) << "length" << std::setw(12)
+      << "stretch" << std::setw(11) << "crossings" << std::setw(9) << "flipped" << std::setw(9)
+      << "seconds"
       << "  result\n";
   for (const Row& row : rows) {
-    out << std::setw(8) << boundText(row.t);
+    out << std::setw(8) << boundText(row.t) << std::setw(9) << numberText(row.balance);
     if (!row.result.ok()) {
-      out << std::setw(68) << ""
+      out << std::setw(80) << ""
           << "  " << row.result.status.message << '\n';
       continue;
     }
@@ -71,8 +73,9 @@ std::string tableText(const std::vector<Row>& rows) {
     const Timings& s = row.result.value.report.timings;
     out << std::setw(8) << boundText(c.t) << std::setw(7) << c.iterations << std::fixed
         << std::setprecision(5) << std::setw(12) << c.angularDistortion << std::setprecision(4)
-        << std::setw(12) << c.lengthDistortion << std::setw(11) << c.boundaryCrossings
-        << std::setw(9) << c.flippedTriangles << std::setprecision(2) << std::setw(9)
+        << std::setw(12) << c.lengthDistortion << std::setw(12) << c.symmetricDirichlet
+        << std::setw(11) << c.boundaryCrossings << std::setw(9) << c.flippedTriangles
+        << std::setprecision(2) << std::setw(9)
         << s.connectivity + s.solve + s.layout + s.refine + s.check << std::defaultfloat << "  "
         << (c.valid ? "valid" : c.problem) << '\n';
   }
@@ -93,13 +96,17 @@ int runSweep(const SweepCommand& command) {
   if (!input.ok()) return ended(input.status);
   std::vector<Row> rows;
   for (const double t : command.t) {
-    FlattenOptions options;
-    options.t = t;
-    rows.push_back({t, orOutOfMemory(name, [&] { return flatten(input.value.mesh, options); })});
-    const Status& status = rows.back().result.status;
-    // What no t can change ends the sweep.
-    if (!status.ok() && status.code != StatusCode::InfeasibleBound)
-      return ended({status.code, name + ": " + status.message});
+    for (const double balance : command.balance) {
+      FlattenOptions options;
+      options.t = t;
+      options.balance = balance;
+      const auto run = [&] { return flatten(input.value.mesh, options); };
+      rows.push_back({t, balance, orOutOfMemory(name, run)});
+      const Status& status = rows.back().result.status;
+      // What neither can change ends the sweep.
+      if (!status.ok() && status.code != StatusCode::InfeasibleBound)
+        return ended({status.code, name + ": " + status.message});
+    }
   }
   const Status written = out.writeNow(command.csv.empty() ? tableText(rows) : csvText(rows));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);

@@ -1,5 +1,6 @@
 #include "abflat/compare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +33,9 @@ void checkAlike(const Comparison& a, const Comparison& b) {
     CHECK(a.methods[i].method == b.methods[i].method);
     CHECK(a.methods[i].valid == b.methods[i].valid);
     const std::vector<double> p = measuresOf(a.methods[i]), q = measuresOf(b.methods[i]);
-    for (std::size_t k = 0; k < p.size(); ++k) CHECK(p[k] == Approx(q[k]).epsilon(1e-6));
+    // The energy of MIPS is flat around its least value: Newton's method ends anywhere there.
+    const double tolerance = a.methods[i].method == "mips" ? 1e-4 : 1e-6;
+    for (std::size_t k = 0; k < p.size(); ++k) CHECK(p[k] == Approx(q[k]).epsilon(tolerance));
   }
 }
 
@@ -41,7 +44,7 @@ void checkAlike(const Comparison& a, const Comparison& b) {
 TEST_CASE("every method gives a layout of the surface's area in the corner of the plane") {
   const PolygonMesh mesh = transformed(bumpyGrid(8, 6, 0.4, 1), 40, {5, 6, 7});
   const Comparison c = compared(mesh);
-  REQUIRE(c.methods.size() == 7);
+  REQUIRE(c.methods.size() == 10);
   std::vector<double> areas;
   for (const MethodResult& m : c.methods) {
     INFO(m.method);
@@ -102,11 +105,31 @@ TEST_CASE("a free abflat layout keeps angles better than every other one") {
   }
 }
 
+TEST_CASE("every energy is least in the row that minimises it") {
+  for (const char* name : {"hemisphere", "head"}) {
+    const auto sample = std::find_if(samples().begin(), samples().end(),
+                                     [&](const Sample& s) { return s.name == name; });
+    const Comparison c = compared(sample->make(1));
+    const auto row = [&](const std::string& key) -> const MethodResult& {
+      return *std::find_if(c.methods.begin(), c.methods.end(),
+                           [&](const MethodResult& m) { return m.method == key; });
+    };
+    INFO(name);
+    for (const MethodResult& m : c.methods)
+      if (m.valid) CHECK(row("symmetricDirichlet").symmetricDirichlet <= m.symmetricDirichlet);
+    // Between them in both: a balance trades one for the other.
+    const double balanced = row("abflatBalanced").symmetricDirichlet;
+    CHECK(balanced <= row("abflatAuto").symmetricDirichlet);
+    CHECK(row("abflatBalanced").quasiConformalMean <= row("symmetricDirichlet").quasiConformalMean);
+    CHECK(row("mips").quasiConformalMean <= row("abflatAuto").quasiConformalMean * (1 + 1e-9));
+  }
+}
+
 TEST_CASE("a flat mesh keeps its areas where angles are kept, but not on a circle") {
   const Comparison flat = compared(bumpyGrid(5, 5, 0, 3));
-  for (const std::size_t conformal : {std::size_t{0}, std::size_t{2}, std::size_t{6}})
+  for (const std::size_t conformal : {std::size_t{0}, std::size_t{2}, std::size_t{9}})
     CHECK(flat.methods[conformal].areaDistortion < 1e-6);
-  for (const std::size_t onCircle : {std::size_t{3}, std::size_t{4}, std::size_t{5}}) {
+  for (const std::size_t onCircle : {std::size_t{6}, std::size_t{7}, std::size_t{8}}) {
     const MethodResult& m = flat.methods[onCircle];
     CHECK(m.areaDistortion > 0.01);
     CHECK(m.areaDistortion <=

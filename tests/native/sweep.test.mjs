@@ -38,6 +38,34 @@ test('CSV: distortion grows as t falls', async (t) => {
   assert.ok(rows.every((row) => row.valid === 'true' && row.problem === ''));
 });
 
+test('balances are combined with every t; alone with auto; stretch falls as they grow', async (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('in.obj'), grid(8));
+  const swept = async (...args) =>
+    parseCsv((await runAbflat(['sweep', 'in.obj', ...args, '--csv', '-'], { cwd: at() })).stdout);
+  const rows = await swept('--balance', '0,0.25,0.5,1');
+  assert.deepEqual(
+    rows.map((row) => [row.t, row.balance]),
+    ['0', '0.25', '0.5', '1'].map((balance) => ['auto', balance]),
+  );
+  const stretch = rows.map((row) => Number(row['symmetric Dirichlet']));
+  const angular = rows.map((row) => Number(row['angular distortion']));
+  for (let i = 1; i < rows.length; i++) {
+    assert.ok(stretch[i] < stretch[i - 1], `${stretch}`);
+    assert.ok(angular[i] > angular[i - 1], `${angular}`);
+  }
+  assert.ok(rows.every((row) => row.valid === 'true'));
+  assert.deepEqual(
+    (await swept('--t', '2,1', '--balance', '0,1')).map((row) => [row.t, row.balance]),
+    [
+      ['2', '0'],
+      ['2', '1'],
+      ['1', '0'],
+      ['1', '1'],
+    ],
+  );
+});
+
 test('wrong lists, meshes and targets have their exit codes', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), grid(3));
@@ -46,6 +74,8 @@ test('wrong lists, meshes and targets have their exit codes', async (t) => {
   assert.equal(await code('in.obj', '--t', '1,,2'), 2);
   assert.equal(await code('in.obj', '--t', '1,wide'), 2);
   assert.equal(await code('in.obj', '--t', '0'), 2);
+  for (const list of ['', '1.5', '-0.1', 'auto', '0,,1'])
+    assert.equal(await code('in.obj', `--balance=${list}`), 2, list);
   assert.equal(await code('missing.obj'), 3);
   assert.equal(await code('closed.off', '--csv', 'out.csv'), 4);
   assert.equal(existsSync(at('out.csv')), false);

@@ -191,6 +191,25 @@ test('the example in the README of the repository runs', async () => {
   await runCode(abflat, (stdout) => assert.match(stdout, /^true \d+ \d+$/m));
 });
 
+test('the example of a balance in the README runs: stretch falls', async () => {
+  await runExample('balance', (stdout) => {
+    const rows = stdout
+      .trim()
+      .split('\n')
+      .map((line) => line.split(' '));
+    assert.deepEqual(
+      rows.map(([balance]) => balance),
+      ['0', '0.2', '1'],
+    );
+    const stretch = rows.map(([, stretch]) => Number(stretch));
+    assert.ok(stretch[0] > stretch[1] && stretch[1] > stretch[2] && stretch[2] >= 1, stdout);
+    assert.deepEqual(
+      rows.map(([, , energy]) => energy === 'undefined'),
+      [true, false, false],
+    );
+  });
+});
+
 test('the example of three.js geometry in the README runs', async () => {
   await runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
   await runExample('three', () => undefined);

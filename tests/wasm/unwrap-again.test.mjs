@@ -42,6 +42,23 @@ test('known: charts that an edit of the seams leaves alone are not solved, and t
   }
 });
 
+test('known: charts of the same balance are taken over, those of another one solved anew', async () => {
+  const mesh = arraysOf(sphere(8));
+  const options = { seams: 'auto', balance: 0.5 };
+  const first = await abflat.unwrap(mesh, options);
+  assert.ok(first.report.charts.every(({ refined }) => refined.energy < refined.energyBefore));
+  const edit = { ...options, seams: 'none', seamEdges: first.seams };
+  const again = await abflat.unwrap(mesh, { ...edit, known: first });
+  assert.deepEqual(new Set(solvers(again)), new Set(['known']));
+  for (const key of ARRAYS) assert.deepEqual(again[key], first[key], key);
+  for (const balance of [0, 0.25, 1]) {
+    const other = await abflat.unwrap(mesh, { ...edit, balance, known: first });
+    assert.ok(!solvers(other).includes('known'), `balance ${balance}`);
+    const solved = await abflat.unwrap(mesh, { ...edit, balance });
+    for (const key of ARRAYS) assert.deepEqual(other[key], solved[key], key);
+  }
+});
+
 test('known: straight seams are kept where they end at the same places', async () => {
   const mesh = arraysOf(torus(16, 8));
   const straight = { seams: 'auto', straightSeams: true };

@@ -17,6 +17,11 @@ namespace abflat {
 ///
 /// Methods, in the order of their rows:
 ///   "abflatAuto", "abflatConvex", "abflatFree": flatten() with t = auto, 1 and 2.
+///   "abflatBalanced", "symmetricDirichlet": flatten() with t = auto and balance = 0.5 and 1; the
+///     symmetric Dirichlet energy is that of Smith and Schaefer, "Bijective parameterization with
+///     free boundaries", 2015.
+///   "mips": Hormann and Greiner, "MIPS: an efficient global parametrization method", 2000; the
+///     balance is so near 0 that the other term moves nothing.
 ///   "tutte": Tutte, "How to draw a graph", 1963.
 ///   "meanValue": Floater, "Mean value coordinates", 2003.
 ///   "harmonic": Pinkall and Polthier 1993, Eck et al. 1995; with a fixed boundary the same as the

@@ -6,34 +6,48 @@
 namespace abflat::cli {
 namespace {
 
-/// "2,1.05,auto" as values of t.
-std::vector<double> parseBounds(const std::string& text) {
-  constexpr int kIndexOfT = 0;
+/// "2,1.05,auto" as values of an option of flattening.
+std::vector<double> parseList(const std::string& option, const std::string& text) {
+  const OptionInfos infos = optionInfos(FlattenOptionValues{});
+  int index = 0;
+  while (infos[index].flag != option) ++index;
   std::vector<double> out;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
     FlattenOptionValues values;
     bool isWord = false;
-    double t = wordValue(values, kIndexOfT, word, isWord);
-    if ((!isWord && !isNumber(word, t)) || !setOption(values, kIndexOfT, t, isWord))
-      throw CLI::ValidationError(
-          "--t", "'" + word + "' is not a number " + optionInfos(values)[kIndexOfT].range);
-    out.push_back(t);
+    double value = wordValue(values, index, word, isWord);
+    if ((!isWord && !isNumber(word, value)) || !setOption(values, index, value, isWord))
+      throw CLI::ValidationError(option, "'" + word + "' is not a number " + infos[index].range);
+    out.push_back(value);
   }
-  if (out.empty()) throw CLI::ValidationError("--t", "the list is empty");
+  if (out.empty()) throw CLI::ValidationError(option, "the list is empty");
   return out;
 }
 
 }  // namespace
 
 CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
-  CLI::App* sub = app.add_subcommand("sweep", "Compare the distortion of a mesh for several t");
+  CLI::App* sub =
+      app.add_subcommand("sweep", "Compare the distortion of a mesh for several t and balances");
   sub->group("Commands");
   addInput(*sub, c.input);
+  const CLI::Option* t =
+      sub->add_option_function<std::string>(
+             "--t", [&c](const std::string& text) { c.t = parseList("--t", text); },
+             wrapped("values of t separated by commas, each a number above 0, or auto; with "
+                     "--balance the default is auto"))
+          ->default_str("2,1.05,1,0.968")
+          ->type_name("LIST");
   sub->add_option_function<std::string>(
-         "--t", [&c](const std::string& text) { c.t = parseBounds(text); },
-         wrapped("values of t separated by commas, each a number above 0, or auto"))
-      ->default_str("2,1.05,1,0.968")
+         "--balance",
+         [&c, t](const std::string& text) {
+           c.balance = parseList("--balance", text);
+           if (t->count() == 0) c.t = {kAutoT};
+         },
+         wrapped("balances between angles and lengths separated by commas, each from 0 to 1; every "
+                 "t is combined with every balance"))
+      ->default_str("0")
       ->type_name("LIST");
   sub->add_option("--csv", c.csv,
                   wrapped("CSV file to write instead of printing a table; - for standard output"))
@@ -54,7 +68,8 @@ void checkTogether(const SweepCommand& c) {
 
 CLI::App* addCompare(CLI::App& app, CompareCommand& c) {
   CLI::App* sub = app.add_subcommand(
-      "compare", "Compare the layouts of a mesh by abflat, Tutte, mean value, harmonic and LSCM");
+      "compare",
+      "Compare the layouts of a mesh by abflat, MIPS, Tutte, mean value, harmonic and LSCM");
   sub->group("Commands");
   addInput(*sub, c.input);
   sub->add_option("--json", c.json,

@@ -3,11 +3,14 @@
 import type { CallOptions, Progress } from './layout.js';
 import type { MeshSummary } from './mesh.js';
 
-/** `abflat*` are this package's own layouts, with t = auto, 1 and 2; the others are references from the literature. */
+/** `abflat*` are this package's own layouts, with t = auto, 1 and 2, and with t = auto and balance = 0.5; the others are references from the literature. */
 export type MethodKey =
   | 'abflatAuto'
   | 'abflatConvex'
   | 'abflatFree'
+  | 'abflatBalanced'
+  | 'symmetricDirichlet'
+  | 'mips'
   | 'tutte'
   | 'meanValue'
   | 'harmonic'
