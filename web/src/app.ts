@@ -1,6 +1,7 @@
 import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './alert';
 import { AtlasControl } from './atlas-control';
+import { BalanceControl } from './balance-control';
 import { BoundControl } from './bound-control';
 import { Locks } from './charts/locks';
 import { ChartsTab } from './charts-tab';
@@ -38,6 +39,10 @@ export class App implements SessionEvents {
   private readonly session: Session;
   private readonly say = (text: string) => this.run.say(text);
   private readonly bound = new BoundControl(() => this.session.refresh(), this.say);
+  private readonly balance = new BalanceControl('flatten', () => {
+    this.sweep.clear();
+    this.session.refresh();
+  });
   private readonly atlas = new AtlasControl(() => this.session.refresh(), this.say);
   private readonly mode = new ModeSwitch(() => this.modeChanged());
   private readonly details = new Details((tab) => {
@@ -135,7 +140,12 @@ export class App implements SessionEvents {
   }
 
   private get diskSettings(): FlattenSettings {
-    return { mode: 'flatten', t: this.bound.t, delaunay: this.delaunay };
+    return {
+      mode: 'flatten',
+      t: this.bound.t,
+      balance: this.balance.balance,
+      delaunay: this.delaunay,
+    };
   }
 
   /** The other kind of layout, with what belongs to it. */

@@ -1,4 +1,5 @@
 import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
+import { BalanceControl } from './balance-control';
 import { create, element } from './dom';
 import { count } from './format';
 import { MoreControl } from './more-control';
@@ -25,6 +26,7 @@ export class AtlasControl {
   private readonly hint = element('stretch-hint', HTMLElement);
   private readonly resolution = element('resolution', HTMLSelectElement);
   private readonly padding: NumberField<number>;
+  private readonly balance: BalanceControl;
   private readonly more: MoreControl;
 
   /** Whether charts are cut until they keep within the limit. */
@@ -47,6 +49,7 @@ export class AtlasControl {
       changed,
       say,
     );
+    this.balance = new BalanceControl('unwrap', changed);
     this.more = new MoreControl(changed, say);
     this.addTicks();
     this.showStretch();
@@ -69,6 +72,7 @@ export class AtlasControl {
     return {
       mode: 'unwrap',
       maxStretch: STRETCHES[this.slider.valueAsNumber],
+      balance: this.balance.balance,
       resolution: Number(this.resolution.value),
       padding: this.padding.value,
       ...this.more.settings,

@@ -14,6 +14,8 @@ interface Metric<S> {
   isBad?(subject: S): boolean;
 }
 
+const STRETCH = 'Symmetric Dirichlet energy / 4, mean over the surface; 1 keeps all lengths';
+
 const AS_IN_FILE = 'Faces of the mesh as it came: triangles, quads and larger polygons';
 
 const OF_DISK: Metric<Report>[] = [
@@ -27,6 +29,11 @@ const OF_DISK: Metric<Report>[] = [
     title:
       'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
     value: ({ charts: [chart] }) => measure(chart.lengthDistortion),
+  },
+  {
+    label: 'Stretch',
+    title: STRETCH,
+    value: ({ charts: [chart] }) => stretch(chart.symmetricDirichlet),
   },
   {
     label: 'Crossings',
@@ -73,7 +80,7 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
     label: 'Stretch',
     title:
       'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths',
-    value: ({ symmetricDirichlet }) => symmetricDirichlet.toFixed(4),
+    value: ({ symmetricDirichlet }) => stretch(symmetricDirichlet),
   },
   {
     label: 'Angular distortion',
@@ -96,6 +103,14 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
     value: ({ input }) => count(input.faces),
   },
 ];
+
+/** What refining gained, where it did anything. */
+const REFINED: Metric<{ refined: Energies }> = {
+  label: 'Energy, refined',
+  title:
+    'What the balance weighs, mean over the refined surface, before and after: (1 - b)·(σ₁/σ₂ + σ₂/σ₁)/2 + b·(σ₁² + σ₂² + 1/σ₁² + 1/σ₂²)/4, b the balance',
+  value: ({ refined: { before, after } }) => `${stretch(before)} \u2192 ${stretch(after)}`,
+};
 
 const TIME: Metric<{ timings: { total: number } }> = {
   label: 'Time',
@@ -142,7 +157,9 @@ export class MetricsPanel {
       outcome.mode === 'unwrap'
         ? itemsOf(OF_ATLAS, outcome.result.report)
         : itemsOf(OF_DISK, outcome.result.report);
-    this.list.replaceChildren(...items, ...itemsOf([TIME], report));
+    const refined = energiesOf(outcome);
+    const gain = refined ? itemsOf([REFINED], { refined }) : [];
+    this.list.replaceChildren(...items, ...gain, ...itemsOf([TIME], report));
     this.verdict = verdictOf(outcome);
     this.badge.textContent = this.verdict.badge;
     this.badge.className = `badge ${GRADES[this.verdict.badge]}`;
@@ -171,6 +188,29 @@ export class MetricsPanel {
     this.reason.title = text;
   }
 }
+
+interface Energies {
+  before: number;
+  after: number;
+}
+
+/** Means over the refined charts by their area; null where none is. */
+function energiesOf(outcome: Outcome): Energies | null {
+  const charts =
+    outcome.mode === 'unwrap'
+      ? outcome.result.report.charts
+      : outcome.result.report.charts.map(({ refined }) => ({ refined, area: 1 }));
+  let [area, before, after] = [0, 0, 0];
+  for (const chart of charts) {
+    if (!chart.refined) continue;
+    area += chart.area;
+    before += chart.area * chart.refined.energyBefore;
+    after += chart.area * chart.refined.energy;
+  }
+  return area > 0 ? { before: before / area, after: after / area } : null;
+}
+
+const stretch = (energy: number) => (energy < 100 ? energy.toFixed(4) : measure(energy));
 
 function itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
   return metrics.map(({ label, title, value, isBad }) =>

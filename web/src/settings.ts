@@ -9,6 +9,7 @@ export type Mode = 'flatten' | 'unwrap';
 export interface FlattenSettings {
   mode: 'flatten';
   t: Bound;
+  balance: number;
   delaunay: boolean;
 }
 
@@ -16,6 +17,7 @@ export interface FlattenSettings {
 export interface UnwrapSettings extends MoreOptions {
   mode: 'unwrap';
   maxStretch: number;
+  balance: number;
   /** Texels along a side. */
   resolution: number;
   /** Texels between charts. */

@@ -1,4 +1,4 @@
-import type { MeshSummary } from 'abflat';
+import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
 import { bound, count, counted } from './format';
 import type { Flattened, Outcome } from './lay-out';
 import type { DisplayMesh } from './mesh';
@@ -25,10 +25,17 @@ export function settingsText(settings: Settings): string {
     const { maxStretch, resolution, padding, seams, seamEdges } = settings;
     const along = seamEdges ? `${counted(seamEdges.length / 2, 'seam edge')}` : `seams ${seams}`;
     const size = `${resolution}\u202fpx, padding ${padding}`;
-    return [along, `stretch up to ${maxStretch}`, size, ...changedOptions(settings)].join(', ');
+    const lengths = balanceText(settings.balance, UNWRAP_DEFAULTS.balance);
+    const rest = [...lengths, size, ...changedOptions(settings)];
+    return [along, `stretch up to ${maxStretch}`, ...rest].join(', ');
   }
-  return `t = ${bound(settings.t)}${settings.delaunay ? ', Delaunay' : ''}`;
+  const delaunay = settings.delaunay ? ['Delaunay'] : [];
+  const lengths = balanceText(settings.balance, FLATTEN_DEFAULTS.balance);
+  return [`t = ${bound(settings.t)}`, ...lengths, ...delaunay].join(', ');
 }
+
+const balanceText = (balance: number, usual: number) =>
+  balance === usual ? [] : [`balance ${balance}`];
 
 /** "500 polygons, 968 triangles"; of a mesh of triangles their number. */
 export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): string {
