@@ -1,8 +1,9 @@
 #!/usr/bin/env node
 // Pictures of the page in both themes, for the README: with each mesh, the charts of the last one, and a sample with its distortion plotted against t.
-// Usage: screenshots.mjs FOLDER MESH[:turned]...   turned: seen from its other side; writes FOLDER/NAME-THEME.png, FOLDER/charts-THEME.png and FOLDER/details-THEME.png
+// Usage: screenshots.mjs FOLDER MESH[:turned]...   turned: seen from its other side; writes FOLDER/NAME-THEME.png, FOLDER/charts-THEME.png,
+// FOLDER/details-THEME.png, and FOLDER/balance.png: heat maps of the first one in one chart, at balance 0 and 1.
 
-import { existsSync, mkdirSync, renameSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { join, parse } from 'node:path';
 import { WEB_DIST } from '../../scripts/lib/paths.mjs';
 import { Failure, runMain } from '../../scripts/lib/run.mjs';
@@ -51,6 +52,53 @@ async function plotAgainstT(page) {
   await page.mouse.move(0, 0);
 }
 
+/** Moves a slider to the end that a key leads to. */
+async function slideTo(page, selector, key) {
+  await page.focus(selector);
+  await page.keyboard.press(key);
+  await page.waitForFunction(() => !document.body.ariaBusy);
+}
+
+/** As a data URI: how much larger or smaller than on the surface each triangle is. */
+async function heatMap(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#layout-heat')]);
+  return `data:image/png;base64,${readFileSync(await download.path()).toString('base64')}`;
+}
+
+/** Area before and after, side by side. */
+async function compareBalances(url, { file }, output) {
+  const browser = await launchBrowser({ viewport: VIEWPORT });
+  try {
+    const page = await browser.context.newPage();
+    page.setDefaultTimeout(PATIENCE);
+    await page.goto(url);
+    await page.setInputFiles('#file', file);
+    await page.waitForFunction(
+      (name) => document.querySelector('#source').textContent === name && !document.body.ariaBusy,
+      parse(file).base,
+    );
+    await page.click('#seams-auto'); // one chart
+    await page.waitForFunction(() => !document.body.ariaBusy);
+    const figures = [];
+    for (const [key, balance] of [
+      ['Home', 0],
+      ['End', 1],
+    ]) {
+      await slideTo(page, '#unwrap-balance', key);
+      figures.push(
+        `<figure><img src="${await heatMap(page)}"><figcaption>balance ${balance}</figcaption></figure>`,
+      );
+    }
+    await page.setViewportSize({ width: 1000, height: 530 });
+    await page.setContent(
+      `<style>body{margin:0;display:flex;background:#fff;font:16px sans-serif}figure{margin:8px;text-align:center}img{width:484px;height:484px}</style>${figures.join('')}`,
+    );
+    await save(page, output);
+  } finally {
+    await browser.close();
+  }
+}
+
 async function photograph(url, meshes, theme, output) {
   const browser = await launchBrowser({ colorScheme: theme, viewport: VIEWPORT });
   try {
@@ -94,6 +142,7 @@ await runMain(async () => {
       const output = (name) => join(folder, `${name}-${theme}.png`);
       await photograph(server.url, meshes, theme, output);
     }
+    await compareBalances(server.url, meshes[0], join(folder, 'balance.png'));
   } finally {
     server.close();
   }
