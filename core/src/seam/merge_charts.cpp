@@ -55,6 +55,7 @@ class Merger {
     std::uint32_t done = joinAll();
     isHinge_ = true;
     std::fill(isRefused_.begin(), isRefused_.end(), 0);
+    unpromising_.clear();
     return done + joinAll();
   }
 
@@ -95,6 +96,7 @@ class Merger {
     Run out{run.a, run.b, {}, run.place, 0};
     double passed = 0;
     for (const std::uint32_t h : run.edges) {
+      if (passed < from) ++out.place;
       if (passed >= from && passed < to) {
         out.edges.push_back(h);
         out.length += mesh_.length[h];
@@ -129,9 +131,9 @@ class Merger {
     }
   }
 
-  /// Whether the charts, as they would lie by themselves, fit together.
-  bool isPromising(const CutSurface& s, const std::vector<std::vector<Point2>>& outlines,
-                   const Run& run) const {
+  /// Places along both outlines that the run brings together.
+  std::vector<std::pair<std::size_t, std::size_t>> placesOf(
+      const CutSurface& s, const std::vector<std::vector<Point2>>& outlines, const Run& run) const {
     const BoundaryLoop loop = s.outline(run.b);
     const std::size_t n = outlines[run.a].size(), m = loop.size();
     const auto first = std::find(loop.begin(), loop.end(), mesh_.twin[run.edges.front()]);
@@ -139,7 +141,20 @@ class Merger {
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i <= run.edges.size(); ++i)
       pairs.emplace_back((run.place + i) % n, (place + 1 + m - i) % m);
-    return roomTogether(outlines[run.a], outlines[run.b], pairs) <= kMostRoom;
+    return pairs;
+  }
+
+  /// Whether the charts, as they would lie by themselves, fit together.
+  bool isPromising(const CutSurface& s, const std::vector<std::vector<Point2>>& outlines,
+                   const Run& run) const {
+    const auto pairs = placesOf(s, outlines, run);
+    const std::vector<Point2>&a = outlines[run.a], &b = outlines[run.b];
+    if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
+    constexpr double kNearly = 10;  // of the overlap that is allowed: the union is not quite both
+    const std::vector<Point2> both = outlineTogether(a, b, pairs);
+    if (both.empty()) return false;
+    const Shape shape = measureShape(both);
+    return shape.overlap <= kNearly * options_.mostOverlap && shape.extent <= longest_;
   }
 
   /// The same, but two charts that do not fit are asked only once. Charts do nothing but grow, so
@@ -175,8 +190,7 @@ class Merger {
     std::vector<std::uint8_t> isUsed(s.charts.size(), 0);
     std::vector<Run> out;
     for (Run& run : runs) {
-      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) ||
-          (!isHinge_ && !stillPromises(s, outlines, run)))
+      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !stillPromises(s, outlines, run))
         continue;
       isUsed[run.a] = isUsed[run.b] = 1;
       out.push_back(std::move(run));

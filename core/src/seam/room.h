@@ -11,4 +11,9 @@ namespace abflat {
 double roomTogether(const std::vector<Point2>& a, const std::vector<Point2>& b,
                     const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
 
+/// Their common outline, when they are put together so; `pairs` are in order, and those of a run.
+/// Empty where they cannot be.
+std::vector<Point2> outlineTogether(const std::vector<Point2>& a, const std::vector<Point2>& b,
+                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
+
 }  // namespace abflat
