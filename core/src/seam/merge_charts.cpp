@@ -150,11 +150,11 @@ class Merger {
     const auto pairs = placesOf(s, outlines, run);
     const std::vector<Point2>&a = outlines[run.a], &b = outlines[run.b];
     if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
-    constexpr double kNearly = 10;  // of the overlap that is allowed: the union is not quite both
+    // A part of a seam changes so little that the union is as good as known.
     const std::vector<Point2> both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
     const Shape shape = measureShape(both);
-    return shape.overlap <= kNearly * options_.mostOverlap && shape.extent <= longest_;
+    return shape.crossings.empty() && shape.extent <= longest_ && shape.fill >= kLeastFill;
   }
 
   /// The same, but two charts that do not fit are asked only once. Charts do nothing but grow, so
