@@ -89,11 +89,13 @@ async function compareBalances(url, { file }, output) {
         `<figure><img src="${await heatMap(page)}"><figcaption>balance ${balance}</figcaption></figure>`,
       );
     }
-    await page.setViewportSize({ width: 1000, height: 530 });
-    await page.setContent(
+    // Of its own: that of abflat lets in no pictures from elsewhere.
+    const sheet = await browser.context.newPage();
+    await sheet.setViewportSize({ width: 1000, height: 530 });
+    await sheet.setContent(
       `<style>body{margin:0;display:flex;background:#fff;font:16px sans-serif}figure{margin:8px;text-align:center}img{width:484px;height:484px}</style>${figures.join('')}`,
     );
-    await save(page, output);
+    await save(sheet, output);
   } finally {
     await browser.close();
   }

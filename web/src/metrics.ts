@@ -53,11 +53,6 @@ const OF_DISK: Metric<Report>[] = [
     value: ({ input }) => count(input.faces),
   },
   {
-    label: 'Boundary vertices',
-    title: 'Vertices on the boundary',
-    value: ({ charts: [chart] }) => count(chart.boundaryVertices),
-  },
-  {
     label: 'Newton steps',
     title: 'Steps of the solver',
     value: ({ charts: [chart] }) => count(chart.iterations),
@@ -106,7 +101,7 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
 
 /** What refining gained, where it did anything. */
 const REFINED: Metric<{ refined: Energies }> = {
-  label: 'Energy, refined',
+  label: 'Energy',
   title:
     'What the balance weighs, mean over the refined surface, before and after: (1 - b)·(σ₁/σ₂ + σ₂/σ₁)/2 + b·(σ₁² + σ₂² + 1/σ₁² + 1/σ₂²)/4, b the balance',
   value: ({ refined: { before, after } }) => `${stretch(before)} \u2192 ${stretch(after)}`,
