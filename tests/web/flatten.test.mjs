@@ -61,7 +61,7 @@ test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mes
   assert.equal(await textOf(page, '#source'), 'waves.obj');
   const before = await metrics(page);
   assert.equal(before.Faces, '128');
-  assert.equal(before['Boundary vertices'], '32');
+  assert.ok(Number(before.Stretch) >= 1);
 
   await page.fill('#t-number', '1');
   await settled(page);
