@@ -146,7 +146,7 @@ TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "
   bounded.t = 2;
   straight.straightSeams = true;
   dense.texelDensity = 10;
-  pinned.pins = {{0, 0.1, 0.1}, {60, 0.8, 0.1}};
+  pinned.pins = {{0, {0.1, 0.1}}, {60, {0.8, 0.1}}};
   for (const UnwrapOptions& options : {given, bounded, straight, dense, pinned}) {
     const UnwrapResult r = unwrapped(mesh, options);
     CHECK(r.report.charts.size() == 1);
