@@ -329,7 +329,7 @@ class Unwrapping {
     report_.atlas.packingCuts = cuts.count;
     report_.atlas.packingCutLength = cuts.length;
     report_.atlas.uncutTexelDensity = uncut.texelDensity;
-    const Status packed = packNow(kUncut, 1);
+    Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
     if (packed.ok() && mostStretch(flat_) <= bound &&
         isWorth(cuts, report_.atlas.texelDensity / uncut.texelDensity, options_))

@@ -144,7 +144,8 @@ EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
 }
 
 /// What that layout was asked for.
-EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, double balance, bool straightSeams) {
+EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, double balance,
+                                             bool straightSeams) {
   job->unwrapOptions.known.t = t;
   job->unwrapOptions.known.balance = balance;
   job->unwrapOptions.known.straightSeams = straightSeams;

@@ -106,7 +106,8 @@ class Shortener {
          findTips({mesh_, seams_, kept_, u_, outgoing_}, surface_, prediction_, isWanted, scale_)) {
       const auto limit = limit_.find(tip.vertex(mesh_));
       if (limit != limit_.end()) tip.edges.resize(std::min(tip.edges.size(), limit->second));
-      if (!tip.edges.empty()) of[tip.chart].push_back({std::move(tip), 0});
+      std::vector<Choice>& own = of[tip.chart];
+      if (!tip.edges.empty()) own.push_back({std::move(tip), 0});
     }
     std::vector<Choice> out;
     for (std::uint32_t c = 0; c < of.size(); ++c) {
