@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "angle/constants.h"
+#include "boundary/move_apart.h"
 #include "flatten_chart.h"
 #include "layout/pose.h"
 #include "refine/refine.h"
@@ -35,12 +36,21 @@ bool isBounded(const RefineWishes& wishes) {
 /// How the outline is kept as it should be.
 enum class Outline : std::uint8_t { Free, Shaped, Fixed };
 
+/// A step solves several systems where the outline is held: large charts take fewer of them.
+int solvesFor(const DiskChart& chart, Outline outline) {
+  constexpr double kTriangles = 4e6;
+  const bool isShaped = outline == Outline::Shaped;
+  const double fewest = isShaped ? 12 : 100, most = isShaped ? 200 : 600;
+  return static_cast<int>(std::clamp(kTriangles / chart.triangleCount(), fewest, most));
+}
+
 RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wishes,
                          Outline outline) {
   RefineOptions out;
   out.balance = wishes.balance;
   out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
   out.mayScale = wishes.pins.empty();
+  out.maxSolves = solvesFor(flattener.chart(), outline);
   out.place = flattener.place();
   out.allowedBytes = wishes.allowedBytes;
   out.pool = wishes.pool;
@@ -65,6 +75,14 @@ std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
   return rules.straight.empty() ? "" : "straight parts of the boundary stay straight";
 }
 
+/// What is nearly flat closes again, as it does when it is flattened.
+Attempt drawnBack(ChartFlattener& flattener, const Attempt& touching) {
+  Attempt out = movedApart(flattener, touching);
+  for (std::size_t i = touching.fallbacks.size(); i < out.fallbacks.size(); ++i)
+    out.fallbacks[i].insert(0, "refining: ");
+  return out;
+}
+
 /// The attempt's layout refined, checked and measured anew, valid or not.
 Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const Attempt& attempt) {
   const DiskChart& chart = flattener.chart();
@@ -73,6 +91,10 @@ Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const A
   Attempt out = attempt;
   out.uv = std::move(found.uv);
   flattener.measure(out);
+  if (isTangled(out) && options.mayScale) {
+    out = drawnBack(flattener, out);
+    found.energy = energyOf(chart, out.uv, options.balance);
+  }
   out.refined = {found.energyBefore, found.energy, found.steps, limitOf(found)};
   if (const std::string note = withoutFactorNote(found.memory); !note.empty())
     out.fallbacks.push_back("refining: " + note);
@@ -94,12 +116,6 @@ std::vector<double> lowered(std::vector<double> t, const StraightPlaces& straigh
   for (std::size_t i = 0; i < t.size(); ++i)
     if (!isHeld(i) && t[i] < kFree) t[i] -= by;
   return t;
-}
-
-/// A step solves several systems where bounds hold an outline: large charts take fewer of them.
-int solvesFor(const DiskChart& chart) {
-  constexpr double kTriangles = 4e6, kFewest = 12, kMost = 200;
-  return static_cast<int>(std::clamp(kTriangles / chart.triangleCount(), kFewest, kMost));
 }
 
 /// With an outline that keeps straight and within its bounds, but not its form; nothing where that
@@ -132,7 +148,6 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
   flattener.endSolving();  // so that one factor is held at a time
   RefineOptions options = optionsFor(flattener, wishes, Outline::Shaped);
   options.maxSteps = kSteps;
-  options.maxSolves = solvesFor(chart);
   options.outline = std::move(rules);
   const double before = energyOf(chart, attempt.uv, wishes.balance);
   start = refined(flattener, options, start);

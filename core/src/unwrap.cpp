@@ -1,11 +1,8 @@
 #include "abflat/unwrap.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "abflat/io.h"
@@ -24,6 +21,7 @@
 #include "unwrap_chart.h"
 #include "unwrap_fixed.h"
 #include "unwrap_known.h"
+#include "unwrap_layouts.h"
 #include "unwrap_monitor.h"
 #include "unwrap_output.h"
 #include "unwrap_pieces.h"
@@ -33,79 +31,6 @@
 
 namespace abflat {
 namespace {
-
-/// Charts by size, the largest first: what takes longest begins first.
-std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
-  std::vector<std::uint32_t> order(charts.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return charts.topology(a).triangleCount() > charts.topology(b).triangleCount();
-  });
-  return order;
-}
-
-/// Whether charts are as little stretched as seams let them be.
-bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
-
-bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
-
-/// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
-void flattenAll(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
-                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
-                const std::function<bool(double)>& tell, std::vector<FlatChart>& flat) {
-  const std::vector<std::uint32_t> order = largestFirst(charts);
-  std::size_t triangles = 0;
-  // Seams are found for what is not pinned.
-  const auto patienceFor = [&](const ChartWishes& w) {
-    return canCut(options) && w.pins.empty() ? Patience::Little : Patience::All;
-  };
-  const auto isKnown = [&](std::size_t i) {
-    return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
-  };
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    if (!isKnown(i)) triangles += charts.topology(i).triangleCount();
-  std::atomic<std::size_t> done{0};
-  parallelFor(&pool, charts.size(), [&](std::size_t i) {
-    if (monitor.stopped()) return;
-    FlatChart& out = flat[order[i]];
-    if (isKnown(order[i])) return;
-    const DiskChart chart = charts.chart(order[i]);
-    // The caller hears of all charts, but from its own thread only.
-    const auto goesOn = [&] {
-      if (!pool.isOwner()) return !monitor.stopped();
-      return tell(static_cast<double>(done) / static_cast<double>(triangles));
-    };
-    const bool isCutEnough = out.isCutEnough;
-    out = flattenOne(chart, options, wishes[order[i]],
-                     isCutEnough ? Patience::All : patienceFor(wishes[order[i]]), pool, goesOn);
-    out.isCutEnough = isCutEnough;
-    done += chart.triangleCount();
-  });
-}
-
-/// More than seams are to allow.
-bool isStretched(const FlatChart& chart, double most) {
-  return !chart.isFixed && chart.distortion.symmetricDirichlet > most;
-}
-
-void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
-                   std::vector<std::string>& notes) {
-  if (!options.seams.isAuto) return;
-  std::size_t count = 0;
-  double most = 0;
-  for (const FlatChart& chart : flat) {
-    if (!isStretched(chart, options.maxStretch)) continue;
-    ++count;
-    most = std::max(most, chart.distortion.symmetricDirichlet);
-  }
-  if (count == 0) return;
-  char text[120];
-  std::snprintf(text, sizeof text, "%zu %s stretched by more than %g, up to %.5g: ", count,
-                count == 1 ? "chart is" : "charts are", options.maxStretch, most);
-  notes.push_back(text + std::string(isFree(options) ? "seams that were tried do not help enough"
-                                     : options.straightSeams ? "straight seams take that"
-                                                             : "a larger t, or auto, takes less"));
-}
 
 /// The exponent of the power of two that brings the largest coordinate of a face to 1 to 2.
 int exponentOf(const PolygonMesh& mesh) {
@@ -203,22 +128,33 @@ class Unwrapping {
     if (Status s = checkUnpinned(set_, wishes_, flat_); !s.ok()) return s;
     if (Status s = layOut(); !s.ok()) return s;
     constexpr int kMostRounds = 8;
-    while (round_ < kMostRounds && !monitor_.stopped()) {
-      ++round_;
-      report_.timings.solve += watch_.lap();
-      const bool isCut = cutFurther();
+    if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve,
+                                     [&](double share) { return tellSolve(share); });
+        !s.ok())
+      return s;
+    for (FlatChart& chart : flat_) chart.isCutEnough = true;
+    if (dropTangled(flat_))
+      if (Status s = layOut(); !s.ok()) return s;
+    return {};
+  }
+
+  /// As often as that helps. `seconds`: those of laying out.
+  Status cutWhileStretched(int mostRounds, double& seconds,
+                           const std::function<bool(double)>& tell) {
+    for (round_ = 1; round_ <= mostRounds && !monitor_.stopped(); ++round_) {
+      seconds += watch_.lap();
+      const bool isCut = cutFurther([&] { return tell(0); });
       report_.timings.seams += watch_.lap();
       if (!isCut || monitor_.stopped()) break;
       const ChartSet before = std::move(set_);
+      std::vector<FlatChart> flat = std::move(flat_);
       set_ = chartsOf(welded_, open_);
       if (Status s = readWishes(); !s.ok()) return s;
-      flat_ = layoutsKept(before, set_, flat_);
-      dropTangled();
-      if (Status s = layOut(); !s.ok()) return s;
+      flat_ = std::vector<FlatChart>(set_.size());
+      moveSame(before, flat, set_, flat_);
+      dropTangled(flat_);
+      if (Status s = layOut(tell); !s.ok()) return s;
     }
-    for (FlatChart& chart : flat_) chart.isCutEnough = true;
-    if (dropTangled())
-      if (Status s = layOut(); !s.ok()) return s;
     return {};
   }
 
@@ -232,17 +168,6 @@ class Unwrapping {
     open_ = OpenSurface();
     wishes_ = std::vector<ChartWishes>();
     set_.place = std::vector<std::uint32_t>();
-  }
-
-  /// Layouts of charts that seams do not help; whether there are any.
-  bool dropTangled() {
-    bool isAny = false;
-    for (FlatChart& chart : flat_) {
-      if (!chart.isTangled || !chart.isCutEnough) continue;
-      chart = {};
-      chart.isCutEnough = isAny = true;
-    }
-    return isAny;
   }
 
   Status readWishes() {
@@ -271,7 +196,7 @@ class Unwrapping {
     return monitor_.tell(kSolve, 1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
   }
 
-  bool cutFurther() {
+  bool cutFurther(const std::function<bool()>& goesOn) {
     if (!canCut(options_)) return false;
     std::vector<Stretched> charts;
     const double slightlyMore = 1 + 1.01 * (options_.maxStretch - 1);
@@ -286,8 +211,7 @@ class Unwrapping {
       // Unless its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }
-    return cutStretched(
-        set_, charts, options_, *pool_, [&] { return tellSolve(0); }, open_);
+    return cutStretched(set_, charts, options_, *pool_, goesOn, open_);
   }
 
   Status packCharts() {
@@ -315,32 +239,60 @@ class Unwrapping {
         findRoomCuts(set_, flat_, open_, options_, report_.atlas.utilization, goesOn);
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     const AtlasReport uncut = report_.atlas;
-    const double bound = std::max(mostStretch(flat_), options_.maxStretch);
+    open_.seams.resize(open_.mesh.twin.size(), 0);
     const Seams seams = open_.seams;
+    const double length = seamLength(open_);
     Packing packing = std::move(packing_);
     addCuts(cuts, options_, open_);
     ChartSet before = std::move(set_);
-    set_ = chartsOf(welded_, open_);
     std::vector<FlatChart> flat = std::move(flat_);
-    flat_ = layoutsKept(before, set_, flat);
+    set_ = chartsOf(welded_, open_);
+    flat_ = std::vector<FlatChart>(set_.size());
+    moveSame(before, flat, set_, flat_);
     takePieces(before, flat, set_, options_.maxStretch, *pool_, flat_);
-    if (Status s = readWishes(); !s.ok()) return s;
-    if (Status s = layOut([&](double) { return goesOn(); }); !s.ok()) return s;
-    report_.atlas.packingCuts = cuts.count;
-    report_.atlas.packingCutLength = cuts.length;
+    if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
+    if (Status s = joinStretched(before, seams, flat); !s.ok()) return s;
+    report_.atlas.packingCuts = static_cast<int>(set_.size()) - static_cast<int>(before.size());
+    report_.atlas.packingCutLength = seamLength(open_) - length;
     report_.atlas.uncutTexelDensity = uncut.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
-    if (packed.ok() && mostStretch(flat_) <= bound &&
-        isWorth(cuts, report_.atlas.texelDensity / uncut.texelDensity, options_))
-      return {};
-    giveBack(before, set_, flat_, flat);
+    if (packed.ok() && isWorth(report_.atlas, options_)) return {};
+    moveSame(set_, flat_, before, flat);
     set_ = std::move(before);
     flat_ = std::move(flat);
     open_.seams = seams;
     packing_ = std::move(packing);
     report_.atlas = uncut;
     placeInAtlas(packing_, flat_);
+    return readWishes();
+  }
+
+  /// Those that do not lie well enough as they lay in their chart. What is stretched too much even
+  /// so is cut further.
+  Status layOutPieces(const std::function<bool()>& goesOn) {
+    constexpr int kMostRounds = 3;
+    const auto tell = [&](double) { return goesOn(); };
+    if (Status s = readWishes(); !s.ok()) return s;
+    if (Status s = layOut(tell); !s.ok()) return s;
+    expectScale(set_, stretchedPieces(flat_, options_.maxStretch), *pool_, open_);
+    if (Status s = cutWhileStretched(kMostRounds, report_.timings.pack, tell); !s.ok()) return s;
+    for (FlatChart& chart : flat_) chart.isCutEnough = true;
+    return dropTangled(flat_) ? layOut(tell) : Status();
+  }
+
+  /// Charts that were cut for packing to pieces that are stretched too much are whole again.
+  Status joinStretched(const ChartSet& before, const Seams& seams, std::vector<FlatChart>& flat) {
+    const std::vector<std::uint8_t> isJoined =
+        stretchedByCuts(before, flat, set_, flat_, options_.maxStretch);
+    if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
+    takeBack(before, isJoined, seams, open_);
+    const ChartSet cut = std::move(set_);
+    std::vector<FlatChart> pieces = std::move(flat_);
+    set_ = chartsOf(welded_, open_);
+    flat_ = std::vector<FlatChart>(set_.size());
+    moveSame(cut, pieces, set_, flat_);
+    moveSame(before, flat, set_, flat_);
     return readWishes();
   }
 

@@ -45,27 +45,13 @@ bool isSame(const ChartTopology& a, const ChartTopology& b) {
 
 }  // namespace
 
-double mostStretch(const std::vector<FlatChart>& flat) {
-  double most = 0;
-  for (const FlatChart& chart : flat) most = std::max(most, chart.distortion.symmetricDirichlet);
-  return most;
-}
-
-std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
-                                   std::vector<FlatChart>& flat) {
-  std::vector<FlatChart> out(now.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::uint32_t old = before.ofTriangle[now.triangles(i).front()];
-    if (isSame(before.topology(old), now.topology(i))) out[i] = std::move(flat[old]);
-  }
-  return out;
-}
-
-void giveBack(const ChartSet& before, const ChartSet& now, std::vector<FlatChart>& kept,
-              std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const std::uint32_t old = before.ofTriangle[now.triangles(i).front()];
-    if (isSame(before.topology(old), now.topology(i))) flat[old] = std::move(kept[i]);
+void moveSame(const ChartSet& from, std::vector<FlatChart>& flatFrom, const ChartSet& to,
+              std::vector<FlatChart>& flatTo) {
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    if (!flatTo[i].unpacked.empty()) continue;
+    const std::uint32_t k = from.ofTriangle[to.triangles(i).front()];
+    if (!flatFrom[k].unpacked.empty() && isSame(from.topology(k), to.topology(i)))
+      flatTo[i] = std::move(flatFrom[k]);
   }
 }
 
@@ -95,8 +81,20 @@ void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore
     }
     flat[i] = pieceAsItLies(now.chart(i), std::move(uv), whole.solver);
     if (flat[i].distortion.symmetricDirichlet > mostStretch) flat[i] = {};
-    flat[i].isCutEnough = true;
   });
+}
+
+std::vector<std::uint8_t> stretchedByCuts(const ChartSet& before,
+                                          const std::vector<FlatChart>& flatBefore,
+                                          const ChartSet& now, const std::vector<FlatChart>& flat,
+                                          double mostStretch) {
+  std::vector<std::uint8_t> out(before.size(), 0);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const std::uint32_t whole = before.ofTriangle[now.triangles(i).front()];
+    const double bound = std::max(mostStretch, flatBefore[whole].distortion.symmetricDirichlet);
+    if (flat[i].distortion.symmetricDirichlet > bound) out[whole] = 1;
+  }
+  return out;
 }
 
 }  // namespace abflat

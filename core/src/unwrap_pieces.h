@@ -8,16 +8,9 @@
 
 namespace abflat {
 
-/// Of the chart that is stretched most.
-double mostStretch(const std::vector<FlatChart>& flat);
-
-/// Moves layouts of the charts that are as they were, and of the same form, from those before.
-std::vector<FlatChart> layoutsKept(const ChartSet& before, const ChartSet& now,
-                                   std::vector<FlatChart>& flat);
-
-/// Moves them back.
-void giveBack(const ChartSet& before, const ChartSet& now, std::vector<FlatChart>& kept,
-              std::vector<FlatChart>& flat);
+/// Moves layouts to the charts that have none and are of the same form as those they were of.
+void moveSame(const ChartSet& from, std::vector<FlatChart>& flatFrom, const ChartSet& to,
+              std::vector<FlatChart>& flatTo);
 
 /// Layouts for charts that have none: as they lay before they were parted from others, at a scale
 /// of their own. Those that are stretched by more than `mostStretch` then, or that numbers cannot
@@ -25,5 +18,12 @@ void giveBack(const ChartSet& before, const ChartSet& now, std::vector<FlatChart
 void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore,
                 const ChartSet& now, double mostStretch, ThreadPool& pool,
                 std::vector<FlatChart>& flat);
+
+/// Per chart before whether one of its pieces is stretched by more than `mostStretch`, and by more
+/// than all of it was.
+std::vector<std::uint8_t> stretchedByCuts(const ChartSet& before,
+                                          const std::vector<FlatChart>& flatBefore,
+                                          const ChartSet& now, const std::vector<FlatChart>& flat,
+                                          double mostStretch);
 
 }  // namespace abflat

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "abflat/generated/unwrap_options.h"
+#include "abflat/unwrap.h"
 #include "chart/chart_set.h"
 #include "unwrap_chart.h"
 #include "unwrap_seams.h"
@@ -30,7 +30,11 @@ RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
 /// Opens the surface along them, and the holes that they come to.
 void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurface& open);
 
-/// Whether seams of that length are worth a texel density so many times as high.
-bool isWorth(const RoomCuts& cuts, double densityRatio, const UnwrapOptionValues& options);
+/// Closes what opens charts further than `seams` did. `before`: the charts then.
+void takeBack(const ChartSet& before, const std::vector<std::uint8_t>& isAsked, const Seams& seams,
+              OpenSurface& open);
+
+/// Whether the cuts for packing that an atlas has are worth its texel density.
+bool isWorth(const AtlasReport& atlas, const UnwrapOptionValues& options);
 
 }  // namespace abflat

@@ -10,6 +10,7 @@
 #include "mesh/triangle_geometry.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
+#include "seam/log_scale.h"
 #include "seam/prediction.h"
 
 namespace abflat {
@@ -192,7 +193,11 @@ OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surfac
                                  options.fillHoles, Pulse(keepsOn));
   SeamReport found;
   open.unit = unit * unitOf(welded, open);
-  findAround(fixed.isFixed, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
+  SeamOptions toBegin = seamOptions(options, open, pool, std::move(keepsOn));
+  // How much refining leaves is known to a third or so, and to cut again takes another run.
+  constexpr double kShare = 0.85;
+  if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  findAround(fixed.isFixed, toBegin, open, found);
   summary.genus = surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
@@ -236,6 +241,22 @@ bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
   return isAnyFound || isAnyRestored;
 }
 
+void expectScale(const ChartSet& set, const std::vector<std::uint8_t>& isAsked, ThreadPool& pool,
+                 OpenSurface& open) {
+  if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return;
+  const CutSurface s = cutAlong(open.mesh, open.seams);
+  std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
+  for (std::size_t i = 0; i < set.size(); ++i)
+    isWanted[s.chartOfTriangle[set.triangles(i).front()]] = isAsked[i];
+  const SeamPart part = extractCharts(open.mesh, s, isWanted);
+  std::vector<std::uint32_t> place;
+  for (const std::uint32_t v : part.vertex) place.push_back(open.place[v]);
+  LogScale scale(part.mesh, &pool, std::move(place));
+  const CutSurface whole = cutAlong(part.mesh, Seams(part.mesh.twin.size(), 0));
+  const std::vector<double> u = scale.solve(whole, {});
+  for (std::size_t v = 0; v < u.size(); ++v) open.scale[part.vertex[v]] = u[v];
+}
+
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order that was found for the whole surface.
@@ -262,6 +283,12 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.edges /= 2;
   const double size = std::sqrt(open.mesh.totalArea());
   summary.relativeLength = size > 0 ? length / size : 0;
+}
+
+double seamLength(const OpenSurface& open) {
+  SeamSummary out;
+  measureSeams(open, visibleSeams(open), out);
+  return out.relativeLength;
 }
 
 }  // namespace abflat

@@ -51,11 +51,18 @@ bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open);
 
+/// Tells anew which scale is to be expected of charts that seams have changed.
+void expectScale(const ChartSet& set, const std::vector<std::uint8_t>& isAsked, ThreadPool& pool,
+                 OpenSurface& open);
+
 /// Its charts.
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open);
 
 /// The seams that can be seen, the given ones among them, per half-edge of the surface.
 Seams visibleSeams(const OpenSurface& open);
+
+/// Of all that can be seen, over the root of the area.
+double seamLength(const OpenSurface& open);
 
 /// Sets how many edges they have and how long they are.
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary);

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 
 #include "abflat/unwrap.h"
+#include "angle/constants.h"
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/unwrapped.h"
@@ -20,6 +22,31 @@ UnwrapOptions balanced(double balance) {
 UnwrapOptions asDisks(double balance) {
   UnwrapOptions out = balanced(balance);
   out.seams.isAuto = false;
+  return out;
+}
+
+/// As three.js makes it: each triangle at a pole has a texcoord of its own there.
+PolygonMesh openSphere(std::uint32_t columns, std::uint32_t rows) {
+  std::vector<double> positions;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i) {
+      const double u = 2 * kPi * i / columns, v = kPi * j / rows;
+      positions.insert(positions.end(),
+                       {std::cos(u) * std::sin(v), std::cos(v), std::sin(u) * std::sin(v)});
+    }
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const std::uint32_t a = j * (columns + 1) + i, b = a + columns + 1;
+      if (j > 0) triangles.insert(triangles.end(), {a, a + 1, b + 1});
+      if (j + 1 < rows) triangles.insert(triangles.end(), {a, b + 1, b});
+    }
+  PolygonMesh out = makeTriangleMesh(positions, triangles);
+  out.faceTexcoords = out.faceVertices;
+  for (std::uint32_t v = 0; v < out.vertexCount(); ++v) {
+    out.texcoords.push_back(v % (columns + 1));
+    out.texcoords.push_back(v / (columns + 1));
+  }
   return out;
 }
 
@@ -66,6 +93,21 @@ TEST_CASE("layouts for another balance are not taken over", "[balance]") {
   };
   CHECK(solvers(0.3) == static_cast<std::ptrdiff_t>(first.report.charts.size()));
   CHECK(solvers(0.4) == 0);
+}
+
+TEST_CASE("a sphere opened along a meridian and round its poles is refined", "[balance]") {
+  const PolygonMesh mesh = openSphere(32, 16);
+  for (const double balance : {0.2, 0.5, 1.0}) {
+    UnwrapOptions options = asDisks(balance);
+    options.seams.followsTexcoords = true;
+    const UnwrapResult r = unwrapped(mesh, options);
+    REQUIRE(r.report.charts.size() == 1);
+    REQUIRE(r.report.charts[0].refined);
+    const RefineReport& refined = *r.report.charts[0].refined;
+    CAPTURE(balance, refined.steps, refined.limit);
+    CHECK(refined.energy - 1 < 0.5 * (refined.energyBefore - 1));
+    CHECK(refined.steps <= 15);
+  }
 }
 
 TEST_CASE("a chart without stretch is not refined", "[balance]") {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -44,6 +45,36 @@ PolygonMesh ring(double inner, unsigned columns) {
     p[1] *= radius / now;
     p[2] = 0;
   }
+  return mesh;
+}
+
+/// A tube along a trefoil: one long chart that bends.
+PolygonMesh knot(unsigned columns, unsigned rows, double radius) {
+  const double pi = std::acos(-1.0);
+  const auto curve = [](double t) {
+    const double r = (2 + std::cos(1.5 * t)) / 2;
+    return std::array<double, 3>{r * std::cos(t), r * std::sin(t), std::sin(1.5 * t) / 2};
+  };
+  PolygonMesh mesh = torus(columns, rows);
+  mesh.positions.clear();
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const double t = 4 * pi * i / columns, a = 2 * pi * j / rows;
+      const auto p = curve(t), q = curve(t + 1e-3);
+      // Across the curve: away from its middle, and across that.
+      std::array<double, 3> along{}, out{}, side{};
+      for (std::size_t d = 0; d < 3; ++d) along[d] = (q[d] - p[d]) / 1e-3;
+      const double norm = std::hypot(along[0], std::hypot(along[1], along[2]));
+      for (double& x : along) x /= norm;
+      const double share = p[0] * along[0] + p[1] * along[1] + p[2] * along[2];
+      for (std::size_t d = 0; d < 3; ++d) out[d] = p[d] - share * along[d];
+      const double away = std::hypot(out[0], std::hypot(out[1], out[2]));
+      for (double& x : out) x /= away;
+      for (std::size_t d = 0; d < 3; ++d)
+        side[d] = along[(d + 1) % 3] * out[(d + 2) % 3] - along[(d + 2) % 3] * out[(d + 1) % 3];
+      for (std::size_t d = 0; d < 3; ++d)
+        mesh.positions.push_back(p[d] + radius * (std::cos(a) * out[d] + std::sin(a) * side[d]));
+    }
   return mesh;
 }
 
@@ -106,7 +137,7 @@ TEST_CASE("cuts for packing bring texels for their length, or are not made", "[r
       const double more = cut.report.seams.relativeLength - whole.report.seams.relativeLength;
       CHECK(more == Approx(atlas.packingCutLength).margin(1e-12));
       if (atlas.packingCuts > 0)
-        CHECK(gain > 0.08 * (more + 0.03 * atlas.packingCuts));
+        CHECK(gain > 0.04 * more + 0.015 * atlas.packingCuts);
       else
         CHECK(cut.uv == whole.uv);
       for (const UnwrapChart& c : cut.report.charts)
@@ -114,6 +145,22 @@ TEST_CASE("cuts for packing bring texels for their length, or are not made", "[r
       cuts += atlas.packingCuts;
     }
   CHECK(cuts > 0);
+}
+
+TEST_CASE("a piece that comes out stretched too much is cut further, and all other cuts stay",
+          "[room]") {
+  for (const double radius : {0.2, 0.3, 0.4})
+    for (const double balance : {0.0, 0.2}) {
+      UnwrapOptions options = kAuto;
+      options.balance = balance;
+      options.maxStretch = balance == 0 ? 1.04 : 1.02;
+      const UnwrapResult cut = unwrapped(knot(120, 14, radius), options);
+      INFO("radius " << radius << ", balance " << balance);
+      CHECK(cut.report.atlas.packingCuts > 0);
+      CHECK(cut.report.atlas.utilization > 0.5);
+      for (const UnwrapChart& c : cut.report.charts)
+        CHECK(c.symmetricDirichlet <= options.maxStretch);
+    }
 }
 
 TEST_CASE("charts are cut until they cover the share that is asked for", "[room]") {

@@ -38,12 +38,16 @@ class Placer {
       tiles_[t].reset(grid_.cells(), grid_.cells(), longest_);
       tiles_[t].take(taken[t], 0, 0);
     }
+    if (!options.start) return;
+    tiles_[0] = options.start->tile;
+    begins_[0] = options.start->begins;
   }
 
   Placed run() {
     Placed out;
     out.spots.resize(items_.size());
     std::size_t count = 0;
+    double missing = 0;
     for (position_ = 0; position_ < strategy_.order.size(); ++position_) {
       const std::uint32_t i = strategy_.order[position_];
       if (options_.onPlaced && !options_.onPlaced(count)) {
@@ -54,7 +58,8 @@ class Placer {
         if (out.fit == Fit::All) out.missing = i;
         out.fit = Fit::TooMany;
         out.work = work_;
-        if (!options_.skipsMissing) return out;
+        missing += items_[i].mass.area;
+        if (missing > options_.mostMissing) return out;
         continue;
       }
       out.rows = std::max(out.rows, topOf(i, out.spots[i]));

@@ -69,10 +69,17 @@ struct PlaceSpace {
   void keepCells(const std::vector<PackItem>& items);
 };
 
+/// A tile on which items have been placed.
+struct PlaceStart {
+  FreeMap tile;
+  SearchBegins begins;
+};
+
 struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
-  bool skipsMissing = false;                         ///< the others are placed nevertheless
+  double mostMissing = -1;  ///< area of items that may stay without a place; negative: none may
+  const PlaceStart* start = nullptr;                 ///< of the first tile; null: `taken` tells
   std::function<bool(std::size_t placed)> onPlaced;  ///< false cancels
 };
 

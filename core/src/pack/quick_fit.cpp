@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "pack/strategies.h"
 
 namespace abflat {
+namespace {
+
+constexpr double kAnyArea = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 QuickFit::QuickFit(int resolution, int padding, bool rotate) : poses_(rotate ? 8 : 1) {
   constexpr int kCells = 96;
@@ -47,11 +53,39 @@ void QuickFit::forget(std::size_t i) {
     space_.touched[k].texelsPerUnit = space_.taken[k].texelsPerUnit = 0;
 }
 
-std::vector<std::uint8_t> QuickFit::placed(double side) {
+void QuickFit::hold(double side, const std::vector<std::uint32_t>& items) {
+  release();
+  PlaceStrategy strategy = largestFirst(items_, static_cast<int>(poses_));
+  strategy.order.erase(
+      std::find_first_of(strategy.order.begin(), strategy.order.end(), items.begin(), items.end()),
+      strategy.order.end());
+  isHeldPlaced_ = placedBy(strategy, side, kAnyArea);
+  isHeld_.assign(items_.size(), 0);
+  for (const std::uint32_t i : strategy.order) isHeld_[i] = 1;
+  held_ = {space_.tiles[0], space_.begins[0]};
+}
+
+std::vector<std::uint8_t> QuickFit::placed(double side) { return placed(side, kAnyArea); }
+
+std::vector<std::uint8_t> QuickFit::placed(double side, double mostMissing) {
+  PlaceStrategy strategy = largestFirst(items_, static_cast<int>(poses_));
+  const auto isHeld = [&](std::uint32_t i) { return i < isHeld_.size() && isHeld_[i]; };
+  strategy.order.erase(std::remove_if(strategy.order.begin(), strategy.order.end(), isHeld),
+                       strategy.order.end());
+  for (std::size_t i = 0; i < isHeld_.size(); ++i)
+    if (isHeld_[i] && !isHeldPlaced_[i]) mostMissing -= items_[i].mass.area;
+  std::vector<std::uint8_t> out = placedBy(strategy, side, std::max(mostMissing, 0.0));
+  for (std::size_t i = 0; i < isHeld_.size(); ++i)
+    if (isHeld_[i]) out[i] = isHeldPlaced_[i];
+  return out;
+}
+
+std::vector<std::uint8_t> QuickFit::placedBy(const PlaceStrategy& strategy, double side,
+                                             double mostMissing) {
   PlaceOptions options;
   options.texelsPerUnit = grid_.resolution / side;
-  options.skipsMissing = true;
-  const PlaceStrategy strategy = largestFirst(items_, static_cast<int>(poses_));
+  options.mostMissing = mostMissing;
+  if (!isHeld_.empty()) options.start = &held_;
   const Placed found = place(items_, strategy, grid_, {BitGrid()}, options, space_);
   std::vector<std::uint8_t> out;
   out.reserve(items_.size());
@@ -67,7 +101,7 @@ double QuickFit::leastSide() {
   for (const PackItem& item : items_) area += item.mass.area;
   if (!(area > 0)) return 0;
   const auto fits = [&](double side) {
-    const std::vector<std::uint8_t> isPlaced = placed(side);
+    const std::vector<std::uint8_t> isPlaced = placed(side, 0);
     return std::find(isPlaced.begin(), isPlaced.end(), 0) == isPlaced.end();
   };
   double low = std::sqrt(area), high = low;

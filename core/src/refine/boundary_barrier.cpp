@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShareOfEdge = 0.25;
 /// Of the energy of as much surface as lies within reach.
-constexpr double kStrength = 1;
+constexpr double kStrength = 0.1;
 
 }  // namespace
 
@@ -21,8 +21,8 @@ struct BoundaryBarrier::Contact : BoundaryContact {
   double distance, reach, weight;
 };
 
-BoundaryBarrier::BoundaryBarrier(const DiskChart& chart)
-    : chart_(chart), area_(surfaceArea(chart)), reach_(kContactReach * std::sqrt(area_)) {
+BoundaryBarrier::BoundaryBarrier(const DiskChart& chart, double reach)
+    : chart_(chart), area_(surfaceArea(chart)), reach_(reach) {
   for (const std::uint32_t h : chart.boundary)
     length_.push_back(norm(
         edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
@@ -56,17 +56,20 @@ std::vector<BoundaryBarrier::Contact> BoundaryBarrier::contacts(
 
 double BoundaryBarrier::energy(const std::vector<double>& uv) const {
   double sum = 0;
-  for (const Contact& c : contacts(uv)) {
-    const double x = c.reach / c.distance - 1;
-    sum += c.weight * x * x;
-  }
+  for (const Contact& c : contacts(uv)) sum += c.weight * barrierAt(c.distance / c.reach).value;
   return sum;
 }
 
 void BoundaryBarrier::addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
                                      SparseEntries& hessian) const {
-  for (const Contact& c : contacts(uv))
-    c.addBarrier(c.distance, c.reach, c.weight, gradient, hessian);
+  for (const Contact& c : contacts(uv)) {
+    const double x = c.distance / c.reach;
+    BarrierValue at = barrierAt(x);
+    // Hardly any of those that begin at rounding's distance are pressed: they may go farther at
+    // once than to twice of it.
+    at.curvature *= std::min(1.0, 2 * x);
+    c.addBarrier(at, c.reach, c.weight, gradient, hessian);
+  }
 }
 
 }  // namespace abflat

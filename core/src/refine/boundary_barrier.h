@@ -8,13 +8,13 @@
 
 namespace abflat {
 
-/// Keeps parts of the boundary apart that nearly touch: (e / distance - 1)^2 for each vertex and
-/// edge of the boundary that are less than e apart (Smith and Schaefer 2015). e is a small share of
-/// the chart's extent, and less where edges are short.
+/// Keeps parts of the boundary apart that nearly touch: a barrier for each vertex and edge of the
+/// boundary that are less than a reach apart (Smith and Schaefer 2015). It is a small share of the
+/// chart's extent, and less where edges are short.
 class BoundaryBarrier {
  public:
   /// Keeps a reference.
-  explicit BoundaryBarrier(const DiskChart& chart);
+  BoundaryBarrier(const DiskChart& chart, double reach);
 
   double energy(const std::vector<double>& uv) const;
 

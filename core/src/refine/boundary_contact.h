@@ -4,12 +4,27 @@
 #include <cstdint>
 #include <vector>
 
+#include "portable_math.h"
 #include "sparse_assembly.h"
 
 namespace abflat {
 
-/// Places of the boundary that are nearer are held apart, in the root of the surface's area.
-constexpr double kContactReach = 3e-4;
+/// Places of the boundary that are nearer are held apart, in the root of the surface's area. Less
+/// where some touch to begin with: each step takes them to a few times their distance only.
+constexpr double kContactReach = 3e-4, kContactReachOfTouching = 3e-5;
+
+struct BarrierValue {
+  double value, slope, curvature;
+};
+
+/// -(1 - x)^2 log x below 1, nothing above (Li et al. 2020). Near 0 a step of Newton's method takes
+/// x to twice its distance; a barrier like 1 / x^2 would take many more steps.
+inline BarrierValue barrierAt(double x) {
+  if (x >= 1) return {0, 0, 0};
+  const double rest = 1 - x, log = portable::log(x);
+  return {-rest * rest * log, 2 * rest * log - rest * rest / x,
+          rest * (4 / x + rest / (x * x)) - 2 * log};
+}
 
 /// How a quantity changes when three vertices of the boundary move, u and v of each.
 struct BoundaryContact {
@@ -38,12 +53,10 @@ struct BoundaryContact {
     }
   }
 
-  /// w (reach / quantity - 1)^2.
-  void addBarrier(double quantity, double reach, double w, Eigen::VectorXd& gradient,
+  /// w times a barrier of quantity / reach.
+  void addBarrier(const BarrierValue& at, double reach, double w, Eigen::VectorXd& gradient,
                   SparseEntries& hessian) const {
-    const double ratio = reach / quantity, inverse = 1 / quantity;
-    addDerivatives(-2 * w * (ratio - 1) * ratio * inverse,
-                   2 * w * ratio * (3 * ratio - 2) * inverse * inverse, gradient, hessian);
+    addDerivatives(w * at.slope / reach, w * at.curvature / (reach * reach), gradient, hessian);
   }
 };
 

@@ -14,6 +14,10 @@ constexpr double kMoments[] = {0.125, 0.25, 0.5, 1};
 /// That of the barrier where places are half its reach apart: stiffer than any surface, and no
 /// more than single precision holds.
 constexpr double kStiffness = 64;
+/// Of angles, likewise.
+constexpr double kAngleStiffness = 210;
+/// Of the margin: angles that come as near to their bounds may exceed them next.
+constexpr double kNear = 0.25;
 
 std::vector<double> moved(std::vector<double> uv, const std::vector<double>& step, double by) {
   for (std::size_t i = 0; i < uv.size(); ++i) uv[i] += by * step[i];
@@ -22,11 +26,8 @@ std::vector<double> moved(std::vector<double> uv, const std::vector<double>& ste
 
 }  // namespace
 
-ForeseenContacts::ForeseenContacts(const DiskChart& chart, const OutlineShape& shape)
-    : chart_(chart),
-      shape_(shape),
-      area_(surfaceArea(chart)),
-      distance_(kContactReach * std::sqrt(area_)) {}
+ForeseenContacts::ForeseenContacts(const DiskChart& chart, const OutlineShape& shape, double reach)
+    : chart_(chart), shape_(shape), area_(surfaceArea(chart)), distance_(reach) {}
 
 /// Between a point and the place of an edge that is nearest `then`. Its gap is not positive where
 /// they are not on the right sides of each other `now`.
@@ -63,7 +64,7 @@ ForeseenContacts::Spring ForeseenContacts::springAt(const OutlineShape::Bound& b
           slack.contact,
           slack.value,
           std::min(half, slack.value),
-          kStiffness * bound.weight / (4 * half * half)};
+          kAngleStiffness * bound.weight / (4 * half * half)};
 }
 
 void ForeseenContacts::begin(const std::vector<double>& uv) {
@@ -120,7 +121,7 @@ bool ForeseenContacts::updateAngles(const std::vector<double>& uv, const std::ve
     const auto at = placeFor(spring);
     if (at != springs_.end() && !isBefore(spring, *at))
       *at = spring;
-    else if (isExceeded)
+    else if (end.value < kNear * shape_.margin())
       springs_.insert(at, spring);
   }
   return isAny;

@@ -13,7 +13,7 @@ namespace abflat {
 class ForeseenContacts {
  public:
   /// Keeps references.
-  ForeseenContacts(const DiskChart& chart, const OutlineShape& shape);
+  ForeseenContacts(const DiskChart& chart, const OutlineShape& shape, double reach);
 
   /// Of the springs that the last step needed, keeps those that the next one from `uv` may need.
   void begin(const std::vector<double>& uv);

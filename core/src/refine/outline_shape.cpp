@@ -1,5 +1,6 @@
 #include "refine/outline_shape.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,8 +13,8 @@ namespace {
 
 /// Of straight parts across, beside about 10 for a vertex of the surface.
 constexpr double kStiffness = 1e4;
-/// Of all bounds together, each half a margin away.
-constexpr double kStrength = 1e-2;
+/// Of all bounds together.
+constexpr double kStrength = 3e-3;
 
 }  // namespace
 
@@ -92,17 +93,34 @@ double OutlineShape::energy(const std::vector<double>& uv) const {
   for (const Bound& b : bounds_) {
     const double slack = slackOf(b, uv).value;
     if (!(slack > 0)) return std::numeric_limits<double>::infinity();
-    const double x = margin_ / slack - 1;
-    if (x > 0) sum += b.weight * x * x;
+    sum += b.weight * barrierAt(slack / margin_).value;
   }
   return sum;
+}
+
+SparseEntries OutlineShape::entries() const {
+  SparseEntries out;
+  const auto add = [&](const std::array<std::uint32_t, 3>& vertices) {
+    for (const std::uint32_t a : vertices)
+      for (const std::uint32_t b : vertices)
+        for (const std::uint32_t i : {2 * a, 2 * a + 1})
+          for (const std::uint32_t j : {2 * b, 2 * b + 1})
+            if (i >= j) out.emplace_back(static_cast<int>(i), static_cast<int>(j), 0);
+  };
+  for (const Bound& b : bounds_)
+    add({vertexAt(b.place), vertexAt(b.place + chart_.boundary.size() - 1), vertexAt(b.place + 1)});
+  for (const Run& run : runs_)
+    for (std::uint32_t i = run.from + 1; i < run.to; ++i)
+      add({vertexAt(i), vertexAt(run.from), vertexAt(run.to)});
+  return out;
 }
 
 void OutlineShape::addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
                                   SparseEntries& hessian) const {
   for (const Bound& b : bounds_) {
     const Slack s = slackOf(b, uv);
-    if (s.value < margin_) s.contact.addBarrier(s.value, margin_, b.weight, gradient, hessian);
+    if (s.value < margin_)
+      s.contact.addBarrier(barrierAt(s.value / margin_), margin_, b.weight, gradient, hessian);
   }
   const double stiffness = kStiffness / surfaceArea(chart_);
   for (const Run& run : runs_) {

@@ -33,6 +33,9 @@ class OutlineShape {
   void addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
                       SparseEntries& hessian) const;
 
+  /// Where the Hessian may have entries, whatever the layout.
+  SparseEntries entries() const;
+
   struct Bound {
     std::uint32_t place;
     double most, weight;

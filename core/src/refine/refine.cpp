@@ -6,10 +6,12 @@
 #include "check/validity.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/boundary_barrier.h"
+#include "refine/extended_matrix.h"
 #include "refine/foreseen_contacts.h"
 #include "refine/layout_energy.h"
 #include "refine/refine_system.h"
 #include "solve/row_solver.h"
+
 namespace abflat {
 namespace {
 
@@ -48,7 +50,8 @@ class Refiner {
         shape_(chart, options.outline) {
     out_.memory.allowed = options.allowedBytes;
     findHeld();
-    makeSolver(system_.matrix());
+    matrix_ = std::make_unique<ExtendedMatrix>(system_.matrix(), freeOf(shape_.entries()));
+    makeSolver(matrix_->sum());
     if (solver_->place()) system_.divide(*solver_->place());
     if (!options.outline.isEmpty()) lookAhead();
   }
@@ -122,21 +125,21 @@ class Refiner {
       if (isFixedRow(row)) gradient_[row] = 0;
   }
 
-  void lookAhead() {
-    if (!foreseen_) foreseen_ = std::make_unique<ForeseenContacts>(chart_, shape_);
+  /// Of contacts.
+  double reach() const {
+    const double size = std::sqrt(surfaceArea(chart_)), least = kContactReachOfTouching * size;
+    return BoundaryBarrier(chart_, least).energy(uv_) > 0 ? least : kContactReach * size;
   }
 
-  /// With contacts, which are entries that the pattern does not have.
-  Eigen::SparseMatrix<double> extended(const SparseEntries& contacts) const {
-    const Eigen::SparseMatrix<double>& own = system_.matrix();
-    SparseEntries entries;
-    entries.reserve(static_cast<std::size_t>(own.nonZeros()) + contacts.size());
-    for (int c = 0; c < own.outerSize(); ++c)
-      for (int i = own.outerIndexPtr()[c]; i < own.outerIndexPtr()[c + 1]; ++i)
-        entries.emplace_back(own.innerIndexPtr()[i], c, own.valuePtr()[i]);
-    for (const auto& e : contacts)
-      if (!isFixedRow(e.row()) && !isFixedRow(e.col())) entries.push_back(e);
-    return assembled(own.rows(), entries);
+  void lookAhead() {
+    if (!foreseen_) foreseen_ = std::make_unique<ForeseenContacts>(chart_, shape_, reach());
+  }
+
+  /// Without those of rows that are fixed.
+  SparseEntries freeOf(SparseEntries entries) const {
+    const auto isFixed = [&](const auto& e) { return isFixedRow(e.row()) || isFixedRow(e.col()); };
+    entries.erase(std::remove_if(entries.begin(), entries.end(), isFixed), entries.end());
+    return entries;
   }
 
   void makeSolver(const Eigen::SparseMatrix<double>& matrix) {
@@ -181,16 +184,11 @@ class Refiner {
     SparseEntries contacts = contacts_;
     if (foreseen_) foreseen_->addDerivatives(b, contacts);
     for (int row = 0; row < b.size(); ++row) b[row] = isFixedRow(row) ? 0 : -b[row];
-    const bool isExtended = !contacts.empty();
-    const Eigen::SparseMatrix<double> withContacts =
-        isExtended ? extended(contacts) : Eigen::SparseMatrix<double>();
-    const Eigen::SparseMatrix<double>& matrix = isExtended ? withContacts : system_.matrix();
-    if (isExtended || wasExtended_) makeSolver(matrix);
-    wasExtended_ = isExtended;
+    if (matrix_->add(freeOf(std::move(contacts)))) makeSolver(matrix_->sum());
     solver_->forget();  // it would take more iterations than a new factor pays for
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     const double tolerance = kLinearTolerance * b.lpNorm<Eigen::Infinity>();
-    if (!solver_->solve(matrix, b, tolerance, x) || !x.allFinite()) return false;
+    if (!solver_->solve(matrix_->sum(), b, tolerance, x) || !x.allFinite()) return false;
     direction_.assign(x.data(), x.data() + x.size());
     return true;
   }
@@ -213,7 +211,7 @@ class Refiner {
       const Step taken = step();
       lastGain_ = isFull_ ? gain : 0;
       if (taken == Step::Crosses) {
-        barrier_ = std::make_unique<BoundaryBarrier>(chart_);
+        barrier_ = std::make_unique<BoundaryBarrier>(chart_, reach());
         lookAhead();
         energy_ = energyOf(uv_);
         out_.isHeldApart = true;
@@ -267,8 +265,8 @@ class Refiner {
   std::unique_ptr<ForeseenContacts> foreseen_;
   Eigen::VectorXd gradient_;
   SparseEntries contacts_;
+  std::unique_ptr<ExtendedMatrix> matrix_;
   int solves_ = 0;
-  bool wasExtended_ = false;
   bool isSimple_ = true;
   bool isFar_ = true;    ///< from the minimum
   bool isFull_ = false;  ///< the last step

@@ -10,21 +10,19 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
   s.vertexOfCorner.assign(corners, kNone);
   for (std::uint32_t start = 0; start < corners; ++start) {
     if (s.vertexOfCorner[start] != kNone) continue;
-    std::uint32_t first = start;  // the corner beside the boundary on its clockwise side
-    for (std::uint32_t c = rotateClockwise(s.twin, start); c != kNone && c != start;
-         c = rotateClockwise(s.twin, c))
-      first = c;
-    const bool isOpen = rotateClockwise(s.twin, first) == kNone;
-    if (!isOpen) first = start;
     const auto id = static_cast<std::uint32_t>(s.outgoing.size());
-    s.outgoing.push_back(first);
-    s.isBoundary.push_back(isOpen);
-    s.meshVertex.push_back(mesh.vertexOfCorner[start]);
-    std::uint32_t c = first;
+    std::uint32_t c = start, first = start;
     do {
       s.vertexOfCorner[c] = id;
       c = rotateCounterClockwise(s.twin, c);
-    } while (c != kNone && c != first);
+    } while (c != kNone && c != start);
+    const bool isOpen = c == kNone;
+    // To the corner beside the boundary on its clockwise side.
+    for (c = rotateClockwise(s.twin, start); isOpen && c != kNone; c = rotateClockwise(s.twin, c))
+      s.vertexOfCorner[first = c] = id;
+    s.outgoing.push_back(first);
+    s.isBoundary.push_back(isOpen);
+    s.meshVertex.push_back(mesh.vertexOfCorner[start]);
   }
 }
 

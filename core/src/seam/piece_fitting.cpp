@@ -103,13 +103,13 @@ void PieceFitting::takeShape(std::uint32_t p) {
   fit_.exchange(p, std::move(item));
 }
 
-double PieceFitting::missingWith(const Candidate& c, double side) {
+double PieceFitting::missingWith(const Candidate& c, double side, double most) {
   constexpr double kHasHole = 0.95;
   if (shapes_[c.piece].solid < kHasHole) {
     // What the cut leaves of the hole's rim belongs to the outlines.
     PieceFitting trial = *this;
     trial.cut(c);
-    return trial.missingArea(trial.fit_.placed(side));
+    return trial.missingArea(trial.fit_.placed(side, most));
   }
   const auto part = [&](std::size_t from, std::size_t to) {
     const Shape& shape = shapes_[c.piece];
@@ -119,7 +119,7 @@ double PieceFitting::missingWith(const Candidate& c, double side) {
   };
   PackItem whole = fit_.exchange(c.piece, part(c.chord.to, c.chord.from));
   fit_.add(part(c.chord.from, c.chord.to));
-  const double out = missingArea(fit_.placed(side));
+  const double out = missingArea(fit_.placed(side, most));
   fit_.removeLast();
   fit_.exchange(c.piece, std::move(whole));
   return out;
@@ -152,17 +152,33 @@ bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double mis
                            double mostCost, int& tries) {
   constexpr double kWithOthers = 1.2;  // of a piece's area may find a place when it is cut
   constexpr double kHalf = 0.3;        // at least
-  constexpr double kLater = 2;         // times as much may later cuts bring
   std::vector<Candidate> candidates = candidatesOf(isPlaced);
+  const double affordable = (mostCost - cost()) * unit_;
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                  [&](const Candidate& c) { return c.cost > affordable; }),
+                   candidates.end());
+  if (candidates.empty()) return false;
+  // What may bring the most for its cost comes first.
+  const auto mostOf = [&](const Candidate& c) {
+    return std::min(missing, kWithOthers * fit_.items()[c.piece].mass.area);
+  };
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const Candidate& a, const Candidate& b) {
+                     return mostOf(a) * b.cost > mostOf(b) * a.cost;
+                   });
+  std::vector<std::uint32_t> asked;
+  asked.reserve(candidates.size());
+  for (const Candidate& c : candidates) asked.push_back(c.piece);
+  fit_.hold(side, asked);
   double best = 0;
   for (Candidate& c : candidates) {
-    const double most = std::min(missing, kWithOthers * fit_.items()[c.piece].mass.area);
-    if (most <= best * c.cost) continue;
-    if (--tries < 0) return false;
-    c.gain = (missing - missingWith(c, side)) / c.cost;
+    if (mostOf(c) <= best * c.cost || --tries < 0) continue;
+    c.gain = (missing - missingWith(c, side, missing - best * c.cost)) / c.cost;
     best = std::max(best, c.gain);
   }
-  if (best > 0 && cost() + missing / (kLater * best * unit_) > mostCost) return false;
+  fit_.release();
+  if (tries < 0) return false;
+  if (best > 0 && cost() + missing / (best * unit_) > mostCost) return false;
   while (best > 0) {
     Candidate* first = nullptr;
     for (Candidate& c : candidates)
@@ -171,7 +187,7 @@ bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double mis
     if (cut(*first)) return true;
     first->gain = 0;
   }
-  // Nothing finds a place yet: the largest is halved.
+  // Nothing finds a place yet: one is halved.
   for (const Candidate& c : candidates)
     if (std::min(c.chord.share, 1 - c.chord.share) > kHalf && cut(c)) return true;
   return false;

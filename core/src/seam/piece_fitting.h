@@ -30,7 +30,7 @@ class PieceFitting {
 
   /// Cuts where the most area finds a place for the length of the cut, one cut after the other,
   /// until all has one in a square of that side. False where that would cost more than `mostCost`,
-  /// or nothing helps. `tries` are counted down, and are not to end.
+  /// nothing helps, or `tries`, which are counted down, end.
   bool fitInto(double side, double mostCost, int& tries);
 
   const std::vector<std::uint32_t>& cuts() const { return cutter_.cuts(); }
@@ -52,7 +52,7 @@ class PieceFitting {
   void addPiece();
   void takeShape(std::uint32_t piece);
   double missingArea(const std::vector<std::uint8_t>& isPlaced) const;
-  double missingWith(const Candidate& candidate, double side);
+  double missingWith(const Candidate& candidate, double side, double most);
   std::vector<Candidate> candidatesOf(const std::vector<std::uint8_t>& isPlaced);
   bool cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
                double mostCost, int& tries);
@@ -68,7 +68,7 @@ class PieceFitting {
     bool canCut = true;
   };
 
-  static constexpr double kCostOfCut = 0.03;
+  static constexpr double kCostOfCut = 0.375;
 
   const FlatSurface& flat_;
   double unit_ = 1;  ///< root of the area, in the plane

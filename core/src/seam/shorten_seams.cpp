@@ -12,7 +12,8 @@
 namespace abflat {
 namespace {
 
-constexpr int kMostRounds = 10;
+/// On large meshes, where the last of them gain less than they take.
+constexpr std::size_t kFewRounds = 7, kManyRounds = 12, kTriangles = 200000;
 /// Of the stretch that is left; first order tells too little rather than too much.
 constexpr double kShareOfSlack = 0.8;
 /// Less of the bound is not worth a round.
@@ -22,9 +23,10 @@ constexpr double kMostShift = 0.8;
 
 /// How a chart is being shortened.
 struct Progress {
-  double model = 1;       ///< stretch that was added for each that was expected
-  double expected = 0;    ///< of this round
-  bool isSingle = false;  ///< one tip at a time, after several did not work together
+  double model = 1;     ///< stretch that was added for each that was expected
+  double expected = 0;  ///< of this round
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< tips at a time
+  std::size_t chosen = 0;                                      ///< in this round
   bool isDone = false;
 };
 
@@ -47,7 +49,10 @@ class Shortener {
     u_ = std::move(u);
     prediction_ = predictStretch(mesh_, surface_, u_);
     progress_.resize(surface_.charts.size());
-    for (int round = 0; round < kMostRounds && (!options_.keepsOn || options_.keepsOn()); ++round)
+    const std::size_t rounds =
+        std::clamp(kTriangles / mesh_.triangleCount(), kFewRounds, kManyRounds);
+    for (std::size_t round = 0; round < rounds && (!options_.keepsOn || options_.keepsOn());
+         ++round)
       if (!shorten()) return;
   }
 
@@ -89,8 +94,13 @@ class Shortener {
       }
     u_ = std::move(u);
     prediction_ = std::move(told);
+    if (std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end()) {
+      surface_ = std::move(next);
+      return true;
+    }
+    // The factor is to be that of the surface as it is now.
     surface_ = cutAlong(mesh_, seams_, pulse_);
-    return scaleIsOfSurface(isRefused);
+    return !scale_.solve(surface_, {}).empty();
   }
 
   std::vector<Choice> choose() {
@@ -114,14 +124,14 @@ class Shortener {
       chooseIn(c, of[c]);
       Progress& p = progress_[c];
       p.expected = 0;
-      bool isAny = false;
+      p.chosen = 0;
       for (Choice& choice : of[c]) {
         if (choice.count == 0) continue;
-        isAny = true;
+        ++p.chosen;
         p.expected += p.model * choice.tip.stretch[choice.count - 1];
         out.push_back(std::move(choice));
       }
-      p.isDone = p.isDone || !isAny;
+      p.isDone = p.isDone || p.chosen == 0;
     }
     return out;
   }
@@ -151,16 +161,15 @@ class Shortener {
       (takeAt(rate) <= budget ? low : high) = rate;
     }
     takeAt(low);
-    if (!progress_[c].isSingle) return;
-    const auto longest =
-        std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
-          const auto length = [](const Choice& x) {
-            return x.count > 0 ? x.tip.length[x.count - 1] : 0;
-          };
-          return length(a) < length(b);
-        });
-    for (auto choice = choices.begin(); choice != choices.end(); ++choice)
-      if (choice != longest) choice->count = 0;
+    keepLongest(progress_[c].most, choices);
+  }
+
+  /// So many of them, after more did not work together.
+  static void keepLongest(std::size_t most, std::vector<Choice>& choices) {
+    const auto length = [](const Choice& x) { return x.count > 0 ? x.tip.length[x.count - 1] : 0; };
+    std::stable_sort(choices.begin(), choices.end(),
+                     [&](const Choice& a, const Choice& b) { return length(a) > length(b); });
+    for (std::size_t i = most; i < choices.size(); ++i) choices[i].count = 0;
   }
 
   double most() const { return options_.maxStretch - 1; }
@@ -198,24 +207,18 @@ class Shortener {
       const std::uint32_t c = choice.tip.chart;
       if (!isRefused[c]) continue;
       mark(choice, true);
-      if (progress_[c].isSingle) limit_[choice.tip.vertex(mesh_)] = choice.count / 2;
+      if (progress_[c].chosen == 1) limit_[choice.tip.vertex(mesh_)] = choice.count / 2;
     }
     constexpr double kLeast = 0.7, kMost = 3;
     for (std::uint32_t c = 0; c < progress_.size(); ++c) {
       Progress& p = progress_[c];
       if (p.isDone) continue;
       if (isRefused[c])
-        p.isSingle = true;
+        p.most = std::max<std::size_t>(p.chosen / 2, 1);
       else if (p.expected > 0)
         p.model *=
             std::clamp((told.stretch[c] - prediction_.stretch[c]) / p.expected, kLeast, kMost);
     }
-  }
-
-  /// The factor is to be that of the surface as it is now.
-  bool scaleIsOfSurface(const std::vector<std::uint8_t>& isRefused) {
-    if (std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end()) return true;
-    return !scale_.solve(surface_, {}).empty();
   }
 
   const SeamMesh& mesh_;

@@ -1,7 +1,9 @@
 #include "refine/outline_shape.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "abflat/samples.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "check/validity.h"
@@ -78,6 +80,31 @@ TEST_CASE("straight parts lie on lines, wherever they begin along the boundary",
       const double off = (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]);
       CHECK(std::abs(off) <= 1e-14 * length * length);
     }
+  }
+}
+
+TEST_CASE("an outline that bounds hold finds its form in few steps", "[refine]") {
+  for (const char* name : {"head", "three-balls"}) {
+    const auto sample = std::find_if(samples().begin(), samples().end(),
+                                     [&](const Sample& s) { return s.name == name; });
+    const DiskChart chart = chartOf(sample->make(1));
+    ThreadPool pool(1);
+    SolverOptions solver;
+    solver.pool = &pool;
+    ChartFlattener flattener(chart, solver);
+    RefineWishes wishes;
+    wishes.bounds.assign(chart.boundary.size(), 1);
+    wishes.balance = 1;
+    wishes.pool = &pool;
+    FlattenOptions options;
+    options.t = 1;
+    Attempt attempt = flattenChart(flattener, wishes.bounds, options);
+    REQUIRE(attempt.valid());
+    refineChart(flattener, wishes, attempt);
+    REQUIRE(attempt.refined);
+    CAPTURE(name, attempt.refined->steps);
+    CHECK(attempt.refined->limit == "angles of the boundary reach their bounds");
+    CHECK(attempt.refined->steps <= 10);
   }
 }
 

@@ -201,7 +201,7 @@ TEST_CASE("derivatives of the barrier agree with differences", "[refine]") {
     const double angle = turn * 2 * 3.141592653589793;
     uv.insert(uv.end(), {radius * std::sin(angle), -radius * std::cos(angle)});
   }
-  const BoundaryBarrier barrier(chart);
+  const BoundaryBarrier barrier(chart, kContactReach * std::sqrt(surfaceArea(chart)));
   REQUIRE(barrier.energy(uv) > 0);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(uv.size()));
   SparseEntries hessian;

@@ -54,7 +54,7 @@ struct UnwrapOptionValues {
   double texelDensity = 0;
   /// as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10
   bool udim = false;
-  /// share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where a seam as long as the root of the surface's area brings at least 8 % more texels per unit)
+  /// share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)
   double minUtilization = 0;
   /// turning of charts as they fit best
   bool rotate = true;
@@ -75,7 +75,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)", false, false},
     {"udim", "--udim", "false", "", "as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10", true, false},
-    {"minUtilization", "--min-utilization", "0", "at least 0 and at most 1, or auto", "share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where a seam as long as the root of the surface's area brings at least 8 % more texels per unit)", false, false},
+    {"minUtilization", "--min-utilization", "0", "at least 0 and at most 1, or auto", "share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)", false, false},
     {"rotate", "--no-rotate", "true", "", "without turning of charts as they fit best", true, false},
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
