@@ -1,37 +1,44 @@
 // One mesh unwrapped by the native program, and by xatlas as WebAssembly, measured alike.
 
-import { readFileSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { NATIVE_PROGRAM } from '../../../scripts/lib/paths.mjs';
 import { Failure, run } from '../../../scripts/lib/run.mjs';
 import { parseObj } from '../../support/atlas.mjs';
 import { measureAtlas } from './atlas_measures.mjs';
+import { layoutOf } from './layout_measures.mjs';
 
 const ATLAS = { padding: 2, resolution: 1024 };
 
-/** From the OBJ file `path` to `output`; seconds are those of everything between both files, the median of `repeat` runs. */
-export async function unwrapWithAbflat(path, output, { threads, maxStretch, repeat }) {
-  const args = ['unwrap', path, '-o', output, '--report', '-', '--quiet'];
-  args.push('--threads', threads, '--max-stretch', maxStretch);
-  args.push('--padding', `${ATLAS.padding}`, '--resolution', `${ATLAS.resolution}`);
+/**
+ * The mesh `path` unwrapped to the OBJ file `output` with `options` of the command line: the report of the median of `repeat` runs, and
+ * the layout. A result that is not valid is one too.
+ */
+export async function unwrapped(path, output, options, repeat) {
+  const file = `${output}.json`;
+  const args = ['unwrap', path, '-o', output, '--report', file, '--quiet', ...options];
   const reports = [];
   for (let i = 0; i < repeat; i++) {
     const { code, output: text } = await run(NATIVE_PROGRAM, args, { capture: true });
-    if (code !== 0) throw new Failure(`${path}: ${text.trim()}`);
-    reports.push(JSON.parse(text));
+    if (code > 1) throw new Failure(`${path}: ${text.trim()}`);
+    reports.push(JSON.parse(readFileSync(file, 'utf8')));
+    rmSync(file);
   }
   const report = reports.toSorted((a, b) => a.timings.total - b.timings.total)[repeat >> 1];
-  const { positions, texcoords, faces } = parseObj(readFileSync(output, 'utf8'));
-  const triangles = faces.map((face) => ({
-    vertices: face.map(([v]) => v),
-    texcoords: face.map(([, t]) => t),
-  }));
+  return { report, layout: layoutOf(parseObj(readFileSync(output, 'utf8'))) };
+}
+
+/** From the OBJ file `path` to `output`; seconds are those of everything between both files, the median of `repeat` runs. */
+export async function unwrapWithAbflat(path, output, { threads, maxStretch, repeat }) {
+  const options = ['--threads', threads, '--max-stretch', maxStretch];
+  options.push('--padding', `${ATLAS.padding}`, '--resolution', `${ATLAS.resolution}`);
+  const { report, layout } = await unwrapped(path, output, options, repeat);
   return {
     seconds: report.timings.total,
     ...report.timings,
     charts: report.charts.length,
     utilization: report.atlas.utilization,
     valid: report.valid,
-    ...measureAtlas({ triangles, positions, texcoords }),
+    ...measureAtlas(layout),
   };
 }
 
