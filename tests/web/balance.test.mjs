@@ -64,16 +64,28 @@ test('charts are refined as well; each kind of layout has a balance of its own',
   assert.equal(usual, '0');
 });
 
-test('both sliders, their names and values are within windows of all widths', async (t) => {
+test('both sliders, their names and values are within windows of all widths, and what they gained can be read', async (t) => {
   const page = await openPage(t);
   for (const mode of ['flatten', 'unwrap']) {
     await choose(page, mode);
-    for (const width of [1280, 900, 675, 390]) {
-      await page.setViewportSize({ width, height: 800 });
+    await press(page, mode, 'End', 'ArrowLeft');
+    const shown = Object.keys(await metrics(page));
+    assert.ok(shown.includes('Energy') && shown.length === 8, `${shown}`);
+    for (const [width, height] of [
+      [1280, 720],
+      [1200, 675],
+      [1030, 675],
+      [900, 800],
+      [675, 800],
+      [390, 844],
+    ]) {
+      const where = `${mode}, ${width} x ${height}`;
+      await page.setViewportSize({ width, height });
       const slider = page.locator(`#${mode}-balance`);
       await slider.scrollIntoViewIfNeeded();
       const box = await slider.boundingBox();
-      assert.ok(box.width >= 60, `${mode}, ${width}: ${box.width} wide`);
+      assert.ok(box.width >= 60, `${where}: ${box.width} wide`);
+      const ask = await page.locator('.ask').boundingBox();
       const row = page.locator('.balance').filter({ has: slider });
       const parts = [
         row.locator('b'),
@@ -82,9 +94,12 @@ test('both sliders, their names and values are within windows of all widths', as
       ];
       for (const part of parts) {
         const { x, width: wide } = await part.boundingBox();
-        assert.ok(x >= 0 && x + wide <= width, `${mode}, ${width}`);
+        assert.ok(x >= ask.x && x + wide <= ask.x + ask.width, where);
         assert.ok(x + wide <= box.x || x >= box.x + box.width, 'nothing lies on the slider');
+        assert.ok(await part.evaluate((e) => e.scrollWidth <= e.clientWidth || !e.clientWidth));
       }
+      const energy = page.locator('.metric dt', { hasText: 'Energy' });
+      assert.ok(await energy.evaluate((e) => e.scrollWidth <= e.clientWidth), where);
     }
   }
 });

@@ -86,6 +86,18 @@ test('labels of numbers can be read in full, and the dock needs no scrolling, in
   }
 });
 
+test('a flattened mesh leaves nothing to scroll to in the dock of a narrow low window', async (t) => {
+  const page = await openPage(t, { mode: 'flatten' });
+  for (const balance of ['Home', 'End']) {
+    await page.focus('#flatten-balance');
+    await page.keyboard.press(balance);
+    await settled(page);
+    await resize(page, 900, 700);
+    for (const part of await page.locator('.ask, .result, .run').all())
+      assert.ok(await part.evaluate((e) => e.scrollHeight <= e.clientHeight), balance);
+  }
+});
+
 test('labels and names never push anything out of its place', async (t) => {
   const page = await openPage(t);
   const name = `${'a-mesh-with-a-very-long-name-'.repeat(3)}.obj`;

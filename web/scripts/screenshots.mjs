@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Pictures of the page in both themes, for the README: with each mesh, the charts of the last one, and a sample with its distortion plotted against t.
 // Usage: screenshots.mjs FOLDER MESH[:turned]...   turned: seen from its other side; writes FOLDER/NAME-THEME.png, FOLDER/charts-THEME.png,
-// FOLDER/details-THEME.png, and FOLDER/balance.png: heat maps of the first one in one chart, at balance 0 and 1.
+// FOLDER/details-THEME.png, and FOLDER/balance.png: heat maps of the first one in one chart, at balance 0, 0.2 and 1.
 
 import { existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { join, parse } from 'node:path';
@@ -11,6 +11,11 @@ import { launchBrowser, serveFolder } from './browser.mjs';
 
 /** Large enough for the README, small enough for the repository. */
 const VIEWPORT = { width: 1200, height: 675 };
+/** So low that More fills the dock. */
+const LOW = { ...VIEWPORT, height: 645 };
+
+/** Of one layout, from angles to lengths. */
+const BALANCES = [0, 0.2, 1];
 
 /** Milliseconds; software rendering takes its time. */
 const PATIENCE = 120_000;
@@ -52,17 +57,17 @@ async function plotAgainstT(page) {
   await page.mouse.move(0, 0);
 }
 
-/** Moves a slider to the end that a key leads to. */
-async function slideTo(page, selector, key) {
-  await page.focus(selector);
-  await page.keyboard.press(key);
+/** The layout at a balance: as a data URI how much larger or smaller than on the surface each triangle is, and the mean stretch. */
+async function heatMapAt(page, balance) {
+  await page.locator('#unwrap-balance').fill(`${balance}`);
   await page.waitForFunction(() => !document.body.ariaBusy);
-}
-
-/** As a data URI: how much larger or smaller than on the surface each triangle is. */
-async function heatMap(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#layout-heat')]);
-  return `data:image/png;base64,${readFileSync(await download.path()).toString('base64')}`;
+  const stretch = page.locator('.metric', { hasText: 'Stretch' }).locator('dd');
+  return {
+    balance,
+    stretch: await stretch.innerText(),
+    picture: `data:image/png;base64,${readFileSync(await download.path()).toString('base64')}`,
+  };
 }
 
 /** Area before and after, side by side. */
@@ -77,23 +82,22 @@ async function compareBalances(url, { file }, output) {
       (name) => document.querySelector('#source').textContent === name && !document.body.ariaBusy,
       parse(file).base,
     );
+    await page.click('#mode-unwrap');
     await page.click('#seams-auto'); // one chart
+    await page.click('#more-toggle');
+    await page.click('#more-rotate'); // as it lies, each time
     await page.waitForFunction(() => !document.body.ariaBusy);
-    const figures = [];
-    for (const [key, balance] of [
-      ['Home', 0],
-      ['End', 1],
-    ]) {
-      await slideTo(page, '#unwrap-balance', key);
-      figures.push(
-        `<figure><img src="${await heatMap(page)}"><figcaption>balance ${balance}</figcaption></figure>`,
-      );
-    }
+    const maps = [];
+    for (const balance of BALANCES) maps.push(await heatMapAt(page, balance));
+    const figures = maps.map(
+      ({ balance, stretch, picture }) =>
+        `<figure><img src="${picture}"><figcaption>balance ${balance}: stretch ${stretch}</figcaption></figure>`,
+    );
     // Of its own: that of abflat lets in no pictures from elsewhere.
     const sheet = await browser.context.newPage();
-    await sheet.setViewportSize({ width: 1000, height: 530 });
+    await sheet.setViewportSize({ width: 1200, height: 424 });
     await sheet.setContent(
-      `<style>body{margin:0;display:flex;background:#fff;font:16px sans-serif}figure{margin:8px;text-align:center}img{width:484px;height:484px}</style>${figures.join('')}`,
+      `<style>body{margin:0;display:flex;background:#fff;font:16px sans-serif}figure{margin:8px;text-align:center}img{width:384px;height:384px}</style>${figures.join('')}`,
     );
     await save(sheet, output);
   } finally {
@@ -119,8 +123,10 @@ async function photograph(url, meshes, theme, output) {
       await page.mouse.move(0, 0);
       await save(page, output(parse(file).name));
     }
+    await page.setViewportSize(LOW);
     await listCharts(page);
     await save(page, output('charts'));
+    await page.setViewportSize(VIEWPORT);
     await plotAgainstT(page);
     await save(page, output('details'));
   } finally {

@@ -153,8 +153,9 @@ export class MetricsPanel {
         ? itemsOf(OF_ATLAS, outcome.result.report)
         : itemsOf(OF_DISK, outcome.result.report);
     const refined = energiesOf(outcome);
-    const gain = refined ? itemsOf([REFINED], { refined }) : [];
-    this.list.replaceChildren(...items, ...gain, ...itemsOf([TIME], report));
+    // The time is said beside them: their number stays the same.
+    const last = refined ? itemsOf([REFINED], { refined }) : itemsOf([TIME], report);
+    this.list.replaceChildren(...items, ...last);
     this.verdict = verdictOf(outcome);
     this.badge.textContent = this.verdict.badge;
     this.badge.className = `badge ${GRADES[this.verdict.badge]}`;
