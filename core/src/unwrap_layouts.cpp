@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <numeric>
+
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
 
 /// Charts by size, the largest first: what takes longest begins first.
 std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
-  std::vector<std::uint32_t> order(charts.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+  return stableOrder(charts.size(), [&](std::uint32_t a, std::uint32_t b) {
     return charts.topology(a).triangleCount() > charts.topology(b).triangleCount();
   });
-  return order;
 }
 
 /// Whether charts are as little stretched as seams let them be.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/folded_face.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -31,12 +32,14 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
   out.cornerVertex.resize(input.faceVertices.size());
   out.vertexMap.reserve(out.uv.size() / 2);
   out.vertexUv.reserve(out.uv.size() / 2);
+  const IsBefore isBefore = [&](std::uint32_t a, std::uint32_t b) {
+    return out.cornerUv[a] < out.cornerUv[b];
+  };
   for (std::uint32_t v = 0; v < input.vertexCount(); ++v) {
-    const auto first = corners.begin() + offset[v], last = corners.begin() + offset[v + 1];
-    std::stable_sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
-      return out.cornerUv[a] < out.cornerUv[b];
-    });
-    for (auto c = first; c != last; ++c) {
+    std::uint32_t *const first = corners.data() + offset[v], *const last =
+                                                                 corners.data() + offset[v + 1];
+    sortStably(first, last, isBefore);
+    for (const std::uint32_t* c = first; c != last; ++c) {
       if (c == first || out.cornerUv[*c] != out.cornerUv[*(c - 1)]) {
         out.vertexMap.push_back(v);
         out.vertexUv.push_back(out.cornerUv[*c]);

@@ -24,6 +24,11 @@ const FOLDER = join(BUILD, 'bench');
 const REPEAT = 3;
 /** Bounds on the stretch of a chart, for a mean over the mesh that is no higher than OptCuts'. */
 const STRETCHES = [1.0225, 1.025, 1.0275, 1.03];
+/** It cuts for stretch alone, not for packing. */
+const AS_OPTCUTS = ['--balance', '1', '--min-utilization', '0'];
+
+/** Options that the table beside OptCuts has for itself. */
+const OWN_OF_OPTCUTS = ['--balance', '--min-utilization', '--max-stretch'];
 
 const marked = (key, digits) => (row) =>
   row[key] === undefined ? '-' : row[key].toFixed(digits) + (row.worse?.includes(key) ? '*' : ' ');
@@ -118,7 +123,7 @@ async function besideOptCuts(options) {
   for (const other of others.filter(({ mesh }) => fileOf(mesh))) {
     const runs = [];
     for (const maxStretch of STRETCHES) {
-      const bound = ['--balance', '1', '--max-stretch', `${maxStretch}`];
+      const bound = [...AS_OPTCUTS, '--max-stretch', `${maxStretch}`];
       runs.push({ maxStretch, ...(await measure(other.mesh, [...options, ...bound])) });
     }
     const row = mostStretched(runs, other);
@@ -130,7 +135,7 @@ async function besideOptCuts(options) {
   }
   if (rows.length === 0) return [];
   const ours = rows.filter((row) => row.ratios);
-  console.log(`\n${source}; abflat with ${[...options, '--balance 1'].join(' ')}\n`);
+  console.log(`\n${source}; abflat with ${[...options, ...AS_OPTCUTS].join(' ')}\n`);
   printTable(OPTCUTS_COLUMNS, [...rows, meanRow(ours)]);
   console.log(OPTCUTS_LEGEND);
   return ours;
@@ -142,7 +147,7 @@ await runMain(async () => {
   mkdirSync(FOLDER, { recursive: true });
   const rows = [
     ...(await besidePartUv(options)),
-    ...(await besideOptCuts(withoutOptions(options, ['--balance', '--max-stretch']))),
+    ...(await besideOptCuts(withoutOptions(options, OWN_OF_OPTCUTS))),
   ];
   const invalid = rows.filter((row) => row.valid === false).map((row) => row.mesh);
   if (invalid.length > 0) throw new Failure(`not valid: ${invalid.join(', ')}`);

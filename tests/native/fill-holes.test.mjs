@@ -9,11 +9,14 @@ import { judge, withoutShared } from '../support/shared.mjs';
 import * as surfaces from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
+/** No cuts for packing. */
+const WHOLE = ['--min-utilization', '0'];
+
 /** The report and the text of a run that is fine, also to the judge. */
 async function unwrapped(t, surface, ...options) {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), surfaces.objText(surface));
-  const args = ['unwrap', 'in.obj', '-o', 'out.obj', '--report', 'r.json', ...options];
+  const args = ['unwrap', 'in.obj', '-o', 'out.obj', '--report', 'r.json', ...WHOLE, ...options];
   const { code, stderr } = await runAbflat(args, { cwd: at() });
   assert.deepEqual([code, stderr], [0, '']);
   const text = readFileSync(at('out.obj'), 'utf8');

@@ -125,8 +125,8 @@ export interface UnwrapOptionValues {
 }
 
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
-  maxStretch: 1.04,
-  balance: 0,
+  maxStretch: 1.02,
+  balance: 0.2,
   fillHoles: 'auto',
   t: 'auto',
   straightSeams: false,
@@ -134,7 +134,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   padding: 2,
   texelDensity: 'auto',
   udim: false,
-  minUtilization: 0,
+  minUtilization: 'auto',
   rotate: true,
   memory: 'auto',
   threads: 0,
@@ -142,8 +142,8 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const UNWRAP_OPTIONS = {
-  maxStretch: { type: 'number', default: 1.04, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
-  balance: { type: 'number', default: 0, atLeast: 0, atMost: 1, text: 'between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other', range: 'at least 0 and at most 1' },
+  maxStretch: { type: 'number', default: 1.02, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
+  balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other', range: 'at least 0 and at most 1' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is', range: '' },
@@ -151,7 +151,7 @@ export const UNWRAP_OPTIONS = {
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10', range: '' },
-  minUtilization: { type: 'number', default: 0, atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface\'s area)', range: 'at least 0 and at most 1, or auto' },
+  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface\'s area)', range: 'at least 0 and at most 1, or auto' },
   rotate: { type: 'boolean', default: true, text: 'turning of charts as they fit best', range: '' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one', range: 'at least 0 and at most 256, whole' },

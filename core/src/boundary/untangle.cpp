@@ -8,6 +8,7 @@
 #include "angle/constants.h"
 #include "boundary/guilty_arc.h"
 #include "portable_math.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -30,8 +31,9 @@ struct Guilty {
 /// Of many arcs the shortest, and then each that keeps off those: in all no more vertices than the
 /// boundary has. Arcs round a shorter one mostly cross because that does.
 std::vector<Guilty> apart(std::vector<Guilty> guilty, std::size_t n) {
-  std::stable_sort(guilty.begin(), guilty.end(),
-                   [](const Guilty& a, const Guilty& b) { return a.arc.count < b.arc.count; });
+  const std::vector<std::uint32_t> order = stableOrder(
+      guilty.size(),
+      [&](std::uint32_t a, std::uint32_t b) { return guilty[a].arc.count < guilty[b].arc.count; });
   std::vector<std::uint8_t> isTaken(n, 0);
   std::set<std::size_t> starts;
   const auto startsWithin = [&](std::size_t from, std::size_t to) {
@@ -39,7 +41,8 @@ std::vector<Guilty> apart(std::vector<Guilty> guilty, std::size_t n) {
     return found != starts.end() && *found < to;
   };
   std::vector<Guilty> out;
-  for (const Guilty& g : guilty) {
+  for (const std::uint32_t i : order) {
+    const Guilty& g = guilty[i];
     const std::size_t from = g.arc.first % n, to = from + g.arc.count;
     if (isTaken[from] || isTaken[(to - 1) % n] || startsWithin(from, std::min(to, n)) ||
         (to > n && startsWithin(0, to - n)))

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "check/orientation.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -71,9 +72,8 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
     boxes.push_back(boxOf(t));
     if (orientation(t, t + 2, t + 4) > 0) order.push_back(static_cast<std::uint32_t>(i));
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return boxes[a].low[0] < boxes[b].low[0];
-  });
+  sortStably(order.data(), order.data() + order.size(),
+             [&](std::uint32_t a, std::uint32_t b) { return boxes[a].low[0] < boxes[b].low[0]; });
   const auto at = [&](std::size_t i) { return &uv[6 * i]; };
   // From left to right: what a triangle may overlap is still open in one of its rows.
   const Rows rows(boxes);

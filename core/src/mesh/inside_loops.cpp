@@ -9,6 +9,7 @@
 #include "mesh/clip_ears.h"
 #include "mesh/corner_table.h"
 #include "mesh/project_polygon.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -48,9 +49,8 @@ class Tracer {
         count_(static_cast<std::uint32_t>(points_.size())),
         leaving_(count_) {
     std::iota(leaving_.begin(), leaving_.end(), 0u);
-    std::vector<std::uint32_t> order = leaving_;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
+    std::vector<std::uint32_t> order = stableOrder(
+        count_, [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
     for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
       while (end < order.size() && places[order[end]] == places[order[i]]) ++end;
       if (end - i > 1) joinAt(&order[i], &order[i] + (end - i));

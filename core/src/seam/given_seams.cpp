@@ -109,7 +109,7 @@ Status markEdges(const PolygonMesh& input, const WeldedMesh& welded, const Surfa
                                                std::to_string(input.vertexCount())};
     wanted.push_back({sorted({welded.place[e[0]], welded.place[e[1]]}), wanted.size()});
   }
-  std::stable_sort(wanted.begin(), wanted.end());
+  std::sort(wanted.begin(), wanted.end());
   std::vector<std::uint8_t> isFound(edges.size(), 0);
   for (std::uint32_t h = 0; h < seams.size(); ++h) {
     if (surface.triangulation.isDiagonal[h]) continue;

@@ -8,6 +8,7 @@
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -166,10 +167,13 @@ class Shortener {
 
   /// So many of them, after more did not work together.
   static void keepLongest(std::size_t most, std::vector<Choice>& choices) {
-    const auto length = [](const Choice& x) { return x.count > 0 ? x.tip.length[x.count - 1] : 0; };
-    std::stable_sort(choices.begin(), choices.end(),
-                     [&](const Choice& a, const Choice& b) { return length(a) > length(b); });
-    for (std::size_t i = most; i < choices.size(); ++i) choices[i].count = 0;
+    const auto length = [&](std::uint32_t i) {
+      const Choice& x = choices[i];
+      return x.count > 0 ? x.tip.length[x.count - 1] : 0;
+    };
+    const std::vector<std::uint32_t> order = stableOrder(
+        choices.size(), [&](std::uint32_t a, std::uint32_t b) { return length(a) > length(b); });
+    for (std::size_t i = most; i < order.size(); ++i) choices[order[i]].count = 0;
   }
 
   double most() const { return options_.maxStretch - 1; }

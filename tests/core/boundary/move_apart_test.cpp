@@ -105,6 +105,8 @@ Counted unwrapped(const PolygonMesh& mesh) {
   double begin = 0;
   UnwrapOptions options;
   options.threads = 1;
+  options.balance = 0;  // refining has its own steps
+  options.maxStretch = 1.04;
   options.minUtilization = 0;
   options.progress = [&](const Progress& now) {
     if (std::string(now.stage) != "solve") return true;

@@ -37,9 +37,9 @@ constexpr double kAutoMinUtilization = -1;
 /// The options of unwrapping that are plain values, with their defaults.
 struct UnwrapOptionValues {
   /// how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts
-  double maxStretch = 1.04;
+  double maxStretch = 1.02;
   /// between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other
-  double balance = 0;
+  double balance = 0.2;
   /// whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches
   FillHoles fillHoles = FillHoles::Auto;
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
@@ -55,7 +55,7 @@ struct UnwrapOptionValues {
   /// as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10
   bool udim = false;
   /// share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)
-  double minUtilization = 0;
+  double minUtilization = -1;
   /// turning of charts as they fit best
   bool rotate = true;
   /// what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
@@ -66,8 +66,8 @@ struct UnwrapOptionValues {
 
 inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
-    {"maxStretch", "--max-stretch", "1.04", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
-    {"balance", "--balance", "0", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
+    {"maxStretch", "--max-stretch", "1.02", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
+    {"balance", "--balance", "0.2", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is", true, false},
@@ -75,7 +75,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per unit of length of the mesh, the same for meshes that are to look alike (auto = as many as fit one tile)", false, false},
     {"udim", "--udim", "false", "", "as many tiles as that texel density takes, UDIM 1001 and on: ten in a row, u from 0 to 10", true, false},
-    {"minUtilization", "--min-utilization", "0", "at least 0 and at most 1, or auto", "share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)", false, false},
+    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts are to cover: they are cut further until they do, or until nothing helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)", false, false},
     {"rotate", "--no-rotate", "true", "", "without turning of charts as they fit best", true, false},
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},

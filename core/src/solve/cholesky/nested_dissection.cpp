@@ -4,6 +4,7 @@
 
 #include "solve/cholesky/minimum_degree.h"
 #include "solve/cholesky/separator.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -51,10 +52,9 @@ Part extract(const Part& whole, const std::vector<std::uint8_t>& set, std::uint8
 /// the rows that a descendant shares with it come in runs.
 void orderAlong(const Part& p, std::vector<std::uint32_t>& result) {
   const WeightedGraph& g = p.graph;
-  std::vector<std::uint32_t> byDegree(g.size()), stack;
-  for (std::uint32_t v = 0; v < g.size(); ++v) byDegree[v] = v;
-  std::stable_sort(byDegree.begin(), byDegree.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return g.degree(a) < g.degree(b); });
+  const std::vector<std::uint32_t> byDegree = stableOrder(
+      g.size(), [&](std::uint32_t a, std::uint32_t b) { return g.degree(a) < g.degree(b); });
+  std::vector<std::uint32_t> stack;
   std::vector<std::uint8_t> seen(g.size(), 0);
   for (const std::uint32_t start : byDegree) {
     if (seen[start]) continue;
@@ -157,9 +157,9 @@ class Dissection {
     if (part.vertex.size() <= kMaxLeaf)
       scratch.minimumDegree.order(placed);
     else
-      std::stable_sort(placed.begin(), placed.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return graph_.degree(a) < graph_.degree(b);
-      });
+      sortStably(
+          placed.data(), placed.data() + placed.size(),
+          [&](std::uint32_t a, std::uint32_t b) { return graph_.degree(a) < graph_.degree(b); });
     place(placed, part.end);
   }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "solve/cholesky/coarsen.h"
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -65,10 +66,8 @@ Separation splitComponents(const WeightedGraph& g) {
         }
     }
   }
-  std::vector<std::uint32_t> byWeight(weight.size());
-  std::iota(byWeight.begin(), byWeight.end(), 0u);
-  std::stable_sort(byWeight.begin(), byWeight.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return weight[a] > weight[b]; });
+  const std::vector<std::uint32_t> byWeight = stableOrder(
+      weight.size(), [&](std::uint32_t a, std::uint32_t b) { return weight[a] > weight[b]; });
   std::vector<std::uint8_t> part(weight.size());
   std::array<std::uint64_t, 2> sum{};
   for (const std::uint32_t c : byWeight) {

@@ -1,7 +1,8 @@
 #include "solve/cholesky/symbolic.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "stable_order.h"
 
 namespace abflat {
 namespace {
@@ -121,12 +122,9 @@ void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymboli
 
 std::vector<std::uint32_t> knownOrder(const CompressedGraph& c,
                                       const std::vector<std::uint32_t>& place) {
-  std::vector<std::uint32_t> order(c.graph.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+  return stableOrder(c.graph.size(), [&](std::uint32_t a, std::uint32_t b) {
     return place[c.firstRow[a]] < place[c.firstRow[b]];
   });
-  return order;
 }
 
 }  // namespace
