@@ -49,7 +49,6 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wi
   RefineOptions out;
   out.balance = wishes.balance;
   out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
-  out.mayScale = wishes.pins.empty();
   out.maxSolves = solvesFor(flattener.chart(), outline);
   out.place = flattener.place();
   out.allowedBytes = wishes.allowedBytes;
@@ -84,14 +83,15 @@ Attempt drawnBack(ChartFlattener& flattener, const Attempt& touching) {
 }
 
 /// The attempt's layout refined, checked and measured anew, valid or not.
-Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const Attempt& attempt) {
+Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const Attempt& attempt,
+                bool isPinned = false) {
   const DiskChart& chart = flattener.chart();
   Refinement found = refine(chart, attempt.uv, options);
-  if (options.mayScale) pose(chart, attempt.uv, found.uv);
+  if (!isPinned) pose(chart, attempt.uv, found.uv);
   Attempt out = attempt;
   out.uv = std::move(found.uv);
   flattener.measure(out);
-  if (isTangled(out) && options.mayScale) {
+  if (isTangled(out) && !isPinned) {
     out = drawnBack(flattener, out);
     found.energy = energyOf(chart, out.uv, options.balance);
   }
@@ -226,8 +226,9 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
     return;
   }
   flattener.endSolving();  // so that one factor is held at a time
-  Attempt out = refined(
-      flattener, optionsFor(flattener, wishes, isFree ? Outline::Free : Outline::Fixed), attempt);
+  Attempt out =
+      refined(flattener, optionsFor(flattener, wishes, isFree ? Outline::Free : Outline::Fixed),
+              attempt, !wishes.pins.empty());
   if (!isFree) out.refined->limit = "the boundary keeps its form, so that it keeps its angles";
   if (shaped && !(out.valid() && out.refined->energy < shaped->refined->energy))
     out = std::move(*shaped);

@@ -38,6 +38,16 @@ FlatChart pieceAsItLies(const DiskChart& chart, std::vector<double> uv, std::str
   return out;
 }
 
+/// What its chart went through before, which a piece shares.
+std::unique_ptr<UncommonParts> historyOf(const FlatChart& whole) {
+  if (!whole.uncommon) return nullptr;
+  auto out = std::make_unique<UncommonParts>();
+  out->refined = whole.uncommon->refined;
+  for (const std::string& note : whole.uncommon->fallbacks)
+    out->fallbacks.push_back("before packing cut it: " + note);
+  return out;
+}
+
 bool isSame(const ChartTopology& a, const ChartTopology& b) {
   return a.triangleCount() == b.triangleCount() && a.surfaceTriangles() == b.surfaceTriangles() &&
          std::equal(a.twin.begin(), a.twin.end(), b.twin.begin());
@@ -80,7 +90,12 @@ void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore
       uv[2 * std::size_t{chart.vertexOfCorner[c]} + 1] = p[1];
     }
     flat[i] = pieceAsItLies(now.chart(i), std::move(uv), whole.solver);
-    if (flat[i].distortion.symmetricDirichlet > mostStretch) flat[i] = {};
+    if (flat[i].unpacked.empty() || flat[i].distortion.symmetricDirichlet > mostStretch) {
+      flat[i] = {};
+      return;
+    }
+    flat[i].uncommon = historyOf(whole);
+    flat[i].iterations = whole.iterations;
   });
 }
 

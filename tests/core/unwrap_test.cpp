@@ -158,7 +158,6 @@ TEST_CASE("polygons become the triangles that were flattened") {
 TEST_CASE("charts with pins stay where these put them, and the others go around", "[pin]") {
   const PolygonMesh mesh = torus(24, 12);
   UnwrapOptions options;
-  options.balance = 0;
   options.seams = inTwo(24, 12);
   const Result<UnwrapResult> free = unwrap(mesh, options);
   REQUIRE(free.ok());
@@ -192,7 +191,6 @@ TEST_CASE("charts with pins stay where these put them, and the others go around"
 TEST_CASE("a pin on a seam says by a face which texcoord it means", "[pin]") {
   const PolygonMesh mesh = torus(24, 12);
   UnwrapOptions options;
-  options.balance = 0;
   options.seams = inTwo(24, 12);
   const std::uint32_t seam = 24 * 5 + 6, inside = 24 * 9 + 4;
   options.pins = {{seam, {0.5, 0.4}}, {inside, {0.5, 0.5}}};

@@ -39,6 +39,16 @@ std::vector<std::uint32_t> placeOfRows(const std::vector<std::uint32_t>& ofVerti
   return out;
 }
 
+/// For layouts that are to stay that much smaller.
+std::vector<RestTriangle> scaledDown(std::vector<RestTriangle> rest, double scale) {
+  for (RestTriangle& t : rest) {
+    t.c1x *= scale;
+    t.c1y *= scale;
+    t.c2y *= scale;
+  }
+  return rest;
+}
+
 class Refiner {
  public:
   Refiner(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options)
@@ -57,10 +67,11 @@ class Refiner {
   }
 
   Refinement run() {
-    if (options_.mayScale) {
-      const double scale = bestScale(chart_, rest_, options_.balance, uv_);
+    const double scale = bestScale(chart_, rest_, options_.balance, uv_);
+    if (options_.isFixed.empty())
       for (double& x : uv_) x *= scale;
-    }
+    else
+      rest_ = scaledDown(std::move(rest_), scale);
     shape_.straighten(uv_);
     out_.energyBefore = energy_ = energyOf(uv_);
     const std::vector<double> start = uv_;
@@ -284,11 +295,10 @@ Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOp
   return Refiner(chart, std::move(uv), options).run();
 }
 
-double energyOf(const DiskChart& chart, std::vector<double> uv, double balance) {
+double energyOf(const DiskChart& chart, const std::vector<double>& uv, double balance) {
   const std::vector<RestTriangle> rest = restTriangles(chart, uv);
   const double scale = bestScale(chart, rest, balance, uv);
-  for (double& x : uv) x *= scale;
-  return layoutEnergy(chart, rest, balance, uv);
+  return layoutEnergy(chart, scaledDown(rest, scale), balance, uv);
 }
 
 }  // namespace abflat

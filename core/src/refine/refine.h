@@ -17,7 +17,6 @@ struct RefineOptions {
   /// Per vertex: stays where it is; empty: none.
   std::vector<std::uint8_t> isFixed;
   OutlineRules outline;  ///< the layout has to keep to it from the start
-  bool mayScale = true;  ///< all of it, also what is fixed: energies are those at the best scale
   int maxSteps = 100;
   int maxSolves = std::numeric_limits<int>::max();  ///< of linear systems, in all steps together
   /// Of the energy above 1, and 1/40 of that of the whole: it does not matter that further steps
@@ -42,11 +41,13 @@ struct Refinement {
 
 /// From a layout without flipped triangles to another of less energy, by projected Newton (Teran et
 /// al. 2005; eigenvalues in closed form after Smith, de Goes and Kim 2019) with steps that flip no
-/// triangle (Smith and Schaefer 2015). The boundary is free. One that does not cross itself is kept
-/// apart where it would; one that does may go on to, until it no longer does.
+/// triangle (Smith and Schaefer 2015). The boundary is free. Energies are those at the scale where
+/// the layout that is given has the least; it is scaled to that, unless something is fixed. One
+/// that does not cross itself is kept apart where it would; one that does may go on to, until it no
+/// longer does.
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
 
 /// Of a layout, at the scale where it is least.
-double energyOf(const DiskChart& chart, std::vector<double> uv, double balance);
+double energyOf(const DiskChart& chart, const std::vector<double>& uv, double balance);
 
 }  // namespace abflat

@@ -163,7 +163,6 @@ TEST_CASE("vertices that are fixed stay where they are", "[refine]") {
   const DiskChart chart = chartOf(bumpyGrid(12, 12, 0.7, 6));
   const std::vector<double> uv = conformalLayout(chart);
   RefineOptions options = withBalance(0.5);
-  options.mayScale = false;
   options.isFixed.assign(chart.vertexCount(), 0);
   for (const std::uint32_t h : chart.boundary) options.isFixed[chart.vertexOfCorner[h]] = 1;
   const Refinement r = refine(chart, uv, options);
@@ -173,6 +172,24 @@ TEST_CASE("vertices that are fixed stay where they are", "[refine]") {
       CHECK(r.uv[2 * v] == uv[2 * v]);
       CHECK(r.uv[2 * v + 1] == uv[2 * v + 1]);
     }
+}
+
+TEST_CASE("what is fixed gives the scale: a layout of another size keeps its form", "[refine]") {
+  const DiskChart chart = chartOf(bumpyGrid(12, 12, 0.7, 6));
+  const std::vector<double> uv = conformalLayout(chart);
+  RefineOptions options = withBalance(0.5);
+  options.isFixed.assign(chart.vertexCount(), 0);
+  options.isFixed[14] = options.isFixed[140] = 1;
+  const Refinement r = refine(chart, uv, options);
+  CHECK(r.energy < r.energyBefore);
+  for (const double scale : {0.125, 8.0}) {
+    std::vector<double> scaled = uv;
+    for (double& x : scaled) x *= scale;
+    const Refinement other = refine(chart, scaled, options);
+    CHECK(other.energy == Approx(r.energy));
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      CHECK(other.uv[i] / scale == Approx(r.uv[i]).margin(1e-6));
+  }
 }
 
 TEST_CASE("minima of public disks", "[refine]") {
