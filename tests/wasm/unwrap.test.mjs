@@ -258,7 +258,11 @@ test('unpacked: charts as large as on the surface, at the scale of the atlas in 
 test('a disk becomes one chart with the angles of flatten', async () => {
   const mesh = grid(8);
   const flat = await abflat.flatten(mesh);
-  const { report, vertexMap } = await abflat.unwrap(mesh, { maxStretch: 10, balance: 0 });
+  const { report, vertexMap } = await abflat.unwrap(mesh, {
+    maxStretch: 10,
+    balance: 0,
+    minUtilization: 0,
+  });
   assert.equal(report.charts.length, 1);
   assert.equal(vertexMap.length, 81);
   assert.ok(
