@@ -199,15 +199,10 @@ class Unwrapping {
   bool cutFurther(const std::function<bool()>& goesOn) {
     if (!canCut(options_)) return false;
     std::vector<Stretched> charts;
-    const double slightlyMore = 1 + 1.01 * (options_.maxStretch - 1);
     for (FlatChart& chart : flat_) {
       const bool isAsked =
           (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
-      const double now = chart.distortion.symmetricDirichlet;
-      charts.push_back({!isAsked          ? 0
-                        : chart.isTangled ? std::max(now, slightlyMore)
-                                          : now,
-                        chart.isTangled});
+      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
       // Unless its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }

@@ -207,14 +207,14 @@ OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surfac
 bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open) {
-  const auto isAbove = [&](const Stretched& chart) { return chart.stretch > options.maxStretch; };
-  if (std::none_of(charts.begin(), charts.end(), isAbove)) return false;
+  const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
+  if (std::none_of(charts.begin(), charts.end(), isAsked)) return false;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
   std::vector<double> excess(s.charts.size(), 0);  // 0: stays
   bool isAnyRestored = false;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    if (!isAbove(charts[i])) continue;
+    if (!isAsked(charts[i])) continue;
     const std::uint32_t c = s.chartOfTriangle[set.triangles(i).front()];
     if (charts[i].isTangled && restore(s, c, open)) {
       isAnyRestored = true;
@@ -226,7 +226,10 @@ bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
     constexpr double kMost = 8, kSlightly = 1.01;
     const auto above = [&](double x) { return stretchBeforeRefining(x, options.balance) - 1; };
     const double leastToCut = kSlightly * above(options.maxStretch) / told;
-    excess[c] = std::min(above(charts[i].stretch) / told, std::max(kMost, leastToCut));
+    // What is tangled has not been refined.
+    const double found = charts[i].isTangled ? std::max((charts[i].stretch - 1) / told, leastToCut)
+                                             : above(charts[i].stretch) / told;
+    excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)

@@ -40,13 +40,13 @@ OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surfac
 
 /// What flattening has made of a chart.
 struct Stretched {
-  double stretch = 0;      ///< 0: it is to stay as it is
-  bool isTangled = false;  ///< its boundary crosses itself
+  double stretch = 0;      ///< above what is allowed, or tangled; 0: it is to stay as it is
+  bool isTangled = false;  ///< its boundary crosses itself, so it has not been refined
 };
 
-/// Cuts charts further that are stretched by more than `options.maxStretch`: their seams are found
-/// anew, from those that were found before, with a prediction that what they are tells better.
-/// False where none of them can be cut so that less is to be expected.
+/// Cuts charts further that are stretched by more than `options.maxStretch`, or tangled: their
+/// seams are found anew, from those that were found before, with a prediction that what they are
+/// tells better. False where none of them can be cut so that less is to be expected.
 bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open);
