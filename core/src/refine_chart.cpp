@@ -197,12 +197,14 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const std::vector<double>& t
     refineChart(flattener, wishes, out);
     return out;
   }
-  Attempt first = flattener.attempt(t, nullptr);
+  Attempt first = wishes.mayBeRough ? flattener.roughAttempt(t) : flattener.attempt(t, nullptr);
   if (isTangled(first)) {
     const RefiningTime time(flattener);
     Attempt out = refined(flattener, optionsFor(flattener, wishes, Outline::Free), first);
     if (out.valid()) return out;
   }
+  if (wishes.mayBeRough && !first.valid() && !first.solution.cancelled)
+    first = flattener.attempt(t, first.solution.converged ? &first : nullptr);
   Attempt out = madeValid(flattener, std::move(first), t, untangleOf(options), effort);
   refineChart(flattener, wishes, out);
   return out;

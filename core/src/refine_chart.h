@@ -16,6 +16,7 @@ struct RefineWishes {
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;
   std::function<bool()> onStep;  ///< hears of each step; false: no further one
+  bool mayBeRough = false;       ///< angles are only to begin refining from
 };
 
 /// A chart flattened as flattenChart() does, and refined. A free boundary that crosses itself may

@@ -205,6 +205,13 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   return a;
 }
 
+Attempt ChartFlattener::roughAttempt(const std::vector<double>& t) {
+  solver_->beRough(true);
+  Attempt out = attempt(t, nullptr);
+  solver_->beRough(false);
+  return out;
+}
+
 void ChartFlattener::setAllBounds(const std::vector<double>& t) {
   setBounds(problem_, chart_, t);
   setStraight(problem_, chart_, straight_);

@@ -72,6 +72,9 @@ class ChartFlattener {
   /// the interior point takes over with rising floors of its barrier.
   Attempt attempt(const std::vector<double>& t, const Attempt* warm);
 
+  /// With angles that are good enough to be refined.
+  Attempt roughAttempt(const std::vector<double>& t);
+
   /// From now on attempts may take so many Newton steps in all: those that would need more are
   /// given up.
   void allowSteps(int more) { mostSteps_ = steps_ + more; }

@@ -48,7 +48,11 @@ bool ExtendedMatrix::isHeld(const SparseEntries& entries) const {
 
 bool ExtendedMatrix::add(const SparseEntries& entries) {
   const bool isNew = !isHeld(entries);
-  if (isNew || (isOwn_ && !entries.empty())) buildPattern(entries);
+  if (isNew || (isOwn_ && !entries.empty())) {
+    for (const auto& e : entries)
+      if (placeOf(sum(), e.row(), e.col()) < 0) always_.emplace_back(e.row(), e.col(), 0);
+    buildPattern({});
+  }
   if (isOwn_) return false;
   std::fill_n(sum_.valuePtr(), sum_.nonZeros(), 0.0);
   for (std::size_t i = 0; i < place_.size(); ++i) sum_.valuePtr()[place_[i]] = own_.valuePtr()[i];

@@ -106,7 +106,7 @@ void Finder::analyse() {
   Stopwatch watch;
   std::vector<std::uint32_t> place;
   if (isWhole())
-    place = options_.place;
+    place = report_.place.empty() ? options_.place : report_.place;
   else
     for (const std::uint32_t v : part_.vertex) place.push_back(report_.place[v]);
   scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(place));
@@ -252,13 +252,17 @@ Seams Finder::run() {
   if (!whole_.hole.empty())
     openTouchedHoles(whole_, cutAlong(whole_, result_, pulse_), options_.fillHoles, result_);
   Stopwatch watch;
+  if (options_.isAuto && goesOn() && !isWhole()) {
+    mesh_ = &whole_;
+    part_ = SeamPart();
+    analyse();
+  }
   // Slits and splits are made where each is needed; together they may be more than that.
   if (options_.isAuto && goesOn())
-    report_.merges = mergeCharts(whole_, given_, options_, report_.place, u_, result_);
+    report_.merges = mergeCharts(whole_, given_, options_, *scale_, u_, result_);
   report_.found = result_;
   report_.foundScale = u_;
-  if (options_.isAuto && goesOn())
-    shortenSeams(whole_, given_, options_, report_.place, u_, result_);
+  if (options_.isAuto && goesOn()) shortenSeams(whole_, given_, options_, *scale_, u_, result_);
   report_.mergeSeconds = watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "seam/extract_charts.h"
 #include "seam/log_scale.h"
@@ -30,22 +32,29 @@ struct Run {
   double length = 0;
 };
 
-/// What would be joined, on a surface of its own.
+/// What would be joined: on a surface of its own, or where that is most of the whole on that.
 struct Trial {
-  SeamPart part;
+  std::unique_ptr<SeamPart> part;  ///< null: the whole
   CutSurface joined, apart;
   std::vector<double> u;  ///< of the joined surface
   Prediction prediction;
+
+  /// In the numbering of its surface, of a half-edge of the whole.
+  std::uint32_t placeOf(std::uint32_t h) const {
+    if (!part) return h;
+    const auto& all = part->halfEdge;
+    return static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), h) - all.begin());
+  }
 };
 
 class Merger {
  public:
-  Merger(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-         const std::vector<std::uint32_t>& place, std::vector<double>& u, Seams& seams)
+  Merger(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options, LogScale& scale,
+         std::vector<double>& u, Seams& seams)
       : mesh_(mesh),
         kept_(kept),
         options_(options),
-        place_(place),
+        scale_(scale),
         u_(u),
         seams_(seams),
         longest_(std::min(options.longest, kLongest * std::sqrt(mesh.totalArea()))),
@@ -63,9 +72,10 @@ class Merger {
   std::uint32_t joinAll() {
     std::uint32_t done = 0;
     while (!options_.keepsOn || options_.keepsOn()) {
-      const std::vector<Run> runs = matching(cutAlong(mesh_, seams_, pulse_));
+      CutSurface apart = cutAlong(mesh_, seams_, pulse_);
+      const std::vector<Run> runs = matching(apart);
       if (runs.empty()) break;
-      const std::uint32_t now = joinWherePossible(runs);
+      const std::uint32_t now = joinWherePossible(runs, std::move(apart));
       if (now == 0 && !isHinge_) break;  // the other runs are shorter
       done += now;
     }
@@ -206,26 +216,44 @@ class Merger {
     for (const std::uint32_t h : run.edges) isRefused_[h] = isRefused_[mesh_.twin[h]] = 1;
   }
 
-  /// The unions of what the runs, which are open, are between.
-  Trial tryOut(const std::vector<Run>& runs) const {
+  /// The unions of what the runs, which are open, are between. `apart`: before they were.
+  Trial tryOut(const std::vector<Run>& runs, CutSurface apart) {
+    constexpr std::size_t kMost = 2;  // times as much: an order of elimination is for the whole
+    CutSurface s = cutAlong(mesh_, seams_, pulse_);
+    std::vector<std::uint8_t> isUnion(s.charts.size(), 0);
+    for (const Run& run : runs) isUnion[s.chartOfTriangle[run.edges.front() / 3]] = 1;
+    std::size_t triangles = 0;
+    for (std::size_t c = 0; c < s.charts.size(); ++c)
+      if (isUnion[c]) triangles += s.charts[c].triangles;
+    if (kMost * triangles < mesh_.triangleCount()) return tryPart(runs, s, isUnion);
     Trial out;
-    const CutSurface s = cutAlong(mesh_, seams_, pulse_);
-    std::vector<std::uint8_t> isUnion(s.charts.size(), 0), isRun(mesh_.twin.size(), 0);
-    for (const Run& run : runs) {
-      isUnion[s.chartOfTriangle[run.edges.front() / 3]] = 1;
-      for (const std::uint32_t h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
-    }
-    out.part = extractCharts(mesh_, s, isUnion, pulse_);
-    Seams between;
-    for (const std::uint32_t h : out.part.halfEdge) between.push_back(isRun[h]);
-    std::vector<std::uint32_t> place;
-    for (const std::uint32_t v : out.part.vertex) place.push_back(place_[v]);
-    out.joined = cutAlong(out.part.mesh, Seams(between.size(), 0), pulse_);
-    out.apart = cutAlong(out.part.mesh, between, pulse_);
-    out.u = LogScale(out.part.mesh, options_.pool, std::move(place)).solve(out.joined, {});
-    if (!out.u.empty()) out.prediction = predictStretch(out.part.mesh, out.joined, out.u);
+    out.apart = std::move(apart);
+    out.joined = std::move(s);
+    out.u = scale_.solve(out.joined, {});
+    if (!out.u.empty()) out.prediction = predictStretch(mesh_, out.joined, out.u);
     return out;
   }
+
+  Trial tryPart(const std::vector<Run>& runs, const CutSurface& s,
+                const std::vector<std::uint8_t>& isUnion) const {
+    Trial out;
+    std::vector<std::uint8_t> isRun(mesh_.twin.size(), 0);
+    for (const Run& run : runs)
+      for (const std::uint32_t h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
+    out.part = std::make_unique<SeamPart>(extractCharts(mesh_, s, isUnion, pulse_));
+    const SeamMesh& mesh = out.part->mesh;
+    Seams between;
+    for (const std::uint32_t h : out.part->halfEdge) between.push_back(isRun[h]);
+    std::vector<std::uint32_t> place;
+    for (const std::uint32_t v : out.part->vertex) place.push_back(scale_.place()[v]);
+    out.joined = cutAlong(mesh, Seams(between.size(), 0), pulse_);
+    out.apart = cutAlong(mesh, between, pulse_);
+    out.u = LogScale(mesh, options_.pool, std::move(place)).solve(out.joined, {});
+    if (!out.u.empty()) out.prediction = predictStretch(mesh, out.joined, out.u);
+    return out;
+  }
+
+  const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
   bool keepsBounds(const Trial& trial, std::uint32_t run) const {
     // What is cut, is cut for good reasons: no union is to come near the bound. One that hangs
@@ -238,7 +266,7 @@ class Merger {
         trial.prediction.stretch[chart] > 1 + ofBound * (options_.maxStretch - 1))
       return false;
     const auto outline = [&](const CutSurface& surface, std::uint32_t c) {
-      return predictOutline(trial.part.mesh, surface, c, trial.u);
+      return predictOutline(meshOf(trial), surface, c, trial.u);
     };
     const std::vector<Point2> whole = outline(s, chart);
     const Shape shape = measureShape(whole);
@@ -246,21 +274,20 @@ class Merger {
         shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
       return false;
     double room = 0;
-    for (const std::uint32_t h : {run, trial.part.mesh.twin[run]})
+    for (const std::uint32_t h : {run, meshOf(trial).twin[run]})
       room += hullArea(outline(trial.apart, trial.apart.chartOfTriangle[h / 3]));
     if (shape.extent > (isHinge_ ? longest_ : options_.longest)) return false;
     return hullArea(whole) <= (isHinge_ ? kMostRoomOfHinged : kMostRoom) * room;
   }
 
-  std::uint32_t joinWherePossible(const std::vector<Run>& runs) {
+  std::uint32_t joinWherePossible(const std::vector<Run>& runs, CutSurface apart) {
     for (const Run& run : runs) mark(run, false);
-    const Trial trial = tryOut(runs);
-    const auto& all = trial.part.halfEdge;
+    const Trial trial = tryOut(runs, std::move(apart));
+    const SeamMesh& mesh = meshOf(trial);
     std::vector<std::uint8_t> isDone(trial.joined.charts.size(), 0);
     std::uint32_t done = 0;
     for (const Run& run : runs) {
-      const auto place = static_cast<std::uint32_t>(
-          std::lower_bound(all.begin(), all.end(), run.edges.front()) - all.begin());
+      const std::uint32_t place = trial.placeOf(run.edges.front());
       if (!trial.u.empty() && keepsBounds(trial, place)) {
         ++done;
         isDone[trial.joined.chartOfTriangle[place / 3]] = 1;
@@ -269,10 +296,10 @@ class Merger {
       mark(run, true);
       refuse(run);
     }
-    for (std::size_t h = 0; h < all.size(); ++h) {
+    for (std::size_t h = 0; h < mesh.twin.size(); ++h) {
       if (!isDone[trial.joined.chartOfTriangle[h / 3]]) continue;
-      const std::uint32_t v = trial.part.mesh.vertexOfCorner[h];
-      u_[trial.part.vertex[v]] = trial.u[v];
+      const std::uint32_t v = mesh.vertexOfCorner[h];
+      u_[trial.part ? trial.part->vertex[v] : v] = trial.u[v];
     }
     return done;
   }
@@ -281,7 +308,7 @@ class Merger {
   const Seams& kept_;
   const SeamOptions& options_;
   const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
-  const std::vector<std::uint32_t>& place_;
+  LogScale& scale_;         ///< of the whole
   std::vector<double>& u_;  ///< per vertex, of the charts as they are
   Seams& seams_;
   const double longest_;
@@ -294,9 +321,8 @@ class Merger {
 }  // namespace
 
 std::uint32_t mergeCharts(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-                          const std::vector<std::uint32_t>& place, std::vector<double>& u,
-                          Seams& seams) {
-  return Merger(mesh, kept, options, place, u, seams).run();
+                          LogScale& scale, std::vector<double>& u, Seams& seams) {
+  return Merger(mesh, kept, options, scale, u, seams).run();
 }
 
 }  // namespace abflat

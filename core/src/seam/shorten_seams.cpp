@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 
-#include "seam/log_scale.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
@@ -33,12 +32,12 @@ struct Progress {
 
 class Shortener {
  public:
-  Shortener(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-            const std::vector<std::uint32_t>& place, std::vector<double>& u, Seams& seams)
+  Shortener(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options, LogScale& scale,
+            std::vector<double>& u, Seams& seams)
       : mesh_(mesh),
         kept_(kept),
         options_(options),
-        scale_(mesh, options.pool, place),
+        scale_(scale),
         outgoing_(outgoingHalfEdges(mesh)),
         u_(u),
         seams_(seams) {}
@@ -229,7 +228,7 @@ class Shortener {
   const Seams& kept_;
   const SeamOptions& options_;
   const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
-  LogScale scale_;
+  LogScale& scale_;
   const std::vector<std::uint32_t> outgoing_;
   std::vector<double>& u_;  ///< per vertex, of the charts as they are
   Seams& seams_;
@@ -243,8 +242,8 @@ class Shortener {
 }  // namespace
 
 void shortenSeams(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-                  const std::vector<std::uint32_t>& place, std::vector<double>& u, Seams& seams) {
-  Shortener(mesh, kept, options, place, u, seams).run();
+                  LogScale& scale, std::vector<double>& u, Seams& seams) {
+  Shortener(mesh, kept, options, scale, u, seams).run();
 }
 
 }  // namespace abflat

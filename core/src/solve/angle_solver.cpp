@@ -1,5 +1,7 @@
 #include "solve/angle_solver.h"
 
+#include <limits>
+
 #include "solve/active_set.h"
 #include "solve/delaunay_system.h"
 #include "solve/interior_point.h"
@@ -12,6 +14,8 @@ constexpr int kDelaunaySteps = 60;
 /// Weights grow in each of them, and there is no other method to go on with.
 constexpr int kDelaunayStalledSteps = 6;
 constexpr int kInteriorPointSteps = 200;
+/// Radians, as the logarithms of lengths round a vertex.
+constexpr double kRough = 1e-3;
 
 }  // namespace
 
@@ -26,6 +30,8 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
   if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
 }
 
+void AngleSolver::beRough(bool isRough) { isRough_ = isRough; }
+
 AngleSolution AngleSolver::solve(const AngleSolution* start) {
   AngleSolution s = runActiveSet(start);
   if (start && !s.converged && !s.cancelled) s = runActiveSet(nullptr);
@@ -35,6 +41,10 @@ AngleSolution AngleSolver::solve(const AngleSolution* start) {
 AngleSolution AngleSolver::runActiveSet(const AngleSolution* start) {
   SolverOptions options = options_;
   options.maxSteps = kActiveSetSteps;
+  if (isRough_) {
+    options.constraintTolerance = kRough;
+    options.gradientTolerance = std::numeric_limits<double>::infinity();
+  }
   NewtonStepSolver& system = kkt_ ? static_cast<NewtonStepSolver&>(*kkt_) : *system_;
   AngleSolution s = solveActiveSet(problem_, system, options, start);
   s.linearSolver = linear_.solver;

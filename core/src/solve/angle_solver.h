@@ -17,6 +17,10 @@ class AngleSolver {
   AngleSolver(const AngleProblem& problem, SolverOptions options,
               const KktOptions& linear = {LinearSolver::Schur});
 
+  /// From now on active sets end as soon as wheels close to a thousandth, which is good enough to
+  /// begin something else from; or no longer.
+  void beRough(bool isRough);
+
   /// `start`: a solution for other bounds to begin from, or null.
   AngleSolution solve(const AngleSolution* start);
 
@@ -35,6 +39,7 @@ class AngleSolver {
 
   const AngleProblem& problem_;
   SolverOptions options_;
+  bool isRough_ = false;
   KktOptions linear_;
   std::unique_ptr<NewtonSystem> system_;
   std::unique_ptr<KktStepSolver> kkt_;  ///< null: elimination

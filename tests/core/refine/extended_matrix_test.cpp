@@ -38,6 +38,9 @@ TEST_CASE("a matrix and what is added to it, in a pattern that grows where it mu
   const SparseEntries other{{5, 0, 1}};
   CHECK(extended.add(other));
   CHECK(dense(extended.sum()) == dense(own) + dense(assembled(6, other)));
+  // What comes back has its place still.
+  CHECK(!extended.add(some));
+  CHECK(dense(extended.sum()) == dense(own) + dense(assembled(6, some)));
 }
 
 TEST_CASE("a pattern that is known from the start stays", "[refine]") {

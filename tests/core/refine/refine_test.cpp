@@ -100,6 +100,27 @@ TEST_CASE("refining takes energy away and flips nothing", "[refine]") {
   }
 }
 
+TEST_CASE("what rough angles are refined to is as good, after fewer steps", "[refine]") {
+  int fewer = 0;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const DiskChart chart = chartOf(bumpyGrid(9 + seed, 14, 0.2 * (seed + 1), seed));
+    const std::vector<double> free(chart.boundary.size(), 2);
+    ChartFlattener flattener(chart, {});
+    const Attempt rough = flattener.roughAttempt(free);
+    const Attempt exact = flattener.attempt(free, nullptr);
+    REQUIRE(rough.valid());
+    CAPTURE(seed);
+    CHECK(rough.solution.constraintResidual <= 1e-3);
+    CHECK(exact.solution.constraintResidual <= 1e-10);
+    CHECK(rough.solution.history.size() <= exact.solution.history.size());
+    fewer += rough.solution.history.size() < exact.solution.history.size();
+    const double a = refine(chart, rough.uv, withBalance(0.2)).energy;
+    const double b = refine(chart, exact.uv, withBalance(0.2)).energy;
+    CHECK(a - 1 == Approx(b - 1).epsilon(5e-3));
+  }
+  CHECK(fewer == 8);
+}
+
 TEST_CASE("hundreds of disks stay valid at any balance", "[refine]") {
   for (unsigned seed = 0; seed < cases(300u, 20u); ++seed) {
     const DiskChart chart =

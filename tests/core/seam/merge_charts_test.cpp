@@ -39,7 +39,7 @@ Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns
 std::uint32_t merged(const SeamMesh& mesh, const Seams& kept, Seams& seams) {
   LogScale scale(mesh, nullptr);
   std::vector<double> u = scale.solve(cutAlong(mesh, seams), {});
-  return mergeCharts(mesh, kept, {}, scale.place(), u, seams);
+  return mergeCharts(mesh, kept, {}, scale, u, seams);
 }
 
 std::vector<Point2> box(double x, double y, double w, double h) {
@@ -63,6 +63,15 @@ TEST_CASE("strips of a flat sheet become one chart again, but for seams that are
     CHECK(merged(m, kept, seams) == 2);
     CHECK(seams == kept);
   }
+}
+
+TEST_CASE("strips become one chart beside a surface that is much larger", "[merge]") {
+  const Cuttable c(squares(40, 6, [](auto i, auto) { return i != 12; }));
+  const SeamMesh& m = c.seamMesh;
+  Seams seams = alongColumns(m, 40, {3, 6, 9});
+  REQUIRE(cutAlong(m, seams).charts.size() == 5);
+  CHECK(merged(m, Seams(seams.size(), 0), seams) == 3);
+  CHECK(cutAlong(m, seams).charts.size() == 2);
 }
 
 TEST_CASE("charts stay apart where together they would take more room", "[merge]") {

@@ -21,7 +21,6 @@ struct Hill {
   static constexpr unsigned kSide = 41;
   Cuttable c{makeTriangleMesh(positions(), triangles())};
   Seams seams = Seams(c.seamMesh.twin.size(), 0);
-  std::vector<std::uint32_t> place = LogScale(c.seamMesh, nullptr).place();
 
   Hill() {
     for (std::uint32_t h = 0; h < seams.size(); ++h)
@@ -75,7 +74,8 @@ Seams shortened(const Hill& hill, double maxStretch) {
   options.maxStretch = maxStretch;
   Seams out = hill.seams;
   std::vector<double> u;
-  shortenSeams(hill.c.seamMesh, Seams(out.size(), 0), options, hill.place, u, out);
+  LogScale scale(hill.c.seamMesh, nullptr);
+  shortenSeams(hill.c.seamMesh, Seams(out.size(), 0), options, scale, u, out);
   return out;
 }
 
@@ -140,7 +140,8 @@ TEST_CASE("seams that are given are not shortened", "[seams]") {
   options.maxStretch = 100;
   Seams seams = hill.seams;
   std::vector<double> u;
-  shortenSeams(hill.c.seamMesh, hill.seams, options, hill.place, u, seams);
+  LogScale scale(hill.c.seamMesh, nullptr);
+  shortenSeams(hill.c.seamMesh, hill.seams, options, scale, u, seams);
   CHECK(seams == hill.seams);
 }
 
