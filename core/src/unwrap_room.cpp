@@ -55,9 +55,9 @@ struct Tries {
 };
 
 Tries triesFor(const OpenSurface& open) {
-  constexpr int kFruitless = 60, kFruitful = 240, kTrianglesOfTry = 40;
+  constexpr int kFruitless = 60, kFruitful = 144, kTrianglesOfTry = 40;
   const int more = static_cast<int>(open.mesh.triangleCount() / kTrianglesOfTry);
-  return {kFruitless + more / 5, kFruitful + more * 4 / 5};
+  return {kFruitless + more / 5, kFruitful + more / 2};
 }
 
 /// The best cuts so far, from those for ever smaller squares.
@@ -76,6 +76,7 @@ class RoomSearch {
     for (int k = 1; k <= steps && goesOn(); ++k) {
       const double gain = most * k / steps;
       if (gain <= reached_) continue;
+      if ((found_ ? tries_.fruitful : tries_.fruitless) <= 0) break;
       const bool isMore = found_ && attempt(*found_, gain);
       const bool isAnew = attempt(uncut_, gain);
       failures = isMore || isAnew ? 0 : failures + 1;
