@@ -151,10 +151,11 @@ Shape measureShape(const std::vector<Point2>& outline) {
     return shape;
   }
   shape.fill = std::min(1.0, area / hullArea(outline));
-  shape.overlap = overlapArea(outline) / area;
   std::vector<double> points;
   for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
   shape.crossings = findCrossings(points, kMostCrossings).first;
+  // What does not cross itself covers nothing twice.
+  if (!shape.crossings.empty()) shape.overlap = overlapArea(outline) / area;
   return shape;
 }
 
