@@ -7,6 +7,7 @@
 #include "hole/stretched_holes.h"
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
+#include "seam/fair_seams.h"
 #include "seam/log_scale.h"
 #include "seam/merge_charts.h"
 #include "seam/prediction.h"
@@ -260,9 +261,12 @@ Seams Finder::run() {
   // Slits and splits are made where each is needed; together they may be more than that.
   if (options_.isAuto && goesOn())
     report_.merges = mergeCharts(whole_, given_, options_, *scale_, u_, result_);
+  const bool isSolved =
+      options_.isAuto && goesOn() && fairSeams(whole_, given_, options_, *scale_, u_, result_);
   report_.found = result_;
   report_.foundScale = u_;
-  if (options_.isAuto && goesOn()) shortenSeams(whole_, given_, options_, *scale_, u_, result_);
+  if (options_.isAuto && goesOn())
+    shortenSeams(whole_, given_, options_, *scale_, u_, result_, isSolved);
   report_.mergeSeconds = watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;

@@ -42,11 +42,13 @@ class Shortener {
         u_(u),
         seams_(seams) {}
 
-  void run() {
+  void run(bool isSolved) {
     surface_ = cutAlong(mesh_, seams_, pulse_);
-    std::vector<double> u = scale_.solve(surface_, {});
-    if (u.empty()) return;
-    u_ = std::move(u);
+    if (!isSolved) {
+      std::vector<double> u = scale_.solve(surface_, {});
+      if (u.empty()) return;
+      u_ = std::move(u);
+    }
     prediction_ = predictStretch(mesh_, surface_, u_);
     progress_.resize(surface_.charts.size());
     const std::size_t rounds =
@@ -242,8 +244,8 @@ class Shortener {
 }  // namespace
 
 void shortenSeams(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-                  LogScale& scale, std::vector<double>& u, Seams& seams) {
-  Shortener(mesh, kept, options, scale, u, seams).run();
+                  LogScale& scale, std::vector<double>& u, Seams& seams, bool isSolved) {
+  Shortener(mesh, kept, options, scale, u, seams).run(isSolved);
 }
 
 }  // namespace abflat

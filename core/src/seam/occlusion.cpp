@@ -1,0 +1,83 @@
+#include "seam/occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "angle/constants.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Neighbouring triangles that look about the same way, as one.
+struct Patch {
+  Vec3 center{}, normal{};  ///< sums, weighted by area, until settled
+  double area = 0;
+};
+
+Vec3 sum(const Vec3& a, const Vec3& b, double weight) {
+  return {a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2]};
+}
+
+}  // namespace
+
+std::vector<double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
+  // A surface passes some fifteen times the square of that many patches, whose square is the work.
+  const double wanted = 0.7 * std::sqrt(std::sqrt(static_cast<double>(mesh.triangleCount())));
+  const auto cells = static_cast<std::uint32_t>(std::clamp(wanted, 2.0, 12.0));
+  std::vector<std::uint32_t> patchAt(std::size_t{8} * cells * cells * cells, kNone);
+  std::vector<Patch> patches;
+  std::vector<std::uint32_t> patchOf;
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+    const std::uint32_t* v = &mesh.vertexOfCorner[3 * std::size_t{f}];
+    const Vec3 normal =
+        cross(edgeVector(mesh.positions, v[0], v[1]), edgeVector(mesh.positions, v[0], v[2]));
+    Vec3 center{};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t d = 0; d < 3; ++d)
+        center[d] += mesh.positions[3 * std::size_t{v[k]} + d] / 3;
+    std::size_t key = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto cell = static_cast<std::uint32_t>(center[d] * cells);
+      key = key * cells + std::min(cell, cells - 1);
+    }
+    for (std::size_t d = 0; d < 3; ++d) key = 2 * key + (normal[d] > 0);
+    if (patchAt[key] == kNone) {
+      patchAt[key] = static_cast<std::uint32_t>(patches.size());
+      patches.emplace_back();
+    }
+    Patch& p = patches[patchAt[key]];
+    patchOf.push_back(patchAt[key]);
+    p.center = sum(p.center, center, mesh.area[f]);
+    p.normal = sum(p.normal, normal, 1);
+    p.area += mesh.area[f];
+    pulse.beat();
+  }
+  for (Patch& p : patches) {
+    const double size = norm(p.normal);
+    for (std::size_t d = 0; d < 3; ++d) {
+      p.center[d] = p.area > 0 ? p.center[d] / p.area : 0;
+      p.normal[d] = size > 0 ? p.normal[d] / size : 0;
+    }
+  }
+  std::vector<double> hidden(patches.size(), 0);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const Patch& to = patches[i];
+    double all = 0;
+    for (const Patch& from : patches) {
+      const Vec3 way = sum(from.center, to.center, -1);
+      const double up = dot(to.normal, way), down = -dot(from.normal, way);
+      if (!(up > 0 && down > 0)) continue;
+      const double square = dot(way, way);
+      all += from.area / (kPi * square + from.area) * (up * down / square);
+    }
+    hidden[i] = std::min(1.0, all);
+    pulse.beat(patches.size());
+  }
+  std::vector<double> out;
+  out.reserve(patchOf.size());
+  for (const std::uint32_t p : patchOf) out.push_back(hidden[p]);
+  return out;
+}
+
+}  // namespace abflat
