@@ -146,16 +146,27 @@ class Unwrapping {
       const bool isCut = cutFurther([&] { return tell(0); });
       report_.timings.seams += watch_.lap();
       if (!isCut || monitor_.stopped()) break;
-      const ChartSet before = std::move(set_);
-      std::vector<FlatChart> flat = std::move(flat_);
-      set_ = chartsOf(welded_, open_);
+      openAnew();
       if (Status s = readWishes(); !s.ok()) return s;
-      flat_ = std::vector<FlatChart>(set_.size());
-      moveSame(before, flat, set_, flat_);
       dropTangled(flat_);
       if (Status s = layOut(tell); !s.ok()) return s;
     }
     return {};
+  }
+
+  struct LaidCharts {
+    ChartSet set;
+    std::vector<FlatChart> flat;
+  };
+
+  /// Charts of the surface as it is open now. Those that are as before keep their layout; what is
+  /// left of the others is returned.
+  LaidCharts openAnew() {
+    LaidCharts before{std::move(set_), std::move(flat_)};
+    set_ = chartsOf(welded_, open_);
+    flat_ = std::vector<FlatChart>(set_.size());
+    moveSame(before.set, before.flat, set_, flat_);
+    return before;
   }
 
   /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
@@ -239,23 +250,19 @@ class Unwrapping {
     const double length = seamLength(open_);
     Packing packing = std::move(packing_);
     addCuts(cuts, options_, open_);
-    ChartSet before = std::move(set_);
-    std::vector<FlatChart> flat = std::move(flat_);
-    set_ = chartsOf(welded_, open_);
-    flat_ = std::vector<FlatChart>(set_.size());
-    moveSame(before, flat, set_, flat_);
-    takePieces(before, flat, set_, options_.maxStretch, *pool_, flat_);
+    LaidCharts before = openAnew();
+    takePieces(before.set, before.flat, set_, options_.maxStretch, *pool_, flat_);
     if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
-    if (Status s = joinStretched(before, seams, flat); !s.ok()) return s;
-    report_.atlas.packingCuts = static_cast<int>(set_.size()) - static_cast<int>(before.size());
+    if (Status s = joinStretched(before, seams); !s.ok()) return s;
+    report_.atlas.packingCuts = static_cast<int>(set_.size() - before.set.size());
     report_.atlas.packingCutLength = seamLength(open_) - length;
     report_.atlas.uncutTexelDensity = uncut.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
     if (packed.ok() && isWorth(report_.atlas, options_)) return {};
-    moveSame(set_, flat_, before, flat);
-    set_ = std::move(before);
-    flat_ = std::move(flat);
+    moveSame(set_, flat_, before.set, before.flat);
+    set_ = std::move(before.set);
+    flat_ = std::move(before.flat);
     open_.seams = seams;
     packing_ = std::move(packing);
     report_.atlas = uncut;
@@ -277,17 +284,13 @@ class Unwrapping {
   }
 
   /// Charts that were cut for packing to pieces that are stretched too much are whole again.
-  Status joinStretched(const ChartSet& before, const Seams& seams, std::vector<FlatChart>& flat) {
+  Status joinStretched(LaidCharts& before, const Seams& seams) {
     const std::vector<std::uint8_t> isJoined =
-        stretchedByCuts(before, flat, set_, flat_, options_.maxStretch);
+        stretchedByCuts(before.set, before.flat, set_, flat_, options_.maxStretch);
     if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
-    takeBack(before, isJoined, seams, open_);
-    const ChartSet cut = std::move(set_);
-    std::vector<FlatChart> pieces = std::move(flat_);
-    set_ = chartsOf(welded_, open_);
-    flat_ = std::vector<FlatChart>(set_.size());
-    moveSame(cut, pieces, set_, flat_);
-    moveSame(before, flat, set_, flat_);
+    takeBack(before.set, isJoined, seams, open_);
+    openAnew();
+    moveSame(before.set, before.flat, set_, flat_);
     return readWishes();
   }
 

@@ -57,7 +57,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const std::vector<double> bounds(chart.boundary.size(), t);
   FlatChart out;
-  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn, true};
+  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
+  refining.mayBeRough = true;
   const Effort effort = effortFor(patience, chart, options);
   const bool isPinned = !wishes.pins.empty();
   Attempt attempt = isPinned ? flattenChart(flattener, bounds, wanted, effort)

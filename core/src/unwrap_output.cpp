@@ -36,8 +36,8 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
     return out.cornerUv[a] < out.cornerUv[b];
   };
   for (std::uint32_t v = 0; v < input.vertexCount(); ++v) {
-    std::uint32_t *const first = corners.data() + offset[v], *const last =
-                                                                 corners.data() + offset[v + 1];
+    std::uint32_t* const first = corners.data() + offset[v];
+    std::uint32_t* const last = corners.data() + offset[v + 1];
     sortStably(first, last, isBefore);
     for (const std::uint32_t* c = first; c != last; ++c) {
       if (c == first || out.cornerUv[*c] != out.cornerUv[*(c - 1)]) {

@@ -11,11 +11,10 @@ const CANVAS = '#mesh-canvas';
 /** Without damping the view stands still; a small one is drawn quickly. */
 const STILL = { reducedMotion: 'reduce', viewport: { width: 1040, height: 620 } };
 
+const twoFrames = () =>
+  new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
 /** Waits until what the pointer does has been shown. */
-const drawn = (page) =>
-  page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-  );
+const drawn = (page) => page.evaluate(twoFrames);
 
 const hint = (page) => page.evaluate(() => document.querySelector('#seam-hint').textContent);
 

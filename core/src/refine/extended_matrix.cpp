@@ -16,20 +16,19 @@ int placeOf(const Eigen::SparseMatrix<double>& matrix, int row, int column) {
 
 }  // namespace
 
-ExtendedMatrix::ExtendedMatrix(const Eigen::SparseMatrix<double>& own, SparseEntries always)
-    : own_(own), always_(std::move(always)) {
-  if (!always_.empty()) buildPattern({});
+ExtendedMatrix::ExtendedMatrix(const Eigen::SparseMatrix<double>& own, SparseEntries more)
+    : own_(own), more_(std::move(more)) {
+  if (!more_.empty()) buildPattern();
 }
 
-void ExtendedMatrix::buildPattern(const SparseEntries& entries) {
+void ExtendedMatrix::buildPattern() {
   isOwn_ = false;
   SparseEntries all;
-  all.reserve(static_cast<std::size_t>(own_.nonZeros()) + always_.size() + entries.size());
+  all.reserve(static_cast<std::size_t>(own_.nonZeros()) + more_.size());
   for (int c = 0; c < own_.outerSize(); ++c)
     for (int i = own_.outerIndexPtr()[c]; i < own_.outerIndexPtr()[c + 1]; ++i)
       all.emplace_back(own_.innerIndexPtr()[i], c, 0);
-  for (const SparseEntries& more : {std::cref(always_), std::cref(entries)})
-    for (const auto& e : more) all.emplace_back(e.row(), e.col(), 0);
+  for (const auto& e : more_) all.emplace_back(e.row(), e.col(), 0);
   sum_ = assembled(own_.rows(), all);
   place_.resize(static_cast<std::size_t>(own_.nonZeros()));
   for (int c = 0; c < own_.outerSize(); ++c) {
@@ -41,18 +40,12 @@ void ExtendedMatrix::buildPattern(const SparseEntries& entries) {
   }
 }
 
-bool ExtendedMatrix::isHeld(const SparseEntries& entries) const {
-  return std::all_of(entries.begin(), entries.end(),
-                     [&](const auto& e) { return placeOf(sum(), e.row(), e.col()) >= 0; });
-}
-
 bool ExtendedMatrix::add(const SparseEntries& entries) {
-  const bool isNew = !isHeld(entries);
-  if (isNew || (isOwn_ && !entries.empty())) {
-    for (const auto& e : entries)
-      if (placeOf(sum(), e.row(), e.col()) < 0) always_.emplace_back(e.row(), e.col(), 0);
-    buildPattern({});
-  }
+  const std::size_t held = more_.size();
+  for (const auto& e : entries)
+    if (placeOf(sum(), e.row(), e.col()) < 0) more_.emplace_back(e.row(), e.col(), 0);
+  const bool isNew = more_.size() > held;
+  if (isNew || (isOwn_ && !entries.empty())) buildPattern();
   if (isOwn_) return false;
   std::fill_n(sum_.valuePtr(), sum_.nonZeros(), 0.0);
   for (std::size_t i = 0; i < place_.size(); ++i) sum_.valuePtr()[place_[i]] = own_.valuePtr()[i];

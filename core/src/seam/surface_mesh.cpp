@@ -76,7 +76,7 @@ void measureTriangle(SeamMesh& m, std::uint32_t f, std::vector<double>& cotangen
 }
 
 /// 0 where the surface is flat or convex, 1 in a sharp crease that opens outwards.
-double hiddenness(const SeamMesh& m, std::uint32_t h) {
+double creaseShare(const SeamMesh& m, std::uint32_t h) {
   const std::uint32_t o = m.twin[h];
   const std::uint32_t *v = &m.vertexOfCorner[3 * (h / 3)], *w = &m.vertexOfCorner[3 * (o / 3)];
   const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
@@ -99,7 +99,7 @@ void weighEdges(SeamMesh& m, const std::vector<double>& cotangent) {
     if (o != kNone) {
       w += cotangent[prevCorner(o)] / 2;
       m.length[o] = m.length[h];
-      m.cost[h] = m.cost[o] = m.length[h] * (1 - kDiscount * hiddenness(m, h));
+      m.cost[h] = m.cost[o] = m.length[h] * (1 - kDiscount * creaseShare(m, h));
     }
     m.weight[h] = std::clamp(w, kLeastWeight, kMostWeight);
     if (o != kNone) m.weight[o] = m.weight[h];
