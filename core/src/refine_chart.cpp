@@ -50,6 +50,9 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wi
   out.balance = wishes.balance;
   out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
   out.maxSolves = solvesFor(flattener.chart(), outline);
+  // A step takes several systems then, and the last ones bring a hundredth of the stretch.
+  constexpr double kRough = 1.2e-2;
+  if (wishes.mayBeRough) out.toleranceHeld = kRough;
   out.place = flattener.place();
   out.allowedBytes = wishes.allowedBytes;
   out.pool = wishes.pool;

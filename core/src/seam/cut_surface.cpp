@@ -5,12 +5,36 @@
 namespace abflat {
 namespace {
 
+/// Per vertex of the mesh, whether its corners are to be walked round: a seam or the boundary comes
+/// to it.
+std::vector<std::uint8_t> openVertices(const SeamMesh& mesh, const CutSurface& s) {
+  std::vector<std::uint8_t> out(mesh.vertexCount(), 0);
+  for (std::uint32_t h = 0; h < s.twin.size(); ++h)
+    if (s.twin[h] == kNone)
+      out[mesh.vertexOfCorner[h]] = out[mesh.vertexOfCorner[nextCorner(h)]] = 1;
+  return out;
+}
+
 void findVertices(const SeamMesh& mesh, CutSurface& s) {
   const auto corners = static_cast<std::uint32_t>(s.twin.size());
+  const std::vector<std::uint8_t> isOpenVertex = openVertices(mesh, s);
+  std::vector<std::uint32_t> inside(isOpenVertex.size(), kNone);
   s.vertexOfCorner.assign(corners, kNone);
+  const auto add = [&](std::uint32_t outgoing, bool isBoundary, std::uint32_t meshVertex) {
+    s.outgoing.push_back(outgoing);
+    s.isBoundary.push_back(isBoundary);
+    s.meshVertex.push_back(meshVertex);
+    return s.vertexCount() - 1;
+  };
   for (std::uint32_t start = 0; start < corners; ++start) {
+    const std::uint32_t v = mesh.vertexOfCorner[start];
+    if (!isOpenVertex[v]) {
+      if (inside[v] == kNone) inside[v] = add(start, false, v);
+      s.vertexOfCorner[start] = inside[v];
+      continue;
+    }
     if (s.vertexOfCorner[start] != kNone) continue;
-    const auto id = static_cast<std::uint32_t>(s.outgoing.size());
+    const std::uint32_t id = s.vertexCount();
     std::uint32_t c = start, first = start;
     do {
       s.vertexOfCorner[c] = id;
@@ -20,9 +44,7 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
     // To the corner beside the boundary on its clockwise side.
     for (c = rotateClockwise(s.twin, start); isOpen && c != kNone; c = rotateClockwise(s.twin, c))
       s.vertexOfCorner[first = c] = id;
-    s.outgoing.push_back(first);
-    s.isBoundary.push_back(isOpen);
-    s.meshVertex.push_back(mesh.vertexOfCorner[start]);
+    add(first, isOpen, v);
   }
 }
 
@@ -89,7 +111,7 @@ CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Pulse& pulse
     ++chart.triangles;
     chart.area += mesh.area[f];
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h)
-      if (s.twin[h] == kNone || s.twin[h] > h) ++chart.edges;
+      chart.edges += s.twin[h] == kNone || s.twin[h] > h;
   }
   for (std::uint32_t v = 0; v < s.vertexCount(); ++v) ++s.charts[s.chartOfVertex(v)].vertices;
   return s;
