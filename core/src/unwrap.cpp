@@ -9,6 +9,7 @@
 #include "abflat/peak_memory.h"
 #include "chart/chart_set.h"
 #include "free_memory.h"
+#include "mesh/notches.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/welded_mesh.h"
@@ -86,9 +87,13 @@ class Unwrapping {
     PolygonMesh inUnits = input_;
     for (double& x : inUnits.positions) x /= unit_;
     report_.input = inspect(inUnits, pulse);
-    // A mesh that is a disk may be one because it has been cut: it is taken as it is.
-    if (!pulse.isStopped()) welded_ = weld(inUnits, !report_.input.disk.ok(), pulse);
-    if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
+    // A mesh that is a disk may be one because it has been cut: it is taken as it is, but for what
+    // is open at poles because each face there has a vertex of its own.
+    const bool isDisk = report_.input.disk.ok();
+    weldAndSee(inUnits, !isDisk, {}, pulse);
+    if (isDisk && !pulse.isStopped())
+      if (const VertexPairs notches = findNotches(welded_.mesh, surface_); !notches.empty())
+        weldAndSee(inUnits, false, notches, pulse);
     if (pulse.isStopped()) return {};
     if (surface_.table.vertex.empty())
       return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
@@ -99,6 +104,12 @@ class Unwrapping {
     report_.threads = pool_->threads();
     pool_->listen(pulse_);
     return {};
+  }
+
+  void weldAndSee(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
+                  const Pulse& pulse) {
+    if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
+    if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
   }
 
   Status cut() {

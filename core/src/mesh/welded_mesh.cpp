@@ -159,6 +159,16 @@ void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& 
   }
 }
 
+std::uint32_t firstOf(std::vector<std::uint32_t>& of, std::uint32_t v) {
+  while (of[v] != v) v = of[v] = of[of[v]];
+  return v;
+}
+
+void join(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& of) {
+  const auto [first, second] = std::minmax({firstOf(of, a), firstOf(of, b)});
+  of[second] = first;
+}
+
 /// Makes the ends of edges one that have no length beside the faces there, as poles of spheres and
 /// capsules have many: what they would tell of angles is noise.
 void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
@@ -181,12 +191,6 @@ void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
       size[mesh.faceVertices[c]] = std::min(size[mesh.faceVertices[c]], longest);
     if (*std::min_element(sides.begin(), sides.end()) <= kNothing * longest) faces.push_back(f);
   }
-  if (faces.empty()) return;
-  std::vector<std::uint32_t>& of = out.ofVertex;
-  const auto find = [&](std::uint32_t v) {
-    while (of[v] != v) v = of[v] = of[of[v]];
-    return v;
-  };
   for (const std::uint32_t f : faces) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
     measure(begin, end);
@@ -194,17 +198,21 @@ void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
       const std::uint32_t a = mesh.faceVertices[c];
       const std::uint32_t b = mesh.faceVertices[c + 1 < end ? c + 1 : begin];
       if (sides[c - begin] > kNothing * std::min(size[a], size[b])) continue;
-      const auto [first, second] = std::minmax({find(a), find(b)});
-      of[second] = first;
+      join(a, b, out.ofVertex);
     }
   }
-  out.merged = 0;
-  for (std::uint32_t v = 0; v < of.size(); ++v) out.merged += (of[v] = find(v)) != v;
+}
+
+void settle(Welding& welding) {
+  std::vector<std::uint32_t>& of = welding.ofVertex;
+  welding.merged = 0;
+  for (std::uint32_t v = 0; v < of.size(); ++v) welding.merged += (of[v] = firstOf(of, v)) != v;
 }
 
 }  // namespace
 
-WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse) {
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
+                const VertexPairs& joined) {
   Welding welding;
   if (byPosition) {
     welding = weldSurface(mesh, pulse);
@@ -212,7 +220,9 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse) {
     welding.ofVertex.resize(mesh.vertexCount());
     std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
   }
+  for (const auto& [a, b] : joined) join(a, b, welding.ofVertex);
   weldEdges(mesh, pulse, welding);
+  settle(welding);
   WeldedMesh out;
   out.mergedVertices = welding.merged;
   out.mesh.positions = mesh.positions;

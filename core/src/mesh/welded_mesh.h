@@ -9,6 +9,8 @@
 
 namespace abflat {
 
+using VertexPairs = std::vector<std::array<std::uint32_t, 2>>;
+
 /// A mesh as the surface that it shows: vertices at one place are one, faces that use a place twice
 /// are split there unless that is how they have holes, and what is left without area is gone. Faces
 /// that repeat others become layers of their own, which share no vertex with the first.
@@ -28,8 +30,9 @@ struct WeldedMesh {
 };
 
 /// `mesh` has passed validateArrays. Without `byPosition` vertices are one only where the mesh says
-/// so, or where an edge between them has no length. What comes of a pulse that has stopped is of no
-/// use.
-WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Pulse& pulse = {});
+/// so, or where an edge between them has no length, or if they are `joined`. What comes of a pulse
+/// that has stopped is of no use.
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Pulse& pulse = {},
+                const VertexPairs& joined = {});
 
 }  // namespace abflat

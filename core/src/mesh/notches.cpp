@@ -1,0 +1,29 @@
+#include "mesh/notches.h"
+
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+
+VertexPairs findNotches(const PolygonMesh& mesh, const Surface& surface) {
+  constexpr double kNothing = 0x1p-40;  // of the edge; a sine of pi is less
+  constexpr std::size_t kLeast = 3;     // edges of what is left of a boundary
+  VertexPairs out;
+  for (const std::vector<std::uint32_t>& loop : surface.boundaryLoops) {
+    const std::size_t n = loop.size(), before = out.size();
+    const auto vertexAt = [&](std::size_t i) { return surface.table.vertex[loop[i % n]]; };
+    const auto distance = [&](std::uint32_t v, std::uint32_t w) {
+      return norm(edgeVector(mesh.positions, v, w));
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t first = vertexAt(i + n - 1), end = vertexAt(i), last = vertexAt(i + 1);
+      const double nothing = kNothing * distance(first, end);
+      const bool isLonger = distance(vertexAt(i + n - 2), vertexAt(i + 2)) <= nothing;
+      if (first != last && distance(first, last) <= nothing && !isLonger)
+        out.push_back({first, last});
+    }
+    if (n < 2 * (out.size() - before) + kLeast) out.resize(before);
+  }
+  return out;
+}
+
+}  // namespace abflat
