@@ -161,10 +161,14 @@ bool flattenMesh(const std::uint8_t* bytes, std::size_t size) {
   reportJson(result.value.report);
   if (!result.value.report.valid) return true;
   AtlasTriangles triangles;
-  for (const std::uint32_t v : result.value.triangles)
-    triangles.uv.insert(triangles.uv.end(), {result.value.uv[2 * std::size_t{v}],
-                                             result.value.uv[2 * std::size_t{v} + 1]});
-  triangles.mayBeFlat.assign(triangles.uv.size() / 6, false);
+  const std::vector<std::uint32_t>& corners = result.value.triangles;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const std::array<std::uint32_t, 3> vertices{corners[i], corners[i + 1], corners[i + 2]};
+    for (const std::uint32_t v : vertices)
+      triangles.uv.insert(triangles.uv.end(), {result.value.uv[2 * std::size_t{v}],
+                                               result.value.uv[2 * std::size_t{v} + 1]});
+    triangles.mayBeFlat.push_back(isFlatOnSurface(mesh, vertices));
+  }
   const std::string wrong = overlapComplaint(triangles);
   expect(wrong.empty(), "a valid layout: " + wrong);
   return true;
