@@ -17,6 +17,8 @@ namespace {
 
 /// Of the residual in the largest entry of the gradient.
 constexpr double kLinearTolerance = 1e-2;
+/// Where springs are so stiff that a little of the residual is a long way.
+constexpr double kLinearToleranceHeld = 1e-4;
 /// Of the way to the first triangle without area.
 constexpr double kShareOfLongest = 0.9;
 /// A step that promises to take more of the energy above 1 is followed by one from far away.
@@ -198,7 +200,8 @@ class Refiner {
     if (matrix_->add(freeOf(std::move(contacts)))) makeSolver(matrix_->sum());
     solver_->forget();  // it would take more iterations than a new factor pays for
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-    const double tolerance = kLinearTolerance * b.lpNorm<Eigen::Infinity>();
+    const double share = foreseen_ ? kLinearToleranceHeld : kLinearTolerance;
+    const double tolerance = share * b.lpNorm<Eigen::Infinity>();
     if (!solver_->solve(matrix_->sum(), b, tolerance, x) || !x.allFinite()) return false;
     direction_.assign(x.data(), x.data() + x.size());
     return true;

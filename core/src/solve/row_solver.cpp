@@ -14,7 +14,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 using Symbolic = std::shared_ptr<const CholeskySymbolic>;
 
 /// Of one factorisation. With less, factors are so cheap that iterations do not pay.
-constexpr double kDirectFlops = 1e9;
+constexpr double kDirectFlops = 4e6;
 /// An old factor is kept while that many further iterations suffice: their time is about that of a
 /// new factor and the few iterations it needs.
 constexpr double kWorthwhile = 9;
