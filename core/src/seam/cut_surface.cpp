@@ -51,23 +51,29 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
 void findCharts(CutSurface& s) {
   const auto triangles = static_cast<std::uint32_t>(s.twin.size() / 3);
   s.chartOfTriangle.assign(triangles, kNone);
-  s.triangleOrder.reserve(triangles);
+  s.triangleOrder.resize(triangles + std::size_t{1});  // a place to write what is not new
+  std::uint32_t found = 0;
   for (std::uint32_t start = 0; start < triangles; ++start) {
     if (s.chartOfTriangle[start] != kNone) continue;
     const auto id = static_cast<std::uint32_t>(s.charts.size());
     s.charts.emplace_back();
     s.charts.back().firstTriangle = start;
-    s.triangleBegin.push_back(static_cast<std::uint32_t>(s.triangleOrder.size()));
+    s.triangleBegin.push_back(found);
     s.chartOfTriangle[start] = id;
-    s.triangleOrder.push_back(start);
-    for (std::size_t i = s.triangleBegin.back(); i < s.triangleOrder.size(); ++i)
+    s.triangleOrder[found++] = start;
+    for (std::size_t i = s.triangleBegin.back(); i < found; ++i) {
+      const std::uint32_t triangle = s.triangleOrder[i];
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t o = s.twin[3 * s.triangleOrder[i] + k];
-        if (o == kNone || s.chartOfTriangle[o / 3] != kNone) continue;
-        s.chartOfTriangle[o / 3] = id;
-        s.triangleOrder.push_back(o / 3);
+        const std::uint32_t o = s.twin[3 * triangle + k];
+        const std::uint32_t next = o == kNone ? triangle : o / 3;
+        const bool isNew = s.chartOfTriangle[next] == kNone;  // no branch: nobody could guess it
+        s.chartOfTriangle[next] = isNew ? id : s.chartOfTriangle[next];
+        s.triangleOrder[found] = next;
+        found += isNew;
       }
+    }
   }
+  s.triangleOrder.pop_back();
   s.triangleBegin.push_back(triangles);
 }
 
