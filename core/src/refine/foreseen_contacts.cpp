@@ -16,6 +16,8 @@ constexpr double kMoments[] = {0.125, 0.25, 0.5, 1};
 constexpr double kStiffness = 64;
 /// Of angles, likewise.
 constexpr double kAngleStiffness = 210;
+/// Springs that one look asks for: of more most are behind others.
+constexpr std::size_t kCrowd = 300;
 /// Of the margin: angles that come as near to their bounds may exceed them next.
 constexpr double kNear = 0.25;
 
@@ -68,6 +70,7 @@ ForeseenContacts::Spring ForeseenContacts::springAt(const OutlineShape::Bound& b
 }
 
 void ForeseenContacts::begin(const std::vector<double>& uv) {
+  isCrowded_ = false;
   const std::vector<double> now = boundaryUv(chart_, uv);
   std::vector<Spring> kept;
   auto bound = shape_.bounds().begin();
@@ -96,11 +99,14 @@ bool ForeseenContacts::isBefore(const Spring& a, const Spring& b) {
   return a.point != b.point ? a.point < b.point : a.edge < b.edge;
 }
 
-bool ForeseenContacts::add(const Spring& spring, const std::vector<double>& step) {
-  if (!(spring.gap > 0) || spring.gap + spring.contact.along(step) >= 0) return false;
+bool ForeseenContacts::add(const Spring& spring) {
   const auto at = placeFor(spring);
-  if (at != springs_.end() && !isBefore(spring, *at)) return false;
-  springs_.insert(at, spring);
+  const bool isKnown = at != springs_.end() && !isBefore(spring, *at);
+  if (isKnown && !isCrowded_) return false;
+  if (isKnown)
+    *at = spring;  // it crosses although it is held: elsewhere than it was
+  else
+    springs_.insert(at, spring);
   return true;
 }
 
@@ -127,23 +133,51 @@ bool ForeseenContacts::updateAngles(const std::vector<double>& uv, const std::ve
   return isAny;
 }
 
-bool ForeseenContacts::update(const std::vector<double>& uv, const std::vector<double>& step,
-                              double length, double angleLength) {
-  bool isChanged = releasePulling(step), isCrossing = false;
+std::vector<ForeseenContacts::Spring> ForeseenContacts::crossed(const std::vector<double>& uv,
+                                                                const std::vector<double>& step,
+                                                                double length,
+                                                                bool& isCrossing) const {
   const std::vector<double> now = boundaryUv(chart_, uv);
   const auto n = static_cast<std::uint32_t>(now.size() / 2);
-  isCrossing = updateAngles(uv, step, angleLength);
-  isChanged |= isCrossing;
+  std::vector<Spring> out;
   for (const double moment : kMoments) {
     const std::vector<double> then = boundaryUv(chart_, moved(uv, step, moment * length));
     const Crossings crossings = findCrossings(then);
     isCrossing |= crossings.count > 0;
     for (const auto& [i, j] : crossings.first)
       for (const auto& [edge, other] : {std::pair{i, j}, std::pair{j, i}})
-        for (const std::uint32_t point : {other, (other + 1) % n})
-          if (point != edge && point != (edge + 1) % n)
-            isChanged |= add(springAt(now, then, point, edge), step);
+        for (const std::uint32_t point : {other, (other + 1) % n}) {
+          if (point == edge || point == (edge + 1) % n) continue;
+          Spring s = springAt(now, then, point, edge);
+          s.moment = moment;
+          if (s.gap > 0 && s.gap + s.contact.along(step) < 0) out.push_back(s);
+        }
   }
+  return out;
+}
+
+/// Of each point what it meets first.
+void ForeseenContacts::keepFirst(std::vector<Spring>& springs) {
+  std::stable_sort(springs.begin(), springs.end(), [](const Spring& a, const Spring& b) {
+    return a.point != b.point     ? a.point < b.point
+           : a.moment != b.moment ? a.moment < b.moment
+                                  : a.gap < b.gap;
+  });
+  const auto isSame = [](const Spring& a, const Spring& b) { return a.point == b.point; };
+  springs.erase(std::unique(springs.begin(), springs.end(), isSame), springs.end());
+}
+
+bool ForeseenContacts::update(const std::vector<double>& uv, const std::vector<double>& step,
+                              double length, double angleLength) {
+  bool isCrossing = false;
+  std::vector<Spring> wanted = crossed(uv, step, length, isCrossing);
+  isCrowded_ = isCrowded_ || wanted.size() > kCrowd;
+  // In a crowd what pulls is pushed by the next one once it is gone.
+  bool isChanged = !isCrowded_ && releasePulling(step);
+  if (isCrowded_) keepFirst(wanted);
+  if (updateAngles(uv, step, angleLength)) isChanged = isCrossing = true;
+  for (const Spring& spring : wanted) isChanged |= add(spring);
+  if (isCrowded_ && !isChanged) isChanged = releasePulling(step);
   return isCrossing && isChanged;
 }
 

@@ -38,6 +38,7 @@ class ForeseenContacts {
     double gap;     ///< now
     double target;  ///< after the step, at least
     double stiffness;
+    double moment = 0;  ///< of the step, where it was seen to cross
   };
 
   Spring springAt(const std::vector<double>& now, const std::vector<double>& then,
@@ -47,13 +48,17 @@ class ForeseenContacts {
   static bool isBefore(const Spring& a, const Spring& b);
   std::vector<Spring>::iterator placeFor(const Spring& spring);
   bool releasePulling(const std::vector<double>& step);
-  /// Where the step would go through it.
-  bool add(const Spring& spring, const std::vector<double>& step);
+  /// What the step would go through, in its order.
+  std::vector<Spring> crossed(const std::vector<double>& uv, const std::vector<double>& step,
+                              double length, bool& isCrossing) const;
+  static void keepFirst(std::vector<Spring>& springs);
+  bool add(const Spring& spring);
 
   const DiskChart& chart_;
   const OutlineShape& shape_;
   double area_, distance_;
   std::vector<Spring> springs_;  ///< by points, then by edges
+  bool isCrowded_ = false;       ///< since `begin`
 };
 
 }  // namespace abflat

@@ -7,6 +7,7 @@
 #include "abflat/unwrap.h"
 #include "angle/constants.h"
 #include "catch.h"
+#include "support/meshes.h"
 #include "support/problems.h"
 
 using namespace abflat;
@@ -33,31 +34,6 @@ PolygonMesh slitSheet(unsigned n) {
                                                          left(j), at[i + 1][j + 1], left(j + 1)});
     }
   for (std::uint32_t c = 0; c <= mesh.faceVertices.size(); c += 3) mesh.faceOffsets.push_back(c);
-  return mesh;
-}
-
-/// As programs make spheres: vertices doubled along a meridian, a pole for each triangle there.
-PolygonMesh uvSphere(unsigned columns, unsigned rows) {
-  PolygonMesh mesh;
-  for (unsigned j = 0; j <= rows; ++j)
-    for (unsigned i = 0; i <= columns; ++i) {
-      const double u = 2 * kPi * i / columns, v = kPi * j / rows;
-      // Single precision closes the poles and the meridian only nearly.
-      for (const double x : {-std::cos(u) * std::sin(v), std::cos(v), std::sin(u) * std::sin(v)})
-        mesh.positions.push_back(static_cast<float>(x));
-    }
-  mesh.faceOffsets.push_back(0);
-  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh.faceVertices.insert(mesh.faceVertices.end(), {a, b, c});
-    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
-  };
-  for (unsigned j = 0; j < rows; ++j)
-    for (unsigned i = 0; i < columns; ++i) {
-      const std::uint32_t a = j * (columns + 1) + i + 1, b = a - 1, c = b + columns + 1,
-                          d = a + columns + 1;
-      if (j > 0) face(a, b, d);
-      if (j + 1 < rows) face(b, c, d);
-    }
   return mesh;
 }
 

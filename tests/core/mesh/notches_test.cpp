@@ -1,7 +1,5 @@
 #include "mesh/notches.h"
 
-#include <cmath>
-
 #include "catch.h"
 #include "support/meshes.h"
 
@@ -10,40 +8,13 @@ using namespace abflat::test;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// A sphere as parametrised: columns + 1 vertices a row, also at the poles, one triangle for each
-/// column there.
-PolygonMesh parametrisedSphere(std::uint32_t columns, std::uint32_t rows) {
-  PolygonMesh mesh;
-  mesh.faceOffsets.push_back(0);
-  for (std::uint32_t i = 0; i <= rows; ++i)
-    for (std::uint32_t k = 0; k <= columns; ++k) {
-      const double theta = kPi * i / rows, phi = 2 * kPi * (k % columns) / columns;
-      for (const double x :
-           {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)})
-        mesh.positions.push_back(x);
-    }
-  const auto add = [&](std::initializer_list<std::uint32_t> face) {
-    mesh.faceVertices.insert(mesh.faceVertices.end(), face);
-    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
-  };
-  for (std::uint32_t i = 0; i < rows; ++i)
-    for (std::uint32_t k = 0; k < columns; ++k) {
-      const std::uint32_t a = i * (columns + 1) + k, b = a + columns + 1;
-      if (i > 0) add({a, a + 1, b + 1});
-      if (i + 1 < rows) add({a, b + 1, b});
-    }
-  return mesh;
-}
-
 WeldedMesh closed(const PolygonMesh& mesh) {
   return weld(mesh, false, {}, findNotches(mesh, buildSurface(mesh)));
 }
 
 /// The same, joined along its meridian, with a hole in place of one pole.
 PolygonMesh joinedCap(std::uint32_t columns, std::uint32_t rows) {
-  PolygonMesh mesh = parametrisedSphere(columns, rows);
+  PolygonMesh mesh = uvSphere(columns, rows);
   mesh.faceOffsets.resize(mesh.faceCount() - columns + 1);
   mesh.faceVertices.resize(mesh.faceOffsets.back());
   const std::uint32_t size = columns + 1;
@@ -56,7 +27,7 @@ PolygonMesh joinedCap(std::uint32_t columns, std::uint32_t rows) {
 
 TEST_CASE("poles with a vertex for each face are one vertex") {
   for (const auto& [columns, rows] : {std::pair{3u, 3u}, {12u, 7u}, {71u, 70u}}) {
-    const PolygonMesh mesh = parametrisedSphere(columns, rows);
+    const PolygonMesh mesh = uvSphere(columns, rows);
     REQUIRE(inspect(mesh).disk.ok());
     const WeldedMesh out = closed(mesh);
     CHECK(out.mergedVertices == 2 * (columns - 1));

@@ -60,6 +60,29 @@ PolygonMesh cylinder(unsigned columns, unsigned rows) {
   return makeTriangleMesh(p, gridTriangles(columns, rows, columns, rows + 1));
 }
 
+PolygonMesh uvSphere(unsigned columns, unsigned rows) {
+  PolygonMesh mesh;
+  for (unsigned j = 0; j <= rows; ++j)
+    for (unsigned i = 0; i <= columns; ++i) {
+      const double u = 2 * kPi * i / columns, v = kPi * j / rows;
+      for (const double x : {-std::cos(u) * std::sin(v), std::cos(v), std::sin(u) * std::sin(v)})
+        mesh.positions.push_back(static_cast<float>(x));
+    }
+  mesh.faceOffsets.push_back(0);
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.faceVertices.insert(mesh.faceVertices.end(), {a, b, c});
+    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+  };
+  for (unsigned j = 0; j < rows; ++j)
+    for (unsigned i = 0; i < columns; ++i) {
+      const std::uint32_t a = j * (columns + 1) + i + 1, b = a - 1, c = b + columns + 1,
+                          d = a + columns + 1;
+      if (j > 0) face(a, b, d);
+      if (j + 1 < rows) face(b, c, d);
+    }
+  return mesh;
+}
+
 PolygonMesh tetrahedron() {
   return makeTriangleMesh({1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1},
                           {0, 1, 3, 0, 2, 1, 0, 3, 2, 1, 2, 3});

@@ -19,6 +19,10 @@ PolygonMesh torus(unsigned columns, unsigned rows);
 /// Grid with the left and right sides joined: two boundary loops.
 PolygonMesh cylinder(unsigned columns, unsigned rows);
 
+/// As programs make spheres: a disk, with vertices doubled along a meridian and one pole for each
+/// triangle there. Single precision closes the poles and the meridian only nearly.
+PolygonMesh uvSphere(unsigned columns, unsigned rows);
+
 PolygonMesh tetrahedron();
 
 /// Fan of n triangles round vertex 0, with all outer edges on the boundary; the apex has the given
