@@ -1,11 +1,26 @@
 #include "mesh/notches.h"
 
+#include <cmath>
+
+#include "angle/constants.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
+namespace {
+
+/// Of the faces round the vertex that a boundary half-edge begins at.
+double angleAt(const PolygonMesh& mesh, const CornerTable& table, std::uint32_t h) {
+  double sum = 0;
+  for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(table.twin, c))
+    sum += cornerAngles(mesh.positions, &table.vertex[c / 3 * std::size_t{3}])[c % 3];
+  return sum;
+}
+
+}  // namespace
 
 VertexPairs findNotches(const PolygonMesh& mesh, const Surface& surface) {
   constexpr double kNothing = 0x1p-40;  // of the edge; a sine of pi is less
+  constexpr double kBent = 0.3;         // from a full turn; a corner of a dodecahedron by 0.63
   constexpr std::size_t kLeast = 3;     // edges of what is left of a boundary
   VertexPairs out;
   for (const std::vector<std::uint32_t>& loop : surface.boundaryLoops) {
@@ -18,7 +33,8 @@ VertexPairs findNotches(const PolygonMesh& mesh, const Surface& surface) {
       const std::uint32_t first = vertexAt(i + n - 1), end = vertexAt(i), last = vertexAt(i + 1);
       const double nothing = kNothing * distance(first, end);
       const bool isLonger = distance(vertexAt(i + n - 2), vertexAt(i + 2)) <= nothing;
-      if (first != last && distance(first, last) <= nothing && !isLonger)
+      if (first == last || distance(first, last) > nothing || isLonger) continue;
+      if (std::abs(angleAt(mesh, surface.table, loop[i]) - 2 * kPi) < kBent)
         out.push_back({first, last});
     }
     if (n < 2 * (out.size() - before) + kLeast) out.resize(before);

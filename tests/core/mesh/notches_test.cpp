@@ -26,7 +26,7 @@ PolygonMesh joinedCap(std::uint32_t columns, std::uint32_t rows) {
 }  // namespace
 
 TEST_CASE("poles with a vertex for each face are one vertex") {
-  for (const auto& [columns, rows] : {std::pair{3u, 3u}, {12u, 7u}, {71u, 70u}}) {
+  for (const auto& [columns, rows] : {std::pair{8u, 6u}, {12u, 7u}, {71u, 70u}}) {
     const PolygonMesh mesh = uvSphere(columns, rows);
     REQUIRE(inspect(mesh).disk.ok());
     const WeldedMesh out = closed(mesh);
@@ -66,4 +66,10 @@ TEST_CASE("longer slits and those with a width stay") {
       REQUIRE(inspect(mesh).disk.ok());
       CHECK(findNotches(mesh, buildSurface(mesh)).size() == (slit == 1 && width == 0 ? 1u : 0u));
     }
+}
+
+TEST_CASE("slits that let a corner lie flat stay") {
+  const PolygonMesh coarse = uvSphere(4, 3);
+  REQUIRE(inspect(coarse).disk.ok());
+  CHECK(findNotches(coarse, buildSurface(coarse)).empty());
 }
