@@ -50,9 +50,8 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wi
   out.balance = wishes.balance;
   out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
   out.maxSolves = solvesFor(flattener.chart(), outline);
-  // A step takes several systems then, and the last ones bring a hundredth of the stretch.
-  constexpr double kRough = 1.2e-2;
-  if (wishes.mayBeRough) out.toleranceHeld = kRough;
+  constexpr double kUnseen = 1e-4;  // far below any bound of stretch
+  if (wishes.mayBeRough) out.leastHeld = kUnseen;
   out.place = flattener.place();
   out.allowedBytes = wishes.allowedBytes;
   out.pool = wishes.pool;

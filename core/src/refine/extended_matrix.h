@@ -23,7 +23,7 @@ class ExtendedMatrix {
   void buildPattern();
 
   const Eigen::SparseMatrix<double>& own_;
-  SparseEntries more_;      ///< places of the pattern beside those of the matrix
+  SparseEntries more_;  ///< places of the pattern beside those of the matrix
   Eigen::SparseMatrix<double> sum_;
   std::vector<int> place_;  ///< in the sum, of each entry of the matrix
   bool isOwn_ = true;       ///< the sum has no more entries than the matrix

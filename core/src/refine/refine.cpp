@@ -221,8 +221,8 @@ class Refiner {
       const double gain = -slope_ / 2;
       isFar_ = gain > kFar * (energy_ - 1);
       const double small = std::min(energy_ - 1, kShareOfEnergy * energy_);
-      const double tolerance = barrier_ ? options_.toleranceHeld : options_.tolerance;
-      const bool isLast = remainder(gain) <= tolerance * small + kRounding;
+      const double least = foreseen_ ? options_.leastHeld : 0;
+      const bool isLast = remainder(gain) <= options_.tolerance * small + least + kRounding;
       const Step taken = step();
       lastGain_ = isFull_ ? gain : 0;
       if (taken == Step::Crosses) {

@@ -22,7 +22,8 @@ struct RefineOptions {
   /// Of the energy above 1, and 1/40 of that of the whole: it does not matter that further steps
   /// would gain less.
   double tolerance = 4e-3;
-  double toleranceHeld = 4e-3;  ///< where parts of the boundary are held apart
+  /// Of the energy, likewise, once the boundary is held: a step takes several systems then.
+  double leastHeld = 0;
   /// Per vertex, where it comes in an elimination order that is known; empty: that of the chart.
   std::vector<std::uint32_t> place;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
