@@ -203,6 +203,7 @@ void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
   }
 }
 
+/// Every vertex gets the first one that it is joined with.
 void settle(Welding& welding) {
   std::vector<std::uint32_t>& of = welding.ofVertex;
   welding.merged = 0;

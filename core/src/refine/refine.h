@@ -22,7 +22,7 @@ struct RefineOptions {
   /// Of the energy above 1, and 1/40 of that of the whole: it does not matter that further steps
   /// would gain less.
   double tolerance = 4e-3;
-  /// Of the energy, likewise, once the boundary is held: a step takes several systems then.
+  /// Of the energy: nor does this, once the boundary is held and a step takes several systems.
   double leastHeld = 0;
   /// Per vertex, where it comes in an elimination order that is known; empty: that of the chart.
   std::vector<std::uint32_t> place;
