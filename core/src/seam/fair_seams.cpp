@@ -66,21 +66,13 @@ class SeamFairer {
       const std::uint32_t old = before.chartOfTriangle[after.charts[c].firstTriangle];
       if (told.stretch[c] > std::max(1 + kShare * (options_.maxStretch - 1), was.stretch[old]))
         out.push_back(Fault::Stretched);
-      else if (!after.charts[c].isDisk() || overlapsMore(before, old, after, c, u))
+      else if (!after.charts[c].isDisk() ||
+               overlapsMore(mesh_, {after, c, u}, {before, old, u_}, options_.mostOverlap))
         out.push_back(Fault::Overlapping);
       else
         out.push_back(Fault::None);
     }
     return out;
-  }
-
-  bool overlapsMore(const CutSurface& before, std::uint32_t old, const CutSurface& after,
-                    std::uint32_t c, const std::vector<double>& u) const {
-    const Shape now = measureShape(predictOutline(mesh_, after, c, u));
-    if (now.crossings.empty()) return false;
-    const Shape then = measureShape(predictOutline(mesh_, before, old, u_));
-    return now.overlap > std::max(then.overlap, options_.mostOverlap) ||
-           now.crossings.size() > then.crossings.size();
   }
 
   /// Paths at faulty charts are to stay nearer to where they were: where one is stretched too much,

@@ -159,4 +159,15 @@ Shape measureShape(const std::vector<Point2>& outline) {
   return shape;
 }
 
+bool overlapsMore(const SeamMesh& mesh, const ToldChart& now, const ToldChart& before,
+                  double most) {
+  const auto shapeOf = [&](const ToldChart& told) {
+    return measureShape(predictOutline(mesh, told.surface, told.chart, told.u));
+  };
+  const Shape is = shapeOf(now);
+  if (is.crossings.empty()) return false;
+  const Shape was = shapeOf(before);
+  return is.overlap > std::max(was.overlap, most) || is.crossings.size() > was.crossings.size();
+}
+
 }  // namespace abflat

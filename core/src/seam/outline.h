@@ -27,6 +27,17 @@ struct Shape {
 constexpr std::size_t kMostCrossings = 32;
 Shape measureShape(const std::vector<Point2>& outline);
 
+/// A chart of a surface with the log-scale that is told for it.
+struct ToldChart {
+  const CutSurface& surface;
+  std::uint32_t chart;
+  const std::vector<double>& u;
+};
+
+/// Whether a chart will lie on itself, more than it did and on more than `most` of its area or at
+/// more places.
+bool overlapsMore(const SeamMesh& mesh, const ToldChart& now, const ToldChart& before, double most);
+
 double polygonArea(const std::vector<Point2>& points);
 double hullArea(std::vector<Point2> points);
 

@@ -191,18 +191,11 @@ class Shortener {
         if (told.shift(c, u[mesh_.vertexOfCorner[choice.tip.edges[i]]]) > kMostShift) out[c] = 1;
     }
     for (std::uint32_t c = 0; c < out.size(); ++c)
-      if (isChanged[c] && (told.stretch[c] > options_.maxStretch || !next.charts[c].isDisk() ||
-                           overlapsMore(next, c, u)))
+      if (isChanged[c] &&
+          (told.stretch[c] > options_.maxStretch || !next.charts[c].isDisk() ||
+           overlapsMore(mesh_, {next, c, u}, {surface_, c, u_}, options_.mostOverlap)))
         out[c] = 1;
     return out;
-  }
-
-  bool overlapsMore(const CutSurface& next, std::uint32_t c, const std::vector<double>& u) const {
-    const Shape now = measureShape(predictOutline(mesh_, next, c, u));
-    if (now.crossings.empty()) return false;
-    const Shape before = measureShape(predictOutline(mesh_, surface_, c, u_));
-    return now.overlap > std::max(before.overlap, options_.mostOverlap) ||
-           now.crossings.size() > before.crossings.size();
   }
 
   /// Takes back what was refused, and learns from all.
