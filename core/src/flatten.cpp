@@ -7,12 +7,12 @@
 #include "boundary/requested_bounds.h"
 #include "chart/disk_chart.h"
 #include "chart_report.h"
+#include "chosen_solver.h"
 #include "flatten_chart.h"
 #include "mesh/surface.h"
 #include "parallel.h"
 #include "pin/chart_pins.h"
 #include "refine_chart.h"
-#include "solve/kkt_step_solver.h"
 #include "stopwatch.h"
 
 namespace abflat {
@@ -81,10 +81,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Stopwatch watch;
   Monitor monitor(options.progress);
   const Status aborted{StatusCode::Aborted, "cancelled"};
-  if (options.formulation == Formulation::Product && isEliminated(options.linearSolver))
-    return Status{StatusCode::InvalidOption,
-                  "the product formulation has no Schur elimination, because its Hessian is not "
-                  "diagonal; choose minres, symmlq, gmres or bicgstab as the linear solver"};
+  const Result<SolverChoice> chosen = chosenSolver(options);
+  if (!chosen.ok()) return chosen.status;
   if (options.delaunay && options.balance > 0)
     return Status{
         StatusCode::InvalidOption,
@@ -113,8 +111,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
   solver.allowedBytes = allowedBytes(options.memory);
-  ChartFlattener flattener(chart, solver, [&](const char* stage) { monitor.tellStage(stage); },
-                           {options.linearSolver, options.formulation, options.precondition});
+  ChartFlattener flattener(
+      chart, solver, [&](const char* stage) { monitor.tellStage(stage); }, chosen.value);
   flattener.requireStraight(std::move(straight.value));
   const double setUp = watch.lap();
   const RefineWishes refining{

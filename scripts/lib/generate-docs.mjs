@@ -1,6 +1,6 @@
 // Tables between <!-- generated:NAME --> and <!-- /generated --> lines of the documentation.
 
-import { flagOf, fullText, rangeText } from './schema.mjs';
+import { flagOf, fullText, rangeText, withoutResearch } from './schema.mjs';
 
 const TABLES = {
   'exit-codes': ({ exitCodes }) =>
@@ -43,11 +43,12 @@ export function fillRegions(text, schema, path) {
   const region = /^<!-- generated:([\w-]+) -->\n([\s\S]*?)^<!-- \/generated -->$/gm;
   const starts = text.match(/^<!-- generated:[\w-]+ -->$/gm) ?? [];
   if (starts.length === 0) return undefined;
+  const shown = path.startsWith('wasm/') ? withoutResearch(schema) : schema;
   let count = 0;
   const filled = text.replace(region, (_, name) => {
     if (!TABLES[name]) throw new Error(`${path}: unknown region "generated:${name}"`);
     count += 1;
-    return `<!-- generated:${name} -->\n${TABLES[name](schema)}\n<!-- /generated -->`;
+    return `<!-- generated:${name} -->\n${TABLES[name](shown)}\n<!-- /generated -->`;
   });
   if (count !== starts.length) throw new Error(`${path}: a generated region is not closed`);
   return filled;

@@ -1,6 +1,14 @@
 // The TypeScript side of the schema.
 
-import { BOUNDS, fullText, OPTION_TYPES, optionSets, pascalCase, rangeText } from './schema.mjs';
+import {
+  BOUNDS,
+  fullText,
+  OPTION_TYPES,
+  optionSets,
+  pascalCase,
+  rangeText,
+  withoutResearch,
+} from './schema.mjs';
 
 const HEADER = '// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.\n';
 
@@ -88,7 +96,7 @@ export function renderTypeScript(schema) {
     HEADER,
     ...statusParts(schema.statuses),
     ...exitParts(schema.exitCodes),
-    ...optionSets(schema).flatMap(optionParts),
+    ...optionSets(withoutResearch(schema)).flatMap(optionParts),
   ];
   return `${parts.join('\n').trimEnd()}\n`;
 }

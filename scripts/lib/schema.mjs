@@ -54,6 +54,31 @@ export function optionSets({ flattenOptions, unwrapOptions }) {
   ];
 }
 
+/**
+ * The schema without what is for research, which the npm package does not have. The numbers of the
+ * others are those of C++, so they come first.
+ */
+export function withoutResearch(schema) {
+  const kept = (options) =>
+    leading(options, 'options').map((option) =>
+      option.choices?.some(({ research }) => research)
+        ? { ...option, choices: leading(option.choices, `option ${option.name}`) }
+        : option,
+    );
+  return {
+    ...schema,
+    flattenOptions: kept(schema.flattenOptions),
+    unwrapOptions: kept(schema.unwrapOptions),
+  };
+}
+
+function leading(entries, where) {
+  const count = entries.filter(({ research }) => !research).length;
+  const late = entries.slice(count).find(({ research }) => !research);
+  if (late) throw new Error(`${where}: ${late.name} follows one that is for research`);
+  return entries.slice(0, count);
+}
+
 function checkUnique(entries, list) {
   const names = new Set();
   for (const { name, text } of entries) {

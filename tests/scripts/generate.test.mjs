@@ -99,7 +99,7 @@ describe('in a copy', () => {
     changeSchema((schema) => {
       const choices = ['soft', 'hard'].map((name) => ({ name, text: `${name} edges` }));
       const texts = { default: 'hard', text: 'how edges are' };
-      schema.flattenOptions.push({ name: 'edgeKind', type: 'choice', choices, ...texts });
+      schema.flattenOptions.unshift({ name: 'edgeKind', type: 'choice', choices, ...texts });
     });
     assert.equal(generate(copy).status, 0);
     assert.match(read(OUTPUTS[1]), /EdgeKind edgeKind = EdgeKind::Hard;/);
@@ -109,13 +109,37 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[2]), /\bt: number \| 'auto';/);
   });
 
+  test('what is for research reaches C++ alone, and comes last', () => {
+    fresh();
+    mkdirSync(join(copy, 'wasm'), { recursive: true });
+    const table = '<!-- generated:flatten-options -->\n<!-- /generated -->\n';
+    write('README.md', table);
+    write('wasm/README.md', table);
+    const choices = ['plain', 'odd'].map((name) => ({ name, text: `${name} steps` }));
+    choices[1].research = true;
+    const texts = { default: 'plain', text: 'how steps are' };
+    const option = { name: 'oddity', type: 'boolean', default: true, text: 'odd', research: true };
+    changeSchema(({ flattenOptions }) => {
+      flattenOptions.unshift({ name: 'stepKind', type: 'choice', choices, ...texts });
+      flattenOptions.push(option);
+    });
+    assert.equal(generate(copy).status, 0);
+    for (const path of [OUTPUTS[1], 'README.md']) assert.match(read(path), /plain, odd.*oddity/s);
+    assert.match(read(OUTPUTS[2]), /export type StepKind = 'plain';/);
+    for (const path of [OUTPUTS[2], 'wasm/README.md']) assert.doesNotMatch(read(path), /odd/, path);
+    changeSchema(({ flattenOptions }) => flattenOptions.unshift(flattenOptions.pop()));
+    const { status, stderr } = generate(copy);
+    assert.notEqual(status, 0);
+    assert.match(stderr, /options: \w+ follows one that is for research/);
+  });
+
   test('an integer refuses fractions and needs bounds', () => {
     fresh();
     const option = { name: 'rounds', type: 'integer', default: 1, atLeast: 0, text: 'how often' };
-    changeSchema((schema) => schema.flattenOptions.push(option));
+    changeSchema((schema) => schema.flattenOptions.unshift(option));
     assert.notEqual(generate(copy).status, 0);
     changeSchema((schema) => {
-      schema.flattenOptions.at(-1).atMost = 9;
+      schema.flattenOptions[0].atMost = 9;
     });
     assert.equal(generate(copy).status, 0);
     assert.match(read(OUTPUTS[1]), /int rounds = 1;/);
@@ -130,7 +154,7 @@ describe('in a copy', () => {
     fresh();
     changeSchema((schema) => {
       for (const [name, value] of Object.entries({ softEdges: true, hardEdges: false }))
-        schema.flattenOptions.push({ name, type: 'boolean', default: value, text: `${name}!` });
+        schema.flattenOptions.unshift({ name, type: 'boolean', default: value, text: `${name}!` });
     });
     write('README.md', '<!-- generated:flatten-options -->\n<!-- /generated -->\n');
     assert.equal(generate(copy).status, 0);

@@ -106,7 +106,7 @@ describe('all builds give the same bytes', () => {
     test(name, async () => {
       const [mesh, ...others] = await Promise.all(abflats.map((abflat) => abflat.sample(name)));
       for (const other of others) assert.deepEqual(other, mesh);
-      for (const options of [{}, { t: 1 }, { t: 1, linearSolver: 'minres' }])
+      for (const options of [{}, { t: 1 }, { t: 1, linearSolver: 'eigen' }])
         await assertSame(mesh, options);
     });
   }

@@ -60,9 +60,7 @@ export const EXIT_CODES = [
 
 export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';
 
-export type LinearSolver = 'schur' | 'eigen' | 'minres' | 'symmlq' | 'gmres' | 'bicgstab';
-
-export type Formulation = 'log' | 'product';
+export type LinearSolver = 'schur' | 'eigen';
 
 /** The options of flattening that are plain values, with their defaults. */
 export interface FlattenOptionValues {
@@ -70,8 +68,6 @@ export interface FlattenOptionValues {
   balance: number;
   untangle: Untangle;
   linearSolver: LinearSolver;
-  formulation: Formulation;
-  precondition: boolean;
   memory: number | 'auto';
   adjacent: boolean;
   delaunay: boolean;
@@ -83,8 +79,6 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
   balance: 0,
   untangle: 'auto',
   linearSolver: 'schur',
-  formulation: 'log',
-  precondition: true,
   memory: 'auto',
   adjacent: false,
   delaunay: false,
@@ -96,9 +90,7 @@ export const FLATTEN_OPTIONS = {
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
   balance: { type: 'number', default: 0, atLeast: 0, atMost: 1, text: 'between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other', range: 'at least 0 and at most 1' },
   untangle: { type: 'choice', default: 'auto', choices: ['auto', 'none', 'local', 'global', 'best'], text: 'how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less', range: 'auto, none, local, global, best' },
-  linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'eigen', 'minres', 'symmlq', 'gmres', 'bicgstab'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen\'s SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF', range: 'schur, eigen, minres, symmlq, gmres, bicgstab' },
-  formulation: { type: 'choice', default: 'log', choices: ['log', 'product'], text: 'form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen', range: 'log, product' },
-  precondition: { type: 'boolean', default: true, text: 'preconditioning of the iterative linear solvers (the paper has none)', range: '' },
+  linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'eigen'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen\'s SimplicialLDLT', range: 'schur, eigen' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)', range: 'above 0, or auto' },
   adjacent: { type: 'boolean', default: false, text: 'condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there', range: '' },
   delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },

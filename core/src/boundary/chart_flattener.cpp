@@ -127,10 +127,10 @@ std::string withoutFactorNote(const FactorMemory& memory) {
 }
 
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
-                               std::function<void(const char*)> onStage, const KktOptions& linear)
+                               std::function<void(const char*)> onStage, const SolverChoice& choice)
     : chart_(chart),
       problem_(buildAngleProblem(chart, options.pool)),
-      solver_(std::make_unique<AngleSolver>(problem_, counting(std::move(options)), linear)),
+      solver_(std::make_unique<AngleSolver>(problem_, counting(std::move(options)), choice)),
       onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
 
 ChartFlattener::~ChartFlattener() = default;

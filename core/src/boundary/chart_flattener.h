@@ -16,7 +16,7 @@
 #include "check/validity.h"
 #include "solve/angle_solution.h"
 #include "solve/factor_memory.h"
-#include "solve/kkt_options.h"
+#include "solve/solver_choice.h"
 
 namespace abflat {
 
@@ -62,8 +62,7 @@ class ChartFlattener {
  public:
   /// Keeps a reference to the chart. `onStage` hears "layout" and "check" as they begin.
   ChartFlattener(const DiskChart& chart, SolverOptions options,
-                 std::function<void(const char*)> onStage = {},
-                 const KktOptions& linear = {LinearSolver::Schur});
+                 std::function<void(const char*)> onStage = {}, const SolverChoice& choice = {});
   ~ChartFlattener();
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;

@@ -20,14 +20,15 @@ constexpr double kRough = 1e-3;
 }  // namespace
 
 AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
-                         const KktOptions& linear)
+                         const SolverChoice& choice)
     : problem_(problem),
       options_(std::move(options)),
-      linear_(linear),
-      system_(linear.solver == LinearSolver::Eigen
+      linearSolver_(choice.solver),
+      formulation_(choice.formulation),
+      system_(choice.solver == LinearSolver::Eigen
                   ? std::make_unique<NewtonSystem>(problem, makeEigenRowSolver, options_.pool)
                   : std::make_unique<NewtonSystem>(problem, options_.allowedBytes, options_.pool)) {
-  if (!isEliminated(linear.solver)) kkt_ = std::make_unique<KktStepSolver>(problem, linear);
+  if (choice.make) chosen_ = choice.make(problem);
 }
 
 void AngleSolver::beRough(bool isRough) { isRough_ = isRough; }
@@ -45,10 +46,10 @@ AngleSolution AngleSolver::runActiveSet(const AngleSolution* start) {
     options.constraintTolerance = kRough;
     options.gradientTolerance = std::numeric_limits<double>::infinity();
   }
-  NewtonStepSolver& system = kkt_ ? static_cast<NewtonStepSolver&>(*kkt_) : *system_;
+  NewtonStepSolver& system = chosen_ ? *chosen_ : *system_;
   AngleSolution s = solveActiveSet(problem_, system, options, start);
-  s.linearSolver = linear_.solver;
-  s.formulation = linear_.formulation;
+  s.linearSolver = linearSolver_;
+  s.formulation = formulation_;
   return s;
 }
 

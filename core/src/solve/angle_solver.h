@@ -5,8 +5,8 @@
 
 #include "angle/angle_problem.h"
 #include "solve/angle_solution.h"
-#include "solve/kkt_step_solver.h"
 #include "solve/newton_system.h"
+#include "solve/solver_choice.h"
 
 namespace abflat {
 
@@ -14,8 +14,7 @@ namespace abflat {
 class AngleSolver {
  public:
   /// Keeps a reference to the problem, whose bounds may change between calls.
-  AngleSolver(const AngleProblem& problem, SolverOptions options,
-              const KktOptions& linear = {LinearSolver::Schur});
+  AngleSolver(const AngleProblem& problem, SolverOptions options, const SolverChoice& choice = {});
 
   /// From now on active sets end as soon as wheels close to a thousandth, which is good enough to
   /// begin something else from; or no longer.
@@ -40,9 +39,10 @@ class AngleSolver {
   const AngleProblem& problem_;
   SolverOptions options_;
   bool isRough_ = false;
-  KktOptions linear_;
+  LinearSolver linearSolver_;
+  Formulation formulation_;
   std::unique_ptr<NewtonSystem> system_;
-  std::unique_ptr<KktStepSolver> kkt_;  ///< null: elimination
+  std::unique_ptr<NewtonStepSolver> chosen_;  ///< null: elimination
 };
 
 }  // namespace abflat

@@ -92,10 +92,6 @@ struct FlattenOptionValues {
   Untangle untangle = Untangle::Auto;
   /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
   LinearSolver linearSolver = LinearSolver::Schur;
-  /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
-  Formulation formulation = Formulation::Log;
-  /// preconditioning of the iterative linear solvers (the paper has none)
-  bool precondition = true;
   /// what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
   double memory = 0;
   /// condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there
@@ -104,6 +100,10 @@ struct FlattenOptionValues {
   bool delaunay = false;
   /// most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one
   int threads = 0;
+  /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
+  Formulation formulation = Formulation::Log;
+  /// preconditioning of the iterative linear solvers (the paper has none)
+  bool precondition = true;
 };
 
 /// An option for people: names, default and range as on the command line.
@@ -131,12 +131,12 @@ inline OptionInfos optionInfos(const FlattenOptionValues&) {
     {"balance", "--balance", "0", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
     {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
     {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
-    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
-    {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
+    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
+    {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
   };
   return {kInfos, 10};
 }
@@ -163,28 +163,28 @@ inline bool setOption(FlattenOptionValues& options, int index, double value,
       options.linearSolver = static_cast<LinearSolver>(static_cast<int>(value));
       return true;
     case 4:
-      if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
-      options.formulation = static_cast<Formulation>(static_cast<int>(value));
-      return true;
-    case 5:
-      if (!(value == 0 || value == 1)) return false;
-      options.precondition = value != 0;
-      return true;
-    case 6:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 7:
+    case 5:
       if (!(value == 0 || value == 1)) return false;
       options.adjacent = value != 0;
       return true;
-    case 8:
+    case 6:
       if (!(value == 0 || value == 1)) return false;
       options.delaunay = value != 0;
       return true;
-    case 9:
+    case 7:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
+      return true;
+    case 8:
+      if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
+      options.formulation = static_cast<Formulation>(static_cast<int>(value));
+      return true;
+    case 9:
+      if (!(value == 0 || value == 1)) return false;
+      options.precondition = value != 0;
       return true;
   }
   return false;
@@ -204,17 +204,17 @@ inline double wordValue(const FlattenOptionValues&, int index, std::string_view 
   if (index == 3 && text == "symmlq") return found = true, 3;
   if (index == 3 && text == "gmres") return found = true, 4;
   if (index == 3 && text == "bicgstab") return found = true, 5;
-  if (index == 4 && text == "log") return found = true, 0;
-  if (index == 4 && text == "product") return found = true, 1;
-  if (index == 6 && text == "auto") return found = true, 0;
+  if (index == 4 && text == "auto") return found = true, 0;
+  if (index == 8 && text == "log") return found = true, 0;
+  if (index == 8 && text == "product") return found = true, 1;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const FlattenOptionValues&, int index, char letter) {
-  if (index == 6 && letter == 'M') return 1;
-  if (index == 6 && letter == 'G') return 1024;
-  if (index == 6 && letter == 'T') return 1048576;
+  if (index == 4 && letter == 'M') return 1;
+  if (index == 4 && letter == 'G') return 1024;
+  if (index == 4 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -228,8 +228,6 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   visit("balance", options.balance);
   visit("untangle", untangleName(options.untangle));
   visit("linearSolver", linearSolverName(options.linearSolver));
-  visit("formulation", formulationName(options.formulation));
-  visit("precondition", options.precondition);
   if (options.memory == 0)
     visit("memory", "auto");
   else
@@ -237,6 +235,8 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   visit("adjacent", options.adjacent);
   visit("delaunay", options.delaunay);
   visit("threads", options.threads);
+  visit("formulation", formulationName(options.formulation));
+  visit("precondition", options.precondition);
 }
 
 }  // namespace abflat

@@ -1,9 +1,9 @@
-#include "solve/symmlq.h"
+#include "research/symmlq.h"
 
 #include <limits>
 
 #include "portable_math.h"
-#include "solve/lanczos.h"
+#include "research/lanczos.h"
 
 namespace abflat {
 

@@ -1,9 +1,9 @@
-#include "solve/minres.h"
+#include "research/minres.h"
 
 #include <limits>
 
 #include "portable_math.h"
-#include "solve/lanczos.h"
+#include "research/lanczos.h"
 
 namespace abflat {
 

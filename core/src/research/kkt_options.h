@@ -4,14 +4,9 @@
 
 namespace abflat {
 
-/// True for the solvers that factor the matrix of the vertex constraints alone.
-inline bool isEliminated(LinearSolver solver) {
-  return solver == LinearSolver::Schur || solver == LinearSolver::Eigen;
-}
-
 /// What the explicit KKT system is made of and solved with.
 struct KktOptions {
-  LinearSolver solver = LinearSolver::Minres;  ///< any that is not eliminated
+  LinearSolver solver = LinearSolver::Minres;  ///< an iterative one
   Formulation formulation = Formulation::Log;
   bool precondition = true;
   double tolerance = 1e-11;   ///< of the linear residual, relative

@@ -1,10 +1,10 @@
-#include "solve/kkt_step_solver.h"
+#include "research/kkt_step_solver.h"
 
 #include <algorithm>
 
-#include "solve/minres.h"
-#include "solve/nonsymmetric_solve.h"
-#include "solve/symmlq.h"
+#include "research/minres.h"
+#include "research/nonsymmetric_solve.h"
+#include "research/symmlq.h"
 
 namespace abflat {
 namespace {

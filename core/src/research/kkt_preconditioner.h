@@ -3,7 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <array>
 
-#include "solve/linear_solve.h"
+#include "research/linear_solve.h"
 #include "solve/schur_system.h"
 
 namespace abflat {

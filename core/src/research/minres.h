@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solve/linear_solve.h"
+#include "research/linear_solve.h"
 
 namespace abflat {
 

@@ -1,8 +1,8 @@
 #include <random>
 
 #include "catch.h"
-#include "solve/minres.h"
-#include "solve/symmlq.h"
+#include "research/minres.h"
+#include "research/symmlq.h"
 #include "support/dense_algebra.h"
 
 using namespace abflat;

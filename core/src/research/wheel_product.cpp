@@ -1,4 +1,4 @@
-#include "solve/wheel_product.h"
+#include "research/wheel_product.h"
 
 #include <cmath>
 

@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "catch.h"
+#include "research/kkt_step_solver.h"
+#include "research/wheel_product.h"
 #include "solve/active_set.h"
-#include "solve/kkt_step_solver.h"
 #include "solve/newton_system.h"
-#include "solve/wheel_product.h"
 #include "support/instrumented.h"
 #include "support/meshes.h"
 #include "support/problems.h"

@@ -1,4 +1,4 @@
-#include "solve/nonsymmetric_solve.h"
+#include "research/nonsymmetric_solve.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "draw/kkt_pattern.h"
+#include "research/kkt_pattern.h"
 
 #include <set>
 

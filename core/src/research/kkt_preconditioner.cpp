@@ -1,4 +1,4 @@
-#include "solve/kkt_preconditioner.h"
+#include "research/kkt_preconditioner.h"
 
 #include <algorithm>
 #include <cmath>

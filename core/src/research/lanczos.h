@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/linear_solve.h"
+#include "research/linear_solve.h"
 
 namespace abflat {
 

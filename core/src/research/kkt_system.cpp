@@ -1,8 +1,8 @@
-#include "solve/kkt_system.h"
+#include "research/kkt_system.h"
 
 #include <cmath>
 
-#include "solve/wheel_product.h"
+#include "research/wheel_product.h"
 
 namespace abflat {
 namespace {

@@ -1,11 +1,11 @@
-#include "draw/kkt_pattern.h"
+#include "research/kkt_pattern.h"
 
 #include "abflat/io.h"
 #include "boundary/requested_bounds.h"
 #include "chart/disk_chart.h"
 #include "mesh/surface.h"
+#include "research/kkt_system.h"
 #include "solve/angle_solver.h"
-#include "solve/kkt_system.h"
 
 namespace abflat {
 namespace {

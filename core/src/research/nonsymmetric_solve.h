@@ -2,7 +2,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "solve/linear_solve.h"
+#include "research/linear_solve.h"
 
 namespace abflat {
 

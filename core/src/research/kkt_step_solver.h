@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "solve/kkt_options.h"
-#include "solve/kkt_preconditioner.h"
-#include "solve/kkt_system.h"
+#include "research/kkt_options.h"
+#include "research/kkt_preconditioner.h"
+#include "research/kkt_system.h"
 #include "solve/newton_step_solver.h"
 
 namespace abflat {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "abflat/flatten.h"
+#include "solve/newton_step_solver.h"
+
+namespace abflat {
+
+/// How the linear systems of Newton's method are solved.
+struct SolverChoice {
+  LinearSolver solver = LinearSolver::Schur;
+  Formulation formulation = Formulation::Log;
+  /// Makes what takes the steps of the active set; empty: elimination.
+  std::function<std::unique_ptr<NewtonStepSolver>(const AngleProblem&)> make;
+};
+
+}  // namespace abflat
