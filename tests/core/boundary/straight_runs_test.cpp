@@ -79,7 +79,7 @@ TEST_CASE("the interior point holds straight vertices, too", "[straight]") {
   REQUIRE(straight.ok());
   setBounds(problem, chart, std::vector<double>(chart.boundary.size(), 0.9));
   setStraight(problem, chart, straight.value);
-  AngleSolver solver(problem, {}, {LinearSolver::Schur});
+  AngleSolver solver(problem, {});
   const AngleSolution exact = solver.solve(nullptr), s = solver.solveWithFloor(1e-9);
   REQUIRE(exact.converged);
   REQUIRE(s.converged);
