@@ -58,6 +58,7 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   SeamOptions out;
   out.isAuto = options.seams.isAuto;
   out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
+  out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
   if (options.udim)  // each chart has to fit a tile
     out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;

@@ -52,6 +52,8 @@ test('more options change the atlas as those of the command line do, and are nam
   ]);
   await page.selectOption('#more-fill-holes', 'never');
   await settled(page);
+  await page.selectOption('#more-symmetric-seams', 'never');
+  await settled(page);
   await fill(page, '#more-t', '1');
   await click(page, '#more-straight-seams');
   await page.focus('#more-rotate');
@@ -59,10 +61,10 @@ test('more options change the atlas as those of the command line do, and are nam
   await settled(page);
   assert.equal(
     await textOf(page, '#more-state'),
-    'fill holes never, boundary t 1, straight seams, no rotation',
+    'fill holes never, symmetric seams never, boundary t 1, straight seams, no rotation',
   );
   await assertAsProgram(t, page, RINGS, [
-    ...['--fill-holes', 'never', '--t', '1'],
+    ...['--fill-holes', 'never', '--symmetric-seams', 'never', '--t', '1'],
     ...['--straight-seams', '--no-rotate'],
   ]);
   // A disk in one piece has other options.
@@ -218,7 +220,14 @@ for (const [name, width, height] of [
     if (width > 1020) assert.deepEqual(await views(), before);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     // Without a density there is nothing to press for tiles.
-    for (const id of ['fill-holes', 't', 'texel-density', 'straight-seams', 'rotate']) {
+    for (const id of [
+      'fill-holes',
+      'symmetric-seams',
+      't',
+      'texel-density',
+      'straight-seams',
+      'rotate',
+    ]) {
       await page.keyboard.press('Tab');
       assert.equal(await page.evaluate(() => document.activeElement.id), `more-${id}`);
       const box = await page.locator(`#more-${id}`).boundingBox();

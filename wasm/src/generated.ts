@@ -99,11 +99,14 @@ export const FLATTEN_OPTIONS = {
 
 export type FillHoles = 'auto' | 'never' | 'always';
 
+export type SymmetricSeams = 'auto' | 'never' | 'always';
+
 /** The options of unwrapping that are plain values, with their defaults. */
 export interface UnwrapOptionValues {
   maxStretch: number;
   balance: number;
   fillHoles: FillHoles;
+  symmetricSeams: SymmetricSeams;
   t: number | 'auto';
   straightSeams: boolean;
   resolution: number;
@@ -120,6 +123,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.02,
   balance: 0.2,
   fillHoles: 'auto',
+  symmetricSeams: 'auto',
   t: 'auto',
   straightSeams: false,
   resolution: 1024,
@@ -137,6 +141,7 @@ export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.02, above: 1, text: 'how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts', range: 'above 1' },
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other', range: 'at least 0 and at most 1' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches', range: 'auto, never, always' },
+  symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether a mesh that is its own mirror image gets automatic seams that are: auto = where seams are no longer for it; never = each seam where it serves its own side best; always = however long they are', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is', range: '' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 32768, whole' },

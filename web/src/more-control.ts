@@ -75,12 +75,12 @@ export class MoreControl {
   }
 
   private add(name: MoreName): void {
-    if (name === 'fillHoles') this.addChoice(name);
+    if (name === 'fillHoles' || name === 'symmetricSeams') this.addChoice(name);
     else if (name === 't' || name === 'texelDensity') this.addNumber(name);
     else this.addSwitch(name);
   }
 
-  private addChoice(name: 'fillHoles'): void {
+  private addChoice(name: 'fillHoles' | 'symmetricSeams'): void {
     const { choices } = UNWRAP_OPTIONS[name];
     const select = create('select', 'button');
     select.append(...choices.map((choice) => new Option(sentence(choice), choice)));

@@ -3,6 +3,7 @@ import { UNWRAP_DEFAULTS, type UnwrapOptionValues } from 'abflat';
 /** Options of an atlas that are seldom changed, in the order in which they are shown. */
 export const MORE = [
   'fillHoles',
+  'symmetricSeams',
   't',
   'texelDensity',
   'straightSeams',
@@ -18,6 +19,7 @@ export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
 
 export const MORE_LABELS: Record<MoreName, string> = {
   fillHoles: 'Fill holes',
+  symmetricSeams: 'Symmetric seams',
   t: 'Boundary t',
   texelDensity: 'Texel density',
   straightSeams: 'Straight seams',
@@ -26,8 +28,9 @@ export const MORE_LABELS: Record<MoreName, string> = {
 };
 
 export function defaultOptions(): MoreOptions {
-  const { fillHoles, t, texelDensity, straightSeams, rotate, udim } = UNWRAP_DEFAULTS;
-  return { fillHoles, t, texelDensity, straightSeams, rotate, udim };
+  const { fillHoles, symmetricSeams, t, texelDensity, straightSeams, rotate, udim } =
+    UNWRAP_DEFAULTS;
+  return { fillHoles, symmetricSeams, t, texelDensity, straightSeams, rotate, udim };
 }
 
 /** Several tiles are for a density that is given. */

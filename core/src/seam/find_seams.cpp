@@ -14,6 +14,7 @@
 #include "seam/shorten_seams.h"
 #include "seam/slits.h"
 #include "seam/split_charts.h"
+#include "seam/symmetric_seams.h"
 #include "stopwatch.h"
 
 namespace abflat {
@@ -276,6 +277,68 @@ Seams Finder::run() {
   return std::move(result_);
 }
 
+double lengthOf(const SeamMesh& mesh, const Seams& seams) {
+  double sum = 0;
+  for (std::uint32_t h = 0; h < seams.size(); ++h)
+    if (seams[h] && mesh.isOnSurface(h)) sum += mesh.length[h] / 2;
+  return sum;
+}
+
+/// Finds seams of a mesh in which nothing is cut yet on one side of its plane of symmetry alone.
+class SymmetricFinder {
+ public:
+  SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options)
+      : mesh_(mesh), options_(options) {}
+
+  /// Replaces `seams`, which `report` is about, by symmetric ones where these are to be preferred.
+  void run(Seams& seams, SeamReport& report) const {
+    const double length = lengthOf(mesh_, seams);
+    if (options_.symmetricSeams == SymmetricSeams::Never || length == 0) return;
+    const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
+    if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
+    const std::optional<SeamPart> half = halfOf(mesh_, mirror);
+    if (!half) return;
+    const double plane = lengthOf(mesh_, unfold(mesh_, mirror, *half, {}));
+    if (isTooLong(plane, length * kMostOfPlane)) return;
+    const Seams found = seamsOfHalf(*half, report.place);
+    const double least = 2 * lengthOf(half->mesh, found) + kLeastOfPlane * plane;
+    if (isTooLong(least, length)) return;
+    SeamOptions options = options_;
+    options.place = report.place;
+    options.first = unfold(mesh_, mirror, *half, found);
+    SeamReport own;
+    Seams symmetric = Finder(mesh_, Seams(mesh_.twin.size(), 0), options, own).run();
+    if (own.cancelled) report.cancelled = true;
+    if (own.cancelled || isTooLong(own.charts, report.charts) ||
+        isTooLong(lengthOf(mesh_, symmetric), length))
+      return;
+    seams = std::move(symmetric);
+    report = std::move(own);
+  }
+
+ private:
+  /// Share of seams that are mirrored already: it is a matter of few edges.
+  static constexpr double kSymmetric = 0.9;
+  /// Measured, of what lies in the plane: where it is more than the former of all seams, or the
+  /// latter of it with the seams beside are, they come out longer.
+  static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
+
+  bool isTooLong(double now, double most) const {
+    return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
+  }
+
+  Seams seamsOfHalf(const SeamPart& half, const std::vector<std::uint32_t>& place) const {
+    SeamOptions options = options_;
+    options.place.clear();
+    for (const std::uint32_t v : half.vertex) options.place.push_back(place[v]);
+    SeamReport own;
+    return Finder(half.mesh, Seams(half.halfEdge.size(), 0), options, own).run();
+  }
+
+  const SeamMesh& mesh_;
+  const SeamOptions& options_;
+};
+
 }  // namespace
 
 Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report) {
@@ -287,9 +350,11 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
     if (mesh.twin[h] == kNone) seams[h] = 0;
     if (seams[h]) seams[mesh.twin[h]] = seams[h] = 1;
   }
+  const bool isFree = options.isAuto && options.first.empty() &&
+                      std::find(seams.begin(), seams.end(), 1) == seams.end();
   if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
-  for (std::uint32_t h = 0; h < seams.size(); ++h)
-    if (seams[h] && mesh.isOnSurface(h)) own.seamLength += mesh.length[h] / 2;
+  if (isFree && !own.cancelled) SymmetricFinder(mesh, options).run(seams, own);
+  own.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());
   if (size > 0) {
     own.seamLength /= size;

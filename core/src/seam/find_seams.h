@@ -23,7 +23,8 @@ struct SeamOptions {
   double longest = std::numeric_limits<double>::infinity();
   /// What is a disk before anything is cut stays whole, however much it is distorted.
   bool keepDisks = false;
-  std::vector<std::uint32_t> place;       ///< as in SeamReport; empty: one is sought
+  std::vector<std::uint32_t> place;  ///< as in SeamReport; empty: one is sought
+  SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
   std::function<bool()> keepsOn;          ///< false: stop with the seams so far, which cut to disks

@@ -29,6 +29,25 @@ inline const char* fillHolesName(FillHoles code) {
   return "";
 }
 
+/// Whether a mesh that is its own mirror image gets automatic seams that are.
+enum class SymmetricSeams : int {
+  Auto = 0,  ///< where seams are no longer for it
+  Never = 1,  ///< each seam where it serves its own side best
+  Always = 2,  ///< however long they are
+};
+
+inline const char* symmetricSeamsName(SymmetricSeams code) {
+  switch (code) {
+    case SymmetricSeams::Auto:
+      return "auto";
+    case SymmetricSeams::Never:
+      return "never";
+    case SymmetricSeams::Always:
+      return "always";
+  }
+  return "";
+}
+
 /// "auto" as a value of the option texelDensity.
 constexpr double kAutoTexelDensity = 0;
 /// "auto" as a value of the option minUtilization.
@@ -42,6 +61,8 @@ struct UnwrapOptionValues {
   double balance = 0.2;
   /// whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches
   FillHoles fillHoles = FillHoles::Auto;
+  /// whether a mesh that is its own mirror image gets automatic seams that are: auto = where seams are no longer for it; never = each seam where it serves its own side best; always = however long they are
+  SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
   double t = 0;
   /// seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is
@@ -69,6 +90,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"maxStretch", "--max-stretch", "1.02", "above 1", "how much a chart may be stretched, as its mean symmetric Dirichlet energy / 4 where 1 keeps all lengths: the smaller, the more seams and charts", false, false},
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are flattened as if they were filled, which takes no seam: auto = where the hole is small or lies in something flat, that keeps the chart within maxStretch and no seam comes to the hole; never = a seam joins every hole to the outer boundary; always = whatever it stretches", false, true},
+    {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether a mesh that is its own mirror image gets automatic seams that are: auto = where seams are no longer for it; never = each seam where it serves its own side best; always = however long they are", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "seams and boundaries are straight lines in the atlas, from junction to junction and from corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is", true, false},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "texels along a side of the texture that charts are packed for", false, false},
@@ -80,7 +102,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
   };
-  return {kInfos, 13};
+  return {kInfos, 14};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -101,42 +123,46 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
       return true;
     case 3:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.symmetricSeams = static_cast<SymmetricSeams>(static_cast<int>(value));
+      return true;
+    case 4:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
       return true;
-    case 4:
+    case 5:
       if (!(value == 0 || value == 1)) return false;
       options.straightSeams = value != 0;
       return true;
-    case 5:
+    case 6:
       if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 6:
+    case 7:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 7:
+    case 8:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 8:
+    case 9:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 9:
+    case 10:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 10:
+    case 11:
       if (!(value == 0 || value == 1)) return false;
       options.rotate = value != 0;
       return true;
-    case 11:
+    case 12:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 12:
+    case 13:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -150,17 +176,20 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 2 && text == "never") return found = true, 1;
   if (index == 2 && text == "always") return found = true, 2;
   if (index == 3 && text == "auto") return found = true, 0;
-  if (index == 7 && text == "auto") return found = true, 0;
-  if (index == 9 && text == "auto") return found = true, -1;
-  if (index == 11 && text == "auto") return found = true, 0;
+  if (index == 3 && text == "never") return found = true, 1;
+  if (index == 3 && text == "always") return found = true, 2;
+  if (index == 4 && text == "auto") return found = true, 0;
+  if (index == 8 && text == "auto") return found = true, 0;
+  if (index == 10 && text == "auto") return found = true, -1;
+  if (index == 12 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 11 && letter == 'M') return 1;
-  if (index == 11 && letter == 'G') return 1024;
-  if (index == 11 && letter == 'T') return 1048576;
+  if (index == 12 && letter == 'M') return 1;
+  if (index == 12 && letter == 'G') return 1024;
+  if (index == 12 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -170,6 +199,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("maxStretch", options.maxStretch);
   visit("balance", options.balance);
   visit("fillHoles", fillHolesName(options.fillHoles));
+  visit("symmetricSeams", symmetricSeamsName(options.symmetricSeams));
   if (options.t == 0)
     visit("t", "auto");
   else

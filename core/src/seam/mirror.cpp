@@ -1,0 +1,235 @@
+#include "seam/mirror.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle_geometry.h"
+#include "seam/seam_tips.h"
+
+namespace abflat {
+namespace {
+
+/// Of the unit cube: models are mirrored exactly, but written with few digits.
+constexpr double kTolerance = 1e-4;
+/// While the plane is not known better.
+constexpr double kCoarse = 1e-3;
+/// Of the vertices that have an image, and of the edges: diagonals of mirrored polygons need not
+/// be.
+constexpr double kLeastShare = 0.9, kLeastShareOfEdges = 0.5;
+/// Vertices that are asked.
+constexpr std::uint32_t kFew = 100, kMany = 1000;
+
+Vec3 placeOf(const SeamMesh& mesh, std::uint32_t v) {
+  const double* p = &mesh.positions[3 * std::size_t{v}];
+  return {p[0], p[1], p[2]};
+}
+
+struct Plane {
+  Vec3 normal;
+  double distance;
+
+  double of(const Vec3& p) const { return dot(normal, p) - distance; }
+  Vec3 image(Vec3 p) const {
+    const double twice = 2 * of(p);
+    for (std::size_t i = 0; i < 3; ++i) p[i] -= twice * normal[i];
+    return p;
+  }
+};
+
+using Matrix = std::array<Vec3, 3>;
+
+/// The eigenvectors of a symmetric matrix, by Jacobi's rotations.
+Matrix eigenvectors(Matrix a) {
+  constexpr int kSweeps = 12;
+  Matrix v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (std::size_t p = 0; p < 3; ++p)
+      for (std::size_t q = p + 1; q < 3; ++q) {
+        if (a[p][q] == 0) continue;
+        const double ratio = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+        const double root = std::abs(ratio) + std::sqrt(ratio * ratio + 1);
+        const double tangent = (ratio < 0 ? -1 : 1) / root;
+        const double c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double x = a[i][p], y = a[i][q];
+          a[i][p] = c * x - s * y;
+          a[i][q] = s * x + c * y;
+        }
+        for (Matrix* m : {&a, &v})
+          for (std::size_t i = 0; i < 3; ++i) {
+            const double x = (*m)[p][i], y = (*m)[q][i];
+            (*m)[p][i] = c * x - s * y;
+            (*m)[q][i] = s * x + c * y;
+          }
+      }
+  return v;
+}
+
+Vec3 centreOf(const SeamMesh& mesh, std::uint32_t triangle) {
+  Vec3 out{};
+  for (std::uint32_t c = 3 * triangle; c < 3 * triangle + 3; ++c) {
+    const Vec3 p = placeOf(mesh, mesh.vertexOfCorner[c]);
+    for (std::size_t i = 0; i < 3; ++i) out[i] += p[i] / 3;
+  }
+  return out;
+}
+
+/// Through the middle of the surface: across its principal axes, one of which is the normal of any
+/// plane that it is symmetric to, and across those of the coordinates, where there is no telling
+/// which axes are principal.
+std::vector<Plane> candidates(const SeamMesh& mesh) {
+  const double all = mesh.totalArea();
+  if (!(all > 0)) return {};
+  Vec3 middle{};
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+    const Vec3 p = centreOf(mesh, f);
+    for (std::size_t i = 0; i < 3; ++i) middle[i] += mesh.area[f] / all * p[i];
+  }
+  Matrix spread{};
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+    const Vec3 p = centreOf(mesh, f);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        spread[i][j] += mesh.area[f] / all * (p[i] - middle[i]) * (p[j] - middle[j]);
+  }
+  std::vector<Plane> out;
+  const auto add = [&](const Vec3& normal) { out.push_back({normal, dot(normal, middle)}); };
+  for (const Vec3& normal : eigenvectors(spread)) add(normal);
+  for (const Vec3& normal : Matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}) add(normal);
+  return out;
+}
+
+/// Vertices by cells, in which near ones are found.
+class VertexCells {
+ public:
+  explicit VertexCells(const SeamMesh& mesh) : mesh_(mesh) {
+    entries_.reserve(mesh.vertexCount());
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
+      entries_.push_back({cellOf(placeOf(mesh, v), 0), v});
+    std::sort(entries_.begin(), entries_.end());
+  }
+
+  /// kNone where there is none.
+  std::uint32_t nearest(const Vec3& at, double tolerance) const {
+    std::uint32_t best = kNone;
+    double least = tolerance;
+    const Cell low = cellOf(at, -tolerance), high = cellOf(at, tolerance);
+    for (std::int32_t x = low[0]; x <= high[0]; ++x)
+      for (std::int32_t y = low[1]; y <= high[1]; ++y) {
+        const Entry first{{x, y, low[2]}, 0};
+        for (auto e = std::lower_bound(entries_.begin(), entries_.end(), first);
+             e != entries_.end() && e->cell <= Cell{x, y, high[2]}; ++e) {
+          const Vec3 p = placeOf(mesh_, e->vertex);
+          const double distance = norm({p[0] - at[0], p[1] - at[1], p[2] - at[2]});
+          if (!(distance < least)) continue;
+          least = distance;
+          best = e->vertex;
+        }
+      }
+    return best;
+  }
+
+ private:
+  using Cell = std::array<std::int32_t, 3>;
+  struct Entry {
+    Cell cell;
+    std::uint32_t vertex;
+    bool operator<(const Entry& o) const {
+      return cell != o.cell ? cell < o.cell : vertex < o.vertex;
+    }
+  };
+
+  static Cell cellOf(const Vec3& at, double shift) {
+    Cell out;
+    for (std::size_t i = 0; i < 3; ++i)
+      out[i] = static_cast<std::int32_t>(std::floor((at[i] + shift) / (4 * kTolerance)));
+    return out;
+  }
+
+  const SeamMesh& mesh_;
+  std::vector<Entry> entries_;
+};
+
+struct Fit {
+  Plane plane;
+  double share;  ///< of the vertices beside it that have an image
+};
+
+/// The plane that every so manieth vertex is mirrored at, as far as it has an image.
+Fit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane, double tolerance,
+          std::uint32_t sample) {
+  const std::uint32_t stride = 1 + mesh.vertexCount() / sample;
+  double all = 0, found = 0;
+  Vec3 across{}, middle{};
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); v += stride) {
+    const Vec3 p = placeOf(mesh, v);
+    if (std::abs(plane.of(p)) <= tolerance) continue;
+    ++all;
+    const std::uint32_t image = cells.nearest(plane.image(p), tolerance);
+    if (image == kNone) continue;
+    ++found;
+    const Vec3 q = placeOf(mesh, image);
+    const double sign = plane.of(p) > 0 ? 1 : -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      across[i] += sign * (p[i] - q[i]);
+      middle[i] += (p[i] + q[i]) / 2;
+    }
+  }
+  if (!(found > 0)) return {plane, 0};
+  const double length = norm(across);
+  for (std::size_t i = 0; i < 3; ++i) {
+    across[i] /= length;
+    middle[i] /= found;
+  }
+  return {{across, dot(across, middle)}, found / all};
+}
+
+std::uint32_t halfEdgeBetween(const SeamMesh& mesh, const std::vector<std::uint32_t>& outgoing,
+                              std::uint32_t tail, std::uint32_t head) {
+  std::uint32_t h = outgoing[tail];
+  do {
+    if (mesh.vertexOfCorner[nextCorner(h)] == head) return h;
+    h = rotateCounterClockwise(mesh.twin, h);
+  } while (h != kNone && h != outgoing[tail]);
+  return kNone;
+}
+
+}  // namespace
+
+Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
+  const VertexCells cells(mesh);
+  Fit best{};
+  for (const Plane& candidate : candidates(mesh)) {
+    if (!pulse.beat(kFew)) return {};
+    const Fit fit = fitTo(mesh, cells, candidate, kCoarse, kFew);
+    if (fit.share > best.share) best = fit;
+  }
+  if (best.share > 0) best = fitTo(mesh, cells, best.plane, kTolerance, kMany);
+  if (best.share < kLeastShare) return {};
+  const Plane& plane = best.plane;
+  Mirror out;
+  std::vector<std::uint32_t> image;
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = placeOf(mesh, v);
+    const double distance = plane.of(p);
+    out.side.push_back(std::abs(distance) <= kTolerance ? 0 : distance > 0 ? 1 : -1);
+    image.push_back(out.side[v] == 0 ? v : cells.nearest(plane.image(p), kTolerance));
+    pulse.beat();
+  }
+  const std::vector<std::uint32_t> outgoing = outgoingHalfEdges(mesh);
+  std::size_t found = 0;
+  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
+    const std::uint32_t tail = image[mesh.vertexOfCorner[h]];
+    const std::uint32_t head = image[mesh.vertexOfCorner[nextCorner(h)]];
+    const bool hasBoth = tail != kNone && head != kNone;
+    // The image of one at the boundary would be on its other side.
+    out.halfEdge.push_back(hasBoth ? halfEdgeBetween(mesh, outgoing, tail, head) : kNone);
+    found += out.halfEdge[h] != kNone || mesh.twin[h] == kNone;
+    pulse.beat();
+  }
+  const double edges = static_cast<double>(mesh.twin.size());
+  if (static_cast<double>(found) < kLeastShareOfEdges * edges) return {};
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,116 @@
+#include "seam/symmetric_seams.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "mesh/triangle_geometry.h"
+#include "support/cut_meshes.h"
+#include "support/isosurface.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Half of an animal: a body, a head, and two legs and a horn that stick out. The plane is x = -1.
+double animal(double x, double y, double z) {
+  const auto ball = [&](double px, double py, double pz, double r) {
+    return std::sqrt((x - px) * (x - px) + (y - py) * (y - py) + (z - pz) * (z - pz)) - r;
+  };
+  const auto stick = [&](double px, double py, double pz, double length, double r) {
+    const double along = std::clamp(pz - z, 0.0, length);
+    return ball(px, py, pz - along, r);
+  };
+  return std::min({ball(-1, 0.2, 0, 0.45), ball(-1, -0.45, 0.35, 0.32),
+                   stick(-0.7, 0.35, -0.2, 0.6, 0.13), stick(-0.72, -0.1, -0.2, 0.6, 0.12),
+                   stick(-0.8, -0.45, 0.85, 0.3, 0.07)});
+}
+
+/// A mesh and its image at the plane x = -1, joined there.
+PolygonMesh withImage(const PolygonMesh& half) {
+  std::vector<double> positions = half.positions;
+  std::vector<std::uint32_t> image, triangles = half.faceVertices;
+  for (std::uint32_t v = 0; v < half.positions.size() / 3; ++v) {
+    const double* p = &half.positions[3 * v];
+    const bool isOnPlane = p[0] == -1;
+    image.push_back(isOnPlane ? v : static_cast<std::uint32_t>(positions.size() / 3));
+    if (!isOnPlane) positions.insert(positions.end(), {-2 - p[0], p[1], p[2]});
+  }
+  for (std::size_t c = 0; c < half.faceVertices.size(); c += 3)
+    for (const std::size_t k : {0, 2, 1}) triangles.push_back(image[half.faceVertices[c + k]]);
+  return makeTriangleMesh(std::move(positions), std::move(triangles));
+}
+
+PolygonMesh symmetricAnimal() { return withImage(isosurface(26, animal)); }
+
+SeamOptions with(SymmetricSeams symmetric) {
+  SeamOptions out;
+  out.maxStretch = 1.02;
+  out.symmetricSeams = symmetric;
+  return out;
+}
+
+std::size_t edgesWithImage(const Mirror& mirror) {
+  const auto hasImage = [](std::uint32_t h) { return h != kNone; };
+  return static_cast<std::size_t>(
+      std::count_if(mirror.halfEdge.begin(), mirror.halfEdge.end(), hasImage));
+}
+
+}  // namespace
+
+TEST_CASE("a plane of symmetry is found wherever it lies", "[seams][symmetry]") {
+  const PolygonMesh mesh = symmetricAnimal();
+  for (const PolygonMesh& m :
+       {mesh, transformed(mesh, 1, {0, 0, 0}), transformed(mesh, 1e-5, {3, 4, 5})}) {
+    const SeamMesh seamMesh = Cuttable(m).seamMesh;
+    const Mirror mirror = findMirror(seamMesh);
+    REQUIRE(mirror);
+    CHECK(edgesWithImage(mirror) == mirror.halfEdge.size());
+    for (std::uint32_t h = 0; h < mirror.halfEdge.size(); ++h) {
+      const std::uint32_t image = mirror.halfEdge[h];
+      REQUIRE(mirror.halfEdge[image] == h);
+      REQUIRE(std::abs(seamMesh.length[image] - seamMesh.length[h]) < 1e-4);
+      REQUIRE(mirror.side[seamMesh.vertexOfCorner[h]] ==
+              -mirror.side[seamMesh.vertexOfCorner[image]]);
+    }
+  }
+}
+
+TEST_CASE("a mesh that is not its own image has no plane of symmetry", "[seams][symmetry]") {
+  CHECK_FALSE(findMirror(Cuttable(isosurface(24, noise(2, 3))).seamMesh));
+  CHECK_FALSE(findMirror(Cuttable(isosurface(26, animal)).seamMesh));
+  // All of it lies in the plane z = 0, which tells nothing; nor are random places images.
+  CHECK_FALSE(findMirror(Cuttable(bumpyGrid(9, 7, 0.0, 3)).seamMesh));
+}
+
+TEST_CASE("seams of a symmetric mesh are symmetric where that is asked for", "[seams][symmetry]") {
+  const PolygonMesh mesh = symmetricAnimal();
+  for (const PolygonMesh& m : {mesh, transformed(mesh, 7, {1, 2, 3}), renumbered(mesh, 5).mesh}) {
+    const Cuttable c(m);
+    const Mirror mirror = findMirror(c.seamMesh);
+    REQUIRE(mirror);
+    SeamReport report;
+    const Seams always = findSeams(c.seamMesh, {}, with(SymmetricSeams::Always), &report);
+    CHECK(mirroredShare(c.seamMesh, mirror, always) > 0.9);
+    CHECK(report.stretch <= 1.02);
+    const CutSurface s = cutAlong(c.seamMesh, always);
+    for (const CutSurface::Chart& chart : s.charts) CHECK(chart.isDisk());
+    SeamReport shortest, chosen;
+    const Seams never = findSeams(c.seamMesh, {}, with(SymmetricSeams::Never), &shortest);
+    CHECK(mirroredShare(c.seamMesh, mirror, never) < 0.9);
+    findSeams(c.seamMesh, {}, with(SymmetricSeams::Auto), &chosen);
+    CHECK(chosen.seamLength <= shortest.seamLength);
+    CHECK(chosen.charts <= shortest.charts);
+  }
+}
+
+TEST_CASE("what is given stays, and nothing symmetric is sought beside it", "[seams][symmetry]") {
+  const Cuttable c(symmetricAnimal());
+  Seams given(c.seamMesh.twin.size(), 0);
+  given[0] = 1;
+  const Seams always = findSeams(c.seamMesh, given, with(SymmetricSeams::Always), nullptr);
+  CHECK(always[0]);
+  CHECK(always == findSeams(c.seamMesh, given, with(SymmetricSeams::Never), nullptr));
+}
