@@ -4,12 +4,20 @@
 import { join } from 'node:path';
 import { buildNative, buildWasm, buildWeb } from '../build.mjs';
 import { JOBS } from './cmake.mjs';
+import { layerFaults } from './layers.mjs';
 import { BUILD, ROOT } from './paths.mjs';
 import { Failure, run } from './run.mjs';
 import { filesBelow } from './stamp.mjs';
 import { tidyWorker } from './tidy.mjs';
 
-const CPP_FOLDERS = ['core/include', 'core/src', 'native', 'wasm/bindings', 'tests/core'];
+const CPP_FOLDERS = [
+  'core/include',
+  'core/src',
+  'core/formats',
+  'native',
+  'wasm/bindings',
+  'tests/core',
+];
 const BIOME = join(ROOT, 'node_modules/.bin/biome');
 
 /** What the checks need: the compile commands, and the types, which both builds check. */
@@ -54,6 +62,11 @@ export const formatJobs = ({ fix = false } = {}) =>
     }),
   );
 
+async function checkLayers() {
+  const faults = layerFaults(ROOT);
+  return { isClean: faults.length === 0, output: faults.map((fault) => `${fault}\n`).join('') };
+}
+
 /** All checks, with `long` deeper ones. clang-tidy is as many jobs as there are cores, which share its work. */
 export function checkJobs({ long = false } = {}) {
   let worker;
@@ -62,5 +75,5 @@ export function checkJobs({ long = false } = {}) {
     return worker();
   };
   const tidyJobs = Array.from({ length: Number(JOBS) }, (_, i) => job(`clangTidy ${i + 1}`, tidy));
-  return [...tidyJobs, ...formatJobs()];
+  return [...tidyJobs, ...formatJobs(), job('layers', checkLayers)];
 }

@@ -4,7 +4,9 @@ import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT } from './paths.mjs';
 
-const FOLDERS = ['core/src', 'core/include', 'native/src'].map((folder) => join(ROOT, folder));
+const FOLDERS = ['core/src', 'core/formats', 'core/include', 'native/src'].map((folder) =>
+  join(ROOT, folder),
+);
 const INCLUDE = /^[ \t]*#[ \t]*include[ \t]+"([^"]+)"/gm;
 
 /** A function from a file to the sorted list of all files that decide about it; others' headers are left out. */

@@ -2,7 +2,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/cholesky/front_kernel.h"
 
 namespace abflat::bench {

@@ -15,9 +15,9 @@
 #include "abflat/flatten.h"
 #include "abflat/io.h"
 #include "abflat/peak_memory.h"
+#include "base/stopwatch.h"
 #include "bench_matrices.h"
 #include "factor_rows.h"
-#include "stopwatch.h"
 
 using namespace abflat;
 

@@ -9,6 +9,7 @@
 
 #include "abflat/io.h"
 #include "angle/angle_problem.h"
+#include "base/stopwatch.h"
 #include "chart/disk_chart.h"
 #include "check/crossings.h"
 #include "check/distortion.h"
@@ -19,7 +20,6 @@
 #include "solve/cholesky/cholesky.h"
 #include "solve/conjugate_gradients.h"
 #include "solve/schur_system.h"
-#include "stopwatch.h"
 
 using namespace abflat;
 

@@ -8,7 +8,7 @@
 
 #include "abflat/flatten.h"
 #include "bench_matrices.h"
-#include "flatten_chart.h"
+#include "flatten/flatten_chart.h"
 #include "refine/refine.h"
 
 using namespace abflat;

@@ -15,10 +15,10 @@
 
 #include "abflat/flatten.h"
 #include "abflat/io.h"
+#include "base/stopwatch.h"
 #include "bench_matrices.h"
 #include "mesh/surface.h"
 #include "seam/find_seams.h"
-#include "stopwatch.h"
 #include "support/isosurface.h"
 
 using namespace abflat;

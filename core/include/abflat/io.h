@@ -21,10 +21,6 @@ Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view byte
 /// mesh.
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName);
 
-/// Checks arrays that did not come from a file: index ranges, finite coordinates, face sizes.
-/// Errors: InvalidMesh (names vertex, face or corner).
-Status validateArrays(const PolygonMesh& mesh);
-
 /// OBJ text of the mesh with texcoords: the faces in their order, corner order and degree.
 /// `uv` has 2 coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of
 /// faceVertices). When `sourceObj` is the OBJ text that `mesh` was read from, everything but

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "abflat/status.h"
+
 namespace abflat {
 
 /// In place of a number in faceTexcoords.
@@ -30,5 +32,9 @@ struct PolygonMesh {
 
 /// A mesh of triangles only. `indices` has 3 vertices per triangle.
 PolygonMesh makeTriangleMesh(std::vector<double> positions, std::vector<std::uint32_t> indices);
+
+/// Checks arrays that did not come from a file: index ranges, finite coordinates, face sizes.
+/// Errors: InvalidMesh (names vertex, face or corner).
+Status validateArrays(const PolygonMesh& mesh);
 
 }  // namespace abflat

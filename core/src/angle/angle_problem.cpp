@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {

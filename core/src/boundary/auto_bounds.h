@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "abflat/flatten.h"
+#include "abflat/generated/flatten_options.h"
 #include "boundary/chart_flattener.h"
 
 namespace abflat {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "angle/constants.h"
+#include "base/constants.h"
+#include "base/stopwatch.h"
 #include "layout/layout.h"
 #include "layout/tutte.h"
 #include "solve/angle_solver.h"
 #include "solve/interior_point.h"
-#include "stopwatch.h"
 
 namespace abflat {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "abflat/flatten.h"
+#include "abflat/chart_report.h"
 #include "angle/angle_problem.h"
 #include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"

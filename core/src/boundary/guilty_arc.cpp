@@ -1,6 +1,6 @@
 #include "boundary/guilty_arc.h"
 
-#include "angle/constants.h"
+#include "base/constants.h"
 
 namespace abflat {
 

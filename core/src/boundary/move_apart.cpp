@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/portable_math.h"
 #include "boundary/guilty_arc.h"
-#include "portable_math.h"
 
 namespace abflat {
 namespace {

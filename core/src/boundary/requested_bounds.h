@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "abflat/flatten.h"
+#include "abflat/flatten_options.h"
+#include "abflat/status.h"
 #include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "check/validity.h"
 
 namespace abflat {

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "abflat/flatten.h"
+#include "abflat/chart_report.h"
+#include "abflat/status.h"
 #include "chart/disk_chart.h"
 
 namespace abflat {

@@ -5,10 +5,10 @@
 #include <functional>
 #include <set>
 
-#include "angle/constants.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
+#include "base/stable_order.h"
 #include "boundary/guilty_arc.h"
-#include "portable_math.h"
-#include "stable_order.h"
 
 namespace abflat {
 namespace {

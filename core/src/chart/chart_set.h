@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
-#include "hole/filled_table.h"
+#include "cut/filled_table.h"
 
 namespace abflat {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "check/boundary_curves.h"
-#include "check/orientation.h"
-#include "check/overlap.h"
+#include "exact/orientation.h"
+#include "exact/overlap.h"
 
 namespace abflat {
 namespace {

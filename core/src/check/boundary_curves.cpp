@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "check/orientation.h"
+#include "exact/orientation.h"
 
 namespace abflat {
 namespace {

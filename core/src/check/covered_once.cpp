@@ -5,7 +5,7 @@
 #include <numeric>
 #include <set>
 
-#include "check/segments.h"
+#include "exact/segments.h"
 
 namespace abflat {
 namespace {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "check/orientation.h"
-#include "check/segments.h"
 #include "check/simple_polygon.h"
+#include "exact/orientation.h"
+#include "exact/segments.h"
 
 namespace abflat {
 namespace {

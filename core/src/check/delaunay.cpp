@@ -1,7 +1,7 @@
 #include "check/delaunay.h"
 
-#include "check/in_circle.h"
-#include "check/orientation.h"
+#include "exact/in_circle.h"
+#include "exact/orientation.h"
 
 namespace abflat {
 

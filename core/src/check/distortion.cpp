@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/portable_math.h"
 #include "mesh/triangle_geometry.h"
-#include "portable_math.h"
 
 namespace abflat {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "check/orientation.h"
-#include "check/segments.h"
+#include "exact/orientation.h"
+#include "exact/segments.h"
 
 namespace abflat {
 namespace {

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "abflat/draw.h"
+#include "base/number_text.h"
 #include "draw/atlas_polygons.h"
 #include "draw/colours.h"
 #include "draw/layout_outline.h"
 #include "draw/svg_writer.h"
 #include "draw/theme.h"
-#include "io/number_text.h"
 
 namespace abflat {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 
 namespace abflat {
 namespace {

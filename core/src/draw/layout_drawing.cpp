@@ -6,10 +6,10 @@
 
 #include "abflat/draw.h"
 #include "check/crossings.h"
-#include "check/in_circle.h"
-#include "check/orientation.h"
 #include "draw/layout_outline.h"
 #include "draw/panel.h"
+#include "exact/in_circle.h"
+#include "exact/orientation.h"
 
 namespace abflat {
 namespace {

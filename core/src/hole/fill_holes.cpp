@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "hole/triangulate_rim.h"
 
 namespace abflat {

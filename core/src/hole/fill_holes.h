@@ -1,7 +1,7 @@
 #pragma once
 
 #include "abflat/generated/unwrap_options.h"
-#include "seam/cut_surface.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 

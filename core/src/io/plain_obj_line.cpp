@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/text_cursor.h"
 
 namespace abflat {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/parse_error.h"
 #include "io/text_lines.h"
 

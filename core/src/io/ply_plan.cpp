@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/ply_value.h"
 
 namespace abflat {

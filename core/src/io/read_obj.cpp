@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/obj_lines.h"
 #include "io/parse_error.h"
 #include "io/plain_obj_line.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/parse_error.h"
 #include "io/text_lines.h"
 

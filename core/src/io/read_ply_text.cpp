@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/parse_error.h"
 #include "io/ply_messages.h"
 #include "io/ply_texcoords.h"

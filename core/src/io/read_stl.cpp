@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/parse_error.h"
 #include "io/ply_value.h"
 #include "io/text_lines.h"
-#include "io/vertex_table.h"
+#include "mesh/vertex_table.h"
 
 namespace abflat {
 namespace {

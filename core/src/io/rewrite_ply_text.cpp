@@ -1,4 +1,4 @@
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/rewrite_ply.h"
 #include "io/text_lines.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
 
 namespace abflat {
 

@@ -1,5 +1,5 @@
 #include "abflat/io.h"
-#include "io/number_text.h"
+#include "base/number_text.h"
 #include "io/obj_lines.h"
 #include "io/plain_obj_line.h"
 #include "io/text_lines.h"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 #include "mesh/triangle_geometry.h"
-#include "portable_math.h"
 #include "solve/general_solve.h"
+#include "solve/sparse_assembly.h"
 #include "solve/symmetric_solve.h"
-#include "sparse_assembly.h"
 
 namespace abflat {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/orientation.h"
+#include "base/portable_math.h"
+#include "exact/orientation.h"
 #include "mesh/triangle_geometry.h"
-#include "portable_math.h"
 
 namespace abflat {
 namespace {

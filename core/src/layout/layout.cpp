@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "angle/constants.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 #include "layout/diameter.h"
 #include "mesh/triangle_geometry.h"
-#include "portable_math.h"
 
 namespace abflat {
 namespace {

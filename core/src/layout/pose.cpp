@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 
 namespace abflat {
 namespace {

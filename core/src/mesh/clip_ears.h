@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pulse.h"
+#include "base/pulse.h"
 
 namespace abflat {
 

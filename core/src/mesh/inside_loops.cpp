@@ -4,12 +4,12 @@
 #include <array>
 #include <numeric>
 
-#include "check/orientation.h"
-#include "check/overlap.h"
+#include "base/stable_order.h"
+#include "exact/orientation.h"
+#include "exact/overlap.h"
 #include "mesh/clip_ears.h"
 #include "mesh/corner_table.h"
 #include "mesh/project_polygon.h"
-#include "stable_order.h"
 
 namespace abflat {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "angle/constants.h"
-#include "portable_math.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 
 namespace abflat {
 

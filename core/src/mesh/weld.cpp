@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "io/vertex_table.h"
 #include "mesh/corner_table.h"
+#include "mesh/vertex_table.h"
 
 namespace abflat {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "pulse.h"
+#include "base/pulse.h"
 
 namespace abflat {
 

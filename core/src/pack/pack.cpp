@@ -6,10 +6,10 @@
 #include <string>
 #include <type_traits>
 
-#include "io/number_text.h"
+#include "base/number_text.h"
+#include "base/stopwatch.h"
 #include "pack/scale_search.h"
 #include "pack/strategies.h"
-#include "stopwatch.h"
 
 namespace abflat {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "abflat/status.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace abflat {
 

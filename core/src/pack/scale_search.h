@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/parallel.h"
 #include "pack/placer.h"
-#include "parallel.h"
 
 namespace abflat {
 

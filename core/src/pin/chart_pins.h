@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "abflat/flatten.h"
+#include "abflat/mesh.h"
+#include "abflat/pins.h"
+#include "abflat/status.h"
 #include "pin/pinned_layout.h"
 
 namespace abflat {

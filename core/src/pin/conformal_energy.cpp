@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "mesh/triangle_geometry.h"
-#include "sparse_assembly.h"
+#include "solve/sparse_assembly.h"
 
 namespace abflat {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 #include "reference/corner_angles.h"
 
 namespace abflat {

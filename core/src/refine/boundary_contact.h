@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "portable_math.h"
-#include "sparse_assembly.h"
+#include "base/portable_math.h"
+#include "solve/sparse_assembly.h"
 
 namespace abflat {
 

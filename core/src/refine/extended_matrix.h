@@ -3,7 +3,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "sparse_assembly.h"
+#include "solve/sparse_assembly.h"
 
 namespace abflat {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "base/parallel.h"
 #include "chart/disk_chart.h"
-#include "parallel.h"
 #include "refine/rest_triangles.h"
 
 namespace abflat {

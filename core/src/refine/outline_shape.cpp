@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "angle/constants.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 #include "mesh/triangle_geometry.h"
-#include "portable_math.h"
 
 namespace abflat {
 namespace {

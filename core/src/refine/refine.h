@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/parallel.h"
 #include "chart/disk_chart.h"
-#include "parallel.h"
 #include "refine/outline_shape.h"
 #include "solve/factor_memory.h"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.h"
 #include "chart/disk_chart.h"
-#include "parallel.h"
 #include "refine/rest_triangles.h"
 
 namespace abflat {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "abflat/flatten.h"
+#include "abflat/generated/flatten_options.h"
 
 namespace abflat {
 

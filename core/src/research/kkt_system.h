@@ -2,7 +2,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "abflat/flatten.h"
+#include "abflat/generated/flatten_options.h"
 #include "solve/newton_step_solver.h"
 
 namespace abflat {

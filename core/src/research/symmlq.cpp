@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 #include "research/lanczos.h"
 
 namespace abflat {

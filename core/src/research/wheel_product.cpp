@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 
 namespace abflat {
 

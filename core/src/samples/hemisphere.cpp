@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 #include "samples/generators.h"
 #include "samples/grid.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "portable_math.h"
+#include "base/portable_math.h"
 #include "samples/generators.h"
 #include "samples/grid.h"
 

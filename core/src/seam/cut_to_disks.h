@@ -1,6 +1,6 @@
 #pragma once
 
-#include "seam/cut_surface.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "pulse.h"
-#include "seam/cut_surface.h"
+#include "base/pulse.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stopwatch.h"
 #include "hole/fill_holes.h"
-#include "hole/stretched_holes.h"
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
 #include "seam/fair_seams.h"
@@ -14,8 +14,8 @@
 #include "seam/shorten_seams.h"
 #include "seam/slits.h"
 #include "seam/split_charts.h"
+#include "seam/stretched_holes.h"
 #include "seam/symmetric_seams.h"
-#include "stopwatch.h"
 
 namespace abflat {
 namespace {

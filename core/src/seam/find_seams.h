@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
-#include "parallel.h"
-#include "seam/cut_surface.h"
+#include "base/parallel.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "abflat/unwrap.h"
+#include "abflat/seam_sources.h"
+#include "cut/cut_surface.h"
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
-#include "seam/cut_surface.h"
 
 namespace abflat {
 

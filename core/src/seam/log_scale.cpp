@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 
 namespace abflat {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "parallel.h"
-#include "seam/cut_surface.h"
+#include "base/parallel.h"
+#include "cut/cut_surface.h"
 #include "solve/cholesky/cholesky.h"
 
 namespace abflat {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {

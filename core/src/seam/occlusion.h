@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "seam/surface_mesh.h"
+#include "cut/surface_mesh.h"
 
 namespace abflat {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 #include "check/crossings.h"
-#include "portable_math.h"
 
 namespace abflat {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "seam/cut_surface.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 

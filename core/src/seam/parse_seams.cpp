@@ -1,5 +1,5 @@
-#include "abflat/unwrap.h"
-#include "io/number_text.h"
+#include "abflat/seam_sources.h"
+#include "base/number_text.h"
 
 namespace abflat {
 namespace {

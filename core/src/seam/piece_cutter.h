@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "cut/cut_surface.h"
 #include "pack/outline.h"
-#include "seam/cut_surface.h"
 
 namespace abflat {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angle/constants.h"
-#include "portable_math.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 
 namespace abflat {
 namespace {

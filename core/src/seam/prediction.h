@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "seam/cut_surface.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 

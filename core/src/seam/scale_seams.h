@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "cut/cut_surface.h"
 #include "mesh/surface.h"
-#include "seam/cut_surface.h"
 
 namespace abflat {
 

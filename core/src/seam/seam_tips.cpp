@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "angle/constants.h"
-#include "portable_math.h"
+#include "base/constants.h"
+#include "base/portable_math.h"
 
 namespace abflat {
 namespace {

@@ -4,10 +4,10 @@
 #include <limits>
 #include <map>
 
+#include "base/stable_order.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
-#include "stable_order.h"
 
 namespace abflat {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "angle/constants.h"
-#include "stopwatch.h"
+#include "base/constants.h"
+#include "base/stopwatch.h"
 
 namespace abflat {
 namespace {

@@ -5,8 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "abflat/flatten.h"
-#include "parallel.h"
+#include "abflat/generated/flatten_options.h"
+#include "abflat/newton_step.h"
+#include "base/parallel.h"
 #include "solve/linearization.h"
 
 namespace abflat {

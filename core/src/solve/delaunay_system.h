@@ -4,7 +4,7 @@
 
 #include "solve/newton_step_solver.h"
 #include "solve/row_solver.h"
-#include "sparse_assembly.h"
+#include "solve/sparse_assembly.h"
 
 namespace abflat {
 

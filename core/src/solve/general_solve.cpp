@@ -1,7 +1,7 @@
 #include "solve/general_solve.h"
 
 #include "solve/cholesky/cholesky.h"
-#include "sparse_assembly.h"
+#include "solve/sparse_assembly.h"
 
 namespace abflat {
 namespace {

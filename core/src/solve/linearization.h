@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "angle/angle_problem.h"
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/element.h"
 
 namespace abflat {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "abflat/flatten.h"
+#include "abflat/generated/flatten_options.h"
 #include "solve/newton_step_solver.h"
 
 namespace abflat {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/problems.h"

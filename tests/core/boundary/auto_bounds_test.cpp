@@ -5,10 +5,10 @@
 
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
-#include "chart_report.h"
+#include "flatten/chart_report.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 #include "support/squares.h"

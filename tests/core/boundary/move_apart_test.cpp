@@ -5,7 +5,7 @@
 #include <string>
 
 #include "abflat/unwrap.h"
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/problems.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "abflat/unwrap.h"
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "catch.h"
 #include "check/validity.h"
 #include "mesh/surface.h"

@@ -1,6 +1,6 @@
 #include "hole/fill_holes.h"
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "catch.h"
 #include "chart/chart_set.h"
 #include "seam/path_forest.h"

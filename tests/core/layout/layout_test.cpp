@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "layout/diameter.h"

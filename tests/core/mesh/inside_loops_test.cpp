@@ -7,8 +7,8 @@
 
 #include "abflat/unwrap.h"
 #include "catch.h"
-#include "check/orientation.h"
-#include "check/overlap.h"
+#include "exact/orientation.h"
+#include "exact/overlap.h"
 #include "mesh/corner_table.h"
 #include "mesh/triangulate.h"
 #include "mesh/welded_mesh.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "abflat/samples.h"
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "catch.h"
 #include "check/validity.h"
 #include "layout/tutte.h"

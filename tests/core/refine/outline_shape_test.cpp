@@ -7,7 +7,7 @@
 #include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "check/validity.h"
-#include "refine_chart.h"
+#include "flatten/refine_chart.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 #include "support/refined.h"

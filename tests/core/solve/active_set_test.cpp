@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "catch.h"
 #include "mesh/corner_table.h"
 #include "solve/angle_solver.h"

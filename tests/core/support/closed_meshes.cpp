@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "angle/constants.h"
+#include "base/constants.h"
 #include "support/isosurface.h"
 #include "support/meshes.h"
 

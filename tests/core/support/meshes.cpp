@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "abflat/io.h"
-#include "angle/constants.h"
+#include "base/constants.h"
 
 namespace abflat::test {
 namespace {

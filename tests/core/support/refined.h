@@ -2,7 +2,7 @@
 
 #include "boundary/chart_flattener.h"
 #include "catch.h"
-#include "flatten_chart.h"
+#include "flatten/flatten_chart.h"
 #include "refine/refine.h"
 
 namespace abflat::test {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/cholesky/front_kernel.h"
 #include "solve/cholesky/large_buffer.h"
 #include "solve/cholesky/symbolic.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/cholesky/large_buffer.h"
 
 namespace abflat {

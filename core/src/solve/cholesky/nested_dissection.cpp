@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/stable_order.h"
 #include "solve/cholesky/minimum_degree.h"
 #include "solve/cholesky/separator.h"
-#include "stable_order.h"
 
 namespace abflat {
 namespace {

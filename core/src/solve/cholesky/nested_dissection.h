@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/cholesky/graph.h"
 
 namespace abflat {

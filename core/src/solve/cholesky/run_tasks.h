@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/cholesky/tasks.h"
 
 namespace abflat {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stable_order.h"
 #include "solve/cholesky/coarsen.h"
-#include "stable_order.h"
 
 namespace abflat {
 namespace {

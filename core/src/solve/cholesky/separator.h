@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "solve/cholesky/graph.h"
 
 namespace abflat {

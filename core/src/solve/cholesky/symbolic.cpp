@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stable_order.h"
+#include "base/stable_order.h"
 
 namespace abflat {
 namespace {

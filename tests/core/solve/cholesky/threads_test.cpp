@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/parallel.h"
 #include "catch.h"
-#include "parallel.h"
 #include "solve/cholesky/cholesky.h"
 #include "solve/cholesky/matrices.h"
 #include "support/instrumented.h"

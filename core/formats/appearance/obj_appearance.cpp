@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "appearance/color.h"
+#include "appearance/images.h"
+#include "appearance/mtl.h"
+#include "appearance/readers.h"
+#include "base/number_text.h"
+#include "io/obj_lines.h"
+#include "io/text_lines.h"
+
+namespace abflat {
+namespace {
+
+/// Walks over a text that has been read as mesh: its faces are well formed.
+class ObjAppearanceReader {
+ public:
+  ObjAppearanceReader(const PolygonMesh& mesh, Appearance& out) : mesh_(mesh), out_(out) {}
+
+  /// What names material files is added to `libraries`.
+  void run(std::string_view text, std::vector<std::string>& libraries) {
+    ObjLines lines(text);
+    ObjLine line;
+    while (lines.next(line)) {
+      if (line.kind == ObjLine::Kind::Vertex) vertex(line);
+      if (line.kind == ObjLine::Kind::Face) face(line);
+      if (line.kind == ObjLine::Kind::Other) other(line.text, libraries);
+    }
+    if (!out_.colors.empty()) out_.colors.resize(4 * mesh_.vertexCount(), 1);
+    if (!out_.faceNormals.empty()) out_.faceNormals.resize(mesh_.faceVertices.size(), kNoNormal);
+    if (!out_.objectNames.empty()) out_.faceObjects.resize(mesh_.faceCount(), object_);
+  }
+
+ private:
+  /// "x y z r g b"; four numbers are x, y, z and a weight.
+  void vertex(const ObjLine& line) {
+    std::string_view words = argumentsOf(line, storage_);
+    for (int d = 0; d < 3; ++d) takeWord(words);
+    double color[4] = {0, 0, 0, 1};
+    bool hasColor = true;
+    for (int d = 0; d < 3 && hasColor; ++d) hasColor = parseDouble(takeWord(words), color[d]);
+    if (hasColor && takeWord(words).empty()) {
+      out_.colors.resize(4 * vertex_, 1);
+      out_.colors.insert(out_.colors.end(), color, color + 4);
+    }
+    ++vertex_;
+  }
+
+  void face(const ObjLine& line) {
+    std::string_view words = argumentsOf(line, storage_);
+    const auto known = static_cast<std::int64_t>(out_.normals.size() / 3);
+    for (std::string_view word = takeWord(words); !word.empty();
+         word = takeWord(words), ++corner_) {
+      const std::size_t texcoord = word.find('/');
+      if (texcoord == std::string_view::npos) continue;
+      const std::size_t normal = word.find('/', texcoord + 1);
+      std::int64_t index = 0;
+      if (normal == std::string_view::npos || !parseInteger(word.substr(normal + 1), index) ||
+          index == 0 || (index < 0 && index < -known) || index > kNoNormal)
+        continue;
+      if (out_.faceNormals.empty()) out_.faceNormals.reserve(mesh_.faceVertices.size());
+      out_.faceNormals.resize(corner_, kNoNormal);
+      out_.faceNormals.push_back(static_cast<std::uint32_t>(index > 0 ? index - 1 : known + index));
+    }
+    ++face_;
+  }
+
+  void other(std::string_view line, std::vector<std::string>& libraries) {
+    const std::string_view keyword = takeWord(line);
+    if (keyword == "vn") normal(restOfLine(line));
+    if (keyword == "o") object(restOfLine(line));
+    if (keyword == "mtllib") libraries.emplace_back(restOfLine(line));
+  }
+
+  void normal(std::string_view words) {
+    for (int d = 0; d < 3; ++d) {
+      double value = 0;
+      if (!parseDouble(takeWord(words), value)) value = std::numeric_limits<double>::quiet_NaN();
+      out_.normals.push_back(value);
+    }
+  }
+
+  /// Faces before the first have one of their own.
+  void object(std::string_view name) {
+    if (objects_.empty() && face_ > 0) addObject("");
+    out_.faceObjects.resize(face_, object_);
+    addObject(name);
+  }
+
+  void addObject(std::string_view name) {
+    const auto number = static_cast<std::uint32_t>(objects_.size());
+    const auto [known, isNew] = objects_.emplace(name, number);
+    object_ = known->second;
+    if (isNew) out_.objectNames.emplace_back(name);
+  }
+
+  const PolygonMesh& mesh_;
+  Appearance& out_;
+  std::size_t vertex_ = 0, face_ = 0, corner_ = 0;             ///< the next
+  std::map<std::string, std::uint32_t, std::less<>> objects_;  ///< numbers by name
+  std::uint32_t object_ = 0;                                   ///< of the faces that come
+  std::string storage_;
+};
+
+MaterialLook lookOf(const MtlMaterial& mtl) {
+  MaterialLook out;
+  for (std::size_t d = 0; d < 3; ++d) {
+    // An image takes the place of the colour: many programs write black, or grey, beside one.
+    out.baseColor[d] = mtl.diffuseMap.empty() ? linearOfSrgb(mtl.diffuse[d]) : 1;
+    out.emission[d] = linearOfSrgb(mtl.emission[d]);
+  }
+  out.baseColor[3] = mtl.opacity;
+  out.metallic = mtl.metallic;
+  out.roughness = mtl.roughness;
+  return out;
+}
+
+/// Materials with the folder that their images are relative to.
+struct Library {
+  MtlMaterials materials;
+  std::string folder;
+};
+
+/// Of the words behind `mtllib`: names of files, or, where there is such a file, one name.
+class Libraries {
+ public:
+  Libraries(const ReadResource& readResource, Appearance& out)
+      : readResource_(readResource), out_(out) {}
+
+  void add(const std::string& line) {
+    const Status whole = read(line);
+    if (whole.ok()) return;
+    std::vector<std::string> missing;
+    std::string_view words = line;
+    bool hasAny = false;
+    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words)) {
+      const Status s = read(std::string(word));
+      hasAny = hasAny || s.ok();
+      if (!s.ok()) missing.push_back("materials of " + std::string(word) + kNamesOnly + s.message);
+    }
+    if (!hasAny) missing = {"materials of " + line + kNamesOnly + whole.message};
+    out_.notes.insert(out_.notes.end(), missing.begin(), missing.end());
+  }
+
+  const std::vector<Library>& found() const { return found_; }
+
+ private:
+  static constexpr const char* kNamesOnly = " are names only: ";
+
+  Status read(const std::string& name) {
+    const Result<std::string> text = readResource_(name);
+    if (!text.ok()) return text.status;
+    readMtl(text.value, found_.emplace_back().materials);
+    found_.back().folder = folderOf(name);
+    return {};
+  }
+
+  const ReadResource& readResource_;
+  Appearance& out_;
+  std::vector<Library> found_;
+};
+
+/// The first library that has the material counts.
+MaterialLook lookNamed(const std::string& name, const std::vector<Library>& libraries,
+                       Images& images) {
+  for (const Library& library : libraries) {
+    const auto known = library.materials.find(name);
+    if (known == library.materials.end()) continue;
+    MaterialLook look = lookOf(known->second);
+    const std::string& map = known->second.diffuseMap;
+    if (!map.empty()) look.image = images.numberOf(library.folder, map);
+    return look;
+  }
+  return {};
+}
+
+}  // namespace
+
+void readObjAppearance(std::string_view bytes, const PolygonMesh& mesh,
+                       const ReadResource& readResource, Appearance& out) {
+  std::vector<std::string> lines;  // behind mtllib, which some programs repeat for each object
+  ObjAppearanceReader(mesh, out).run(bytes, lines);
+  Libraries libraries(readResource, out);
+  std::set<std::string_view> known;
+  for (const std::string& line : lines)
+    if (known.insert(line).second) libraries.add(line);
+  if (libraries.found().empty()) return;
+  Images images(readResource, out);
+  for (const std::string& name : mesh.materialNames)
+    out.materials.push_back(lookNamed(name, libraries.found(), images));
+}
+
+}  // namespace abflat

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/pulse.h"
+
+#if ABFLAT_THREADS
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#endif
+
+namespace abflat {
+
+/// Processors that threads can run on; 1 in a build without threads.
+unsigned processors();
+
+class TaskGroup;
+
+/// Threads that wait for tasks. In a build without threads there is only the caller's.
+///
+/// How work is split and in which order numbers are added up must never depend on the threads: then
+/// results do not either.
+class ThreadPool {
+ public:
+  /// `threads` counts the caller's; 0: as many as there are processors. Where the system refuses to
+  /// start as many there are fewer.
+  explicit ThreadPool(unsigned threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  unsigned threads() const;
+
+  /// Whether this is the thread that made the pool: the only one that may call the user's
+  /// functions.
+  bool isOwner() const;
+
+  /// From now on the owner's thread lets `pulse` beat while it works and waits. It must outlive the
+  /// pool.
+  void listen(const Pulse& pulse) { pulse_ = &pulse; }
+  /// After `steps` small steps of work, whichever thread did them.
+  void beat(std::size_t steps) const {
+    if (pulse_ && isOwner()) pulse_->beat(steps);
+  }
+
+ private:
+  const Pulse* pulse_ = nullptr;
+
+#if ABFLAT_THREADS
+  friend class TaskGroup;
+
+  void work();
+  /// Runs one task of the oldest group from `first` on that has any: groups within a task are newer
+  /// than the task's. `lock` is held before and after. False when there is none.
+  bool runOne(std::unique_lock<std::mutex>& lock, const TaskGroup* first);
+  /// Waits until something may have changed.
+  void pause(std::unique_lock<std::mutex>& lock);
+  void announce();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::atomic<unsigned> changes_{0};
+  std::vector<TaskGroup*> groups_;  ///< open ones, the oldest first
+  bool isEnding_ = false;
+  const std::thread::id owner_ = std::this_thread::get_id();
+  std::vector<std::thread> threads_;
+#endif
+};
+
+/// Tasks that may run at the same time, and may add further ones. Groups of one thread nest. Of the
+/// tasks of a group the last one added runs first.
+class TaskGroup {
+ public:
+  using Task = std::function<void()>;
+
+  explicit TaskGroup(ThreadPool* pool);  ///< null: wait() runs all
+  ~TaskGroup();
+  TaskGroup(const TaskGroup&) = delete;
+  TaskGroup& operator=(const TaskGroup&) = delete;
+
+  /// By the group's owner before wait(), or by one of its tasks.
+  void add(Task task);
+
+  /// Runs tasks until all are done. Lack of memory in one of them ends the others that have not
+  /// begun, and shows here as it does in a single thread.
+  void wait();
+
+ private:
+  std::vector<Task> ready_;
+  void runAll();
+#if ABFLAT_THREADS
+  friend class ThreadPool;
+
+  void finish();
+
+  ThreadPool* pool_;  ///< null: one thread
+  std::size_t unfinished_ = 0;
+  std::exception_ptr error_;
+#endif
+};
+
+/// work(i) for each i below `count`, in any order and at the same time.
+void parallelFor(ThreadPool* pool, std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// work(begin, end) for ranges of `grain` that together are [0, count).
+void parallelRanges(ThreadPool* pool, std::size_t count, std::size_t grain,
+                    const std::function<void(std::size_t, std::size_t)>& work);
+
+#if ABFLAT_THREADS
+using SharedMutex = std::mutex;
+#else
+struct SharedMutex {
+  void lock() {}
+  void unlock() {}
+};
+#endif
+
+struct SharedLock {
+  explicit SharedLock(SharedMutex& mutex) : mutex_(mutex) { mutex_.lock(); }
+  ~SharedLock() { mutex_.unlock(); }
+  SharedLock(const SharedLock&) = delete;
+  SharedLock& operator=(const SharedLock&) = delete;
+
+ private:
+  SharedMutex& mutex_;
+};
+
+/// Work space that a task leaves to the next one: as many as run at the same time.
+template <typename T>
+class Spares {
+ public:
+  /// Null when there is none.
+  std::unique_ptr<T> take() {
+    const SharedLock lock(mutex_);
+    if (spares_.empty()) return nullptr;
+    std::unique_ptr<T> spare = std::move(spares_.back());
+    spares_.pop_back();
+    return spare;
+  }
+  void give(std::unique_ptr<T> spare) {
+    const SharedLock lock(mutex_);
+    spares_.push_back(std::move(spare));
+  }
+
+ private:
+  SharedMutex mutex_;
+  std::vector<std::unique_ptr<T>> spares_;
+};
+
+inline bool isParallel(const ThreadPool* pool) { return pool && pool->threads() > 1; }
+
+inline void beat(const ThreadPool* pool, std::size_t steps) {
+  if (pool) pool->beat(steps);
+}
+
+}  // namespace abflat

@@ -1,0 +1,148 @@
+#include "cut/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Steps of the grid over the extent: far finer than any feature, far coarser than the rounding
+/// that a change of unit brings.
+constexpr double kGrid = 268435456;  // 2^28
+
+/// Of an extent beside the largest one: areas of anything smaller would be 0.
+constexpr double kLeastScale = 1e-120;
+
+/// Cotangent weights outside of this come from needles; inside, the matrix is well conditioned.
+constexpr double kLeastWeight = 0.01, kMostWeight = 50;
+
+/// What holds the coordinates of one scale, halved so that no difference overflows.
+struct Extent {
+  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  double most = 0;
+};
+
+std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans,
+                           const std::vector<std::uint8_t>& scale) {
+  const std::size_t count = fans.inputVertex.size();
+  std::vector<std::uint8_t> ofFan(count, 0);
+  for (std::size_t c = 0; c < 3 * scale.size(); ++c) ofFan[fans.ofCorner[c]] = scale[c / 3];
+  const auto at = [&](std::size_t i, std::size_t d) {
+    return positions[3 * static_cast<std::size_t>(fans.inputVertex[i]) + d] / 2;
+  };
+  std::vector<Extent> extents(256);
+  for (std::size_t d = 0; d < 3; ++d) {
+    for (std::size_t i = 0; i < count; ++i) {
+      double& low = extents[ofFan[i]].low[d];
+      low = std::min(low, at(i, d));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      Extent& extent = extents[ofFan[i]];
+      extent.most = std::max(extent.most, at(i, d) - extent.low[d]);
+    }
+  }
+  double largest = 0;
+  for (const Extent& extent : extents) largest = std::max(largest, extent.most);
+  std::vector<double> out;
+  out.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Extent& extent = extents[ofFan[i]];
+      const double x = at(i, d) - extent.low[d];
+      const double rounded = std::floor(x / extent.most * kGrid + 0.5) / kGrid;
+      out.push_back(extent.most > 0 ? rounded * std::max(extent.most / largest, kLeastScale) : 0);
+    }
+  return out;
+}
+
+void measureTriangle(SeamMesh& m, std::uint32_t f, std::vector<double>& cotangent) {
+  const std::uint32_t* v = &m.vertexOfCorner[3 * f];
+  std::array<Vec3, 3> e;
+  for (std::size_t k = 0; k < 3; ++k) e[k] = edgeVector(m.positions, v[k], v[(k + 1) % 3]);
+  const double doubleArea = norm(cross(e[0], e[1]));
+  m.area[f] = doubleArea / 2;
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, m.length[3 * f + k] = norm(e[k]));
+  constexpr double kFlat = 1e-9;  // of the longest side squared
+  const bool isFlat = !(doubleArea > kFlat * longest * longest);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double along = -dot(e[k], e[(k + 2) % 3]);
+    cotangent[3 * f + k] = isFlat ? 1 / std::sqrt(3.0) : along / doubleArea;
+    m.angle[3 * f + k] = isFlat ? kPi / 3 : portable::atan2(doubleArea, along);
+  }
+}
+
+/// 0 where the surface is flat or convex, 1 in a sharp crease that opens outwards.
+double creaseShare(const SeamMesh& m, std::uint32_t h) {
+  const std::uint32_t o = m.twin[h];
+  const std::uint32_t *v = &m.vertexOfCorner[3 * (h / 3)], *w = &m.vertexOfCorner[3 * (o / 3)];
+  const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
+  const Vec3 q = cross(edgeVector(m.positions, w[0], w[1]), edgeVector(m.positions, w[0], w[2]));
+  const double scale = norm(n) * norm(q);
+  if (!(scale > 0)) return 0;
+  const double bend = (1 - dot(n, q) / scale) / 2;  // 0 flat, 1/2 at a right angle
+  const Vec3 across = edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[prevCorner(o)]);
+  const double share = std::min(1.0, 2 * bend);
+  return dot(across, n) > 0 ? share : share / 2;  // a convex ridge hides a seam less than a crease
+}
+
+void weighEdges(SeamMesh& m, const std::vector<double>& cotangent) {
+  constexpr double kDiscount = 0.4;
+  for (std::uint32_t h = 0; h < m.twin.size(); ++h) {
+    const std::uint32_t o = m.twin[h];
+    if (o != kNone && o < h) continue;
+    double w = cotangent[prevCorner(h)] / 2;
+    m.cost[h] = m.length[h];
+    if (o != kNone) {
+      w += cotangent[prevCorner(o)] / 2;
+      m.length[o] = m.length[h];
+      m.cost[h] = m.cost[o] = m.length[h] * (1 - kDiscount * creaseShare(m, h));
+    }
+    m.weight[h] = std::clamp(w, kLeastWeight, kMostWeight);
+    if (o != kNone) m.weight[o] = m.weight[h];
+  }
+}
+
+}  // namespace
+
+double SeamMesh::totalArea() const {
+  double sum = 0;
+  for (const double a : area) sum += a;
+  return sum;
+}
+
+SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
+                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal,
+                      const std::vector<std::uint8_t>& scale, const Pulse& pulse) {
+  SeamMesh m;
+  m.vertexOfCorner = fans.ofCorner;
+  m.twin = table.twin;
+  m.positions = onGrid(positions, fans, scale);
+  const std::size_t corners = m.vertexOfCorner.size();
+  m.angle.resize(corners);
+  m.area.resize(corners / 3);
+  m.length.resize(corners);
+  m.cost.resize(corners);
+  m.weight.resize(corners);
+  std::vector<double> cotangent(corners);
+  for (std::uint32_t f = 0; f < m.triangleCount(); ++f) {
+    measureTriangle(m, f, cotangent);
+    pulse.beat();
+  }
+  weighEdges(m, cotangent);
+  pulse.beat(corners);
+  for (std::size_t h = 0; h < isDiagonal.size(); ++h)
+    if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();
+  m.vertexArea.assign(fans.inputVertex.size(), 0);
+  m.angleSum.assign(fans.inputVertex.size(), 0);
+  for (std::uint32_t c = 0; c < corners; ++c) {
+    m.vertexArea[m.vertexOfCorner[c]] += m.area[c / 3] / 3;
+    m.angleSum[m.vertexOfCorner[c]] += m.angle[c];
+  }
+  return m;
+}
+
+}  // namespace abflat

@@ -1,0 +1,96 @@
+#include "exact/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/stable_order.h"
+#include "exact/orientation.h"
+
+namespace abflat {
+namespace {
+
+struct Box {
+  double low[2], high[2];
+
+  bool meets(const Box& o) const {
+    return low[0] < o.high[0] && o.low[0] < high[0] && low[1] < o.high[1] && o.low[1] < high[1];
+  }
+};
+
+Box boxOf(const double* t) {
+  Box out;
+  for (std::size_t d = 0; d < 2; ++d) {
+    out.low[d] = std::min({t[d], t[2 + d], t[4 + d]});
+    out.high[d] = std::max({t[d], t[2 + d], t[4 + d]});
+  }
+  return out;
+}
+
+/// An edge of `a` has all of `b` on its outer side.
+bool isSeparated(const double* a, const double* b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double *from = a + 2 * k, *to = a + 2 * ((k + 1) % 3);
+    if (orientation(from, to, b) <= 0 && orientation(from, to, b + 2) <= 0 &&
+        orientation(from, to, b + 4) <= 0)
+      return true;
+  }
+  return false;
+}
+
+/// Rows about as high as triangles are on average.
+class Rows {
+ public:
+  explicit Rows(const std::vector<Box>& boxes) {
+    double high = -HUGE_VAL, sum = 0;
+    low_ = HUGE_VAL;
+    for (const Box& b : boxes) {
+      low_ = std::min(low_, b.low[1]);
+      high = std::max(high, b.high[1]);
+      sum += b.high[1] - b.low[1];
+    }
+    const auto n = static_cast<double>(boxes.size());
+    count_ = sum > 0 ? std::clamp(std::floor((high - low_) / sum * n), 1.0, n) : 1;
+    perUnit_ = high > low_ ? count_ / (high - low_) : 0;
+  }
+
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
+  std::size_t at(double y) const {
+    return static_cast<std::size_t>(std::clamp((y - low_) * perUnit_, 0.0, count_ - 1));
+  }
+
+ private:
+  double low_ = 0, count_ = 1, perUnit_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double>& uv) {
+  std::vector<std::uint32_t> order;
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; 6 * i < uv.size(); ++i) {
+    const double* t = &uv[6 * i];
+    boxes.push_back(boxOf(t));
+    if (orientation(t, t + 2, t + 4) > 0) order.push_back(static_cast<std::uint32_t>(i));
+  }
+  sortStably(order.data(), order.data() + order.size(),
+             [&](std::uint32_t a, std::uint32_t b) { return boxes[a].low[0] < boxes[b].low[0]; });
+  const auto at = [&](std::size_t i) { return &uv[6 * i]; };
+  // From left to right: what a triangle may overlap is still open in one of its rows.
+  const Rows rows(boxes);
+  std::vector<std::vector<std::uint32_t>> open(rows.count());
+  for (const std::uint32_t i : order)
+    for (std::size_t r = rows.at(boxes[i].low[1]); r <= rows.at(boxes[i].high[1]); ++r) {
+      std::vector<std::uint32_t>& row = open[r];
+      row.erase(
+          std::remove_if(row.begin(), row.end(),
+                         [&](std::uint32_t j) { return boxes[j].high[0] <= boxes[i].low[0]; }),
+          row.end());
+      for (const std::uint32_t j : row)
+        if (boxes[i].meets(boxes[j]) && !isSeparated(at(i), at(j)) && !isSeparated(at(j), at(i)))
+          return std::array<std::uint32_t, 2>{std::min(i, j), std::max(i, j)};
+      row.push_back(i);
+    }
+  return std::nullopt;
+}
+
+}  // namespace abflat

@@ -1,0 +1,118 @@
+#include "flatten/chart_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/constants.h"
+#include "base/portable_math.h"
+#include "check/distortion.h"
+
+namespace abflat {
+namespace {
+
+std::string count(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+/// Orders of magnitude between the longest and the shortest edge of the layout.
+int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
+  double longest = 0, shortest = INFINITY;
+  for (std::uint32_t h = 0; h < 3 * chart.surfaceTriangles(); ++h) {
+    const double *a = &uv[2 * chart.vertexOfCorner[h]],
+                 *b = &uv[2 * chart.vertexOfCorner[nextCorner(h)]];
+    const double length = portable::hypot(a[0] - b[0], a[1] - b[1]);
+    longest = std::max(longest, length);
+    shortest = std::min(shortest, length);
+  }
+  return shortest > 0 ? static_cast<int>(std::log10(longest / shortest)) : 300;
+}
+
+}  // namespace
+
+std::string exceededText(const Exceeded& exceeded) {
+  char most[40];
+  std::snprintf(most, sizeof most, "%.3g pi", exceeded.most / kPi);
+  return "the layout exceeds " + std::to_string(exceeded.count) +
+         " of the bounds asked for, by up to " + most;
+}
+
+std::string findProblem(const DiskChart& chart, const Attempt& a) {
+  const Validity& v = a.validity;
+  constexpr int kDrawable =
+      12;  // orders of magnitude that doubles hold beside the errors of the layout
+  if (!a.solution.converged) {
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "the solver did not converge: constraint residual %.2g after %zu steps",
+                  a.solution.constraintResidual, a.solution.history.size());
+    return text + std::string(a.straight ? "; shorten the straight runs or leave some out" : "");
+  }
+  if (a.pins && a.wasValidUnpinned && !v.valid())
+    return "the pins fold the layout: " +
+           (v.flippedTriangles > 0
+                ? count(v.flippedTriangles, "triangle is", "triangles are") +
+                      " flipped or without area"
+                : "its boundary crosses itself at " + count(v.crossings.count, "place", "places")) +
+           "; move them nearer to where the layout without them is, or leave some out";
+  if (a.exceeded.count > 0) return exceededText(a.exceeded) + "; raise them or leave some out";
+  if (v.flippedTriangles > 0) {
+    const int range = edgeRange(chart, a.uv);
+    return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or without area" +
+           (range >= kDrawable
+                ? ": with these bounds edge lengths span " +
+                      (range < 300 ? std::to_string(range) : "over 300") +
+                      " orders of magnitude, more than can be drawn; allow a larger t"
+                : "");
+  }
+  if (v.crossings.count > 0)
+    return "the boundary crosses itself at " + count(v.crossings.count, "place", "places") +
+           "; a smaller t, down to 1, straightens it, and t = auto finds how much that takes";
+  return {};
+}
+
+void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
+  r.angularDistortion = d.angular;
+  r.lengthDistortion = d.length;
+  r.quasiConformalMean = d.quasiConformalMean;
+  r.quasiConformalMax = d.quasiConformalMax;
+  r.stretchL2 = d.stretchL2;
+  r.stretchLinf = d.stretchLinf;
+  r.symmetricDirichlet = d.symmetricDirichlet;
+  r.areaDistortionMin = d.areaMin;
+  r.areaDistortionMax = d.areaMax;
+  r.degenerateTriangles = v.degenerateTriangles;
+  r.flippedTriangles = v.flippedTriangles;
+  r.boundaryCrossings = v.crossings.count;
+  r.maxBoundaryAngle = v.maxBoundaryAngle;
+}
+
+ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
+  const AngleSolution& s = attempt.solution;
+  ChartReport r;
+  r.faces = chart.surfaceTriangles();
+  r.boundaryVertices = chart.boundary.size();
+  r.t = t;
+  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
+    if (attempt.t[i] < std::min(t, 2.0))
+      r.bounds.push_back(
+          {chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]], attempt.t[i]});
+  r.solver = attempt.solver;
+  r.linearSolver = linearSolverName(s.linearSolver);
+  r.formulation = formulationName(s.formulation);
+  r.iterations = static_cast<int>(s.history.size());
+  r.history = s.history;
+  r.constraintResidual = s.constraintResidual;
+  r.converged = s.converged;
+  setMeasures(r, attempt.validity, attempt.distortion);
+  r.delaunay = attempt.delaunay;
+  r.refined = attempt.refined;
+  r.pins = attempt.pins;
+  r.straight = attempt.straight;
+  r.fallbacks = attempt.fallbacks;
+  r.problem = findProblem(chart, attempt);
+  r.valid = r.problem.empty();
+  return r;
+}
+
+}  // namespace abflat

@@ -1,0 +1,104 @@
+#include "flatten/flatten_chart.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "boundary/delaunay_step.h"
+#include "check/delaunay.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+constexpr double kMegabyte = 1048576;
+#ifdef __EMSCRIPTEN__
+/// MB. Of the 4 GB that 32 bits can address the mesh and the results need the rest.
+constexpr double kAutoMemoryMegabytes = 3072;
+#else
+constexpr double kAutoMemoryMegabytes = 1e9;
+#endif
+
+/// Those of the solution; of a layout without one its own.
+std::vector<double> flatAngles(const DiskChart& chart, const Attempt& attempt) {
+  if (!attempt.solution.angles.empty()) return attempt.solution.angles;
+  std::vector<double> positions, angles;
+  for (std::size_t i = 0; i < attempt.uv.size(); i += 2)
+    positions.insert(positions.end(), {attempt.uv[i], attempt.uv[i + 1], 0});
+  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
+    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+    for (const double a : anglesOrMadeUp(positions, v, cornerAngles(positions, v)))
+      angles.push_back(a);
+  }
+  return angles;
+}
+
+}  // namespace
+
+std::uint64_t allowedBytes(double megabytes) {
+  // Larger numbers do not fit; nor would the factors.
+  constexpr double kMost = 1e12;
+  const double allowed = megabytes == kAutoMemory ? kAutoMemoryMegabytes : megabytes;
+  return static_cast<std::uint64_t>(std::min(allowed, kMost) * kMegabyte);
+}
+
+unsigned usefulThreads(int wanted, std::size_t faces) {
+  constexpr std::size_t kFacesPerThread = 2000;
+  const std::size_t most = wanted > 0 ? static_cast<std::size_t>(wanted) : processors();
+  return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
+}
+
+Untangle untangleOf(const FlattenOptions& options) {
+  return options.t == kAutoT && options.untangle == Untangle::Auto ? Untangle::Best
+                                                                   : options.untangle;
+}
+
+Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
+                     const FlattenOptions& options, const Effort& effort) {
+  const bool isAuto = options.t == kAutoT;
+  const Untangle untangle = untangleOf(options);
+  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle, effort)
+                        : untangled(flattener, flattener.attempt(t, nullptr), untangle, effort);
+  if (!options.delaunay || best.solution.cancelled) return best;
+  return madeDelaunay(flattener, std::move(best), untangle);
+}
+
+void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const PinOptions& options,
+         Attempt& attempt) {
+  if (pins.empty() || attempt.solution.cancelled) return;
+  const DiskChart& chart = flattener.chart();
+  std::vector<ChartPin> inUnits = pins;
+  for (ChartPin& p : inUnits) {
+    p.u /= chart.unit;
+    p.v /= chart.unit;
+  }
+  flattener.endSolving();  // so that one factor is held at a time
+  PinnedLayout layout = pinLayout(chart, flatAngles(chart, attempt), attempt.uv, inUnits, options);
+  if (const std::string note = withoutFactorNote(layout.memory); !note.empty())
+    attempt.fallbacks.push_back("pins: " + note);
+  if (!layout.isSolved)
+    attempt.fallbacks.push_back(
+        "the linear system that spreads the pins is singular to the precision of numbers" +
+        std::string(layout.memory.fits() ? "" : ", or needs a factor: allow more memory") +
+        "; only the pinned vertices are moved");
+  attempt.wasValidUnpinned = attempt.valid();
+  attempt.uv = std::move(layout.uv);
+  attempt.pins = PinReport{pins.size(), layout.deviation * chart.unit};
+  flattener.measure(attempt);
+  if (attempt.delaunay)
+    attempt.delaunay->violated = checkDelaunay(chart, attempt.uv).violated.size();
+}
+
+std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt) {
+  std::vector<double> uv = attempt.uv;
+  for (double& x : uv) x *= chart.unit;
+  bool isExact = true;
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    isExact = isExact && uv[i] / chart.unit == attempt.uv[i];
+  if (isExact) return uv;
+  for (std::size_t i = 0; i < uv.size(); ++i) attempt.uv[i] = uv[i] / chart.unit;
+  attempt.validity = checkValidity(chart, attempt.uv);
+  attempt.distortion = measureDistortion(chart, attempt.uv);
+  return uv;
+}
+
+}  // namespace abflat

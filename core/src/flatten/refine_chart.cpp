@@ -1,0 +1,247 @@
+#include "flatten/refine_chart.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/constants.h"
+#include "base/stopwatch.h"
+#include "boundary/move_apart.h"
+#include "flatten/flatten_chart.h"
+#include "layout/pose.h"
+#include "refine/refine.h"
+
+namespace abflat {
+namespace {
+
+/// From here on a bound allows every angle.
+constexpr double kFree = 2;
+
+/// Vertices that stay: pinned ones, and the boundary where it has to keep its angles.
+std::vector<std::uint8_t> fixedVertices(const DiskChart& chart, const RefineWishes& wishes,
+                                        bool keepsOutline) {
+  std::vector<std::uint8_t> out;
+  if (wishes.pins.empty() && !keepsOutline) return out;
+  out.assign(chart.vertexCount(), 0);
+  for (const ChartPin& pin : wishes.pins) out[pin.vertex] = 1;
+  if (keepsOutline)
+    for (const std::uint32_t h : chart.boundary) out[chart.vertexOfCorner[h]] = 1;
+  return out;
+}
+
+bool isBounded(const RefineWishes& wishes) {
+  return std::any_of(wishes.bounds.begin(), wishes.bounds.end(),
+                     [](double t) { return t < kFree; });
+}
+
+/// How the outline is kept as it should be.
+enum class Outline : std::uint8_t { Free, Shaped, Fixed };
+
+/// A step solves several systems where the outline is held: large charts take fewer of them.
+int solvesFor(const DiskChart& chart, Outline outline) {
+  constexpr double kTriangles = 4e6;
+  const bool isShaped = outline == Outline::Shaped;
+  const double fewest = isShaped ? 12 : 100, most = isShaped ? 200 : 600;
+  return static_cast<int>(std::clamp(kTriangles / chart.triangleCount(), fewest, most));
+}
+
+RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wishes,
+                         Outline outline) {
+  RefineOptions out;
+  out.balance = wishes.balance;
+  out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
+  out.maxSolves = solvesFor(flattener.chart(), outline);
+  constexpr double kUnseen = 1e-4;  // far below any bound of stretch
+  if (wishes.mayBeRough) out.leastHeld = kUnseen;
+  out.place = flattener.place();
+  out.allowedBytes = wishes.allowedBytes;
+  out.pool = wishes.pool;
+  out.onStep = wishes.onStep;
+  return out;
+}
+
+std::string limitOf(const Refinement& found) {
+  if (!found.isConverged)
+    return "Newton's method was ended after " + std::to_string(found.steps) + " steps";
+  return found.isHeldApart ? "parts of the boundary are held apart" : "";
+}
+
+/// Of an outline that has found its form.
+std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
+                    const std::vector<double>& uv) {
+  std::vector<double> nearly = rules.bounds;
+  for (double& t : nearly)
+    if (t < kFree) t -= rules.margin / kPi;
+  if (exceededBounds(chart, uv, nearly).count > 0)
+    return "angles of the boundary reach their bounds";
+  return rules.straight.empty() ? "" : "straight parts of the boundary stay straight";
+}
+
+/// What is nearly flat closes again, as it does when it is flattened.
+Attempt drawnBack(ChartFlattener& flattener, const Attempt& touching) {
+  Attempt out = movedApart(flattener, touching);
+  for (std::size_t i = touching.fallbacks.size(); i < out.fallbacks.size(); ++i)
+    out.fallbacks[i].insert(0, "refining: ");
+  return out;
+}
+
+/// The attempt's layout refined, checked and measured anew, valid or not.
+Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const Attempt& attempt,
+                bool isPinned = false) {
+  const DiskChart& chart = flattener.chart();
+  Refinement found = refine(chart, attempt.uv, options);
+  if (!isPinned) pose(chart, attempt.uv, found.uv);
+  Attempt out = attempt;
+  out.uv = std::move(found.uv);
+  flattener.measure(out);
+  if (isTangled(out) && !isPinned) {
+    out = drawnBack(flattener, out);
+    found.energy = energyOf(chart, out.uv, options.balance);
+  }
+  out.refined = {found.energyBefore, found.energy, found.steps, limitOf(found)};
+  if (const std::string note = withoutFactorNote(found.memory); !note.empty())
+    out.fallbacks.push_back("refining: " + note);
+  return out;
+}
+
+/// Bounds, times pi, lowered where they are below 2, by as much as leaves the outline a part of its
+/// freedom: all angles sum to (n - 2) pi.
+std::vector<double> lowered(std::vector<double> t, const StraightPlaces& straight, double& by) {
+  constexpr double kMost = 5e-3, kPart = 6;
+  double room = 2, count = 0;
+  const auto isHeld = [&](std::size_t i) { return !straight.empty() && straight[i] != 0; };
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (isHeld(i)) continue;
+    room += t[i] - 1;
+    count += t[i] < kFree;
+  }
+  by = count > 0 ? std::min(kMost, room / (kPart * count)) : 0;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    if (!isHeld(i) && t[i] < kFree) t[i] -= by;
+  return t;
+}
+
+/// With an outline that keeps straight and within its bounds, but not its form; nothing where that
+/// gains nothing. It begins some way from its bounds.
+std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& wishes,
+                                const Attempt& attempt) {
+  constexpr double kLeast = 1e-6;
+  constexpr int kSteps = 40;
+  if (!wishes.pins.empty() || attempt.solver == "tutte") return std::nullopt;
+  const DiskChart& chart = flattener.chart();
+  OutlineRules rules{flattener.straight(), {}, 0};
+  Attempt start = attempt;
+  double by = 0;
+  if (isBounded(wishes)) {
+    rules.bounds = wishes.bounds;
+    const std::vector<double> t = lowered(wishes.bounds, flattener.straight(), by);
+    if (!(by > kLeast)) return std::nullopt;
+    rules.margin = by * kPi;
+    std::vector<double> both = attempt.t;
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::min(both[i], t[i]);
+    start = flattener.attempt(both, &attempt);
+    if (!start.valid() || exceededBounds(chart, start.uv, t).count > 0) return std::nullopt;
+    pose(chart, attempt.uv, start.uv);
+    std::vector<std::string> notes = attempt.fallbacks;
+    for (const std::string& note : start.fallbacks)
+      if (std::find(notes.begin(), notes.end(), note) == notes.end())
+        notes.push_back("refining: " + note);
+    start.fallbacks = std::move(notes);
+  }
+  flattener.endSolving();  // so that one factor is held at a time
+  RefineOptions options = optionsFor(flattener, wishes, Outline::Shaped);
+  options.maxSteps = kSteps;
+  options.outline = std::move(rules);
+  const double before = energyOf(chart, attempt.uv, wishes.balance);
+  start = refined(flattener, options, start);
+  if (!start.valid() || !(start.refined->energy < before) ||
+      exceededBounds(chart, start.uv, wishes.bounds).count > 0)
+    return std::nullopt;
+  Attempt out = attempt;
+  out.uv = std::move(start.uv);
+  out.fallbacks = std::move(start.fallbacks);
+  flattener.measure(out);
+  out.refined = start.refined;
+  out.refined->energyBefore = before;
+  if (out.refined->limit.empty()) out.refined->limit = limitOf(options.outline, chart, out.uv);
+  return out;
+}
+
+/// An outline that bounds hold nearly everywhere may do worse than the one it has.
+bool isWellShaped(const RefineReport& report) {
+  constexpr double kWorthwhile = 0.5;
+  return report.energy - 1 < kWorthwhile * (report.energyBefore - 1);
+}
+
+/// Counts what passes as refining, checks aside.
+class RefiningTime {
+ public:
+  explicit RefiningTime(ChartFlattener& flattener)
+      : flattener_(flattener), before_(flattener.timings().check) {}
+  ~RefiningTime() { flattener_.addRefining(watch_.lap() - (flattener_.timings().check - before_)); }
+  RefiningTime(const RefiningTime&) = delete;
+  RefiningTime& operator=(const RefiningTime&) = delete;
+
+ private:
+  ChartFlattener& flattener_;
+  double before_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+Attempt flattenAndRefine(ChartFlattener& flattener, const std::vector<double>& t,
+                         const FlattenOptions& options, const Effort& effort,
+                         const RefineWishes& wishes) {
+  const bool isFree = options.t == kAutoT && !isBounded(wishes) && flattener.straight().empty() &&
+                      wishes.pins.empty();
+  if (!(wishes.balance > 0) || !isFree) {
+    Attempt out = flattenChart(flattener, t, options, effort);
+    refineChart(flattener, wishes, out);
+    return out;
+  }
+  Attempt first = wishes.mayBeRough ? flattener.roughAttempt(t) : flattener.attempt(t, nullptr);
+  if (isTangled(first)) {
+    const RefiningTime time(flattener);
+    Attempt out = refined(flattener, optionsFor(flattener, wishes, Outline::Free), first);
+    if (out.valid()) return out;
+  }
+  if (wishes.mayBeRough && !first.valid() && !first.solution.cancelled)
+    first = flattener.attempt(t, first.solution.converged ? &first : nullptr);
+  Attempt out = madeValid(flattener, std::move(first), t, untangleOf(options), effort);
+  refineChart(flattener, wishes, out);
+  return out;
+}
+
+void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
+  if (!(wishes.balance > 0) || attempt.solution.cancelled) return;
+  // Most charts of some meshes are a triangle, or flat.
+  constexpr double kRounding = 1e-9;
+  if (attempt.distortion.symmetricDirichlet <= 1 + kRounding && attempt.valid()) return;
+  if (!attempt.valid()) {
+    attempt.fallbacks.emplace_back("a layout that is not valid is not refined");
+    return;
+  }
+  const RefiningTime time(flattener);
+  const bool isFree = !isBounded(wishes) && flattener.straight().empty();
+  std::optional<Attempt> shaped;
+  if (!isFree) shaped = reshaped(flattener, wishes, attempt);
+  if (shaped && isWellShaped(*shaped->refined)) {
+    attempt = std::move(*shaped);
+    return;
+  }
+  flattener.endSolving();  // so that one factor is held at a time
+  Attempt out =
+      refined(flattener, optionsFor(flattener, wishes, isFree ? Outline::Free : Outline::Fixed),
+              attempt, !wishes.pins.empty());
+  if (!isFree) out.refined->limit = "the boundary keeps its form, so that it keeps its angles";
+  if (shaped && !(out.valid() && out.refined->energy < shaped->refined->energy))
+    out = std::move(*shaped);
+  if (out.valid()) {
+    attempt = std::move(out);
+    return;
+  }
+  attempt.refined = {out.refined->energyBefore, out.refined->energyBefore, out.refined->steps,
+                     "what has less energy is not valid"};
+}
+
+}  // namespace abflat

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "abflat/flatten.h"
+#include "abflat/unit_square.h"
+#include "base/round_texcoords.h"
+#include "base/stopwatch.h"
+#include "boundary/straight_runs.h"
+#include "chart/disk_chart.h"
+#include "check/delaunay.h"
+#include "check/distortion.h"
+#include "check/validity.h"
+#include "flatten/chart_report.h"
+#include "mesh/surface.h"
+
+namespace abflat {
+namespace {
+
+std::string count(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+/// Why a rounded layout is not valid; empty when it is.
+std::string findDefect(const Validity& validity) {
+  if (validity.flippedTriangles > 0)
+    return count(validity.flippedTriangles, "triangle would", "triangles would") +
+           " be flipped or without area";
+  if (validity.crossings.count > 0)
+    return "the boundary would cross itself at " +
+           count(validity.crossings.count, "place", "places");
+  return {};
+}
+
+/// A power of two as large as a layout: divided by it no digit changes and no product overflows.
+double sizeOf(const std::vector<double>& uv) {
+  double most = 0;
+  for (const double x : uv) most = std::max(most, std::abs(x));
+  return most > 0 && std::isfinite(most) ? std::ldexp(1, std::ilogb(most)) : 1;
+}
+
+/// A layout after rounding, in its own unit.
+struct Rounded {
+  std::vector<double> uv;
+  Validity validity;
+  Distortion distortion;
+  std::size_t violatedEdges = 0;  ///< of the Delaunay condition, where it is asked for
+  double straightDeviation = 0;   ///< where runs are to be straight
+};
+
+Rounded measured(const DiskChart& chart, const FlattenResult& result, std::vector<double> uv) {
+  Rounded out;
+  std::vector<double> inUnits;
+  inUnits.reserve(uv.size());
+  const double size = sizeOf(uv);
+  for (const double x : uv) inUnits.push_back(x / size);
+  out.uv = std::move(uv);
+  out.validity = checkValidity(chart, inUnits);
+  out.distortion = measureDistortion(chart, inUnits);
+  if (result.report.charts.front().delaunay)
+    out.violatedEdges = checkDelaunay(chart, inUnits).violated.size();
+  out.straightDeviation =
+      reportStraight(chart, placesOf(chart, result.straight), inUnits).deviation;
+  return out;
+}
+
+/// The report is about the rounded layout from now on.
+void setMeasures(ChartReport& report, const Rounded& rounded) {
+  setMeasures(report, rounded.validity, rounded.distortion);
+  if (report.straight) report.straight->deviation = rounded.straightDeviation;
+}
+
+/// Puts a layout that was moved or rounded in place of the one that the report is about.
+void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::string& where,
+                   const std::string& remedy, FlattenResult& result) {
+  ChartReport& report = result.report.charts.front();
+  Rounded rounded = measured(chart, result, std::move(uv));
+  setMeasures(report, rounded);
+  if (report.delaunay) report.delaunay->violated = rounded.violatedEdges;
+  const std::string defect = findDefect(rounded.validity);
+  if (report.valid && !defect.empty()) {
+    report.problem = where + defect + remedy;
+    report.valid = result.report.valid = false;
+  }
+  result.uv = std::move(rounded.uv);
+}
+
+/// From 0 to 1 along the longer side, from 0 along the other; unchanged where that is not possible.
+void moveToUnitSquare(std::vector<double>& uv) {
+  std::array<double, 2> least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    least[i % 2] = std::min(least[i % 2], uv[i]);
+    most[i % 2] = std::max(most[i % 2], uv[i]);
+  }
+  const double extent = std::max(most[0] - least[0], most[1] - least[1]);
+  if (!(extent > 0) || !std::isfinite(extent)) return;
+  for (std::size_t i = 0; i < uv.size(); ++i) uv[i] = (uv[i] - least[i % 2]) / extent;
+}
+
+}  // namespace
+
+bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
+  if (!result.report.valid) return false;
+  Stopwatch watch;
+  const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
+  ChartReport& report = result.report.charts.front();
+  std::vector<double> uv = result.uv;
+  roundToSingle(uv);
+  Rounded rounded = measured(chart, result, std::move(uv));
+  std::string obstacle = findDefect(rounded.validity);
+  if (obstacle.empty() && report.delaunay && rounded.violatedEdges > report.delaunay->violated)
+    obstacle = count(rounded.violatedEdges - report.delaunay->violated, "edge", "edges") +
+               " more would not be Delaunay";
+  if (obstacle.empty()) {
+    setMeasures(report, rounded);
+    result.uv = std::move(rounded.uv);
+  } else {
+    report.fallbacks.push_back("texcoords are written in double precision: rounded to single, " +
+                               obstacle);
+  }
+  result.report.timings.check += watch.lap();
+  return obstacle.empty();
+}
+
+void roundForGltf(const PolygonMesh& mesh, FlattenResult& result) {
+  Stopwatch watch;
+  const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
+  std::vector<double> uv = result.uv;
+  roundForGltf(uv);
+  replaceLayout(chart, std::move(uv), "in single precision, which is all that a glTF has, ",
+                "; write an OBJ or PLY", result);
+  result.report.timings.check += watch.lap();
+}
+
+void fitUnitSquare(const PolygonMesh& mesh, FlattenResult& result) {
+  Stopwatch watch;
+  const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
+  std::vector<double> uv = result.uv;
+  moveToUnitSquare(uv);
+  replaceLayout(chart, std::move(uv), "scaled into the unit square, ",
+                "; scale the mesh nearer to size 1", result);
+  result.report.timings.check += watch.lap();
+}
+
+}  // namespace abflat

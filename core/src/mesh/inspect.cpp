@@ -1,0 +1,23 @@
+#include "abflat/inspect.h"
+
+#include <set>
+
+#include "abflat/mesh.h"
+#include "mesh/surface.h"
+
+namespace abflat {
+
+MeshSummary inspect(const PolygonMesh& mesh) { return inspect(mesh, Pulse()); }
+
+MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse) {
+  MeshSummary summary;
+  summary.disk = validateArrays(mesh);
+  if (!summary.disk.ok()) return summary;
+  summary = buildSurface(mesh, pulse).summary;
+  summary.texcoords = mesh.texcoords.size() / 2;
+  const std::set<std::uint32_t> materials(mesh.faceMaterials.begin(), mesh.faceMaterials.end());
+  summary.materials = materials.size();
+  return summary;
+}
+
+}  // namespace abflat

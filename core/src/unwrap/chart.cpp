@@ -1,0 +1,94 @@
+#include "unwrap/chart.h"
+
+#include <algorithm>
+
+#include "flatten/chart_report.h"
+#include "flatten/refine_chart.h"
+#include "seam/prediction.h"
+
+namespace abflat {
+
+namespace {
+
+/// What reports need; unknowns and history are several times the memory of the layout.
+void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attempt& attempt,
+                  FlatChart& out) {
+  out.area = areaOf(chart);
+  out.solver = attempt.solver;
+  out.iterations = static_cast<int>(attempt.solution.history.size());
+  out.distortion = ChartDistortion(attempt.distortion);
+  if (attempt.fallbacks.empty() && !attempt.refined && !attempt.pins && !attempt.straight &&
+      straight.empty())
+    return;
+  out.uncommon = std::make_unique<UncommonParts>();
+  out.uncommon->fallbacks = std::move(attempt.fallbacks);
+  out.uncommon->refined = std::move(attempt.refined);
+  out.uncommon->pins = attempt.pins;
+  out.uncommon->straight = attempt.straight;
+  out.uncommon->straightPlaces = straight;
+}
+
+/// A small chart's steps are short, and a seam less is worth many of them.
+Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionValues& options) {
+  constexpr int kFewest = 60, kMost = 200, kTriangles = 80000;
+  if (patience == Patience::All) return {8, 40};
+  const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
+  return {20, std::clamp(steps, kFewest, kMost),
+          stretchBeforeRefining(options.maxStretch, options.balance), true};
+}
+
+}  // namespace
+
+FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
+                     const ChartWishes& wishes, Patience patience, ThreadPool& pool,
+                     const std::function<bool()>& goesOn) {
+  SolverOptions solver;
+  solver.pool = &pool;
+  solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
+  solver.allowedBytes = allowedBytes(options.memory);
+  ChartFlattener flattener(chart, solver, [&](const char*) { goesOn(); });
+  flattener.requireSeparation();
+  flattener.requireStraight(wishes.straight);
+  FlattenOptions wanted;
+  wanted.t = options.t;
+  // n angles that may be others than pi sum to (n - 2) pi: a chart with few of them cannot be as
+  // convex as others.
+  const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
+  const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
+  const std::vector<double> bounds(chart.boundary.size(), t);
+  FlatChart out;
+  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
+  refining.mayBeRough = true;
+  const Effort effort = effortFor(patience, chart, options);
+  const bool isPinned = !wishes.pins.empty();
+  Attempt attempt = isPinned ? flattenChart(flattener, bounds, wanted, effort)
+                             : flattenAndRefine(flattener, bounds, wanted, effort, refining);
+  if (attempt.solution.cancelled) return out;
+  out.isTangled = patience == Patience::Little && isTangled(attempt);
+  if (isPinned) {
+    Attempt alone = attempt;
+    refineChart(flattener, refining, alone);
+    refining.pins = wishes.pins;
+    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);
+    refineChart(flattener, refining, attempt);
+    out.uv = inMeshUnit(chart, attempt);
+    out.unpacked = inMeshUnit(chart, alone);
+    out.isFixed = true;
+  } else {
+    out.unpacked = inMeshUnit(chart, attempt);
+  }
+  if (attempt.straight) attempt.straight->released = wishes.released;
+  out.problem = findProblem(chart, attempt);
+  keepMeasures(chart, wishes.straight, attempt, out);
+  return out;
+}
+
+double areaOf(const DiskChart& chart) { return surfaceArea(chart) * chart.unit * chart.unit; }
+
+void checkInPlace(const DiskChart& chart, FlatChart& flat) {
+  if (!flat.problem.empty()) return;
+  if (!checkValidity(chart, flat.uv).valid())
+    flat.problem = "valid by itself, but its smallest triangles are lost at the scale of the atlas";
+}
+
+}  // namespace abflat

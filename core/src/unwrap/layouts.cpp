@@ -1,0 +1,99 @@
+#include "unwrap/layouts.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+
+#include "base/stable_order.h"
+
+namespace abflat {
+namespace {
+
+/// Charts by size, the largest first: what takes longest begins first.
+std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
+  return stableOrder(charts.size(), [&](std::uint32_t a, std::uint32_t b) {
+    return charts.topology(a).triangleCount() > charts.topology(b).triangleCount();
+  });
+}
+
+/// Whether charts are as little stretched as seams let them be.
+bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
+
+}  // namespace
+
+bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
+
+void flattenAll(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
+                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
+                const std::function<bool(double)>& tell, std::vector<FlatChart>& flat) {
+  const std::vector<std::uint32_t> order = largestFirst(charts);
+  std::size_t triangles = 0;
+  // Seams are found for what is not pinned.
+  const auto patienceFor = [&](const ChartWishes& w) {
+    return canCut(options) && w.pins.empty() ? Patience::Little : Patience::All;
+  };
+  const auto isKnown = [&](std::size_t i) {
+    return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
+  };
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (!isKnown(i)) triangles += charts.topology(i).triangleCount();
+  std::atomic<std::size_t> done{0};
+  parallelFor(&pool, charts.size(), [&](std::size_t i) {
+    if (monitor.stopped()) return;
+    FlatChart& out = flat[order[i]];
+    if (isKnown(order[i])) return;
+    const DiskChart chart = charts.chart(order[i]);
+    // The caller hears of all charts, but from its own thread only.
+    const auto goesOn = [&] {
+      if (!pool.isOwner()) return !monitor.stopped();
+      return tell(static_cast<double>(done) / static_cast<double>(triangles));
+    };
+    const bool isCutEnough = out.isCutEnough;
+    out = flattenOne(chart, options, wishes[order[i]],
+                     isCutEnough ? Patience::All : patienceFor(wishes[order[i]]), pool, goesOn);
+    out.isCutEnough = isCutEnough;
+    done += chart.triangleCount();
+  });
+}
+
+bool isStretched(const FlatChart& chart, double most) {
+  return !chart.isFixed && chart.distortion.symmetricDirichlet > most;
+}
+
+std::vector<std::uint8_t> stretchedPieces(const std::vector<FlatChart>& flat, double most) {
+  std::vector<std::uint8_t> out;
+  out.reserve(flat.size());
+  for (const FlatChart& chart : flat) out.push_back(!chart.isCutEnough && isStretched(chart, most));
+  return out;
+}
+
+bool dropTangled(std::vector<FlatChart>& flat) {
+  bool isAny = false;
+  for (FlatChart& chart : flat) {
+    if (!chart.isTangled || !chart.isCutEnough) continue;
+    chart = {};
+    chart.isCutEnough = isAny = true;
+  }
+  return isAny;
+}
+
+void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
+                   std::vector<std::string>& notes) {
+  if (!options.seams.isAuto) return;
+  std::size_t count = 0;
+  double most = 0;
+  for (const FlatChart& chart : flat) {
+    if (!isStretched(chart, options.maxStretch)) continue;
+    ++count;
+    most = std::max(most, chart.distortion.symmetricDirichlet);
+  }
+  if (count == 0) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "%zu %s stretched by more than %g, up to %.5g: ", count,
+                count == 1 ? "chart is" : "charts are", options.maxStretch, most);
+  notes.push_back(text + std::string(isFree(options) ? "seams that were tried do not help enough"
+                                     : options.straightSeams ? "straight seams take that"
+                                                             : "a larger t, or auto, takes less"));
+}
+
+}  // namespace abflat

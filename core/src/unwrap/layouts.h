@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "base/parallel.h"
+#include "chart/chart_set.h"
+#include "unwrap/chart.h"
+#include "unwrap/monitor.h"
+
+namespace abflat {
+
+/// Whether charts that come out stretched too much may be cut further.
+bool canCut(const UnwrapOptions& options);
+
+/// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
+void flattenAll(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
+                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
+                const std::function<bool(double)>& tell, std::vector<FlatChart>& flat);
+
+/// More than seams are to allow.
+bool isStretched(const FlatChart& chart, double most);
+
+/// Per chart whether it is, and may be cut further.
+std::vector<std::uint8_t> stretchedPieces(const std::vector<FlatChart>& flat, double most);
+
+/// Layouts of charts that seams do not help; whether there are any.
+bool dropTangled(std::vector<FlatChart>& flat);
+
+void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
+                   std::vector<std::string>& notes);
+
+}  // namespace abflat

@@ -1,0 +1,164 @@
+#include "unwrap/room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/portable_math.h"
+#include "hole/fill_holes.h"
+#include "seam/piece_fitting.h"
+
+namespace abflat {
+namespace {
+
+/// What is wanted of cuts: the most of the logarithm of the texel density, less a share of their
+/// length.
+struct RoomWish {
+  double seamWorth = 0;    ///< of the logarithm, for seams as long as the root of the area
+  double utilization = 0;  ///< more is not wanted
+};
+
+RoomWish wishOf(const UnwrapOptionValues& options) {
+  constexpr double kSeamWorth = 0.04, kMost = 0.92;
+  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMost};
+  // Few cells tell a little more or less than packing.
+  constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
+  return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
+}
+
+FlatSurface flatSurface(const ChartSet& set, const std::vector<FlatChart>& flat,
+                        const OpenSurface& open) {
+  FlatSurface out;
+  out.surface = cutAlong(open.mesh, open.seams);
+  out.at.resize(out.surface.vertexCount());
+  out.canCut.assign(out.surface.charts.size(), 0);
+  double area = 0;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ChartTopology chart = set.topology(i);
+    const Indices triangles = set.triangles(i);
+    out.canCut[out.surface.chartOfTriangle[triangles.front()]] = flat[i].problem.empty();
+    area += flat[i].area;
+    for (std::uint32_t c = 0; c < 3 * chart.surfaceTriangles(); ++c) {
+      const double* uv = &flat[i].unpacked[2 * std::size_t{chart.vertexOfCorner[c]}];
+      out.at[out.surface.vertexOfCorner[3 * triangles[c / 3] + c % 3]] = {uv[0], uv[1]};
+    }
+  }
+  out.unitArea = area / open.mesh.totalArea();
+  return out;
+}
+
+/// How many cuts may be tried: what the rest of a run takes is a matter of the triangles.
+struct Tries {
+  int fruitless = 0;  ///< until one is worth its cost
+  int fruitful = 0;   ///< after that
+};
+
+Tries triesFor(const OpenSurface& open) {
+  constexpr int kFruitless = 60, kFruitful = 144, kTrianglesOfTry = 40;
+  const int more = static_cast<int>(open.mesh.triangleCount() / kTrianglesOfTry);
+  return {kFruitless + more / 5, kFruitful + more / 2};
+}
+
+/// The best cuts so far, from those for ever smaller squares.
+class RoomSearch {
+ public:
+  RoomSearch(PieceFitting& uncut, const RoomWish& wish, Tries tries)
+      : uncut_(uncut), wish_(wish), side_(uncut.leastSide()), tries_(tries) {}
+
+  /// Null where none are worth their cost. `most`: of the logarithm of the density.
+  std::unique_ptr<PieceFitting> run(double most, const std::function<bool()>& goesOn) {
+    constexpr double kStep = 0.05;
+    constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
+    if (!(side_ > 0)) return nullptr;
+    const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
+    int failures = 0;  // in a row
+    for (int k = 1; k <= steps && goesOn(); ++k) {
+      const double gain = most * k / steps;
+      if (gain <= reached_) continue;
+      if ((found_ ? tries_.fruitful : tries_.fruitless) <= 0) break;
+      const bool isMore = found_ && attempt(*found_, gain);
+      const bool isAnew = attempt(uncut_, gain);
+      failures = isMore || isAnew ? 0 : failures + 1;
+      if (failures == (found_ ? kFailuresLater : kFailuresAtFirst)) break;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /// Whether cuts make that gain possible.
+  bool attempt(const PieceFitting& from, double gain) {
+    auto now = std::make_unique<PieceFitting>(from);
+    const double affordable = (gain - best_) / wish_.seamWorth;
+    int& tries = best_ > 0 ? tries_.fruitful : tries_.fruitless;
+    if (!now->fitInto(side_ * portable::exp(-gain), affordable, tries)) return false;
+    const double gained = portable::log(side_ / now->leastSide());
+    const double worth = gained - wish_.seamWorth * now->cost();
+    if (worth > best_) {
+      best_ = worth;
+      reached_ = gained;
+      found_ = std::move(now);
+    }
+    return true;
+  }
+
+  const PieceFitting& uncut_;
+  const RoomWish wish_;
+  const double side_;
+  Tries tries_;
+  double best_ = 0, reached_ = 0;
+  std::unique_ptr<PieceFitting> found_;
+};
+
+}  // namespace
+
+bool cutsForRoom(const UnwrapOptionValues& options, const std::vector<FlatChart>& flat) {
+  return options.minUtilization != 0 && options.texelDensity == kAutoTexelDensity &&
+         std::none_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isFixed; });
+}
+
+RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
+                      const OpenSurface& open, const UnwrapOptionValues& options,
+                      double utilization, const std::function<bool()>& goesOn) {
+  constexpr std::size_t kMostCharts = 64;
+  constexpr double kLeast = 0.02;
+  const RoomWish wish = wishOf(options);
+  RoomCuts out;
+  if (set.size() > kMostCharts || !(utilization > 0)) return out;
+  const double most = portable::log(wish.utilization / utilization) / 2;
+  if (!(most > kLeast)) return out;
+  const FlatSurface surface = flatSurface(set, flat, open);
+  const QuickFit fit(options.resolution, options.padding, options.rotate);
+  PieceFitting uncut(open.mesh, surface, fit);
+  const auto found = RoomSearch(uncut, wish, triesFor(open)).run(most, goesOn);
+  if (!found) return out;
+  out.halfEdges = found->cuts();
+  out.count = found->count();
+  out.length = found->length();
+  return out;
+}
+
+void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurface& open) {
+  open.seams.resize(open.mesh.twin.size(), 0);
+  for (const std::uint32_t h : cuts.halfEdges) open.seams[h] = open.seams[open.mesh.twin[h]] = 1;
+  openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
+}
+
+void takeBack(const ChartSet& before, const std::vector<std::uint8_t>& isAsked, const Seams& seams,
+              OpenSurface& open) {
+  const CutSurface s = cutAlong(open.mesh, seams);
+  std::vector<std::uint8_t> isBack(s.charts.size(), 0);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    isBack[s.chartOfTriangle[before.triangles(i).front()]] = isAsked[i];
+  for (std::size_t h = 0; h < seams.size(); ++h)
+    if (isBack[s.chartOfTriangle[h / 3]]) open.seams[h] = seams[h];
+}
+
+bool isWorth(const AtlasReport& atlas, const UnwrapOptionValues& options) {
+  const double ratio = atlas.texelDensity / atlas.uncutTexelDensity;
+  return ratio > 1 &&
+         portable::log(ratio) > wishOf(options).seamWorth *
+                                    PieceFitting::costOf(atlas.packingCuts, atlas.packingCutLength);
+}
+
+}  // namespace abflat

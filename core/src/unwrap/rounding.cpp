@@ -1,0 +1,257 @@
+#include "unwrap/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/round_texcoords.h"
+#include "layout/grid_repair.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// Larger charts are not packed again for the sake of a triangle.
+constexpr double kMostEnlargedSide = 0.125;
+constexpr double kEnlargement = 16;
+
+struct Box {
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+
+  double side() const { return std::max(high[0] - low[0], high[1] - low[1]); }
+};
+
+Box boxOf(const std::vector<double>& uv) {
+  Box out;
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    out.low[i % 2] = std::min(out.low[i % 2], uv[i]);
+    out.high[i % 2] = std::max(out.high[i % 2], uv[i]);
+  }
+  return out;
+}
+
+/// Between neighbours among the numbers, where they are farthest apart.
+double stepOf(const std::vector<double>& uv, Numbers numbers) {
+  double largest = 1;
+  for (const double x : uv) largest = std::max(largest, std::abs(x));
+  int exponent = 0;
+  if (std::frexp(largest, &exponent) == 0.5) --exponent;
+  return std::ldexp(1.0, exponent - (numbers == Numbers::Double ? 52 : 24));
+}
+
+void roundTo(Numbers numbers, FlatChart& chart) {
+  if (numbers == Numbers::Double) return;
+  if (chart.isFixed)
+    roundForGltf(chart.uv);
+  else
+    roundInAtlas(chart.uv);
+}
+
+void placeOne(const Placement& p, FlatChart& flat) {
+  const std::vector<double>& from = flat.unpacked;
+  flat.uv.resize(from.size());
+  for (std::size_t k = 0; k < from.size(); k += 2) {
+    flat.uv[k] = p.u(&from[k]) + p.column();
+    flat.uv[k + 1] = p.v(&from[k]) + p.row();
+  }
+}
+
+/// As it is turned and scaled, wherever it is put: that would cost digits of a tiny one.
+Box boxOf(const Placement& placement, const std::vector<double>& unpacked) {
+  Placement atOrigin = placement;
+  atOrigin.x = atOrigin.y = 0;
+  std::vector<double> uv;
+  for (std::size_t k = 0; k < unpacked.size(); k += 2)
+    uv.insert(uv.end(), {atOrigin.u(&unpacked[k]), atOrigin.v(&unpacked[k])});
+  return boxOf(uv);
+}
+
+/// Lets a chart that lies within a texel fill it: nothing else is there. False where it is larger.
+bool fillTexel(int resolution, Placement& placement, FlatChart& flat) {
+  constexpr double kFree = 0x1p-8;  // of the texel, on each side
+  const Box box = boxOf(placement, flat.unpacked);
+  const double texel = 1.0 / resolution, side = box.side();
+  if (!(side > 0) || side >= texel / 2) return false;
+  const double at[2] = {placement.x, placement.y};
+  double corner[2];
+  for (std::size_t d = 0; d < 2; ++d) {
+    corner[d] = std::floor((at[d] + box.low[d]) * resolution);
+    if (std::floor((at[d] + box.high[d]) * resolution) != corner[d]) return false;
+  }
+  const double by = (1 - 2 * kFree) * texel / side;
+  flat.enlarged *= by;
+  placement.a *= by;
+  placement.b *= by;
+  placement.x = (corner[0] + kFree) * texel - box.low[0] * by;
+  placement.y = (corner[1] + kFree) * texel - box.low[1] * by;
+  placeOne(placement, flat);
+  return true;
+}
+
+/// `exact`: uv before rounding.
+bool isRepaired(const DiskChart& chart, Numbers numbers, const std::vector<double>& exact,
+                FlatChart& flat) {
+  const double step = stepOf(flat.uv, numbers);
+  std::vector<double> before = flat.uv;
+  if (numbers == Numbers::Double)
+    for (double& x : flat.uv) x = std::floor(x / step + 0.5) * step;
+  const GridRepair repair = repairOnGrid(chart, exact, step, flat.uv);
+  if (repair.isValid) {
+    flat.problem.clear();
+    checkInPlace(chart, flat);
+  }
+  if (!repair.isValid || !flat.problem.empty()) {
+    flat.uv = std::move(before);
+    return false;
+  }
+  flat.movedVertices = static_cast<std::uint32_t>(repair.moved);
+  flat.movedBy = repair.farthest;
+  return true;
+}
+
+std::size_t farthestFrom(const std::vector<double>& uv, std::size_t k) {
+  std::size_t best = k;
+  double most = 0;
+  for (std::size_t i = 0; i < uv.size(); i += 2) {
+    const double distance = norm(uv[i] - uv[k], uv[i + 1] - uv[k + 1]);
+    if (distance <= most) continue;
+    most = distance;
+    best = i;
+  }
+  return best;
+}
+
+/// Stretches points that lie in a strip of at most the width `thin` across the strip, until its
+/// width is `wide`. False where they lie in none.
+bool widen(double thin, double wide, std::vector<double>& uv) {
+  const std::size_t a = farthestFrom(uv, 0), b = farthestFrom(uv, a);
+  const double u = uv[b] - uv[a], v = uv[b + 1] - uv[a + 1], length = norm(u, v);
+  if (!(length > 0)) return false;
+  const double left[2] = {-v / length, u / length};
+  std::vector<double> across;
+  for (std::size_t i = 0; i < uv.size(); i += 2)
+    across.push_back((uv[i] - uv[a]) * left[0] + (uv[i + 1] - uv[a + 1]) * left[1]);
+  const auto [low, high] = std::minmax_element(across.begin(), across.end());
+  const double thickness = *high - *low, middle = *low + thickness / 2;
+  if (!(thickness > 0) || thickness > thin) return false;
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    uv[i] += left[i % 2] * (across[i / 2] - middle) * (wide / thickness - 1);
+  return true;
+}
+
+/// What is as thin as a few steps altogether, such as a fan of needles, is widened so that
+/// repairing it has room.
+bool isRepairedWider(const DiskChart& chart, Numbers numbers, std::vector<double> exact,
+                     FlatChart& flat) {
+  // In steps. Half of it is less than packing leaves free around a chart.
+  constexpr double kThin = 12, kWide = 24;
+  const double step = stepOf(exact, numbers);
+  if (!widen(kThin * step, kWide * step, exact)) return false;
+  std::vector<double> before = std::move(flat.uv);
+  flat.uv = exact;
+  roundTo(numbers, flat);
+  if (isRepaired(chart, numbers, exact, flat)) {
+    flat.movedVertices = static_cast<std::uint32_t>(flat.uv.size() / 2);
+    flat.movedBy += kWide / 2 * step;
+    return true;
+  }
+  flat.uv = std::move(before);
+  return false;
+}
+
+bool isFine(const DiskChart& chart, Numbers numbers, FlatChart& flat) {
+  flat.problem.clear();
+  roundTo(numbers, flat);
+  checkInPlace(chart, flat);
+  return flat.problem.empty();
+}
+
+/// False where the chart has to be larger.
+bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
+         Placement& placement, FlatChart& flat) {
+  flat.movedVertices = 0;
+  if (!flat.problem.empty()) {
+    roundTo(numbers, flat);
+    return true;
+  }
+  std::vector<double> exact = flat.uv;
+  if (isFine(chart, numbers, flat)) return true;
+  if (!flat.isFixed && fillTexel(resolution, placement, flat)) {
+    exact = flat.uv;
+    if (isFine(chart, numbers, flat)) return true;
+  }
+  if (flat.isFixed) return true;  // and says so: its vertices are where they were asked to be
+  if (isRepaired(chart, numbers, exact, flat)) return true;
+  if (isRepairedWider(chart, numbers, exact, flat)) return true;
+  const bool isSmall = boxOf(flat.uv).side() * kEnlargement <= kMostEnlargedSide;
+  if (!mayGrow || !isSmall) return true;
+  flat.enlarged *= kEnlargement;
+  flat.problem.clear();
+  return false;
+}
+
+std::string number(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+}  // namespace
+
+void placeInAtlas(const Packing& packing, std::vector<FlatChart>& flat) {
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    if (!flat[i].isFixed) placeOne(packing.placements[i], flat[i]);
+}
+
+std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, std::vector<FlatChart>& flat) {
+  std::vector<std::uint8_t> isLost(flat.size(), 0);
+  parallelFor(&pool, flat.size(), [&](std::size_t i) {
+    if (flat[i].isGiven) return;
+    const bool wasValid = flat[i].problem.empty();
+    if (flat[i].isFixed)
+      abflat::roundToSingle(flat[i].uv);
+    else
+      roundInAtlas(flat[i].uv);
+    checkInPlace(charts.chart(i), flat[i]);
+    isLost[i] = wasValid && !flat[i].problem.empty();
+  });
+  return static_cast<std::size_t>(std::count(isLost.begin(), isLost.end(), 1));
+}
+
+std::size_t fitToNumbers(const ChartSet& charts, Numbers numbers, int resolution, bool mayGrow,
+                         ThreadPool& pool, Packing& packing, std::vector<FlatChart>& flat) {
+  std::vector<std::uint8_t> isTooSmall(flat.size(), 0);
+  parallelFor(&pool, flat.size(), [&](std::size_t i) {
+    if (!flat[i].isGiven)
+      isTooSmall[i] =
+          !fit(charts.chart(i), numbers, resolution, mayGrow, packing.placements[i], flat[i]);
+  });
+  return static_cast<std::size_t>(std::count(isTooSmall.begin(), isTooSmall.end(), 1));
+}
+
+std::vector<std::string> fittingNotes(const std::vector<FlatChart>& flat, Numbers numbers) {
+  const std::string precision =
+      numbers == Numbers::Double ? "double precision" : "single precision";
+  std::size_t larger = 0, charts = 0, vertices = 0;
+  double most = 1, farthest = 0;
+  for (const FlatChart& chart : flat) {
+    larger += chart.enlarged != 1;
+    most = std::max(most, chart.enlarged);
+    charts += chart.movedVertices > 0;
+    vertices += chart.movedVertices;
+    farthest = std::max(farthest, chart.movedVertices > 0 ? chart.movedBy : 0);
+  }
+  std::vector<std::string> out;
+  if (larger > 0)
+    out.push_back(std::to_string(larger) + (larger == 1 ? " tiny chart is" : " tiny charts are") +
+                  " enlarged, up to " + number(most) + " times: " + precision +
+                  " would lose triangles at the texel density of the others");
+  if (vertices > 0)
+    out.push_back(std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") + " of " +
+                  std::to_string(charts) + (charts == 1 ? " chart" : " charts") +
+                  " moved by up to " + number(farthest) + " in uv: triangles were too thin for " +
+                  precision);
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,298 @@
+#include "unwrap/seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "cut/filled_table.h"
+#include "hole/fill_holes.h"
+#include "mesh/triangle_geometry.h"
+#include "seam/extract_charts.h"
+#include "seam/find_seams.h"
+#include "seam/log_scale.h"
+#include "seam/prediction.h"
+
+namespace abflat {
+namespace {
+
+/// The surface opened along what is given, so that the holes of its charts show, and with these
+/// filled; where there are none the surface as it is, which has the same elimination order whatever
+/// is given. The seams are those that are given but not its boundary.
+OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams given,
+                        const Scales& scales, const FixedTriangles& fixed, FillHoles mode,
+                        const Pulse& pulse) {
+  CornerTable table = surface.table;
+  for (std::size_t h = 0; h < given.size(); ++h)
+    if (given[h]) table.twin[h] = kNone;
+  const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
+    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal,
+                        scales.ofTriangle, pulse);
+  };
+  const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
+  Fans fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
+  OpenSurface out;
+  out.mesh = meshOf(table, fans);
+  fillHoles(mode, fixed.isFixed, out.mesh, pulse);
+  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty() && scales.ofTriangle.empty()) {
+    fans = surface.fans;
+    out.mesh = meshOf(surface.table, fans);
+    out.seams = given;
+  }
+  out.inputVertex = std::move(fans.inputVertex);
+  out.given = std::move(given);
+  return out;
+}
+
+/// Of the seam finder's mesh, in that of the welded one; told from the longest edge.
+double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
+  const auto longest = std::max_element(open.mesh.length.begin(), open.mesh.length.end());
+  if (longest == open.mesh.length.end() || !(*longest > 0)) return 1;
+  const auto h = static_cast<std::uint32_t>(longest - open.mesh.length.begin());
+  const auto input = [&](std::uint32_t c) { return open.inputVertex[open.mesh.vertexOfCorner[c]]; };
+  return norm(edgeVector(welded.mesh.positions, input(h), input(nextCorner(h)))) / *longest;
+}
+
+SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
+                        std::function<bool()> keepsOn) {
+  SeamOptions out;
+  out.isAuto = options.seams.isAuto;
+  out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
+  out.symmetricSeams = options.symmetricSeams;
+  out.fillHoles = options.fillHoles;
+  if (options.udim)  // each chart has to fit a tile
+    out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
+  out.pool = &pool;
+  out.keepsOn = std::move(keepsOn);
+  return out;
+}
+
+bool isGiven(const OpenSurface& open, std::size_t h) {
+  return h < open.given.size() && open.given[h];
+}
+
+/// Seams that part charts; slits within a chart are none, unless they are given.
+Seams seamsBetween(const CutSurface& s, const OpenSurface& open) {
+  Seams out = open.seams;
+  for (std::size_t h = 0; h < out.size(); ++h) {
+    const std::uint32_t o = open.mesh.twin[h];
+    if (o != kNone && s.chartOfTriangle[h / 3] == s.chartOfTriangle[o / 3] && !isGiven(open, h))
+      out[h] = 0;
+  }
+  return out;
+}
+
+/// Finds the seams anew within the charts of `surface` that are wanted, beginning with those that
+/// were found before; false when they are as before.
+bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWanted,
+                SeamOptions options, OpenSurface& open, SeamReport& found) {
+  const SeamPart part = extractCharts(open.mesh, surface, isWanted);
+  const bool hasPlace = !open.place.empty();
+  if (hasPlace)
+    for (const std::uint32_t v : part.vertex) options.place.push_back(open.place[v]);
+  open.seams.resize(open.mesh.twin.size(), 0);
+  open.found.resize(open.mesh.twin.size(), 0);
+  Seams given;
+  for (const std::uint32_t h : part.halfEdge) {
+    given.push_back(open.seams[h] && isGiven(open, h));
+    options.first.push_back(open.found[h]);
+  }
+  const Seams seams = findSeams(part.mesh, std::move(given), options, &found);
+  bool isAny = false;
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    const std::uint32_t h = part.halfEdge[i];
+    if (part.mesh.twin[i] == kNone) continue;
+    isAny = isAny || open.seams[h] != seams[i];
+    open.seams[h] = seams[i];
+    open.found[h] = found.found[i];
+  }
+  open.place.resize(open.mesh.vertexCount(), 0);
+  open.scale.resize(open.mesh.vertexCount(), 0);
+  open.foundScale.resize(open.mesh.vertexCount(), 0);
+  for (std::size_t v = 0; v < found.place.size(); ++v) {
+    // A chart is to be solved in the same order whenever it is found.
+    if (!hasPlace) open.place[part.vertex[v]] = found.place[v];
+    open.scale[part.vertex[v]] = found.scale[v];
+    open.foundScale[part.vertex[v]] = found.foundScale[v];
+  }
+  return isAny;
+}
+
+/// Makes the seams of a chart as long as they were found; false when they are.
+bool restore(const CutSurface& s, std::uint32_t chart, OpenSurface& open) {
+  bool isAny = false;
+  for (std::uint32_t k = s.triangleBegin[chart]; k < s.triangleBegin[chart + 1]; ++k)
+    for (std::uint32_t h = 3 * s.triangleOrder[k]; h < 3 * s.triangleOrder[k] + 3; ++h) {
+      const std::uint32_t v = open.mesh.vertexOfCorner[h];
+      if (!s.isBoundary[s.vertexOfCorner[h]]) open.scale[v] = open.foundScale[v];
+      if (open.seams[h] || !open.found[h] || open.mesh.twin[h] == kNone) continue;
+      open.seams[h] = isAny = true;
+    }
+  return isAny;
+}
+
+bool isAlone(const SeamMesh& mesh, std::uint32_t triangle) {
+  const std::uint32_t* twin = &mesh.twin[3 * std::size_t{triangle}];
+  return twin[0] == kNone && twin[1] == kNone && twin[2] == kNone;
+}
+
+bool areMostAlone(const SeamMesh& mesh) {
+  std::uint32_t alone = 0;
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) alone += isAlone(mesh, f);
+  return alone > mesh.triangleCount() / 2;
+}
+
+/// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
+/// So are triangles alone, where they are many: there is nothing to search.
+void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& options,
+                OpenSurface& open, SeamReport& found) {
+  if (isFixed.empty() && !areMostAlone(open.mesh)) {
+    open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
+    open.place = std::move(found.place);
+    open.scale = std::move(found.scale);
+    open.found = std::move(found.found);
+    open.foundScale = std::move(found.foundScale);
+    return;
+  }
+  const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
+  std::vector<std::uint8_t> isWanted;
+  for (const CutSurface::Chart& chart : islands.charts)
+    isWanted.push_back(chart.triangles > 1 && (isFixed.empty() || !isFixed[chart.firstTriangle]));
+  findWithin(islands, isWanted, options, open, found);
+}
+
+/// What is given, without what lies within fixed islands, and the borders of these.
+Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
+  if (fixed.isFixed.empty()) return given;
+  Seams out = fixed.borders;
+  for (std::size_t h = 0; h < out.size(); ++h)
+    if (given[h] && !fixed.isFixed[h / 3]) out[h] = 1;
+  return out;
+}
+
+}  // namespace
+
+std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Surface& surface,
+                      double unit) {
+  const auto faceOf = [&](std::uint32_t triangle) {
+    return welded.inputFace[surface.triangulation.face[triangle]];
+  };
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "faces of very different size are cut apart: face %u is %.3g long, face %u beside "
+                "it %.3g",
+                faceOf(jump.large), jump.largeSide * unit, faceOf(jump.small),
+                jump.smallSide * unit);
+  return text;
+}
+
+OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surface,
+                    const Seams& asked, const Scales& scales, const FixedTriangles& fixed,
+                    const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                    SeamSummary& summary) {
+  OpenSurface open = openAndFill(welded, surface, withBorders(asked, fixed), scales, fixed,
+                                 options.fillHoles, Pulse(keepsOn));
+  SeamReport found;
+  open.unit = unit * unitOf(welded, open);
+  SeamOptions toBegin = seamOptions(options, open, pool, std::move(keepsOn));
+  // How much refining leaves is known to a third or so, and to cut again takes another run.
+  constexpr double kShare = 0.85;
+  if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  findAround(fixed.isFixed, toBegin, open, found);
+  summary.genus = surface.summary.genus;
+  summary.handleLoops = found.handleLoops;
+  summary.handleLength = found.handleLength;
+  return open;
+}
+
+bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
+                  const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                  OpenSurface& open) {
+  const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
+  if (std::none_of(charts.begin(), charts.end(), isAsked)) return false;
+  const CutSurface s = cutAlong(open.mesh, open.seams);
+  const Prediction expected = predictStretch(open.mesh, s, open.scale);
+  std::vector<double> excess(s.charts.size(), 0);  // 0: stays
+  bool isAnyRestored = false;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    if (!isAsked(charts[i])) continue;
+    const std::uint32_t c = s.chartOfTriangle[set.triangles(i).front()];
+    if (charts[i].isTangled && restore(s, c, open)) {
+      isAnyRestored = true;
+      continue;
+    }
+    const double told = (expected.stretch[c] - 1) / expected.excess[c];
+    if (!(told > 0)) continue;
+    // Where it is more, it is not area alone that is distorted: one seam, and flattening tells.
+    constexpr double kMost = 8, kSlightly = 1.01;
+    const auto above = [&](double x) { return stretchBeforeRefining(x, options.balance) - 1; };
+    const double leastToCut = kSlightly * above(options.maxStretch) / told;
+    // What is tangled has not been refined.
+    const double found = charts[i].isTangled ? std::max((charts[i].stretch - 1) / told, leastToCut)
+                                             : above(charts[i].stretch) / told;
+    excess[c] = std::min(found, std::max(kMost, leastToCut));
+  }
+  open.mesh.excess.resize(open.mesh.triangleCount(), 1);
+  for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)
+    if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;
+  const CutSurface apart = cutAlong(open.mesh, seamsBetween(s, open));
+  std::vector<std::uint8_t> isWanted(apart.charts.size(), 0);
+  for (std::size_t c = 0; c < s.charts.size(); ++c)
+    if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
+  SeamReport found;
+  const bool isAnyFound = findWithin(
+      apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
+  return isAnyFound || isAnyRestored;
+}
+
+void expectScale(const ChartSet& set, const std::vector<std::uint8_t>& isAsked, ThreadPool& pool,
+                 OpenSurface& open) {
+  if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return;
+  const CutSurface s = cutAlong(open.mesh, open.seams);
+  std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
+  for (std::size_t i = 0; i < set.size(); ++i)
+    isWanted[s.chartOfTriangle[set.triangles(i).front()]] = isAsked[i];
+  const SeamPart part = extractCharts(open.mesh, s, isWanted);
+  std::vector<std::uint32_t> place;
+  for (const std::uint32_t v : part.vertex) place.push_back(open.place[v]);
+  LogScale scale(part.mesh, &pool, std::move(place));
+  const CutSurface whole = cutAlong(part.mesh, Seams(part.mesh.twin.size(), 0));
+  const std::vector<double> u = scale.solve(whole, {});
+  for (std::size_t v = 0; v < u.size(); ++v) open.scale[part.vertex[v]] = u[v];
+}
+
+ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
+  ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
+  // Charts are factored in the order that was found for the whole surface.
+  out.place.assign(welded.mesh.vertexCount(), 0);
+  for (std::size_t i = 0; i < open.place.size(); ++i)
+    out.place[open.inputVertex[i]] = open.place[i];
+  return out;
+}
+
+Seams visibleSeams(const OpenSurface& open) {
+  Seams out = open.given;
+  for (std::uint32_t h = 0; h < out.size(); ++h)
+    out[h] = out[h] || (open.seams[h] && open.mesh.isOnSurface(h));
+  return out;
+}
+
+void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
+  double length = 0;
+  for (std::size_t h = 0; h < visible.size(); ++h) {
+    if (!visible[h]) continue;
+    length += open.mesh.length[h] / 2;
+    ++summary.edges;
+  }
+  summary.edges /= 2;
+  const double size = std::sqrt(open.mesh.totalArea());
+  summary.relativeLength = size > 0 ? length / size : 0;
+}
+
+double seamLength(const OpenSurface& open) {
+  SeamSummary out;
+  measureSeams(open, visibleSeams(open), out);
+  return out.relativeLength;
+}
+
+}  // namespace abflat

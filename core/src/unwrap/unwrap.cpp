@@ -1,0 +1,365 @@
+#include "abflat/unwrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "abflat/mesh.h"
+#include "abflat/peak_memory.h"
+#include "base/free_memory.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "chart/chart_set.h"
+#include "mesh/notches.h"
+#include "mesh/surface.h"
+#include "mesh/triangle_geometry.h"
+#include "mesh/welded_mesh.h"
+#include "seam/given_seams.h"
+#include "seam/scale_seams.h"
+#include "unwrap/atlas.h"
+#include "unwrap/certificate.h"
+#include "unwrap/chart.h"
+#include "unwrap/fixed.h"
+#include "unwrap/known.h"
+#include "unwrap/layouts.h"
+#include "unwrap/monitor.h"
+#include "unwrap/output.h"
+#include "unwrap/pieces.h"
+#include "unwrap/pinned.h"
+#include "unwrap/room.h"
+#include "unwrap/seams.h"
+
+namespace abflat {
+namespace {
+
+/// The exponent of the power of two that brings the largest coordinate of a face to 1 to 2.
+int exponentOf(const PolygonMesh& mesh) {
+  double largest = 0;
+  for (const std::size_t v : mesh.faceVertices)
+    for (std::size_t d = 0; d < 3; ++d)
+      largest = std::max(largest, std::abs(mesh.positions[3 * v + d]));
+  return largest > 0 ? std::ilogb(largest) : 0;
+}
+
+/// One run, stage by stage.
+class Unwrapping {
+ public:
+  /// The mesh is taken in units of 2^exponent, lengths in the options are in such units.
+  Unwrapping(const PolygonMesh& input, const UnwrapOptions& options, int exponent)
+      : input_(input),
+        options_(options),
+        unit_(std::ldexp(1.0, exponent)),
+        monitor_(options.progress) {}
+
+  Result<UnwrapResult> run() {
+    if (Status s = checkInput(); !s.ok()) return s;
+    report_.options = options_;
+    const std::pair<const Stage&, Status (Unwrapping::*)()> stages[] = {
+        {kSurface, &Unwrapping::seeSurface}, {kSeams, &Unwrapping::cut},
+        {kSolve, &Unwrapping::flatten},      {kPack, &Unwrapping::packCharts},
+        {kCheck, &Unwrapping::finish},
+    };
+    for (const auto& [stage, work] : stages) {
+      if (monitor_.tell(stage))
+        if (Status s = (this->*work)(); !s.ok()) return s;
+      if (monitor_.stopped()) return Status{StatusCode::Aborted, "cancelled"};
+      report_.timings.*stage.field += watch_.lap();
+      report_.peakMemory.*stage.field = peakMemory();
+      giveBackFreeMemory();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  CutMesh cutMesh() const { return {input_, welded_, surface_, set_}; }
+
+  Status checkInput() const {
+    if (options_.udim && options_.texelDensity == kAutoTexelDensity)
+      return {StatusCode::InvalidOption,
+              "several tiles (udim) are for a texel density, which is auto: give a number"};
+    if (input_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
+    return {};
+  }
+
+  Status seeSurface() {
+    const Pulse pulse([this] { return monitor_.tell(kSurface); });
+    PolygonMesh inUnits = input_;
+    for (double& x : inUnits.positions) x /= unit_;
+    report_.input = inspect(inUnits, pulse);
+    // A mesh that is a disk may be one because it has been cut: it is taken as it is, but for what
+    // is open at poles because each face there has a vertex of its own.
+    const bool isDisk = report_.input.disk.ok();
+    weldAndSee(inUnits, !isDisk, {}, pulse);
+    if (isDisk && !pulse.isStopped())
+      if (const VertexPairs notches = findNotches(welded_.mesh, surface_); !notches.empty())
+        weldAndSee(inUnits, false, notches, pulse);
+    if (pulse.isStopped()) return {};
+    if (surface_.table.vertex.empty())
+      return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
+    report_.repair = repairReport(welded_, surface_);
+    surface_.boundaryLoops = std::vector<std::vector<std::uint32_t>>();
+    pool_ = std::make_unique<ThreadPool>(
+        usefulThreads(options_.threads, surface_.table.triangleCount()));
+    report_.threads = pool_->threads();
+    pool_->listen(pulse_);
+    return {};
+  }
+
+  void weldAndSee(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
+                  const Pulse& pulse) {
+    if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
+    if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
+  }
+
+  Status cut() {
+    Result<Seams> given = givenSeams(input_, welded_, surface_, options_.seams);
+    if (!given.ok()) return given.status;
+    Scales scales;
+    if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
+    if (scales.sharpest)
+      report_.notes.push_back(scaleNote(*scales.sharpest, welded_, surface_, unit_));
+    Result<FixedTriangles> fixed = fixedTriangles(input_, welded_, surface_, options_);
+    if (!fixed.ok()) return fixed.status;
+    fixed_ = std::move(fixed.value);
+    open_ = cutOpen(
+        welded_, unit_, surface_, given.value, scales, fixed_, options_, *pool_,
+        [&] { return monitor_.tell(kSeams); }, report_.seams);
+    surface_.fans = Fans();
+    monitor_.tellAgain();
+    if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
+    return {};
+  }
+
+  /// Charts that turn out to be stretched more than was expected are cut further.
+  Status flatten() {
+    if (Status s = readWishes(); !s.ok()) return s;
+    flat_.resize(set_.size());
+    if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
+    if (Status s = checkUnpinned(set_, wishes_, flat_); !s.ok()) return s;
+    if (Status s = layOut(); !s.ok()) return s;
+    constexpr int kMostRounds = 8;
+    if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve,
+                                     [&](double share) { return tellSolve(share); });
+        !s.ok())
+      return s;
+    for (FlatChart& chart : flat_) chart.isCutEnough = true;
+    if (dropTangled(flat_))
+      if (Status s = layOut(); !s.ok()) return s;
+    return {};
+  }
+
+  /// As often as that helps. `seconds`: those of laying out.
+  Status cutWhileStretched(int mostRounds, double& seconds,
+                           const std::function<bool(double)>& tell) {
+    for (round_ = 1; round_ <= mostRounds && !monitor_.stopped(); ++round_) {
+      seconds += watch_.lap();
+      const bool isCut = cutFurther([&] { return tell(0); });
+      report_.timings.seams += watch_.lap();
+      if (!isCut || monitor_.stopped()) break;
+      openAnew();
+      if (Status s = readWishes(); !s.ok()) return s;
+      dropTangled(flat_);
+      if (Status s = layOut(tell); !s.ok()) return s;
+    }
+    return {};
+  }
+
+  struct LaidCharts {
+    ChartSet set;
+    std::vector<FlatChart> flat;
+  };
+
+  /// Charts of the surface as it is open now. Those that are as before keep their layout; what is
+  /// left of the others is returned.
+  LaidCharts openAnew() {
+    LaidCharts before{std::move(set_), std::move(flat_)};
+    set_ = chartsOf(welded_, open_);
+    flat_ = std::vector<FlatChart>(set_.size());
+    moveSame(before.set, before.flat, set_, flat_);
+    return before;
+  }
+
+  /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
+  /// memory.
+  void endCutting() {
+    monitor_.tellAgain();
+    const Seams seams = visibleSeams(open_);
+    measureSeams(open_, seams, report_.seams);
+    out_.seams = seamEdges(input_, welded_, surface_, seams);
+    open_ = OpenSurface();
+    wishes_ = std::vector<ChartWishes>();
+    set_.place = std::vector<std::uint32_t>();
+  }
+
+  Status readWishes() {
+    monitor_.tellAgain();
+    texcoords_ = numberTexcoords(welded_, surface_, set_);
+    Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, fixed_, options_);
+    if (!wishes.ok()) return wishes.status;
+    wishes_ = std::move(wishes.value);
+    return {};
+  }
+
+  /// What has no layout yet.
+  Status layOut(const std::function<bool(double)>& tell) {
+    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
+    flattenAll(set_, wishes_, options_, *pool_, monitor_, tell, flat_);
+    return {};
+  }
+
+  Status layOut() {
+    return layOut([&](double share) { return tellSolve(share); });
+  }
+
+  /// Each round has a part of what those before left.
+  bool tellSolve(double share) {
+    constexpr double kFirst = 0.7;
+    return monitor_.tell(kSolve, 1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
+  }
+
+  bool cutFurther(const std::function<bool()>& goesOn) {
+    if (!canCut(options_)) return false;
+    std::vector<Stretched> charts;
+    for (FlatChart& chart : flat_) {
+      const bool isAsked =
+          (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
+      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
+      // Unless its layout is not kept.
+      chart.isCutEnough = chart.isCutEnough || isAsked;
+    }
+    return cutStretched(set_, charts, options_, *pool_, goesOn, open_);
+  }
+
+  Status packCharts() {
+    if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
+    const bool mayCut = canCut(options_) && cutsForRoom(options_, flat_);
+    Status s = packNow(0, mayCut ? kUncut : 1);
+    if (s.ok() && mayCut) s = cutForRoom();
+    if (s.ok()) endCutting();
+    return s;
+  }
+
+  /// Which is that part of the stage.
+  Status packNow(double from, double to) {
+    const auto tell = [&, from, to](double share) {
+      return monitor_.tell(kPack, from + (to - from) * share);
+    };
+    return packAll(set_, options_, unit_, *pool_, tell, flat_, packing_, report_.atlas);
+  }
+
+  /// Charts are cut where they are packed so much denser then that it is worth the seams, and stay
+  /// as they were otherwise.
+  Status cutForRoom() {
+    const auto goesOn = [&] { return monitor_.tell(kPack, kUncut); };
+    const RoomCuts cuts =
+        findRoomCuts(set_, flat_, open_, options_, report_.atlas.utilization, goesOn);
+    if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
+    const AtlasReport uncut = report_.atlas;
+    open_.seams.resize(open_.mesh.twin.size(), 0);
+    const Seams seams = open_.seams;
+    const double length = seamLength(open_);
+    Packing packing = std::move(packing_);
+    addCuts(cuts, options_, open_);
+    LaidCharts before = openAnew();
+    takePieces(before.set, before.flat, set_, options_.maxStretch, *pool_, flat_);
+    if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
+    if (Status s = joinStretched(before, seams); !s.ok()) return s;
+    report_.atlas.packingCuts = static_cast<int>(set_.size() - before.set.size());
+    report_.atlas.packingCutLength = seamLength(open_) - length;
+    report_.atlas.uncutTexelDensity = uncut.texelDensity;
+    Status packed = packNow(kUncut, 1);
+    if (packed.code == StatusCode::Aborted) return packed;
+    if (packed.ok() && isWorth(report_.atlas, options_)) return {};
+    moveSame(set_, flat_, before.set, before.flat);
+    set_ = std::move(before.set);
+    flat_ = std::move(before.flat);
+    open_.seams = seams;
+    packing_ = std::move(packing);
+    report_.atlas = uncut;
+    placeInAtlas(packing_, flat_);
+    return readWishes();
+  }
+
+  /// Those that do not lie well enough as they lay in their chart. What is stretched too much even
+  /// so is cut further.
+  Status layOutPieces(const std::function<bool()>& goesOn) {
+    constexpr int kMostRounds = 3;
+    const auto tell = [&](double) { return goesOn(); };
+    if (Status s = readWishes(); !s.ok()) return s;
+    if (Status s = layOut(tell); !s.ok()) return s;
+    expectScale(set_, stretchedPieces(flat_, options_.maxStretch), *pool_, open_);
+    if (Status s = cutWhileStretched(kMostRounds, report_.timings.pack, tell); !s.ok()) return s;
+    for (FlatChart& chart : flat_) chart.isCutEnough = true;
+    return dropTangled(flat_) ? layOut(tell) : Status();
+  }
+
+  /// Charts that were cut for packing to pieces that are stretched too much are whole again.
+  Status joinStretched(LaidCharts& before, const Seams& seams) {
+    const std::vector<std::uint8_t> isJoined =
+        stretchedByCuts(before.set, before.flat, set_, flat_, options_.maxStretch);
+    if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
+    takeBack(before.set, isJoined, seams, open_);
+    openAnew();
+    moveSame(before.set, before.flat, set_, flat_);
+    return readWishes();
+  }
+
+  Status finish() {
+    checkAll(set_, options_, unit_, *pool_, flat_, packing_, report_);
+    monitor_.tellAgain();
+    packing_ = Packing();
+    noteStretched(flat_, options_, report_.notes);
+    measureStraight(set_, flat_);
+    fillTexcoords(texcoords_, unit_, flat_, out_);
+    giveBackFreeMemory();
+    fillReport(set_, flat_, surface_, welded_, unit_, report_);
+    flat_ = std::vector<FlatChart>();
+    fillFaces(input_, welded_, surface_, set_, texcoords_, out_);
+    monitor_.tellAgain();
+    set_ = ChartSet();
+    surface_ = Surface();
+    texcoords_ = Texcoords();
+    certify(welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
+    if (options_.roundsForGltf) return {};
+    if (std::string note = foldedFansNote(input_, out_); !note.empty())
+      report_.notes.push_back(std::move(note));
+    return {};
+  }
+
+  const PolygonMesh& input_;
+  const UnwrapOptions& options_;
+  const double unit_;
+  Stopwatch watch_;
+  Monitor monitor_;
+  const Pulse pulse_{[this] { return monitor_.tellAgain(); }};
+  UnwrapResult out_;
+  UnwrapReport& report_ = out_.report;
+  WeldedMesh welded_;
+  Surface surface_;
+  std::unique_ptr<ThreadPool> pool_;
+  FixedTriangles fixed_;
+  OpenSurface open_;
+  ChartSet set_;
+  Texcoords texcoords_;
+  std::vector<ChartWishes> wishes_;
+  std::vector<FlatChart> flat_;
+  int round_ = 0;                        ///< of flattening
+  static constexpr double kUncut = 0.6;  ///< of packing, where charts may be cut for it
+  Packing packing_;
+};
+
+}  // namespace
+
+Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  if (Status s = validateArrays(mesh); !s.ok()) return s;
+  // So that nothing overflows or gets lost below, and results are the same in every unit.
+  const int exponent = exponentOf(mesh);
+  if (exponent == 0 || options.known.unpacked.empty())
+    return Unwrapping(mesh, options, exponent).run();
+  UnwrapOptions inUnits = options;
+  for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
+  return Unwrapping(mesh, inUnits, exponent).run();
+}
+
+}  // namespace abflat

@@ -1,0 +1,110 @@
+#include "base/number_text.h"
+
+#include <clocale>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "catch.h"
+
+using namespace abflat;
+
+namespace {
+
+std::string textOf(double value) {
+  char text[kMostDoubleChars];
+  return {text, writeDouble(text, value)};
+}
+
+}  // namespace
+
+TEST_CASE("doubles survive being written and read") {
+  std::mt19937_64 random(1);
+  std::vector<double> values{0.0,          -0.0, 1, 0.1, 1e22, 5e-324, 1.7976931348623157e308,
+                             123456789.125};
+  while (values.size() < 20000) {
+    const std::uint64_t bits = random();
+    double d;
+    std::memcpy(&d, &bits, sizeof d);
+    if (std::isfinite(d)) values.push_back(d);
+  }
+  for (const double d : values) {
+    const std::string text = textOf(d);
+    double back = 1;
+    REQUIRE(parseDouble(text, back));
+    CHECK(std::memcmp(&back, &d, sizeof d) == 0);
+    CHECK(text.size() <= 24);  // 17 digits, sign, point, "e-308"
+    CHECK(std::strtod(text.c_str(), nullptr) == d);
+  }
+}
+
+TEST_CASE("short numbers have short texts, and what is no number has one") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::pair<double, const char*> cases[] = {
+      {0.1, "0.1"},        {-0.0, "-0"},         {1, "1"},        {-20, "-20"}, {0.5, "0.5"},
+      {100000, "100000"},  {1e22, "1e+22"},      {1e-5, "1e-05"}, {1.5, "1.5"}, {infinity, "inf"},
+      {-infinity, "-inf"}, {std::nan(""), "nan"}};
+  for (const auto& [value, text] : cases) CHECK(textOf(value) == text);
+  for (const std::uint32_t value : {0u, 7u, 10u, 4294967295u}) {
+    char text[kMostIntegerChars];
+    CHECK(std::string(text, writeInteger(text, value)) == std::to_string(value));
+  }
+}
+
+TEST_CASE("numbers beyond the range of doubles are 0 or infinite, with their sign") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::string zeros(400, '0');
+  const std::pair<std::string, double> cases[] = {{"1.5e-999", 0},
+                                                  {"-1.5e-999", -0.0},
+                                                  {"1.5e999", infinity},
+                                                  {"-1e999", -infinity},
+                                                  {"0." + zeros + "1", 0},
+                                                  {"1" + zeros, infinity},
+                                                  {"1" + zeros + "e-9", infinity},
+                                                  {"0." + zeros + "1e9", 0},
+                                                  {"1e99999999999999999999", infinity},
+                                                  {"1e-99999999999999999999", 0}};
+  for (const auto& [text, wanted] : cases) {
+    INFO(text);
+    double value = 1;
+    CHECK(parseDouble(text, value));
+    CHECK(value == wanted);
+    CHECK(std::signbit(value) == std::signbit(wanted));
+  }
+}
+
+TEST_CASE("numbers are read and written alike in every locale") {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  bool hasComma = false;
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8"})
+    hasComma = hasComma || std::setlocale(LC_ALL, name) != nullptr;
+  if (!hasComma) WARN("skipped: no locale with a decimal comma is installed");
+  double half = 1, tiny = 1, comma = 1;
+  const bool isRead = parseDouble("0.5", half) && parseDouble("2.5e-999", tiny);
+  const bool isCommaRead = parseDouble("0,5", comma);
+  const std::string text = textOf(0.1);
+  std::setlocale(LC_ALL, before.c_str());
+  CHECK(isRead);
+  CHECK(half == 0.5);
+  CHECK(tiny == 0);
+  CHECK_FALSE(isCommaRead);
+  CHECK(text == "0.1");
+}
+
+TEST_CASE("only decimal numbers are numbers") {
+  double value = 0;
+  std::int64_t integer = 0;
+  for (const char* word : {"", "+", "-", "+-1", "--1", "1.5x", "0x10", "1e", ".", "1 ", "\v1"}) {
+    INFO(word);
+    CHECK_FALSE(parseDouble(word, value));
+    CHECK_FALSE(parseInteger(word, integer));
+  }
+  for (const char* word : {"+1", "1.", "1e0", "10E-1", "0001.0"}) {
+    CHECK(parseDouble(word, value));
+    CHECK(value == 1);
+  }
+}

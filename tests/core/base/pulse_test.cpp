@@ -1,0 +1,129 @@
+#include "base/pulse.h"
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <random>
+#include <string>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "mesh/surface.h"
+#include "mesh/welded_mesh.h"
+#include "support/instrumented.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Loose triangles of a sheet, their corners shaken by less than the tolerance.
+PolygonMesh looseSheet(unsigned n) {
+  const PolygonMesh grid = bumpyGrid(n, n, 0.1, 3);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> shift(-1e-8, 1e-8);
+  PolygonMesh out;
+  out.faceOffsets = grid.faceOffsets;
+  for (const std::size_t v : grid.faceVertices) {
+    out.faceVertices.push_back(static_cast<std::uint32_t>(out.faceVertices.size()));
+    for (std::size_t d = 0; d < 3; ++d)
+      out.positions.push_back(grid.positions[3 * v + d] + shift(random));
+  }
+  return out;
+}
+
+PolygonMesh zigzag(unsigned n) {
+  PolygonMesh out;
+  for (unsigned k = 0; k < n; ++k) {
+    const double angle = 6.283185307179586 * k / n, r = k % 2 ? 1 : 0.9;
+    out.positions.insert(out.positions.end(), {r * std::cos(angle), r * std::sin(angle), 0});
+    out.faceVertices.push_back(k);
+  }
+  out.faceOffsets = {0, n};
+  return out;
+}
+
+bool isBefore(const Progress& p, const char* stage) { return std::strcmp(p.stage, stage) == 0; }
+
+}  // namespace
+
+TEST_CASE("a pulse is asked after a number of steps, and no more once it has stopped") {
+  int asked = 0;
+  const Pulse pulse([&] { return ++asked < 3; });
+  std::size_t steps = 0;
+  while (pulse.beat() && steps < 10000000) ++steps;
+  CHECK(asked == 3);
+  CHECK(steps > 50000);
+  CHECK(steps < 1000000);
+  CHECK(pulse.isStopped());
+  for (int i = 0; i < 100000; ++i) CHECK_FALSE(pulse.beat());
+  CHECK(asked == 3);
+  CHECK(Pulse().beat(std::size_t{1} << 40));
+}
+
+TEST_CASE("seeing a surface is heard of all the way, and ends wherever that is asked for") {
+  for (const PolygonMesh& mesh : {looseSheet(150), zigzag(20000)}) {
+    const auto see = [&](int most) {
+      int asked = 0;
+      const Pulse pulse([&] { return ++asked != most; });
+      const MeshSummary input = inspect(mesh, pulse);
+      if (!pulse.isStopped()) {
+        const WeldedMesh welded = weld(mesh, !input.disk.ok(), pulse);
+        if (!pulse.isStopped()) buildSurface(welded.mesh, pulse);
+      }
+      CHECK(pulse.isStopped() == (most > 0));
+      return asked;
+    };
+    const int all = see(0);
+    CHECK(all > 10);
+    for (int most = 1; most <= all; most += 1 + all / 12) CHECK(see(most) == most);
+  }
+}
+
+TEST_CASE("a run that is cancelled while it sees the surface ends there") {
+  const PolygonMesh mesh = looseSheet(100);
+  for (const int most : {1, 2, 4}) {
+    int calls = 0;
+    const ProgressCallback stop = [&](const Progress& p) {
+      CHECK((isBefore(p, "surface") || isBefore(p, "connectivity")));
+      return ++calls != most;
+    };
+    UnwrapOptions options;
+    options.progress = stop;
+    CHECK(unwrap(mesh, options).status.code == StatusCode::Aborted);
+    CHECK(calls == most);
+    if (most > 2) continue;  // a disk is seen once only
+    calls = 0;
+    FlattenOptions disk;
+    disk.progress = stop;
+    CHECK(flatten(zigzag(5000), disk).status.code == StatusCode::Aborted);
+    CHECK(calls == most);
+  }
+}
+
+TEST_CASE("calls become more with the mesh while seams are sought and charts flattened") {
+  const auto calls = [](unsigned n, int threads) {
+    std::map<std::string, int> out;
+    double fraction = 0;
+    bool isMonotone = true;
+    UnwrapOptions options;
+    options.threads = threads;
+    options.balance = 0;  // refining ends by what it gains, not by size
+    options.minUtilization = 0;
+    options.progress = [&](const Progress& p) {
+      ++out[p.stage];
+      isMonotone = isMonotone && p.fraction >= fraction;
+      fraction = p.fraction;
+      return true;
+    };
+    CHECK(unwrap(torus(n, n), options).ok());
+    CHECK(isMonotone);
+    return out;
+  };
+  std::map<std::string, int> few = calls(cases(60u, 30u), 1), many = calls(cases(240u, 120u), 1);
+  // 16 times the triangles.
+  CHECK(many["seams"] > cases(4, 3) * few["seams"]);
+  CHECK(many["solve"] > 3 * few["solve"]);
+  CHECK(calls(cases(120u, 60u), 2)["seams"] > few["seams"]);
+}
