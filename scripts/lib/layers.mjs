@@ -6,6 +6,7 @@ import { filesBelow } from './stamp.mjs';
 
 const DOCUMENT = 'ARCHITECTURE.md';
 const PUBLIC = 'core/include';
+const CODE = /\.(h|cpp|ts)$/;
 const NAMES = {
   include: /^[ \t]*#[ \t]*include[ \t]+"([^"]+)"/gm,
   import:
@@ -51,7 +52,7 @@ function fileOf(name, from, root, folder) {
     return candidates.find((path) => existsSync(join(root, path)));
   }
   const path = join(dirname(from), name).replace(/\.js$/, '');
-  return [path, `${path}.ts`].find((each) => /\.\w+$/.test(each) && existsSync(join(root, each)));
+  return [path, `${path}.ts`].find((each) => CODE.test(each) && existsSync(join(root, each)));
 }
 
 /** A room is a folder; what lies beside the rooms is a room of its own, `.`. */
@@ -92,7 +93,7 @@ function faultsIn(table, root) {
   const { folder, rowOf: rooms } = table;
   const files = filesBelow([folder], root)
     .map((file) => relative(root, file))
-    .filter((file) => /\.(h|cpp|ts)$/.test(file));
+    .filter((file) => CODE.test(file));
   const faults = [];
   const found = new Set(files.map((file) => roomOf(file, folder)));
   for (const room of found)

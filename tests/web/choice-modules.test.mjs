@@ -7,7 +7,7 @@ import { loadModule as load } from './modules.mjs';
 const files = (...names) => names.map((name) => new File(['x'], name));
 
 test('a mesh is found among its files in any order; of several all are offered', async () => {
-  const { sourcesOf } = await load('chosen-files');
+  const { sourcesOf } = await load('session/chosen-files');
   const names = (list) => sourcesOf(files(...list)).map(({ name }) => name);
   const parts = ['x.mtl', 'x.png', 'x.obj'];
   for (let turn = 0; turn < parts.length; turn++) {
@@ -26,7 +26,7 @@ test('a mesh is found among its files in any order; of several all are offered',
 });
 
 test('why nothing can be opened is a sentence with the name of the file', async () => {
-  const { noMesh } = await load('chosen-files');
+  const { noMesh } = await load('session/chosen-files');
   assert.match(noMesh(files('cat.png')), /^cat\.png is no mesh\. Open an OBJ, .*\.$/);
   assert.match(noMesh(files('cat.png', 'dog.png')), /^None of these 2 files is a mesh\. .*\.$/);
 });
@@ -39,7 +39,7 @@ const atlas = (maxStretch, seams, charts, valid = true) => ({
 });
 
 test('the badge of an atlas tells valid, stretched and not valid apart', async () => {
-  const { verdictOf } = await load('verdict');
+  const { verdictOf } = await load('details/verdict');
   const badge = (outcome) => verdictOf(outcome).badge;
   assert.equal(badge(atlas(1.04, 'auto', [chart(1.04), chart(1.01)])), 'Valid');
   const stretched = verdictOf(atlas(1.04, 'none', [chart(1.83), chart(1.2), chart(1)]));
@@ -71,7 +71,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
 });
 
 test('the badge of a mesh in one piece turns with its lengths', async () => {
-  const { verdictOf } = await load('verdict');
+  const { verdictOf } = await load('details/verdict');
   const disk = (lengthDistortion, valid = true) =>
     verdictOf({
       mode: 'flatten',
@@ -86,7 +86,7 @@ test('the badge of a mesh in one piece turns with its lengths', async () => {
 });
 
 test('a number that was not used is said with its range and what is used instead', async () => {
-  const { refusal } = await load('number-field');
+  const { refusal } = await load('controls/number-field');
   assert.equal(
     refusal('t', '7', 'from 0.9 to 2', 'auto'),
     '7 was not used: t must be from 0.9 to 2. It is still auto.',
@@ -98,7 +98,7 @@ test('a number that was not used is said with its range and what is used instead
 });
 
 test('faces are those of the file: polygons beside their triangles', async () => {
-  const { facesText } = await load('words');
+  const { facesText } = await load('session/words');
   const mesh = { indices: new Uint32Array(3 * 968) };
   assert.equal(facesText(mesh, { faces: 500 }), '500 polygons, 968 triangles');
   assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');

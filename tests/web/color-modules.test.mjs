@@ -28,7 +28,7 @@ const LEAST_CONTRAST = 3;
 
 /** The custom properties of a theme. */
 function tokens(theme) {
-  const text = readFileSync(join(ROOT, 'web/src/tokens.css'), 'utf8');
+  const text = readFileSync(join(ROOT, 'web/src/css/tokens.css'), 'utf8');
   const [dark, light] = text.split(':root[data-theme="light"]');
   const all = (part) => [...part.matchAll(/--([\w-]+):\s*(#[0-9a-f]+);/g)];
   const found = [...all(dark), ...(theme === 'light' ? all(light) : [])];
@@ -65,7 +65,7 @@ function contrast(a, b) {
 }
 
 async function chartTokens(theme) {
-  const { CHART_COLORS } = await load('chart-colors');
+  const { CHART_COLORS } = await load('colors/chart-colors');
   const all = tokens(theme);
   return Array.from({ length: CHART_COLORS }, (_, i) => all.get(`chart-${i}`));
 }
@@ -131,7 +131,7 @@ function patchwork(n, size, height = () => 0) {
 }
 
 test('charts that meet differ in colour, also where they only touch; the same atlas has the same colours', async () => {
-  const { atlasPicture } = await load('picture');
+  const { atlasPicture } = await load('drawing/picture');
   const { chartCount, ...atlas } = patchwork(24, 3);
   const picture = () => atlasPicture(atlas, { tiles: 1, chartCount }, atlas);
   const { chartColors } = picture();
@@ -154,7 +154,7 @@ test('charts that meet differ in colour, also where they only touch; the same at
 });
 
 test('charts side by side in the layout differ in colour although they do not meet in 3D', async () => {
-  const { atlasPicture } = await load('picture');
+  const { atlasPicture } = await load('drawing/picture');
   // Twelve triangles far from each other, in a row in the layout.
   const count = 12;
   const rows = (size, row) => Float64Array.from({ length: 3 * size * count }, (_, i) => row(i));
@@ -178,7 +178,7 @@ test('charts side by side in the layout differ in colour although they do not me
 });
 
 test('many charts that touch in one point are coloured at once', async () => {
-  const { chartColors } = await load('chart-colors');
+  const { chartColors } = await load('colors/chart-colors');
   const count = 30_000;
   const indices = Uint32Array.from({ length: 3 * count }, (_, c) => c);
   const found = chartColors({

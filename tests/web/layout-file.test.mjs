@@ -99,7 +99,7 @@ test('the SVG has the size of the surface, a group for each chart', async (t) =>
   assert.equal(String(drawn.groups), (await metrics(page)).Charts);
   assert.match(drawn.width, /^[\d.]+mm$/);
   const mm = parseFloat(drawn.width) / drawn.across;
-  const { triangleAreas } = await loadModule('mesh');
+  const { triangleAreas } = await loadModule('mesh/mesh');
   const surface = triangleAreas(
     Float64Array.from(RINGS.positions.flat()),
     3,
@@ -166,7 +166,7 @@ for (const [name, width, height] of [
 }
 
 test('chains have every edge once', async () => {
-  const { chains } = await loadModule('layout-file/chains');
+  const { chains } = await loadModule('files/chains');
   // Two triangles that meet in a point, and a loose edge.
   const pairs = [0, 1, 1, 2, 2, 0, 2, 3, 3, 4, 4, 2, 6, 5];
   for (const bothWays of [false, true]) {
@@ -181,7 +181,7 @@ test('chains have every edge once', async () => {
 });
 
 test('outlines enclose their charts, edges inside are those of faces', async () => {
-  const { chartLines } = await loadModule('layout-file/chart-lines');
+  const { chartLines } = await loadModule('files/chart-lines');
   // Two quads side by side, of two triangles each; the second one is a chart of its own, and touches the first.
   const shape = {
     uv: Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 2, 0, 2, 1, 1, 1),
@@ -205,7 +205,7 @@ test('outlines enclose their charts, edges inside are those of faces', async () 
 });
 
 test('colours of areas do not depend on the scale, and end at half and double', async () => {
-  const { heatSteps, heatColor, HEAT_STEPS } = await loadModule('layout-file/heat');
+  const { heatSteps, heatColor, HEAT_STEPS } = await loadModule('files/heat');
   const areas = Float64Array.of(1, 2, 3);
   const middle = (HEAT_STEPS - 1) / 2;
   assert.deepEqual(
@@ -226,7 +226,7 @@ test('colours of areas do not depend on the scale, and end at half and double', 
 });
 
 test('a picture that no browser can draw is refused with what to do', async () => {
-  const { pictureSize } = await loadModule('layout-file/picture-size');
+  const { pictureSize } = await loadModule('files/picture-size');
   assert.deepEqual(pictureSize({ resolution: 4096, tiles: 3 }), { width: 12288, height: 4096 });
   assert.throws(
     () => pictureSize({ resolution: 4096, tiles: 5 }),

@@ -97,7 +97,7 @@ test('locks belong to one mesh', async (t) => {
 });
 
 test('what is locked while a run is under way is kept by the next one', async () => {
-  const { Locks } = await loadModule('charts/locks');
+  const { Locks } = await loadModule('details/locks');
   /** Of one triangle in each chart, or as many as `chartOfTriangle` says. */
   const result = (fixed, chartOfTriangle = fixed.map((_, i) => i)) => ({
     report: { charts: fixed.map((fixed) => ({ fixed })) },

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { AbflatError, loadModule as load } from './modules.mjs';
 
 test('copies are those of the arrays, whatever their size and kind, in buffers of their own', async () => {
-  const { buffersOf, copied } = await load('workshop/buffers');
+  const { buffersOf, copied } = await load('base/buffers');
   const large = Float64Array.from({ length: 1_300_001 }, (_, i) => i * 1.5);
   const file = new File(['text'], 'a.obj');
   const value = {
@@ -29,7 +29,7 @@ test('copies are those of the arrays, whatever their size and kind, in buffers o
 });
 
 test('large arrays are copied in tasks between which others run', async () => {
-  const { copied } = await load('workshop/buffers');
+  const { copied } = await load('base/buffers');
   const bytes = new Uint8Array(40 << 20);
   let others = 0;
   const timer = setInterval(() => ++others, 0);
@@ -40,7 +40,7 @@ test('large arrays are copied in tasks between which others run', async () => {
 });
 
 test('what could not be started is started again, what could is not', async () => {
-  const { startOnce } = await load('start-once');
+  const { startOnce } = await load('base/start-once');
   let starts = 0;
   const start = startOnce(async () => {
     starts += 1;
@@ -56,7 +56,7 @@ test('what could not be started is started again, what could is not', async () =
 });
 
 test('an error of abflat that it was not loaded is told from that of a mesh', async () => {
-  const { lostOf } = await load('lost');
+  const { lostOf } = await load('base/lost');
   const say = (part, message) => {
     const lost = lostOf(new AbflatError('UnreadableFile', message, part));
     return lost && [lost.message, lost.detail];

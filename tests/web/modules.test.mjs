@@ -11,14 +11,14 @@ const SQUARE = {
 };
 
 test('boundary edges are those with one triangle, in its direction', async () => {
-  const { boundaryEdges } = await load('mesh');
+  const { boundaryEdges } = await load('mesh/mesh');
   const edges = [...boundaryEdges(SQUARE.indices)];
   const pairs = edges.flatMap((v, i) => (i % 2 === 0 ? [`${v}-${edges[i + 1]}`] : []));
   assert.deepEqual(pairs.sort(), ['0-1', '1-2', '2-3', '3-0']);
 });
 
 test('a plane faces along its normal, a closed surface nowhere', async () => {
-  const { facing } = await load('mesh');
+  const { facing } = await load('mesh/mesh');
   const plane = facing(SQUARE);
   const length = Math.hypot(1, 2);
   [-1 / length, 0, 2 / length].forEach((x, d) => {
@@ -33,7 +33,7 @@ test('a plane faces along its normal, a closed surface nowhere', async () => {
 });
 
 test('angle errors are 0 for a similar layout and follow their definition else', async () => {
-  const { angleErrors } = await load('angle-error');
+  const { angleErrors } = await load('mesh/angle-error');
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
   const indices = Uint32Array.of(0, 1, 2);
   const same = Float64Array.of(3, 3, 3, 5, 1, 3);
@@ -44,7 +44,7 @@ test('angle errors are 0 for a similar layout and follow their definition else',
 });
 
 test('checker cells do not depend on the unit of the layout or of the mesh', async () => {
-  const { checkerCells } = await load('checker');
+  const { checkerCells } = await load('mesh/checker');
   const uv = Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1);
   const cells = checkerCells({ ...SQUARE, uv });
   const larger = checkerCells({ ...SQUARE, uv: uv.map((x) => 1000 * x - 7) });
@@ -56,7 +56,7 @@ test('checker cells do not depend on the unit of the layout or of the mesh', asy
 });
 
 test('crossings are found where they are, and only there', async () => {
-  const { crossings } = await load('crossings');
+  const { crossings } = await load('mesh/crossings');
   const bowTie = Float64Array.of(0, 0, 2, 2, 2, 0, 0, 2);
   const loop = Uint32Array.of(0, 1, 1, 2, 2, 3, 3, 0);
   assert.deepEqual([...crossings(bowTie, loop, 10)], [1, 1]);
@@ -65,7 +65,7 @@ test('crossings are found where they are, and only there', async () => {
 });
 
 test('numbers keep three digits and a bounded length', async () => {
-  const { measure, brief, duration, bound } = await load('format');
+  const { measure, brief, duration, bound } = await load('base/format');
   assert.equal(measure(0.0025234), '0.00252');
   assert.equal(measure(1.6777), '1.68');
   assert.equal(measure(12345.6), '12346');
@@ -82,7 +82,7 @@ test('numbers keep three digits and a bounded length', async () => {
 });
 
 test('notes: why a layout is not valid, what was done, which vertices are tightened', async () => {
-  const { notes } = await load('notes');
+  const { notes } = await load('details/notes');
   assert.deepEqual(notes({ problem: '', fallbacks: [], bounds: [], delaunay: null }), []);
   const chart = {
     problem: 'the boundary crosses itself',

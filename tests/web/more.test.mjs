@@ -242,7 +242,7 @@ for (const [name, width, height] of [
 }
 
 test('options are named only where they are not as usual; tiles need a density', async () => {
-  const { changedOptions, defaultOptions, usedOptions } = await loadModule('more-options');
+  const { changedOptions, defaultOptions, usedOptions } = await loadModule('model/more-options');
   const usual = defaultOptions();
   assert.deepEqual(changedOptions(usual), []);
   assert.deepEqual(changedOptions({ ...usual, udim: true, texelDensity: 7.5, rotate: false }), [
@@ -255,7 +255,7 @@ test('options are named only where they are not as usual; tiles need a density',
 });
 
 test('numbers are taken within the bounds of their option only', async () => {
-  const { fits } = await loadModule('number-field');
+  const { fits } = await loadModule('controls/number-field');
   const whole = { type: 'integer', atLeast: 0, atMost: 256 };
   for (const [value, expected] of [
     [0, true],
@@ -271,7 +271,7 @@ test('numbers are taken within the bounds of their option only', async () => {
 });
 
 test('tiles lie ten in a row, from 1001 on', async () => {
-  const { tileAt, tileFrames, tileGrid } = await loadModule('tiles');
+  const { tileAt, tileFrames, tileGrid } = await loadModule('mesh/tiles');
   assert.deepEqual(tileAt(0), { u: 0, v: 0, number: 1001 });
   assert.deepEqual(tileAt(23), { u: 3, v: 2, number: 1024 });
   assert.deepEqual(tileGrid(1), [1, 1]);
@@ -286,8 +286,8 @@ test('tiles lie ten in a row, from 1001 on', async () => {
 });
 
 test('settings are the same when every one of them is', async () => {
-  const { sameSettings } = await loadModule('settings');
-  const { defaultOptions } = await loadModule('more-options');
+  const { sameSettings } = await loadModule('model/settings');
+  const { defaultOptions } = await loadModule('model/more-options');
   const seamEdges = Uint32Array.of(0, 1);
   const a = { mode: 'unwrap', maxStretch: 1.1, seams: 'none', ...defaultOptions() };
   assert.ok(sameSettings(a, { ...a }));

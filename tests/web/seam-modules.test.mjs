@@ -28,7 +28,7 @@ const identity = ({ positions }) => Uint32Array.from({ length: positions.length 
 
 /** `faces`: null where each triangle is one. */
 async function graphOf(mesh, faces = mesh.faces ?? null, places = identity(mesh)) {
-  const { surfaceGraph } = await load('seams/surface-graph');
+  const { surfaceGraph } = await load('surface/surface-graph');
   return surfaceGraph(mesh, places, faces ?? undefined);
 }
 
@@ -60,8 +60,8 @@ test('the edges are those of faces: no diagonals, each once, inner ones told apa
 });
 
 test('vertices at one place are one, in triangles without area as well', async () => {
-  const { weld } = await load('weld');
-  const { edgeBetween } = await load('seams/surface-graph');
+  const { weld } = await load('mesh/weld');
+  const { edgeBetween } = await load('surface/surface-graph');
   // Two triangles that share no vertex, and one that has collapsed.
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0);
   const indices = Uint32Array.of(0, 1, 2, 4, 3, 5, 1, 3, 2);
@@ -73,8 +73,8 @@ test('vertices at one place are one, in triangles without area as well', async (
 });
 
 test('shortest paths are as short as Bellman and Ford find, and lead where they should', async () => {
-  const { ShortestPaths } = await load('seams/shortest-paths');
-  const { otherEnd } = await load('seams/surface-graph');
+  const { ShortestPaths } = await load('surface/shortest-paths');
+  const { otherEnd } = await load('surface/surface-graph');
   const next = random(7);
   const mesh = plane(7);
   for (let i = 0; i < mesh.positions.length; ++i) mesh.positions[i] += 0.6 * next();
@@ -105,7 +105,7 @@ test('shortest paths are as short as Bellman and Ford find, and lead where they 
 });
 
 test('paths that are found part by part are those that are found at once', async () => {
-  const { ShortestPaths } = await load('seams/shortest-paths');
+  const { ShortestPaths } = await load('surface/shortest-paths');
   const next = random(3);
   const mesh = plane(9);
   for (let i = 0; i < mesh.positions.length; ++i) mesh.positions[i] += 0.6 * next();
@@ -128,7 +128,7 @@ test('paths that are found part by part are those that are found at once', async
 });
 
 test('a ray meets the triangle that is first of all, from either side', async () => {
-  const { Solid, withTree } = await load('seams/solid');
+  const { Solid, withTree } = await load('surface/solid');
   const next = random(11);
   const vector = () => new Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
   const count = 300;
@@ -159,7 +159,7 @@ test('a ray meets the triangle that is first of all, from either side', async ()
 });
 
 test('there is no path to another component', async () => {
-  const { ShortestPaths } = await load('seams/shortest-paths');
+  const { ShortestPaths } = await load('surface/shortest-paths');
   const positions = Float64Array.from({ length: 18 }, (_, i) => (i * i) % 7);
   const graph = await graphOf({ positions, indices: Uint32Array.of(0, 1, 2, 3, 4, 5) }, null);
   assert.deepEqual(new ShortestPaths(graph, 0).to(4), []);
@@ -209,7 +209,7 @@ test('a run of a seam ends at junctions and at the boundary; a loop is one run',
 
 test('seams are cut and joined from those on screen, and every step can be undone', async () => {
   const { SeamModel } = await load('seams/seam-model');
-  const { ShortestPaths } = await load('seams/shortest-paths');
+  const { ShortestPaths } = await load('surface/shortest-paths');
   const graph = await graphOf(plane(6));
   const model = new SeamModel(() => ({ graph }));
   assert.equal(model.choice.edges, null);
@@ -248,7 +248,7 @@ test('seams are cut and joined from those on screen, and every step can be undon
 test('after undo, seams are edited from those that were found before, though others are on screen yet', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const graph = await graphOf(plane(6));
-  const { edgeBetween } = await load('seams/surface-graph');
+  const { edgeBetween } = await load('surface/surface-graph');
   const edge = (from, to) => [edgeBetween(graph, from, to)];
   const model = new SeamModel(() => ({ graph }));
   const automatic = Uint32Array.of(8, 9, 9, 10);
@@ -288,14 +288,14 @@ test('sources are the words of the command line', async () => {
 
 test('what is under a pixel: the vertex or seam in front, seams from further away', async () => {
   const { edgeAt, vertexAt } = await load('seams/pick');
-  const { Sight } = await load('seams/sight');
+  const { Sight } = await load('view/sight');
   const { positions, indices } = plane(4, (x) => x);
   // A second sheet behind the first.
   const points = Float32Array.from([
     ...positions,
     ...positions.map((x, i) => (i % 3 === 2 ? -1 : x)),
   ]);
-  const { Solid, withTree } = await load('seams/solid');
+  const { Solid, withTree } = await load('surface/solid');
   const both = Uint32Array.from([...indices, ...indices.map((v) => v + 25)]);
   const solid = new Solid(withTree(points, both));
   const camera = new PerspectiveCamera(40, 1.5, 0.1, 100);
@@ -337,7 +337,7 @@ test('seam files are those of the command line, and are checked', async () => {
 });
 
 test('charts are sorted by any measure, equal ones by number, what is no number last', async () => {
-  const { chartRows, COLUMNS, sortedRows } = await load('charts/chart-rows');
+  const { chartRows, COLUMNS, sortedRows } = await load('details/chart-rows');
   const chart = (faces, area, symmetricDirichlet) => ({
     faces,
     area,

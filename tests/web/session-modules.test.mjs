@@ -33,7 +33,7 @@ const textOf = (settings) => String(settings ? settings.t : null);
 
 async function startSession(t) {
   t.mock.timers.enable({ apis: ['setTimeout'] });
-  const { Session } = await load('session');
+  const { Session } = await load('session/session');
   const abflat = fakeAbflat();
   const log = [];
   let wish;
@@ -304,7 +304,7 @@ test('session: an atlas is asked for with its own options, in the format of the 
 });
 
 test('session: when abflat cannot start, that is what a mesh fails with', async () => {
-  const { Session } = await load('session');
+  const { Session } = await load('session/session');
   const failures = [];
   const session = new Session(() => Promise.reject(new Error('no module')), {
     started: () => undefined,
@@ -315,7 +315,7 @@ test('session: when abflat cannot start, that is what a mesh fails with', async 
 });
 
 test('background work gives way to a run, starts over, and ends for good when it is stopped', async () => {
-  const { Background } = await load('background');
+  const { Background } = await load('base/background');
   const background = new Background();
   const attempts = [];
   const work = (signal) =>

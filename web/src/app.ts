@@ -1,36 +1,41 @@
 import type { Abflat, Comparison, MethodResult } from 'abflat';
-import { hideAlert, showAlert } from './alert';
-import { AtlasControl } from './atlas-control';
-import { BalanceControl } from './balance-control';
-import { BoundControl } from './bound-control';
-import { Locks } from './charts/locks';
-import { ChartsTab } from './charts-tab';
-import { Details } from './details';
-import { bindToggle, element } from './dom';
-import type { FlatDrawing } from './drawing/drawing';
-import { exportFormat, exportMesh } from './export-mesh';
-import { duration } from './format';
-import type { AnyProgress, Outcome } from './lay-out';
-import { LayoutBar } from './layout-bar';
-import { Lost } from './lost';
-import { MethodsTab } from './methods-tab';
-import { MetricsPanel } from './metrics';
-import { ModeSwitch } from './mode-switch';
-import { Notice } from './notice';
-import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './open-mesh';
-import { RunPanel } from './run-panel';
+import { hideAlert, showAlert } from './base/alert';
+import { bindToggle, element } from './base/dom';
+import { duration } from './base/format';
+import { Lost } from './base/lost';
+import { bindTheme } from './base/theme';
+import { AtlasControl } from './controls/atlas-control';
+import { BalanceControl } from './controls/balance-control';
+import { BoundControl } from './controls/bound-control';
+import { ModeSwitch } from './controls/mode-switch';
+import { Notice } from './controls/notice';
+import { RunPanel } from './controls/run-panel';
+import { TexcoordChoice } from './controls/texcoord-choice';
+import { ChartsTab } from './details/charts-tab';
+import { Details } from './details/details';
+import { Locks } from './details/locks';
+import { MethodsTab } from './details/methods-tab';
+import { MetricsPanel } from './details/metrics';
+import { SolverTab } from './details/solver-tab';
+import { SweepTab } from './details/sweep-tab';
+import { isAutomatic, type Remedy, verdictOf } from './details/verdict';
+import { exportMesh } from './export/export-mesh';
+import { LayoutBar } from './export/layout-bar';
+import type { FlatDrawing } from './model/drawing';
+import {
+  type AnyProgress,
+  exportFormat,
+  type Opened,
+  type Outcome,
+  type Source,
+} from './model/model';
+import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
 import { SeamPanel } from './seams/seam-panel';
-import type { Opened, SessionEvents, Source } from './session';
-import { Session } from './session';
-import { type FlattenSettings, type Settings, sameSettings } from './settings';
-import { SolverTab } from './solver-tab';
-import { flattenIfPossible } from './sweep';
-import { SweepTab } from './sweep-tab';
-import { TexcoordChoice } from './texcoord-choice';
-import { bindTheme } from './theme';
-import { isAutomatic, type Remedy, verdictOf } from './verdict';
-import type { Views } from './views';
-import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './words';
+import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh';
+import { Session, type SessionEvents } from './session/session';
+import { flattenIfPossible } from './session/sweep';
+import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './session/words';
+import type { Views } from './view/views';
 import { Workshop } from './workshop/workshop';
 
 /** Connects the session with what is on the page. */

@@ -1,10 +1,10 @@
-import './style.css';
+import './css/style.css';
 import { type Abflat, createAbflat } from 'abflat';
 import { App } from './app';
-import { create, element } from './dom';
-import { NoWebGl } from './stage';
-import { startOnce } from './start-once';
-import { Views } from './views';
+import { create, element } from './base/dom';
+import { startOnce } from './base/start-once';
+import { NoWebGl } from './view/stage';
+import { Views } from './view/views';
 
 /** Without WebGL numbers and export still work. */
 function createViews(): Views | null {

@@ -1,8 +1,8 @@
-import { crossings } from '../crossings';
-import { boundingBox, perCorner } from '../mesh';
-import type { FlatPicture } from '../picture';
-import { tileFrames, tileGrid } from '../tiles';
-import { FLAT_FRAME, type LayoutDrawing } from './drawing';
+import { crossings } from '../mesh/crossings';
+import { boundingBox, perCorner } from '../mesh/mesh';
+import { tileFrames, tileGrid } from '../mesh/tiles';
+import { FLAT_FRAME, type LayoutDrawing } from '../model/drawing';
+import type { FlatPicture } from './picture';
 
 /** Crossings that are marked; more would only be a red blot. */
 const MOST_MARKS = 500;

@@ -1,10 +1,10 @@
-import { checkerCells } from '../checker';
-import { areaVectors, facing, perCorner, toCorners, vertexNormals } from '../mesh';
-import type { FlatPicture, Picture } from '../picture';
-import { toUnitSphere } from '../unit-sphere';
-import { type Drawing, FRAME, type MeshDrawing, type TriangleMarks } from './drawing';
+import { checkerCells } from '../mesh/checker';
+import { areaVectors, facing, perCorner, toCorners, vertexNormals } from '../mesh/mesh';
+import { toUnitSphere } from '../mesh/unit-sphere';
+import { type Drawing, FRAME, type MeshDrawing, type TriangleMarks } from '../model/drawing';
 import { axesOf, frontOf } from './front';
 import { farthest, outline } from './outline';
+import type { FlatPicture, Picture } from './picture';
 
 /** A mesh that was opened. */
 export function drawMesh(picture: Picture): Drawing {

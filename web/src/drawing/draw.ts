@@ -1,7 +1,7 @@
-import type { FlatPicture } from '../picture';
+import type { FlatDrawing } from '../model/drawing';
 import { drawLayout } from './draw-layout';
 import { drawFlatMesh, drawMarks } from './draw-mesh';
-import type { FlatDrawing } from './drawing';
+import type { FlatPicture } from './picture';
 
 /** Both views of a layout; `chartCount` is that of an atlas, 0 of a disk. */
 export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing {

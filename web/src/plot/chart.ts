@@ -1,4 +1,4 @@
-import { create } from '../dom';
+import { create } from '../base/dom';
 import type { ChartSpec, Column, Table } from './chart-spec';
 import { columnAreas, drawAxes, drawKey, drawSeries, type Frame, frameOf } from './draw';
 import { svg } from './svg';

@@ -1,4 +1,4 @@
-import { measure } from '../format';
+import { measure } from '../base/format';
 
 /** Where values lie on an axis, 0..1, and which of them it names. */
 export interface Scale {

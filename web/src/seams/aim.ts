@@ -1,4 +1,4 @@
-import type { Pixel } from './sight';
+import type { Pixel } from '../view/sight';
 
 export interface Modifiers {
   /** Does the other thing: joins in place of cutting and the other way round. */

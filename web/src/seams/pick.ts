@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
-import type { Pixel, Sight } from './sight';
-import type { Solid } from './solid';
+import type { Solid } from '../surface/solid';
+import type { Pixel, Sight } from '../view/sight';
 
 /** Css pixels to what is worth aiming at. */
 const REACH = 12;

@@ -1,4 +1,4 @@
-import { edgeBetween, otherEnd, type SurfaceGraph } from './surface-graph';
+import { edgeBetween, otherEnd, type SurfaceGraph } from '../surface/surface-graph';
 
 /** Seams as edges of the surface: 1 for each edge that is one. */
 export type EdgeFlags = Uint8Array;

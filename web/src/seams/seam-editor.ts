@@ -1,12 +1,12 @@
-import { counted, measure } from '../format';
-import type { MeshView } from '../mesh-view';
+import { counted, measure } from '../base/format';
+import { ShortestPaths } from '../surface/shortest-paths';
+import type { MeshView } from '../view/mesh-view';
+import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
+import type { Pixel } from '../view/sight';
 import { Aim, type Modifiers } from './aim';
 import { edgeAt, vertexAt } from './pick';
 import type { SeamModel } from './seam-model';
-import { NO_MARKS, type SeamMarks } from './seam-overlay';
 import { SeamTools, type Tool } from './seam-tools';
-import { ShortestPaths } from './shortest-paths';
-import type { Pixel } from './sight';
 
 export interface SeamEditorEvents {
   /** The user wants other seams. */

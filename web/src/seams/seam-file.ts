@@ -1,4 +1,4 @@
-import { edgeBetween, type SurfaceGraph } from './surface-graph';
+import { edgeBetween, type SurfaceGraph } from '../surface/surface-graph';
 
 /** Its message names file, line and what is wrong. */
 export class BadSeamFile extends Error {}

@@ -1,5 +1,5 @@
-import { element } from '../dom';
-import { download } from '../download';
+import { element } from '../base/dom';
+import { download } from '../base/download';
 
 export interface SeamFileEvents {
   /** What is to be saved. */

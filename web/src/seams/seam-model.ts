@@ -1,8 +1,8 @@
+import type { Solid } from '../surface/solid';
+import type { SurfaceGraph } from '../surface/surface-graph';
 import { History } from './history';
 import { AUTOMATIC, type SeamChoice, type SeamSources } from './seam-choice';
 import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
-import type { Solid } from './solid';
-import type { SurfaceGraph } from './surface-graph';
 
 /** What is cut, and where it is seen. */
 export interface Surface {

@@ -1,8 +1,9 @@
 import type { MeshSummary } from 'abflat';
-import { showAlert } from '../alert';
-import type { Unwrapped } from '../lay-out';
-import type { DisplayMesh } from '../mesh';
-import type { MeshView } from '../mesh-view';
+import { showAlert } from '../base/alert';
+import type { DisplayMesh } from '../mesh/mesh';
+import type { Unwrapped } from '../model/model';
+import { Solid } from '../surface/solid';
+import type { MeshView } from '../view/mesh-view';
 import type { Workshop } from '../workshop/workshop';
 import { AUTOMATIC, type SeamChoice, seamOptions } from './seam-choice';
 import { pairsOf } from './seam-edges';
@@ -10,7 +11,6 @@ import { SeamEditor, type SeamEditorEvents } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
 import { SeamModel, type Surface } from './seam-model';
-import { Solid } from './solid';
 import { SourceControl } from './source-control';
 
 /** A mesh whose seams can be edited. */

@@ -1,4 +1,4 @@
-import { element } from '../dom';
+import { element } from '../base/dom';
 
 export type Tool = 'cut' | 'join';
 

@@ -1,6 +1,6 @@
-import { element } from '../dom';
-import { counted } from '../format';
-import { refusal } from '../number-field';
+import { element } from '../base/dom';
+import { counted } from '../base/format';
+import { refusal } from '../controls/number-field';
 import type { SeamChoice, SeamSources } from './seam-choice';
 
 /** What the open mesh has to cut along. */

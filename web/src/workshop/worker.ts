@@ -1,25 +1,25 @@
 // The other side of workshop.ts: what takes a loop over all triangles is done here, away from the page.
 
 import { expose, transfer } from 'comlink';
+import { buffersOf } from '../base/buffers';
 import { drawFlat } from '../drawing/draw';
 import { drawMesh } from '../drawing/draw-mesh';
-import type { Drawing, FlatDrawing } from '../drawing/drawing';
-import { atlasPng, heatMapPng } from '../layout-file/png-file';
-import { type AtlasDrawing, atlasSvg } from '../layout-file/svg-text';
-import type { ArrayMesh, DisplayMesh } from '../mesh';
 import {
   type AtlasArrays,
   atlasPicture,
   flatPicture,
-  type LayoutArrays,
   type MarkedChart,
   meshPicture,
   positionsOf,
-} from '../picture';
-import { makeSurface, type SurfaceArrays } from '../seams/make-surface';
-import { joined } from '../weld';
-import { buffersOf } from './buffers';
-import { type GltfFiles, readGltf, writeGltf } from './gltf-file';
+} from '../drawing/picture';
+import { readGltf, writeGltf } from '../files/gltf-file';
+import { atlasPng, heatMapPng } from '../files/png-file';
+import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
+import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
+import { joined } from '../mesh/weld';
+import type { Drawing, FlatDrawing } from '../model/drawing';
+import type { GltfFiles, LayoutArrays } from '../model/model';
+import { makeSurface, type SurfaceArrays } from '../surface/make-surface';
 
 const tasks = {
   mesh: (mesh: DisplayMesh): Drawing => handedOver(drawMesh(meshPicture(mesh))),

@@ -1,14 +1,18 @@
 import { type Remote, transfer, wrap } from 'comlink';
-import type { Drawing, FlatDrawing } from '../drawing/drawing';
-import type { Outcome, Unwrapped } from '../lay-out';
-import type { AtlasDrawing } from '../layout-file/svg-text';
-import { NO_WORKER, notLoaded, stopped } from '../lost';
-import type { ArrayMesh, DisplayMesh } from '../mesh';
-import type { LayoutArrays } from '../picture';
-import type { SurfaceArrays } from '../seams/make-surface';
-import type { FileSource, Helpers } from '../session';
-import { buffersOf, copied } from './buffers';
-import type { GltfFile } from './gltf-file';
+import { buffersOf, copied } from '../base/buffers';
+import { NO_WORKER, notLoaded, stopped } from '../base/lost';
+import type { AtlasDrawing } from '../files/svg-text';
+import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
+import type { Drawing, FlatDrawing } from '../model/drawing';
+import type {
+  FileSource,
+  GltfFile,
+  Helpers,
+  LayoutArrays,
+  Outcome,
+  Unwrapped,
+} from '../model/model';
+import type { SurfaceArrays } from '../surface/make-surface';
 import type { Tasks } from './worker';
 
 interface Running {

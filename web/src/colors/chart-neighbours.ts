@@ -1,0 +1,93 @@
+/** An atlas as far as its colours depend on it. */
+export interface ColoredAtlas {
+  indices: Uint32Array;
+  /** A number that is none for a triangle without area. */
+  chartOfTriangle: Uint32Array;
+  chartCount: number;
+  /** Edges of the charts' outlines, as pairs of vertices. */
+  edges: Uint32Array;
+  /** Which vertices are one in 3D. */
+  places: Uint32Array;
+  uv: Float64Array;
+}
+
+/** Cells along the side of a tile, at least: charts in the same or in neighbouring ones lie side by side. */
+const LEAST_CELLS = 96;
+/** Charts that are looked at where many meet, as at the tip of a cone that is all in pieces: there are no more colours anyway. */
+const MOST_AT_ONCE = 16;
+
+/** Which charts meet which others. */
+export class ChartNeighbours {
+  /** In an edge of the surface. */
+  readonly byEdge: Set<number>[];
+  /** In a point of it, those of `byEdge` among them. */
+  readonly byPoint: Set<number>[];
+  /** In the layout. */
+  readonly inLayout: Set<number>[];
+
+  constructor({ indices, chartOfTriangle, chartCount, edges, places, uv }: ColoredAtlas) {
+    const none = () => Array.from({ length: chartCount }, () => new Set<number>());
+    this.byEdge = none();
+    this.byPoint = none();
+    this.inLayout = none();
+    const chartOf = new Uint32Array(places.length).fill(chartCount);
+    for (let c = 0; c < indices.length; ++c)
+      chartOf[indices[c]] = chartOfTriangle[Math.floor(c / 3)];
+    const cells = Math.max(LEAST_CELLS, Math.ceil(2 * Math.sqrt(chartCount)));
+    const onEdges = new Meetings(this.byEdge);
+    const atPoints = new Meetings(this.byPoint);
+    const inCells = new Meetings(this.inLayout);
+    for (let i = 0; i < edges.length; i += 2) {
+      const [a, b] = [edges[i], edges[i + 1]];
+      const chart = chartOf[a];
+      if (chart >= chartCount) continue;
+      const [from, to] = [places[a], places[b]];
+      onEdges.meet(Math.min(from, to) * places.length + Math.max(from, to), chart);
+      atPoints.meet(from, chart);
+      atPoints.meet(to, chart);
+      for (const cell of cellsAlong(uv, a, b, cells)) inCells.meet(cell, chart);
+    }
+    inCells.meetAcross((cell) => [cell + 1, cell + ROW - 1, cell + ROW, cell + ROW + 1]);
+  }
+}
+
+/** From a cell to the one above it. */
+const ROW = 2 ** 22;
+
+/** The cells where points of an edge lie that are no further apart than a cell is wide. */
+function cellsAlong(uv: Float64Array, a: number, b: number, cells: number): number[] {
+  const [u, v] = [cells * uv[2 * a], cells * uv[2 * a + 1]];
+  const [du, dv] = [cells * uv[2 * b] - u, cells * uv[2 * b + 1] - v];
+  const steps = Math.min(cells, Math.ceil(Math.hypot(du, dv)));
+  return Array.from({ length: steps + 1 }, (_, i) => {
+    const share = i / (steps || 1);
+    return Math.floor(u + share * du) + ROW * Math.floor(v + share * dv);
+  });
+}
+
+/** Charts that come to the same place are neighbours. */
+class Meetings {
+  private readonly at = new Map<number, number[]>();
+
+  constructor(private readonly neighbours: Set<number>[]) {}
+
+  meet(place: number, chart: number): void {
+    const here = this.at.get(place);
+    if (!here) this.at.set(place, [chart]);
+    else if (here.length < MOST_AT_ONCE && !here.includes(chart)) {
+      for (const other of here) this.join(chart, other);
+      here.push(chart);
+    }
+  }
+
+  meetAcross(nextTo: (place: number) => number[]): void {
+    for (const [place, charts] of this.at)
+      for (const other of nextTo(place).flatMap((next) => this.at.get(next) ?? []))
+        for (const chart of charts) if (chart !== other) this.join(chart, other);
+  }
+
+  private join(a: number, b: number): void {
+    this.neighbours[a].add(b);
+    this.neighbours[b].add(a);
+  }
+}

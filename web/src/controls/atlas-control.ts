@@ -1,0 +1,117 @@
+import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
+import { create, element } from '../base/dom';
+import { count } from '../base/format';
+import type { UnwrapSettings } from '../model/settings';
+import { BalanceControl } from './balance-control';
+import { MoreControl } from './more-control';
+import { NumberField } from './number-field';
+
+/** From nearly no stretch to hardly any seams. */
+const STRETCHES = [
+  1.005, 1.01, 1.015, 1.02, 1.03, 1.04, 1.05, 1.06, 1.08, 1.1, 1.15, 1.2, 1.3, 1.5, 2,
+];
+/** Below the slider, with what the end is good for. */
+const TICKS = [
+  { stretch: 1.005, name: 'more seams' },
+  { stretch: UNWRAP_DEFAULTS.maxStretch, name: '' },
+  { stretch: 1.1, name: '' },
+  { stretch: 2, name: 'fewer seams' },
+];
+const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
+
+/** Stretch, resolution, padding and what is seldom changed of an atlas. */
+export class AtlasControl {
+  private readonly slider = element('stretch', HTMLInputElement);
+  private readonly value = element('stretch-value', HTMLOutputElement);
+  private readonly hint = element('stretch-hint', HTMLElement);
+  private readonly resolution = element('resolution', HTMLSelectElement);
+  private readonly padding: NumberField<number>;
+  private readonly balance: BalanceControl;
+  private readonly more: MoreControl;
+
+  /** Whether charts are cut until they keep within the limit. */
+  private isCutting = true;
+
+  constructor(
+    private readonly changed: () => void,
+    say: (text: string) => void,
+  ) {
+    this.slider.max = String(STRETCHES.length - 1);
+    this.slider.valueAsNumber = STRETCHES.indexOf(UNWRAP_DEFAULTS.maxStretch);
+    this.resolution.append(
+      ...RESOLUTIONS.map((texels) => new Option(`${count(texels)}\u202fpx`, String(texels))),
+    );
+    this.resolution.value = String(UNWRAP_DEFAULTS.resolution);
+    this.padding = new NumberField<number>(
+      element('padding', HTMLInputElement),
+      UNWRAP_OPTIONS.padding,
+      UNWRAP_DEFAULTS.padding,
+      changed,
+      say,
+    );
+    this.balance = new BalanceControl('unwrap', changed);
+    this.more = new MoreControl(changed, say);
+    this.addTicks();
+    this.showStretch();
+    this.slider.addEventListener('input', () => {
+      this.showStretch();
+      this.changed();
+    });
+    this.resolution.addEventListener('change', () => this.changed());
+    element('unwrap-options', HTMLFormElement).addEventListener('submit', (event) =>
+      event.preventDefault(),
+    );
+  }
+
+  /** Another mesh. */
+  open({ texcoords }: MeshSummary): void {
+    this.more.open(texcoords > 0);
+  }
+
+  get settings(): Omit<UnwrapSettings, 'seams' | 'seamEdges'> {
+    return {
+      mode: 'unwrap',
+      maxStretch: STRETCHES[this.slider.valueAsNumber],
+      balance: this.balance.balance,
+      resolution: Number(this.resolution.value),
+      padding: this.padding.value,
+      ...this.more.settings,
+    };
+  }
+
+  /** Without automatic seams the limit is only checked. */
+  setCutting(isCutting: boolean): void {
+    this.isCutting = isCutting;
+    this.showStretch();
+  }
+
+  private showStretch(): void {
+    const { maxStretch } = this.settings;
+    const lengths = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
+    const hint = this.isCutting ? lengths : 'only checked: Auto is off';
+    this.value.value = String(maxStretch);
+    this.hint.textContent = hint;
+    this.hint.title = this.isCutting
+      ? 'Of every chart, on average over its surface: the less, the more seams and charts'
+      : `${lengths}. Nothing is cut to keep them: press Auto, or Cut further beside the result`;
+    this.slider.setAttribute('aria-valuetext', `${maxStretch}: ${hint}`);
+    this.slider.style.setProperty('--value', String(share(maxStretch)));
+  }
+
+  private addTicks(): void {
+    const ticks = element('stretch-ticks', HTMLElement);
+    for (const { stretch, name } of TICKS) {
+      const tick = create('span', 'tick');
+      tick.style.setProperty('--at', String(share(stretch)));
+      tick.append(create('span', 'tick-value', String(stretch)), create('span', 'tick-name', name));
+      ticks.append(tick);
+    }
+  }
+}
+
+const share = (stretch: number) => STRETCHES.indexOf(stretch) / (STRETCHES.length - 1);
+
+/** In percent: a stretch by s one way and 1/s across has the energy (s^2 + 1/s^2) / 2 = cosh(2 log s). */
+function lengthChange(energy: number): number {
+  return Math.round(100 * (Math.exp(Math.acosh(energy) / 2) - 1));
+}

@@ -1,0 +1,41 @@
+import { FLATTEN_DEFAULTS, UNWRAP_DEFAULTS } from 'abflat';
+import { element } from '../base/dom';
+import type { Mode } from '../model/settings';
+
+const STEP = 0.05;
+const DEFAULTS = { flatten: FLATTEN_DEFAULTS.balance, unwrap: UNWRAP_DEFAULTS.balance };
+
+/** Slider between angles and lengths; each kind of layout has one of its own. */
+export class BalanceControl {
+  private readonly slider: HTMLInputElement;
+  private readonly output: HTMLOutputElement;
+
+  constructor(mode: Mode, changed: () => void) {
+    this.slider = element(`${mode}-balance`, HTMLInputElement);
+    this.output = element(`${mode}-balance-value`, HTMLOutputElement);
+    this.slider.step = String(STEP);
+    this.slider.valueAsNumber = DEFAULTS[mode];
+    this.show();
+    this.slider.addEventListener('input', () => {
+      this.show();
+      changed();
+    });
+  }
+
+  get balance(): number {
+    return this.slider.valueAsNumber;
+  }
+
+  private show(): void {
+    const { balance } = this;
+    this.output.value = String(balance);
+    this.slider.setAttribute('aria-valuetext', `${balance}: ${meaning(balance)}`);
+    this.slider.style.setProperty('--value', String(balance));
+  }
+}
+
+function meaning(balance: number): string {
+  if (balance === 0) return 'angles as they were found';
+  if (balance === 1) return 'lengths and areas as well as possible';
+  return 'angles traded for lengths';
+}

@@ -1,0 +1,70 @@
+import type { MeshSummary, StatusName } from 'abflat';
+import { element } from '../base/dom';
+import { sentence } from '../base/format';
+import type { Mode } from '../model/settings';
+
+const MODES: Mode[] = ['flatten', 'unwrap'];
+
+const HINTS: Record<Mode, string> = {
+  flatten: 'one piece',
+  unwrap: 'charts in a square',
+};
+
+/** Why a mesh cannot be flattened, in two words. */
+const NO_DISK: Partial<Record<StatusName, string>> = {
+  DegenerateFace: 'Faces without area',
+  NonManifoldEdge: 'Edges of three faces',
+  InconsistentOrientation: 'Faces turned over',
+  MultipleComponents: 'Several pieces',
+  ClosedSurface: 'Closed surface',
+  MultipleBoundaryLoops: 'Several holes',
+  HasHandles: 'Handles',
+};
+
+/** Unwrap, or for disks flatten if the user wants that; it stays chosen for later disks. */
+export class ModeSwitch {
+  private readonly buttons = MODES.map((mode) => element(`mode-${mode}`, HTMLButtonElement));
+  private readonly hint = element('mode-hint', HTMLElement);
+  private chosen: Mode = 'unwrap';
+  /** Of the open mesh. */
+  private disk: MeshSummary['disk'] = { ok: true, code: 'Ok', message: '' };
+
+  constructor(private readonly changed: () => void) {
+    this.buttons.forEach((button, i) => {
+      button.addEventListener('click', () => this.choose(MODES[i]));
+    });
+    this.show();
+  }
+
+  get mode(): Mode {
+    return this.disk.ok ? this.chosen : 'unwrap';
+  }
+
+  setDisk(disk: MeshSummary['disk']): void {
+    const before = this.mode;
+    this.disk = disk;
+    this.show();
+    if (this.mode !== before) this.changed();
+  }
+
+  /** Asks for another kind of layout, as if the user had pressed its button. */
+  choose(mode: Mode): void {
+    if (mode === this.mode) return;
+    this.chosen = mode;
+    this.show();
+    this.changed();
+  }
+
+  private show(): void {
+    this.buttons.forEach((button, i) => {
+      button.setAttribute('aria-pressed', String(MODES[i] === this.mode));
+      element(`${MODES[i]}-options`, HTMLElement).hidden = MODES[i] !== this.mode;
+    });
+    const { ok, code, message } = this.disk;
+    this.buttons[0].disabled = !ok;
+    const reason = NO_DISK[code as StatusName];
+    this.hint.textContent = ok ? HINTS[this.mode] : `${reason ?? 'No disk'}: only Unwrap`;
+    this.hint.title = ok ? '' : `${sentence(message)}.`;
+    document.body.dataset.mode = this.mode;
+  }
+}

@@ -1,0 +1,143 @@
+import { UNWRAP_OPTIONS } from 'abflat';
+import { create, element } from '../base/dom';
+import { sentence } from '../base/format';
+import {
+  canHaveTiles,
+  changedOptions,
+  defaultOptions,
+  MORE,
+  MORE_LABELS,
+  type MoreName,
+  type MoreOptions,
+  usedOptions,
+} from '../model/more-options';
+import { NumberField } from './number-field';
+
+const KEEP_UV =
+  'Faces that have uv in the file keep exactly that; all others are unwrapped and packed around them';
+
+/** The options of an atlas that open with a button, which says what of them is not as usual. */
+export class MoreControl {
+  private readonly button = element('more-toggle', HTMLButtonElement);
+  private readonly panel = element('more', HTMLElement);
+  private readonly state = element('more-state', HTMLElement);
+  private readonly switches = create('div', 'more-switches');
+  private udim: HTMLButtonElement | null = null;
+  private readonly keepUv: HTMLButtonElement;
+  private options: MoreOptions = defaultOptions();
+
+  constructor(
+    private readonly changed: () => void,
+    private readonly say: (text: string) => void,
+  ) {
+    for (const name of MORE) this.add(name);
+    this.keepUv = this.switchOf('more-keep-uv', 'Keep uv of the file', KEEP_UV);
+    this.keepUv.hidden = true;
+    this.keepUv.addEventListener('click', () => {
+      const { fixedFaces, ...others } = this.options;
+      this.options = others;
+      this.set(fixedFaces ? {} : { fixedFaces: 'uv' });
+    });
+    this.panel.append(this.switches);
+    this.show();
+    this.button.addEventListener('click', () => {
+      const isOpen = this.panel.hidden;
+      this.panel.hidden = !isOpen;
+      this.button.setAttribute('aria-expanded', String(isOpen));
+      if (isOpen) this.panel.scrollIntoView({ block: 'nearest' });
+    });
+  }
+
+  get settings(): MoreOptions {
+    return usedOptions(this.options);
+  }
+
+  /** Another mesh, whose uv nobody has asked for yet; `hasUv`: it has some. */
+  open(hasUv: boolean): void {
+    this.keepUv.hidden = !hasUv;
+    const { fixedFaces, ...others } = this.options;
+    this.options = others;
+    this.show();
+  }
+
+  private set(some: Partial<MoreOptions>): void {
+    this.options = { ...this.options, ...some };
+    this.show();
+    this.changed();
+  }
+
+  private show(): void {
+    const changes = changedOptions(this.settings).join(', ');
+    this.state.textContent = changes;
+    this.state.title = changes;
+    this.keepUv.setAttribute('aria-pressed', String(Boolean(this.options.fixedFaces)));
+    if (this.udim) this.udim.disabled = !canHaveTiles(this.options);
+  }
+
+  private add(name: MoreName): void {
+    if (name === 'fillHoles' || name === 'symmetricSeams') this.addChoice(name);
+    else if (name === 't' || name === 'texelDensity') this.addNumber(name);
+    else this.addSwitch(name);
+  }
+
+  private addChoice(name: 'fillHoles' | 'symmetricSeams'): void {
+    const { choices } = UNWRAP_OPTIONS[name];
+    const select = create('select', 'button');
+    select.append(...choices.map((choice) => new Option(sentence(choice), choice)));
+    select.value = this.options[name];
+    select.addEventListener('change', () => {
+      const chosen = choices.find((choice) => choice === select.value);
+      if (chosen) this.set({ [name]: chosen });
+    });
+    this.addRow(name, select);
+  }
+
+  private addNumber(name: 't' | 'texelDensity'): void {
+    const input = create('input', 'number');
+    new NumberField(
+      input,
+      UNWRAP_OPTIONS[name],
+      this.options[name],
+      (value) => this.set({ [name]: value }),
+      this.say,
+    );
+    this.addRow(name, input);
+  }
+
+  private addSwitch(name: 'straightSeams' | 'rotate' | 'udim'): void {
+    const text = sentence(UNWRAP_OPTIONS[name].text);
+    const button = this.switchOf(idOf(name), MORE_LABELS[name], text);
+    button.setAttribute('aria-pressed', String(this.options[name]));
+    button.addEventListener('click', () => {
+      button.setAttribute('aria-pressed', String(!this.options[name]));
+      this.set({ [name]: !this.options[name] });
+    });
+    if (name !== 'udim') return;
+    button.title += '. Needs a texel density';
+    this.udim = button;
+  }
+
+  private switchOf(id: string, label: string, title: string): HTMLButtonElement {
+    const button = create('button', 'tool', label);
+    button.type = 'button';
+    button.id = id;
+    button.title = title;
+    this.switches.append(button);
+    return button;
+  }
+
+  private addRow(name: MoreName, control: HTMLInputElement | HTMLSelectElement): void {
+    const row = create('div', 'more-row');
+    const label = create('label', '', MORE_LABELS[name]);
+    control.id = idOf(name);
+    label.htmlFor = control.id;
+    row.title = sentence(UNWRAP_OPTIONS[name].text);
+    row.append(label, control);
+    this.panel.append(row);
+  }
+}
+
+/** "more-texel-density" */
+function idOf(name: MoreName): string {
+  return `more-${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+}

@@ -1,0 +1,38 @@
+import { element } from '../base/dom';
+import type { Outcome } from '../model/model';
+
+/** Where a glTF that has textures gets its new coordinates: shown for such files only. */
+export class TexcoordChoice {
+  private readonly select = element('texcoord', HTMLSelectElement);
+  /** What the user chose for the open file; null: nothing yet. */
+  private chosen: number | null = null;
+
+  constructor() {
+    this.select.addEventListener('change', () => {
+      this.chosen = Number(this.select.value);
+    });
+  }
+
+  /** The result that would be exported; null: none. `isNew`: of a file that was not open before. */
+  show(outcome: Outcome | null, isNew: boolean): void {
+    if (isNew) this.chosen = null;
+    const free = outcome?.gltf?.freeTexcoord ?? 0;
+    this.select.hidden = free === 0;
+    if (!outcome || free === 0) return;
+    this.select.replaceChildren(
+      new Option(`UV ${free}, new`, String(free)),
+      new Option('UV 0, replaced', '0'),
+    );
+    this.select.value = String(this.chosen ?? usual(outcome, free));
+  }
+
+  /** The set to write. */
+  get texcoord(): number {
+    return this.select.hidden ? 0 : Number(this.select.value);
+  }
+}
+
+/** Faces that keep their uv keep it in the set that their textures use. */
+function usual({ mode, settings }: Outcome, free: number): number {
+  return mode === 'unwrap' && 'fixedFaces' in settings && settings.fixedFaces ? 0 : free;
+}

@@ -1,0 +1,91 @@
+import type { UnwrapChart, UnwrapReport } from 'abflat';
+import { brief, count, measure } from '../base/format';
+
+/** A chart as a row of a table. */
+export interface ChartRow {
+  /** Its index in the report. */
+  index: number;
+  chart: UnwrapChart;
+  /** Of the surface's area. */
+  share: number;
+}
+
+export interface ChartColumn {
+  name: string;
+  title: string;
+  /** What rows are sorted by. */
+  key(row: ChartRow): number;
+  text(row: ChartRow): string;
+}
+
+/** Which column rows are sorted by. */
+export interface Order {
+  column: number;
+  descending: boolean;
+}
+
+export const COLUMNS: ChartColumn[] = [
+  {
+    name: 'Chart',
+    title: 'By number; those of one colour do not touch',
+    key: ({ index }) => index,
+    text: ({ index }) => count(index),
+  },
+  {
+    name: 'Faces',
+    title: 'Triangles',
+    key: ({ chart }) => chart.faces,
+    text: ({ chart }) => count(chart.faces),
+  },
+  {
+    name: 'Area',
+    title: "Share of the surface's area",
+    key: ({ share }) => share,
+    text: ({ share }) =>
+      `${share < 0.0995 ? (100 * share).toPrecision(2) : (100 * share).toFixed(1)}\u202f%`,
+  },
+  {
+    name: 'Stretch',
+    title: 'Mean symmetric Dirichlet energy / 4: 1 keeps all lengths',
+    key: ({ chart }) => chart.symmetricDirichlet,
+    text: ({ chart }) => fixed(chart.symmetricDirichlet),
+  },
+  {
+    name: 'Angle',
+    title: 'Angular distortion: mean over corners of ((x - α)/α)²',
+    key: ({ chart }) => chart.angularDistortion,
+    text: ({ chart }) => brief(chart.angularDistortion),
+  },
+  {
+    name: 'Valid',
+    title: 'No flipped triangle, no crossing',
+    key: ({ chart }) => Number(!chart.valid),
+    text: ({ chart }) => (chart.valid ? '\u2713' : '\u2717'),
+  },
+];
+
+export function chartRows({ charts }: UnwrapReport): ChartRow[] {
+  const total = charts.reduce((sum, { area }) => sum + area, 0);
+  return charts.map((chart, index) => ({
+    index,
+    chart,
+    share: total > 0 ? chart.area / total : 0,
+  }));
+}
+
+/** Equal ones keep the order of the report; what is no number comes last. */
+export function sortedRows(rows: ChartRow[], { column, descending }: Order): ChartRow[] {
+  const sign = descending ? -1 : 1;
+  const { key } = COLUMNS[column];
+  return [...rows].sort((a, b) => {
+    const [x, y] = [key(a), key(b)];
+    if (!(Number.isFinite(x) && Number.isFinite(y)))
+      return Number(!Number.isFinite(x)) - Number(!Number.isFinite(y)) || a.index - b.index;
+    return sign * (x - y) || a.index - b.index;
+  });
+}
+
+/** Near 1 the third decimal tells charts apart. */
+function fixed(x: number): string {
+  return Number.isFinite(x) && x < 10 ? x.toFixed(3) : measure(x);
+}

@@ -1,0 +1,151 @@
+import type { UnwrapReport } from 'abflat';
+import { create, element } from '../base/dom';
+import { count, counted } from '../base/format';
+import { svg } from '../plot/svg';
+import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
+
+/** More rows than anybody reads would only be slow. */
+const MOST_ROWS = 200;
+/** What there is most of comes first. */
+const BY_NUMBER = 0;
+const BY_FACES = 1;
+
+export interface ChartTableEvents {
+  /** A chart is pointed at; null: none any more. */
+  pointed(chart: number | null): void;
+  chosen(chart: number): void;
+  /** Locked, or unlocked. */
+  locked(chart: number): void;
+}
+
+/** The charts of an atlas, a row each: sorted by any column. */
+export class ChartTable {
+  private readonly place = element('charts', HTMLElement);
+  private readonly more = element('charts-more', HTMLElement);
+  private readonly headers: HTMLTableCellElement[] = [];
+  private readonly body = create('tbody', '');
+  private rows: ChartRow[] = [];
+  /** The number of each chart's colour. */
+  private colors: ArrayLike<number> | null = null;
+  private locks = new Set<number>();
+  private order: Order = { column: BY_FACES, descending: true };
+
+  constructor(private readonly events: ChartTableEvents) {
+    const table = create('table', 'data-table chart-table');
+    const head = create('thead', '');
+    head.append(this.headRow());
+    table.append(create('caption', 'visually-hidden', 'Charts'), head, this.body);
+    this.place.append(table);
+    for (const type of ['mouseleave', 'focusout'] as const)
+      this.body.addEventListener(type, () => events.pointed(null));
+  }
+
+  show(report: UnwrapReport, colors: ArrayLike<number> | null): void {
+    this.rows = chartRows(report);
+    this.colors = colors;
+    this.fill();
+  }
+
+  showLocks(charts: Set<number>): void {
+    this.locks = charts;
+    for (const button of this.body.querySelectorAll<HTMLElement>('.lock'))
+      button.ariaPressed = String(charts.has(Number(button.dataset.chart)));
+  }
+
+  private fill(): void {
+    const sorted = sortedRows(this.rows, this.order);
+    this.body.replaceChildren(...sorted.slice(0, MOST_ROWS).map((row) => this.row(row)));
+    this.headers.forEach((header, i) => {
+      const isSorted = i === this.order.column;
+      header.ariaSort = isSorted ? (this.order.descending ? 'descending' : 'ascending') : 'none';
+    });
+    const left = sorted.length - MOST_ROWS;
+    this.more.hidden = left <= 0;
+    this.more.textContent = `${counted(left, 'more chart')}: sort by another column to see what ends there.`;
+  }
+
+  private headRow(): HTMLTableRowElement {
+    const row = create('tr', '');
+    COLUMNS.forEach(({ name, title }, column) => {
+      const cell = create('th', '');
+      cell.scope = 'col';
+      const button = create('button', 'sort', name);
+      button.type = 'button';
+      button.title = title;
+      button.addEventListener('click', () => this.sortBy(column));
+      cell.append(button);
+      this.headers.push(cell);
+      row.append(cell);
+    });
+    const lock = create('th', '');
+    lock.scope = 'col';
+    lock.append(create('span', 'visually-hidden', 'Locked'));
+    row.append(lock);
+    return row;
+  }
+
+  private sortBy(column: number): void {
+    const isSame = this.order.column === column;
+    const descending = isSame ? !this.order.descending : column !== BY_NUMBER;
+    this.order = { column, descending };
+    this.fill();
+  }
+
+  private row(row: ChartRow): HTMLTableRowElement {
+    const { index, chart } = row;
+    const made = create('tr', '');
+    made.dataset.chart = String(index);
+    COLUMNS.forEach(({ text }, column) => {
+      if (column === 0) made.append(this.nameCell(index));
+      else made.append(create('td', '', text(row)));
+    });
+    const verdict = made.lastElementChild as HTMLElement;
+    verdict.className = chart.valid ? 'good' : 'bad';
+    verdict.ariaLabel = chart.valid ? 'valid' : 'not valid';
+    verdict.title = chart.problem;
+    made.append(this.lockCell(index));
+    made.addEventListener('mouseenter', () => this.events.pointed(index));
+    made.addEventListener('focusin', () => this.events.pointed(index));
+    made.addEventListener('click', () => this.events.chosen(index));
+    return made;
+  }
+
+  private lockCell(index: number): HTMLElement {
+    const cell = create('td', 'lock-cell');
+    const button = create('button', 'lock');
+    button.type = 'button';
+    button.dataset.chart = String(index);
+    button.ariaLabel = `Lock chart ${index}`;
+    button.ariaPressed = String(this.locks.has(index));
+    button.title = 'Locked: the chart stays as it is and where it is, whatever is changed';
+    const icon = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
+    icon.append(
+      svg('path', { class: 'lock-body', d: 'M3.500 7.500h9v6h-9z' }),
+      svg('path', { d: 'M5.500 7.500v-2.500a2.500 2.500 0 0 1 5 0' }),
+      svg('path', { class: 'lock-leg', d: 'M10.500 5v2.500' }),
+    );
+    button.append(icon);
+    button.addEventListener('click', (event) => {
+      event.stopPropagation();
+      this.events.locked(index);
+    });
+    cell.append(button);
+    return cell;
+  }
+
+  private nameCell(index: number): HTMLElement {
+    const cell = create('th', '');
+    cell.scope = 'row';
+    const button = create('button', 'chart-name');
+    button.type = 'button';
+    button.setAttribute('aria-label', `Chart ${index}: show it`);
+    if (this.colors) {
+      const swatch = create('span', 'swatch');
+      swatch.style.background = `var(--chart-${this.colors[index]})`;
+      button.append(swatch);
+    }
+    button.append(count(index));
+    cell.append(button);
+    return cell;
+  }
+}

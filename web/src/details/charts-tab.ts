@@ -1,0 +1,65 @@
+import type { UnwrapReport } from 'abflat';
+import { create, element } from '../base/dom';
+import { counted, measure } from '../base/format';
+import type { Views } from '../view/views';
+import { atlasNotes } from './atlas-notes';
+import { ChartTable } from './chart-table';
+import type { Locks } from './locks';
+
+export interface ChartsTabEvents {
+  /** Another chart is locked, or one is no more. */
+  locked(): void;
+  packAgain(): void;
+}
+
+/** What an atlas consists of and what was done to get it. */
+export class ChartsTab {
+  private readonly notes = element('atlas-notes', HTMLUListElement);
+  private readonly table: ChartTable;
+  private readonly lockSummary = element('locks-summary', HTMLElement);
+  private readonly pack = element('pack-again', HTMLButtonElement);
+  private readonly summary = element('charts-summary', HTMLElement);
+
+  /** `views` show the chart that is pointed at. */
+  constructor(
+    views: Views | null,
+    private readonly locks: Locks,
+    events: ChartsTabEvents,
+  ) {
+    this.table = new ChartTable({
+      pointed: (chart) => views?.lightChart(chart),
+      chosen: (chart) => views?.goToChart(chart),
+      locked: (chart) => {
+        locks.toggle(chart);
+        this.showLocks();
+        events.locked();
+      },
+    });
+    this.pack.addEventListener('click', () => events.packAgain());
+  }
+
+  show(report: UnwrapReport, colors: Float32Array | null): void {
+    const lines = atlasNotes(report);
+    this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
+    this.notes.hidden = lines.length === 0;
+    this.summary.textContent = summary(report);
+    this.table.show(report, colors);
+    this.showLocks();
+    this.pack.disabled = false;
+  }
+
+  private showLocks(): void {
+    const { charts } = this.locks;
+    this.table.showLocks(charts);
+    this.lockSummary.textContent =
+      charts.size > 0 ? `${counted(charts.size, 'chart')} locked` : 'A locked chart stays';
+  }
+}
+
+function summary({ charts, seams, quasiConformalMean }: UnwrapReport): string {
+  const largest = charts.reduce((most, { faces }) => Math.max(most, faces), 0);
+  const which = charts.length > 1 ? ', the largest' : '';
+  const sizes = `${counted(charts.length, 'chart')}${which} of ${counted(largest, 'triangle')}`;
+  const cuts = seams.edges > 0 ? `cut along ${counted(seams.edges, 'edge')}` : 'nothing was cut';
+  return `${sizes}; ${cuts}; average stretch ratio ${measure(quasiConformalMean)}`;
+}

@@ -1,0 +1,81 @@
+import type { NewtonStep } from 'abflat';
+import { count, measure } from '../base/format';
+import type { ChartSpec, Column, Series } from '../plot/chart-spec';
+import { fixedScale, linearScale, logScale, type Scale } from '../plot/scale';
+
+/** Residuals by step, logarithmically, as both go to 0. */
+export function residualChart(history: NewtonStep[]): ChartSpec {
+  const series = [
+    line('Constraint', 'first', history, (step) => step.constraint),
+    line('Gradient', 'second', history, (step) => step.gradient),
+  ];
+  return {
+    title: 'Residual',
+    description:
+      'How far each step of the solver is from meeting the constraints and from the least distortion.',
+    xName: '',
+    x: stepScale(history.length),
+    y: logScale(
+      series.flatMap(({ marks }) => marks.map(({ y }) => y)),
+      5,
+    ),
+    series,
+    columns: columns(history),
+    table: {
+      head: ['Step', 'Constraint residual', 'Gradient residual'],
+      rows: history.map((s, i) => [String(i + 1), measure(s.constraint), measure(s.gradient)]),
+    },
+  };
+}
+
+/** How many boundary vertices, and with the Delaunay condition inner edges, each step holds at their bound. */
+export function activeSetChart(history: NewtonStep[]): ChartSpec {
+  const series = [line('Boundary vertices', 'first', history, ({ active }) => active)];
+  if (history.some(({ activeEdges }) => activeEdges > 0))
+    series.push(line('Inner edges', 'second', history, ({ activeEdges }) => activeEdges));
+  const values = series.map(({ marks }) => marks.map(({ y }) => y));
+  const most = values.flat().reduce((high, value) => Math.max(high, value), 2);
+  return {
+    title: 'Active set',
+    description: 'How many boundary vertices and inner edges each step holds at their bound.',
+    xName: 'Step',
+    x: stepScale(history.length),
+    y: linearScale(most, 2),
+    series,
+    columns: columns(history),
+    table: {
+      head: ['Step', ...series.map(({ name }) => name)],
+      rows: history.map((_, i) => [String(i + 1), ...values.map((each) => count(each[i]))]),
+    },
+  };
+}
+
+function line(
+  name: string,
+  color: Series['color'],
+  history: NewtonStep[],
+  value: (step: NewtonStep) => number,
+): Series {
+  const marks = history.map((step, i) => ({ x: i + 1, y: value(step) }));
+  return { name, color, shape: 'filled', hasLine: true, marks };
+}
+
+function columns(history: NewtonStep[]): Column[] {
+  return history.map(({ constraint, gradient, active, activeEdges }, i) => ({
+    x: i + 1,
+    text: `Step ${i + 1}: constraint ${measure(constraint)}, gradient ${measure(gradient)}, ${count(active)}${
+      activeEdges > 0 ? ` + ${count(activeEdges)}` : ''
+    } at their bound`,
+  }));
+}
+
+/** At most about ten steps are named. */
+function stepScale(steps: number): Scale {
+  const stride = Math.ceil(steps / 10);
+  const named = Array.from({ length: steps }, (_, i) => i + 1).filter(
+    (n) => (n - 1) % stride === 0,
+  );
+  const ticks = named.map((value) => ({ value, text: String(value) }));
+  // A single step lies in the middle.
+  return steps > 1 ? fixedScale(1, steps, ticks) : fixedScale(0, 2, ticks);
+}

@@ -1,0 +1,54 @@
+import type { UnwrapResult } from 'abflat';
+import type { Unwrapped } from '../model/model';
+import type { Kept } from '../model/settings';
+
+/** Which charts are locked, across the atlases of one mesh. */
+export class Locks {
+  private shown: UnwrapResult | null = null;
+  /** Of the atlas on screen. */
+  private locked: Uint32Array = new Uint32Array();
+  private wish: Kept | undefined;
+
+  /** What the next run is to keep; another object after every change. */
+  get kept(): Kept | undefined {
+    return this.wish;
+  }
+
+  /** Of the atlas on screen. */
+  get charts(): Set<number> {
+    if (!this.shown) return new Set();
+    const isCurrent = this.wish?.layout === this.shown;
+    return new Set(isCurrent ? this.wish?.charts : this.locked);
+  }
+
+  clear(): void {
+    this.shown = null;
+    this.wish = undefined;
+  }
+
+  show({ result, settings }: Unwrapped): void {
+    this.shown = result;
+    this.locked = lockedCharts(result, settings.kept);
+    // Otherwise the user has locked or unlocked meanwhile, which a further run will follow.
+    if (settings.kept === this.wish) this.wish = { layout: result, charts: this.locked };
+  }
+
+  toggle(chart: number): void {
+    if (!this.shown) return;
+    const { charts } = this;
+    if (!charts.delete(chart)) charts.add(chart);
+    this.wish = { layout: this.shown, charts: Uint32Array.from(charts) };
+  }
+}
+
+/** What became of them: fixed charts with triangles of theirs. Others are fixed because the file has uv for them. */
+function lockedCharts({ report, chartOfTriangle }: UnwrapResult, kept?: Kept): Uint32Array {
+  const before = new Set(kept?.charts);
+  const locked = new Set<number>();
+  if (kept && before.size > 0)
+    chartOfTriangle.forEach((chart, triangle) => {
+      if (before.has(kept.layout.chartOfTriangle[triangle]) && report.charts[chart]?.fixed)
+        locked.add(chart);
+    });
+  return Uint32Array.from(locked);
+}

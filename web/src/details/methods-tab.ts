@@ -1,0 +1,97 @@
+import type { CompareProgress, Comparison, MethodResult } from 'abflat';
+import { element } from '../base/dom';
+import { Job } from '../session/job';
+import { methodTable } from './method-table';
+
+export type Compare = (
+  signal: AbortSignal,
+  onProgress: (progress: CompareProgress) => void,
+) => Promise<Comparison>;
+
+/** The mesh by other methods; one of them at a time can be looked at. */
+export class MethodsTab {
+  private readonly button = element('compare', HTMLButtonElement);
+  private readonly text = element('compare-text', HTMLElement);
+  private readonly results = element('methods', HTMLElement);
+  private readonly problem = element('method-problem', HTMLElement);
+  private readonly job = new Job((isRunning) => {
+    this.button.textContent = isRunning ? 'Stop' : 'Compare methods';
+  });
+  private comparison: Comparison | null = null;
+  private selected: MethodResult | null = null;
+
+  /** `show` is called with the method to look at, null for the result of the page. */
+  constructor(
+    private readonly compare: Compare,
+    private readonly show: (method: MethodResult | null, comparison: Comparison) => void,
+  ) {
+    this.button.addEventListener('click', () => {
+      if (!this.stop()) void this.run();
+    });
+  }
+
+  /** Back to the page's own result. Returns whether anything else was shown. */
+  leave(): boolean {
+    if (!this.selected) return false;
+    this.select(null);
+    return true;
+  }
+
+  /** For another mesh. */
+  clear(): void {
+    this.job.stop();
+    this.comparison = null;
+    this.selected = null;
+    this.text.textContent = '';
+    this.draw();
+  }
+
+  /** Returns whether there was anything to stop. */
+  stop(): boolean {
+    if (!this.job.isRunning) return false;
+    this.job.stop();
+    this.text.textContent = 'Stopped';
+    return true;
+  }
+
+  private async run(): Promise<void> {
+    this.leave();
+    this.text.textContent = 'Starting';
+    try {
+      await this.job.start(async (signal) => {
+        const comparison = await this.compare(signal, ({ fraction }) => {
+          if (!signal.aborted) this.text.textContent = `${Math.round(100 * fraction)}\u202f%`;
+        });
+        signal.throwIfAborted();
+        this.comparison = comparison;
+        this.text.textContent = '';
+        this.draw();
+      });
+    } catch (error) {
+      this.text.textContent = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  private select(method: MethodResult | null): void {
+    if (!this.comparison) return;
+    this.selected = method;
+    this.results.querySelectorAll('button').forEach((button, i) => {
+      button.ariaPressed = String(this.comparison?.methods[i] === method);
+    });
+    this.problem.textContent = method?.problem ?? '';
+    this.show(method, this.comparison);
+  }
+
+  private draw(): void {
+    this.problem.textContent = '';
+    if (!this.comparison) {
+      this.results.replaceChildren();
+      return;
+    }
+    const { methods } = this.comparison;
+    const table = methodTable(methods, (method) =>
+      this.select(method === this.selected ? null : method),
+    );
+    this.results.replaceChildren(table);
+  }
+}

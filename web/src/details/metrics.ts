@@ -1,0 +1,228 @@
+import type { Report, UnwrapReport } from 'abflat';
+import { create, element } from '../base/dom';
+import { count, counted, duration, measure } from '../base/format';
+import type { Outcome } from '../model/model';
+import { atlasNotes } from './atlas-notes';
+import { notes } from './notes';
+import { type Remedy, type Verdict, verdictOf } from './verdict';
+
+/** `S` is what it is the measure of. */
+interface Metric<S> {
+  label: string;
+  title: string;
+  value(subject: S): string;
+  isBad?(subject: S): boolean;
+}
+
+const STRETCH = 'Symmetric Dirichlet energy / 4, mean over the surface; 1 keeps all lengths';
+
+const AS_IN_FILE = 'Faces of the mesh as it came: triangles, quads and larger polygons';
+
+const OF_DISK: Metric<Report>[] = [
+  {
+    label: 'Angular distortion',
+    title: 'Mean over all corners of ((x - α)/α)², x in the layout, α in 3D',
+    value: ({ charts: [chart] }) => measure(chart.angularDistortion),
+  },
+  {
+    label: 'Length distortion',
+    title:
+      'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
+    value: ({ charts: [chart] }) => measure(chart.lengthDistortion),
+  },
+  {
+    label: 'Stretch',
+    title: STRETCH,
+    value: ({ charts: [chart] }) => stretch(chart.symmetricDirichlet),
+  },
+  {
+    label: 'Crossings',
+    title: 'Pairs of boundary edges that cross or touch',
+    value: ({ charts: [chart] }) => count(chart.boundaryCrossings),
+    isBad: ({ charts: [chart] }) => chart.boundaryCrossings > 0,
+  },
+  {
+    label: 'Flipped',
+    title: 'Triangles of the layout that are not positively oriented',
+    value: ({ charts: [chart] }) => count(chart.flippedTriangles),
+    isBad: ({ charts: [chart] }) => chart.flippedTriangles > 0,
+  },
+  {
+    label: 'Faces',
+    title: AS_IN_FILE,
+    value: ({ input }) => count(input.faces),
+  },
+  {
+    label: 'Newton steps',
+    title: 'Steps of the solver',
+    value: ({ charts: [chart] }) => count(chart.iterations),
+  },
+];
+
+const OF_ATLAS: Metric<UnwrapReport>[] = [
+  {
+    label: 'Charts',
+    title: 'Pieces of the atlas; red when one is not valid',
+    value: ({ charts }) => count(charts.length),
+    isBad: ({ valid }) => !valid,
+  },
+  {
+    label: 'Seam length',
+    title: "Divided by the root of the surface's area: the same for every size of the mesh",
+    value: ({ seams }) => measure(seams.relativeLength),
+  },
+  {
+    label: 'Stretch',
+    title:
+      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths',
+    value: ({ symmetricDirichlet }) => stretch(symmetricDirichlet),
+  },
+  {
+    label: 'Angular distortion',
+    title: 'Mean over the surface of ((x - α)/α)², x in the layout, α in 3D',
+    value: ({ angularDistortion }) => measure(angularDistortion),
+  },
+  {
+    label: 'Utilisation',
+    title: 'Share of the square, or of all tiles, that charts cover',
+    value: ({ atlas }) => `${(100 * atlas.utilization).toFixed(1)}\u202f%`,
+  },
+  {
+    label: 'Texel density',
+    title: 'Texels per unit of length of the mesh, at this resolution',
+    value: ({ atlas }) => measure(atlas.texelDensity),
+  },
+  {
+    label: 'Faces',
+    title: AS_IN_FILE,
+    value: ({ input }) => count(input.faces),
+  },
+];
+
+/** What refining gained, where it did anything. */
+const REFINED: Metric<{ refined: Energies }> = {
+  label: 'Energy',
+  title:
+    'What the balance weighs, mean over the refined surface, before and after: (1 - b)·(σ₁/σ₂ + σ₂/σ₁)/2 + b·(σ₁² + σ₂² + 1/σ₁² + 1/σ₂²)/4, b the balance',
+  value: ({ refined: { before, after } }) => `${stretch(before)} \u2192 ${stretch(after)}`,
+};
+
+const TIME: Metric<{ timings: { total: number } }> = {
+  label: 'Time',
+  title: 'From the first byte to the last, in the worker',
+  value: ({ timings }) => duration(timings.total),
+};
+
+const GRADES: Record<Verdict['badge'], string> = {
+  Valid: 'good',
+  Stretched: 'warn',
+  'Not valid': 'bad',
+};
+
+const REMEDIES: Record<Remedy, { label: string; title: string }> = {
+  cut: {
+    label: 'Cut further',
+    title: 'Keep these seams and add automatic ones until every chart is within the limit',
+  },
+  unwrap: { label: 'Unwrap', title: 'Cut the mesh where that keeps lengths' },
+};
+
+/** The numbers of a result, and how good it is. */
+export class MetricsPanel {
+  private readonly panel = element('result', HTMLElement);
+  private readonly badge = element('badge', HTMLElement);
+  private readonly reason = element('reason', HTMLElement);
+  private readonly notesButton = element('notes-button', HTMLButtonElement);
+  private readonly remedyButton = element('remedy', HTMLButtonElement);
+  private verdict: Verdict | null = null;
+  private readonly list = element('metrics', HTMLElement);
+
+  /** `showNotes` opens them, `help` does what the verdict offers. */
+  constructor(showNotes: () => void, help: (remedy: Remedy) => void) {
+    this.notesButton.addEventListener('click', showNotes);
+    this.remedyButton.addEventListener('click', () => {
+      if (this.verdict?.remedy) help(this.verdict.remedy);
+    });
+    this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, '\u2013')));
+  }
+
+  show(outcome: Outcome): void {
+    const { report } = outcome.result;
+    const items =
+      outcome.mode === 'unwrap'
+        ? itemsOf(OF_ATLAS, outcome.result.report)
+        : itemsOf(OF_DISK, outcome.result.report);
+    const refined = energiesOf(outcome);
+    // The time is said beside them: their number stays the same.
+    const last = refined ? itemsOf([REFINED], { refined }) : itemsOf([TIME], report);
+    this.list.replaceChildren(...items, ...last);
+    this.verdict = verdictOf(outcome);
+    this.badge.textContent = this.verdict.badge;
+    this.badge.className = `badge ${GRADES[this.verdict.badge]}`;
+    const noteCount = notesOf(outcome).length;
+    this.notesButton.textContent = counted(noteCount, 'note');
+    this.notesButton.hidden = noteCount === 0;
+    this.markStale(null);
+  }
+
+  /** Marks the numbers as those of an earlier state, which `owner` names; null: they are current. */
+  markStale(owner: string | null): void {
+    this.panel.classList.toggle('stale', owner !== null);
+    this.setReason(owner === null ? (this.verdict?.reason ?? '') : `Numbers of ${owner}`);
+    this.showRemedy(owner === null ? (this.verdict?.remedy ?? null) : null);
+  }
+
+  private showRemedy(remedy: Remedy | null): void {
+    this.remedyButton.hidden = remedy === null;
+    if (!remedy) return;
+    this.remedyButton.textContent = REMEDIES[remedy].label;
+    this.remedyButton.title = REMEDIES[remedy].title;
+  }
+
+  private setReason(text: string): void {
+    this.reason.textContent = text;
+    this.reason.title = text;
+  }
+}
+
+interface Energies {
+  before: number;
+  after: number;
+}
+
+/** Means over the refined charts by their area; null where none is. */
+function energiesOf(outcome: Outcome): Energies | null {
+  const charts =
+    outcome.mode === 'unwrap'
+      ? outcome.result.report.charts
+      : outcome.result.report.charts.map(({ refined }) => ({ refined, area: 1 }));
+  let [area, before, after] = [0, 0, 0];
+  for (const chart of charts) {
+    if (!chart.refined) continue;
+    area += chart.area;
+    before += chart.area * chart.refined.energyBefore;
+    after += chart.area * chart.refined.energy;
+  }
+  return area > 0 ? { before: before / area, after: after / area } : null;
+}
+
+const stretch = (energy: number) => (energy < 100 ? energy.toFixed(4) : measure(energy));
+
+function itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
+  return metrics.map(({ label, title, value, isBad }) =>
+    item(label, title, value(subject), isBad?.(subject)),
+  );
+}
+
+function item(label: string, title: string, text: string, isBad = false): HTMLElement {
+  const made = create('div', 'metric');
+  made.title = title;
+  made.append(create('dt', '', label), create('dd', isBad ? 'bad' : '', text));
+  return made;
+}
+
+function notesOf(outcome: Outcome): string[] {
+  return outcome.mode === 'unwrap'
+    ? atlasNotes(outcome.result.report)
+    : notes(outcome.result.report.charts[0]);
+}

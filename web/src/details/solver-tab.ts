@@ -1,0 +1,51 @@
+import type { ChartReport } from 'abflat';
+import { create, element } from '../base/dom';
+import { counted, measure } from '../base/format';
+import { Chart } from '../plot/chart';
+import { activeSetChart, residualChart } from './convergence';
+import { notes } from './notes';
+
+const SOLVERS: Record<string, string> = {
+  activeSet: 'Active set',
+  interiorPoint: 'Interior point',
+  tutte: "Tutte's embedding",
+};
+
+/** How the layout was found: notes and the solver's convergence. */
+export class SolverTab {
+  private readonly notes = element('notes', HTMLUListElement);
+  private readonly summary = element('solver-summary', HTMLElement);
+  private readonly plots = element('solver-plots', HTMLElement);
+  private readonly readout = element('solver-readout', HTMLElement);
+  private readonly residuals: Chart;
+  private readonly activeSet: Chart;
+
+  constructor() {
+    const read = (text: string | null) => {
+      this.readout.textContent = text ?? 'Point at a step for its numbers.';
+    };
+    read(null);
+    this.residuals = new Chart(element('residual-chart', HTMLElement), 132, read);
+    this.activeSet = new Chart(element('active-chart', HTMLElement), 92, read);
+  }
+
+  show(chart: ChartReport): void {
+    const { history } = chart;
+    this.notes.replaceChildren(...notes(chart).map((note) => create('li', '', note)));
+    this.notes.hidden = this.notes.childElementCount === 0;
+    this.summary.textContent = summary(chart);
+    this.plots.hidden = history.length === 0;
+    if (history.length === 0) return;
+    this.residuals.show(residualChart(history));
+    this.activeSet.show(activeSetChart(history));
+  }
+}
+
+function summary({ solver, iterations, converged, constraintResidual }: ChartReport): string {
+  const name = SOLVERS[solver] ?? solver;
+  if (iterations === 0) return name;
+  const end = converged
+    ? `converged to ${measure(constraintResidual)}`
+    : `not converged (${measure(constraintResidual)})`;
+  return `${name}, ${counted(iterations, 'step')}, ${end}`;
+}

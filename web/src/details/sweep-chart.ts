@@ -1,0 +1,113 @@
+import type { ChartReport } from 'abflat';
+import { type Bound, bound, measure } from '../base/format';
+import type { ChartSpec, Column, Mark, Series } from '../plot/chart-spec';
+import { fixedScale, linearScale } from '../plot/scale';
+
+/** The values of t that are tried: where distortion changes fast they are close. */
+export const SWEEP_T: Bound[] = ['auto', 2, 1.8, 1.6, 1.4, 1.2, 1.1, 1.05, 1, 0.98];
+
+/** What came of one t; no chart: it is not possible for this mesh. */
+export interface SweepPoint {
+  t: Bound;
+  chart: ChartReport | null;
+}
+
+interface Drawn {
+  t: Bound;
+  chart: ChartReport;
+}
+
+const LEAST = 0.95;
+const MOST = 2;
+const TICKS = [1, 1.2, 1.4, 1.6, 1.8, 2];
+
+/** Distortion against t. `current` is the t of the layout on screen; `choose` is called with the t of a point. */
+export function sweepChart(
+  points: SweepPoint[],
+  current: number,
+  choose: (t: Bound) => void,
+): ChartSpec {
+  const drawn = points.filter((point): point is Drawn => point.chart !== null);
+  const shown = drawn.sort((a, b) => placeOf(a) - placeOf(b));
+  const most = shown.reduce((high, { chart }) => Math.max(high, finite(chart)), 0);
+  return {
+    title: 'Angular distortion',
+    description:
+      'Angular distortion of layouts with several t. Layouts that are not valid are drawn as circles.',
+    xName: 't',
+    x: fixedScale(
+      LEAST,
+      MOST,
+      TICKS.map((value) => ({ value, text: bound(value) })),
+    ),
+    y: linearScale(most, 4),
+    series: seriesOf(shown),
+    columns: columnsOf(shown, choose),
+    current: Math.min(MOST, Math.max(LEAST, current)),
+    table: {
+      head: ['t', 'Angular distortion', 'Valid'],
+      rows: points.map(({ t, chart }) => [
+        bound(t),
+        chart ? measure(chart.angularDistortion) : 'not possible',
+        chart?.valid ? 'yes' : 'no',
+      ]),
+    },
+  };
+}
+
+/** The same three names whatever was found, so that the legend does not move. */
+function seriesOf(shown: Drawn[]): Series[] {
+  const numbers = shown.filter(({ t }) => t !== 'auto');
+  const series = (
+    name: string,
+    color: Series['color'],
+    shape: Series['shape'],
+    points: Drawn[],
+  ): Series => ({ name, color, shape, hasLine: false, marks: points.map(markOf) });
+  return [
+    series(
+      'valid',
+      'first',
+      'filled',
+      numbers.filter(({ chart }) => chart.valid),
+    ),
+    series(
+      'not valid',
+      'second',
+      'hollow',
+      numbers.filter(({ chart }) => !chart.valid),
+    ),
+    series(
+      'auto',
+      'third',
+      'diamond',
+      shown.filter(({ t }) => t === 'auto'),
+    ),
+  ];
+}
+
+function columnsOf(shown: Drawn[], choose: (t: Bound) => void): Column[] {
+  return shown.map((point) => ({
+    ...markOf(point),
+    text: textOf(point),
+    select: () => choose(point.t),
+  }));
+}
+
+function markOf({ t, chart }: Drawn): Mark {
+  return { x: placeOf({ t, chart }), y: finite(chart) };
+}
+
+function textOf({ t, chart }: Drawn): string {
+  const verdict = chart.valid ? 'valid' : chart.problem.replace(/[.;].*$/, '');
+  return `t = ${bound(t)}: ${measure(chart.angularDistortion)}, ${verdict}.`;
+}
+
+/** 2 and above is the same: free. */
+function placeOf({ chart }: Drawn): number {
+  return Math.min(MOST, chart.t);
+}
+
+function finite({ angularDistortion }: ChartReport): number {
+  return Number.isFinite(angularDistortion) ? angularDistortion : 0;
+}

@@ -1,0 +1,85 @@
+import type { Report } from 'abflat';
+import { element } from '../base/dom';
+import type { Bound } from '../base/format';
+import { Chart } from '../plot/chart';
+import { Job } from '../session/job';
+import { SWEEP_T, type SweepPoint, sweepChart } from './sweep-chart';
+
+const HINT = 'Select a point to use its t.';
+
+/** Distortion against t, point by point. */
+export class SweepTab {
+  private readonly button = element('sweep', HTMLButtonElement);
+  private readonly text = element('sweep-text', HTMLElement);
+  private readonly readout = element('sweep-readout', HTMLElement);
+  private readonly chart: Chart;
+  private readonly job = new Job((isRunning) => {
+    this.button.textContent = isRunning ? 'Stop' : 'Plot against t';
+  });
+  private points: SweepPoint[] = [];
+  private current = 2;
+
+  /** `measure` flattens with one t, null when it is not possible; `choose` is called with the t of a point. */
+  constructor(
+    private readonly measure: (t: Bound, signal: AbortSignal) => Promise<Report | null>,
+    private readonly choose: (t: Bound) => void,
+  ) {
+    this.chart = new Chart(element('sweep-chart', HTMLElement), 212, (text) => {
+      this.readout.textContent = text ?? (this.points.length > 0 ? HINT : '');
+    });
+    this.button.addEventListener('click', () => {
+      if (!this.stop()) void this.run();
+    });
+    this.draw();
+  }
+
+  /** The t of the layout on screen. */
+  setCurrent(t: number): void {
+    this.current = t;
+    this.draw();
+  }
+
+  /** For another mesh. */
+  clear(): void {
+    this.job.stop();
+    this.points = [];
+    this.text.textContent = '';
+    this.draw();
+  }
+
+  /** Returns whether there was anything to stop. */
+  stop(): boolean {
+    if (!this.job.isRunning) return false;
+    this.job.stop();
+    this.text.textContent = 'Stopped';
+    return true;
+  }
+
+  private async run(): Promise<void> {
+    this.points = [];
+    this.draw();
+    try {
+      await this.job.start((signal) => this.sweep(signal));
+    } catch (error) {
+      this.text.textContent = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  private async sweep(signal: AbortSignal): Promise<void> {
+    for (const [i, t] of SWEEP_T.entries()) {
+      this.text.textContent = `${i + 1} of ${SWEEP_T.length}`;
+      const report = await this.measure(t, signal);
+      signal.throwIfAborted();
+      this.points.push({ t, chart: report?.charts[0] ?? null });
+      this.draw();
+    }
+    const skipped = this.points.filter(({ chart }) => !chart).map(({ t }) => t);
+    this.text.textContent = skipped.length > 0 ? `${skipped.join(', ')}: not possible here` : '';
+  }
+
+  private draw(): void {
+    if (!this.readout.textContent && this.points.length > 0) this.readout.textContent = HINT;
+    if (this.points.length === 0) this.readout.textContent = '';
+    this.chart.show(sweepChart(this.points, this.current, this.choose));
+  }
+}

@@ -1,0 +1,68 @@
+import type { Report, UnwrapReport } from 'abflat';
+import { count, counted, sentence } from '../base/format';
+import type { Outcome, Unwrapped } from '../model/model';
+
+/** What stretches less: more seams, or seams at all. */
+export type Remedy = 'cut' | 'unwrap';
+
+export interface Verdict {
+  badge: 'Valid' | 'Stretched' | 'Not valid';
+  /** One sentence on why. */
+  reason: string;
+  /** What the user can do about it; null: nothing with one click. */
+  remedy: Remedy | null;
+}
+
+/** Of a mesh in one piece: the root of its length distortion, what its edges change by on average. */
+const MOST_CHANGE = 0.5;
+
+/** What the user cares for: first that nothing overlaps, then that nothing is stretched too much. */
+export function verdictOf(outcome: Outcome): Verdict {
+  return outcome.mode === 'unwrap' ? ofAtlas(outcome) : ofDisk(outcome.result.report);
+}
+
+function ofDisk({ charts: [chart], valid }: Report): Verdict {
+  if (!valid) return { badge: 'Not valid', reason: sentence(chart.problem), remedy: null };
+  const change = Math.sqrt(chart.lengthDistortion);
+  if (!(change > MOST_CHANGE))
+    return { badge: 'Valid', reason: 'No flipped triangles, no crossings', remedy: null };
+  const percent = `${count(100 * change)}\u202f%`;
+  const reason = `Lengths change by ${percent} on average: seams would help`;
+  return { badge: 'Stretched', reason, remedy: 'unwrap' };
+}
+
+function ofAtlas({ result, settings }: Unwrapped): Verdict {
+  const { charts, valid } = result.report;
+  if (!valid) return { badge: 'Not valid', reason: defects(result.report), remedy: null };
+  const stretched = stretchedCharts(result.report, settings.maxStretch);
+  if (stretched.length === 0)
+    return { badge: 'Valid', reason: 'No flipped triangles, no overlapping charts', remedy: null };
+  const most = Math.max(...stretched.map(({ symmetricDirichlet }) => symmetricDirichlet));
+  const where =
+    charts.length > 1 ? ` in ${count(stretched.length)} of ${count(charts.length)} charts` : '';
+  const upTo = stretched.length > 1 ? 'up to ' : '';
+  return {
+    badge: 'Stretched',
+    reason: `Stretch ${upTo}${above(most, settings.maxStretch)}${where}; the limit is ${settings.maxStretch}`,
+    remedy: isAutomatic(settings.seams) ? null : 'cut',
+  };
+}
+
+/** Not those that the user asked to keep. */
+function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
+  return charts.filter((chart) => !chart.fixed && chart.symmetricDirichlet > maxStretch);
+}
+
+/** Of `--seams`: whether charts are cut until they keep within the limit. */
+export const isAutomatic = (seams: string) => seams.split(',').includes('auto');
+
+/** With as few decimals as show that it is more than the limit. */
+function above(stretch: number, limit: number): string {
+  const digits = [2, 3, 4, 5].find((digits) => Number(stretch.toFixed(digits)) > limit);
+  return stretch.toFixed(digits ?? 6);
+}
+
+function defects({ charts }: UnwrapReport): string {
+  const bad = charts.filter((chart) => !chart.valid);
+  return `${count(bad.length)} of ${counted(charts.length, 'chart')}: ${bad[0].problem}`;
+}

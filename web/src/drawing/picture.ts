@@ -1,0 +1,135 @@
+import type { ChartReport } from 'abflat';
+import { chartColors } from '../colors/chart-colors';
+import { angleErrors } from '../mesh/angle-error';
+import { boundaryEdges, type DisplayMesh, type FlatMesh, vertexNormals } from '../mesh/mesh';
+import { weld } from '../mesh/weld';
+import type { LayoutArrays, Unwrapped } from '../model/model';
+
+/** A mesh with its boundary, as the 3D view shows it before it is flattened. */
+export interface Picture {
+  mesh: DisplayMesh;
+  /** Boundary edges, of an atlas those of its charts, as pairs of vertices. */
+  edges: Uint32Array;
+  /** Per vertex, where they are not those of the triangles. */
+  normals?: Float32Array;
+}
+
+/** A layout with all that is marked in it. */
+export interface FlatPicture extends Picture {
+  mesh: FlatMesh;
+  /** Per triangle. */
+  errors: Float32Array;
+  /** Vertices with a tightened bound. */
+  tightened: Uint32Array;
+  /** Edges that cannot be made Delaunay, as pairs of vertices. */
+  resisting: Uint32Array;
+  /** The number of each chart's colour when it is an atlas of charts in the unit square. */
+  chartColors?: Float32Array;
+  /** The chart of each triangle of an atlas. */
+  charts?: Uint32Array;
+  /** Unit squares that the atlas fills. */
+  tiles?: number;
+}
+
+/** Vertices at one place are one: the boundary is that of the surface. */
+export function meshPicture(mesh: DisplayMesh): Picture {
+  return { mesh, edges: edgesOfOne(mesh.indices, weld(mesh.positions, 3)) };
+}
+
+/** Of an unwrapped mesh what is drawn. */
+export type AtlasArrays = Pick<
+  Unwrapped['result'],
+  'uv' | 'indices' | 'vertexMap' | 'positions' | 'chartOfTriangle'
+>;
+
+export function atlasPicture(
+  atlas: AtlasArrays,
+  { tiles, chartCount }: { tiles: number; chartCount: number },
+  input: DisplayMesh,
+): FlatPicture {
+  const { uv, indices, vertexMap, chartOfTriangle } = atlas;
+  const positions = positionsOf(atlas, input);
+  const mesh = { positions, indices, uv };
+  const none = new Uint32Array();
+  const edges = edgesOfOne(indices, weld(uv, 2));
+  const places = weld(positions, 3);
+  return {
+    mesh,
+    edges,
+    // A seam is no edge of the surface.
+    normals: pick(vertexNormals(input), 3, vertexMap),
+    errors: angleErrors(mesh),
+    tightened: none,
+    resisting: none,
+    charts: chartOfTriangle,
+    tiles,
+    chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
+  };
+}
+
+/** Boundary edges where some vertices are one: `same` names the one for each. */
+function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
+  const joined = new Uint32Array(indices.length);
+  let size = 0;
+  for (let c = 0; c < indices.length; c += 3) {
+    const [i, j, k] = [same[indices[c]], same[indices[c + 1]], same[indices[c + 2]]];
+    if (i === j || j === k || k === i) continue; // no area, no edges
+    joined[size++] = i;
+    joined[size++] = j;
+    joined[size++] = k;
+  }
+  return boundaryEdges(joined.subarray(0, size));
+}
+
+/** What a report says of vertices and edges. */
+export type MarkedChart = Pick<ChartReport, 'bounds' | 'delaunay'>;
+
+/** `input` has the positions when the layout comes without; without a `chart` nothing is marked. */
+export function flatPicture(
+  layout: LayoutArrays,
+  input: DisplayMesh,
+  chart: MarkedChart | null,
+): FlatPicture {
+  const { uv, indices, vertexMap } = layout;
+  const positions = positionsOf(layout, input);
+  const mesh = { positions, indices, uv };
+  const edges = boundaryEdges(indices);
+  const bounded = new Set(chart?.bounds.map(({ vertex }) => vertex));
+  // Each boundary vertex begins one boundary edge.
+  const tightened = edges.filter((v, i) => i % 2 === 0 && bounded.has(vertexMap[v]));
+  const resisting = edgesOf(layout, chart?.delaunay?.resisting ?? []);
+  return { mesh, edges, errors: angleErrors(mesh), tightened, resisting };
+}
+
+/** Edges of the layout, as pairs of its vertices, that are `asked` for by vertices of the input. */
+function edgesOf({ indices, vertexMap }: LayoutArrays, asked: [number, number][]): Uint32Array {
+  const key = (a: number, b: number) => `${Math.min(a, b)} ${Math.max(a, b)}`;
+  const left = new Set(asked.map(([a, b]) => key(a, b)));
+  const found: number[] = [];
+  for (let h = 0; left.size > 0 && h < indices.length; ++h) {
+    const [a, b] = [indices[h], indices[h % 3 === 2 ? h - 2 : h + 1]];
+    if (left.delete(key(vertexMap[a], vertexMap[b]))) found.push(a, b);
+  }
+  return Uint32Array.from(found);
+}
+
+/** Of the vertices of a layout; `input` has them when it comes without. */
+export function positionsOf(
+  { positions, vertexMap }: Pick<LayoutArrays, 'positions' | 'vertexMap'>,
+  input: Pick<DisplayMesh, 'positions'>,
+): Float64Array {
+  return positions ?? pick(input.positions, 3, vertexMap);
+}
+
+/** The rows of `size` numbers that `rows` names. */
+function pick<T extends Float64Array | Float32Array>(
+  values: T,
+  size: number,
+  rows: Uint32Array,
+): T {
+  const Kind = values.constructor as new (length: number) => T;
+  const picked = new Kind(size * rows.length);
+  for (let i = 0; i < rows.length; ++i)
+    for (let d = 0; d < size; ++d) picked[size * i + d] = values[size * rows[i] + d];
+  return picked;
+}

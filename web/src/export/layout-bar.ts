@@ -1,0 +1,124 @@
+import { element } from '../base/dom';
+import { download } from '../base/download';
+import { count } from '../base/format';
+import { CHART_COLORS } from '../colors/chart-colors';
+import { NumberField } from '../controls/number-field';
+import { pictureSize } from '../files/picture-size';
+import type { AtlasDrawing } from '../files/svg-text';
+import type { Unwrapped } from '../model/model';
+import type { Mode } from '../model/settings';
+import type { Workshop } from '../workshop/workshop';
+
+export interface LayoutBarEvents {
+  say(text: string): void;
+  failed(outcome: Unwrapped, error: Error): void;
+}
+
+/** An atlas that can be saved. */
+interface Shown {
+  outcome: Unwrapped;
+  /** The number of each chart's colour. */
+  chartColors: Float32Array;
+}
+
+/** Millimetres for a unit of the mesh. */
+const SCALE = { type: 'number', above: 0, words: { auto: 0 } };
+
+/** The bar below the layout, which saves the atlas as a picture. */
+export class LayoutBar {
+  private readonly bar = element('layout-tools', HTMLElement);
+  private readonly scale: NumberField<number | 'auto'>;
+  private readonly buttons: HTMLButtonElement[];
+  private shown: Shown | null = null;
+
+  constructor(
+    private readonly workshop: Workshop,
+    private readonly events: LayoutBarEvents,
+  ) {
+    this.scale = new NumberField<number | 'auto'>(
+      element('layout-scale', HTMLInputElement),
+      SCALE,
+      'auto',
+      () => undefined,
+      events.say,
+    );
+    this.buttons = [
+      this.bind('layout-png', (shown) => this.savePng(shown)),
+      this.bind('layout-heat', (shown) => this.saveHeatMap(shown)),
+      this.bind('layout-svg', (shown) => this.saveSvg(shown)),
+    ];
+  }
+
+  setMode(mode: Mode): void {
+    this.bar.hidden = mode === 'flatten';
+  }
+
+  /** Null: there is none of the mesh on screen. */
+  show(shown: Shown | null): void {
+    this.shown = shown;
+    for (const button of this.buttons) button.disabled = shown === null;
+  }
+
+  private bind(id: string, save: (shown: Shown) => Promise<void>): HTMLButtonElement {
+    const button = element(id, HTMLButtonElement);
+    button.addEventListener('click', () => {
+      const { shown } = this;
+      if (shown) save(shown).catch((error: Error) => this.events.failed(shown.outcome, error));
+    });
+    return button;
+  }
+
+  private async savePng(shown: Shown): Promise<void> {
+    const drawing = drawingOf(shown);
+    const size = sizeText(drawing);
+    this.save(shown, 'layout.png', await this.workshop.png(drawing), size);
+  }
+
+  private async saveHeatMap(shown: Shown): Promise<void> {
+    const drawing = drawingOf(shown);
+    const size = sizeText(drawing);
+    this.save(shown, 'heat-map.png', await this.workshop.heatMap(drawing, shown.outcome), size);
+  }
+
+  private async saveSvg(shown: Shown): Promise<void> {
+    const file = await this.workshop.svg(drawingOf(shown), this.scale.value);
+    this.save(shown, 'layout.svg', file, `${count(Math.ceil(file.size / 1024))}\u202fKB`);
+  }
+
+  private save({ outcome }: Shown, kind: string, file: Blob, size: string): void {
+    const name = `${outcome.source.name.replace(/\.[^.]*$/, '')}-${kind}`;
+    download(name, file.type, file);
+    this.events.say(`Saved ${name}, ${size}`);
+  }
+}
+
+function drawingOf({ outcome, chartColors }: Shown): AtlasDrawing {
+  const { result, mesh } = outcome;
+  const { charts, atlas } = result.report;
+  const { resolution, tiles, texelDensity } = atlas;
+  return {
+    uv: result.uv,
+    indices: result.indices,
+    charts: result.chartOfTriangle,
+    faces: mesh.faces,
+    chartCount: charts.length,
+    resolution,
+    tiles,
+    texelDensity,
+    colors: colorsOf(chartColors),
+  };
+}
+
+/** As css has them, in the theme that is on. */
+function colorsOf(chartColors: Float32Array): string[] {
+  const style = getComputedStyle(document.documentElement);
+  const palette = Array.from({ length: CHART_COLORS }, (_, i) =>
+    style.getPropertyValue(`--chart-${i}`).trim(),
+  );
+  return Array.from(chartColors, (color) => palette[color]);
+}
+
+function sizeText(drawing: AtlasDrawing): string {
+  const { width, height } = pictureSize(drawing);
+  return `${count(width)}\u202f×\u202f${count(height)}\u202fpx`;
+}

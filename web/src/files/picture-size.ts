@@ -1,0 +1,19 @@
+import { tileGrid } from '../mesh/tiles';
+import type { AtlasDrawing } from './svg-text';
+
+/** What browsers draw at most. */
+export const MOST_PIXELS = 16_384;
+
+/** Pixels of the picture, or why there can be none. */
+export function pictureSize({ resolution, tiles }: AtlasDrawing): {
+  width: number;
+  height: number;
+} {
+  const [columns, rows] = tileGrid(tiles);
+  const [width, height] = [resolution * columns, resolution * rows];
+  if (Math.max(width, height) > MOST_PIXELS)
+    throw new Error(
+      `pictures have at most ${MOST_PIXELS} pixels along a side; lower the resolution, or save SVG`,
+    );
+  return { width, height };
+}

@@ -1,0 +1,31 @@
+// Which of the files that were chosen or dropped at once is the mesh.
+
+import type { FileSource } from '../model/model';
+
+const MESH = /\.(obj|ply|stl|off|gltf|glb)$/i;
+/** What may come with a mesh. */
+const COMPANION = /\.(mtl|bin|png|jpe?g|webp|gif|bmp|tga|tiff?|ktx2?|dds|exr|hdr|txt|seams|json)$/i;
+
+/**
+ * The meshes among files in the order in which they are offered, each with all that is no mesh. Of several the glTF is first, as what
+ * came with it is most likely its own. A file of an unknown kind may be a mesh if there is no other: its content tells.
+ */
+export function sourcesOf(files: File[]): FileSource[] {
+  const meshes = files.filter(({ name }) => MESH.test(name));
+  const chosen = meshes.length > 0 ? meshes : files.filter(({ name }) => !COMPANION.test(name));
+  const others = files.filter((file) => !chosen.includes(file));
+  const isGltf = ({ name }: File) => /\.gltf$/i.test(name);
+  const ordered = [...chosen.filter(isGltf), ...chosen.filter((file) => !isGltf(file))];
+  const together: FileSource[] = [];
+  for (const file of ordered)
+    together.push({ kind: 'file', name: file.name, file, others, together });
+  return together;
+}
+
+/** Why nothing of it can be opened. */
+export function noMesh(files: File[]): string {
+  const [{ name }] = files;
+  const what =
+    files.length === 1 ? `${name} is no mesh` : `None of these ${files.length} files is a mesh`;
+  return `${what}. Open an OBJ, PLY, STL, OFF, glTF or GLB file; what belongs to it may come along.`;
+}

@@ -1,0 +1,238 @@
+import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
+import { Background } from '../base/background';
+import { copied } from '../base/buffers';
+import { counted } from '../base/format';
+import { lostOf } from '../base/lost';
+import { asDisk } from '../mesh/as-disk';
+import type { FlatDrawing } from '../model/drawing';
+import {
+  type AnyProgress,
+  type Helpers,
+  isGltf,
+  type Opened,
+  type Outcome,
+  type Source,
+} from '../model/model';
+import type { Settings } from '../model/settings';
+import { layOut } from './lay-out';
+
+export interface SessionEvents {
+  /** A mesh is being read, or laid out when there are `settings`. */
+  started(source: Source, settings: Settings | null): void;
+  progress(progress: AnyProgress): void;
+  /** A mesh was read. */
+  opened(opened: Opened): void;
+  laidOut(outcome: Outcome, drawing: FlatDrawing): void;
+  cancelled(): void;
+  /** `settings` is null when the mesh could not be read. */
+  failed(source: Source, settings: Settings | null, error: Error): void;
+}
+
+/** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
+const PATIENCE = 150;
+
+/** Samples are made as fine as they look good. */
+const SAMPLE_DETAIL = 2;
+
+/** One mesh at a time, one run at a time; the latest wish wins. Wishes are heard while abflat still starts. */
+export class Session {
+  private opened: Opened | null = null;
+  /** The last one. */
+  private outcome: Outcome | null = null;
+  private running: AbortController | null = null;
+  /** What is in flight reads a mesh. */
+  private isReading = false;
+  /** Whether to lay out once more as soon as the run in flight ends. */
+  private isWanted = false;
+  private readonly background = new Background();
+  private patience: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly abflat: () => Promise<Abflat>,
+    private readonly events: SessionEvents,
+    /** What the user asks for now. */
+    private readonly settings: () => Settings,
+    private readonly helpers: Helpers,
+  ) {}
+
+  /** Reads a mesh and lays it out. On failure the previous one stays. */
+  async open(source: Source): Promise<void> {
+    this.stop();
+    const controller = this.begin();
+    this.isReading = true;
+    this.events.started(source, null);
+    try {
+      const opened = await this.read(source, controller.signal);
+      if (controller !== this.running) return;
+      this.opened = opened;
+      this.events.opened(opened);
+    } catch (error) {
+      this.end(controller, () => this.events.failed(source, null, explained(error)));
+      return;
+    }
+    this.running = null;
+    await this.run();
+  }
+
+  /**
+   * Lays the mesh out with other settings: at once, or as soon as the run in flight ends or has used up our patience. A mesh that is being
+   * read is laid out with them when it is there.
+   */
+  refresh(): void {
+    if (!this.running) {
+      if (this.opened) void this.run();
+      return;
+    }
+    if (this.isReading) return;
+    this.isWanted = true;
+    clearTimeout(this.patience);
+    this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
+  }
+
+  get isBusy(): boolean {
+    return this.running !== null;
+  }
+
+  /** Returns whether there was anything to cancel. */
+  cancel(): boolean {
+    if (!this.running) return false;
+    this.stop();
+    this.background.resume();
+    this.events.cancelled();
+    return true;
+  }
+
+  /** Does something with the open mesh while no run is in flight; a run interrupts it, and it starts over. */
+  aside<T>(
+    work: (abflat: Abflat, input: MeshInput, signal: AbortSignal) => Promise<T>,
+    signal: AbortSignal,
+  ): Promise<T> {
+    return this.background.run(async (signal) => {
+      if (!this.opened) throw new Error('Open a mesh first.');
+      return work(await this.abflat(), this.opened.input, signal);
+    }, signal);
+  }
+
+  private replaceRun(): void {
+    if (!this.opened || !this.isWanted) return;
+    this.stop();
+    void this.run();
+  }
+
+  private async run(): Promise<void> {
+    if (!this.opened) return;
+    const { opened } = this;
+    const settings = this.settings();
+    const controller = this.begin();
+    this.events.started(opened.source, settings);
+    try {
+      const outcome = await layOut(await this.abflat(), opened, settings, this.outcome, {
+        signal: controller.signal,
+        onProgress: (progress) => {
+          if (controller === this.running) this.events.progress(progress);
+        },
+      });
+      if (controller !== this.running) return;
+      const drawing = await this.helpers.outcome(outcome);
+      if (controller === this.running) this.outcome = outcome;
+      this.end(controller, () => this.events.laidOut(outcome, drawing));
+    } catch (error) {
+      this.end(controller, () => this.events.failed(opened.source, settings, explained(error)));
+    }
+  }
+
+  private begin(): AbortController {
+    clearTimeout(this.patience);
+    this.isWanted = false;
+    this.isReading = false;
+    this.background.pause();
+    this.running = new AbortController();
+    return this.running;
+  }
+
+  /** Reports how a run ended, unless another one has taken its place, and starts what was wished for meanwhile. */
+  private end(controller: AbortController, report: () => void): void {
+    if (controller !== this.running) return;
+    this.running = null;
+    clearTimeout(this.patience);
+    report();
+    const { isWanted } = this;
+    this.isWanted = false;
+    if (isWanted) void this.run();
+    else if (!this.running) this.background.resume();
+  }
+
+  private stop(): void {
+    clearTimeout(this.patience);
+    const controller = this.running;
+    this.running = null;
+    this.isWanted = false;
+    controller?.abort();
+  }
+
+  private async read(source: Source, signal: AbortSignal): Promise<Opened> {
+    const abflat = await this.abflat();
+    if (source.kind === 'sample') {
+      const mesh = await abflat.sample(source.name, { signal, detail: SAMPLE_DETAIL });
+      const [summary, drawing] = await Promise.all([
+        abflat.inspect(await copied(mesh), { signal, transfer: true }),
+        this.helpers.mesh(mesh),
+      ]);
+      return { source, input: mesh, mesh, summary, drawing };
+    }
+    if (isGltf(source)) {
+      const gltf = await this.helpers.gltf(source);
+      const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal, (mesh) =>
+        this.helpers.joined(mesh),
+      );
+      return { source, input: mesh, mesh, summary, drawing: await this.helpers.mesh(mesh), gltf };
+    }
+    if (source.file.size === 0) throw new Error(`${source.name} is empty.`);
+    const input: MeshFile = {
+      bytes: new Uint8Array(await bytesOf(source.file)),
+      name: source.name,
+    };
+    const mesh = await abflat
+      .load(await copied(input), { signal, transfer: true })
+      .catch((error: unknown) => {
+        throw isUnknownFormat(error) ? new Error(unsupported(source.name)) : error;
+      });
+    const [summary, drawing] = await Promise.all([
+      abflat.inspect(await copied(input), { signal, transfer: true }),
+      this.helpers.mesh(mesh),
+    ]);
+    if (mesh.indices.length === 0) throw new Error(withoutFaces(source.name, summary));
+    return { source, input, mesh, summary, drawing };
+  }
+}
+
+const isUnknownFormat = (error: unknown) =>
+  error instanceof Error &&
+  'code' in error &&
+  error.code === 'UnreadableFile' &&
+  lostOf(error) === null;
+
+const unsupported = (name: string) =>
+  `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`;
+
+function withoutFaces(name: string, { vertices }: MeshSummary): string {
+  const content =
+    vertices > 0 ? `${counted(vertices, 'vertex', 'vertices')} but no faces` : 'no faces';
+  return `${name} has ${content}, so there is nothing to unwrap. Save it with its faces.`;
+}
+
+async function bytesOf(file: File): Promise<ArrayBuffer> {
+  try {
+    return await file.arrayBuffer();
+  } catch (error) {
+    // A folder, or a file that was moved or changed since it was chosen.
+    const reason = toError(error).message;
+    throw new Error(`${file.name} cannot be read (${reason}) Choose the file again.`);
+  }
+}
+
+const explained = (error: unknown): Error => lostOf(error) ?? toError(error);
+
+function toError(error: unknown): Error {
+  return error instanceof Error ? error : new Error(String(error));
+}

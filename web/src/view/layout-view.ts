@@ -1,0 +1,182 @@
+import { OrthographicCamera, Scene } from 'three';
+import type { Palette } from '../colors/palette';
+import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
+import { EdgeLines } from './edge-lines';
+import { createLayoutMaterial, paintLayout } from './layout-material';
+import { PanZoom } from './pan-zoom';
+import { DOT, PointMarks, RING } from './point-marks';
+import { SlicedSurface } from './sliced-surface';
+import { Stage } from './stage';
+import { NONE_LIT } from './surface-material';
+import { TileLabels } from './tile-labels';
+
+/** Css pixels between a fitted layout and the border of its pane. */
+const MARGIN = 28;
+
+/** Css pixels: charts may be many and small. */
+const OUTLINE = 2.25;
+const THIN_OUTLINE = 1.25;
+
+/** The uv layout in the plane. */
+export class LayoutView {
+  private readonly stage: Stage;
+  /** When pictures can be drawn without waiting for shaders. */
+  readonly ready: Promise<void>;
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
+  private readonly material = createLayoutMaterial();
+  private readonly surface: SlicedSurface;
+  private readonly frame = new EdgeLines(1.5, false);
+  private readonly boundary = new EdgeLines(OUTLINE, false);
+  private readonly resisting = new EdgeLines(2.5, false);
+  private readonly dots = new PointMarks({ ...DOT, depthTest: false });
+  private readonly rings = new PointMarks({ ...RING, depthTest: false });
+  private readonly panZoom: PanZoom;
+  /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
+  private size: [number, number] = [1, 1];
+  /** In uv: what is at 0 of the plane, and the length of a unit of it. */
+  private middle: [number, number] = [0, 0];
+  private unit = 1;
+  private readonly labels = new TileLabels();
+  /** Until the user pans or zooms, the layout stays fitted whatever happens to it or to the pane. */
+  private isFitted = true;
+  private isAtlas = false;
+  private palette: Palette | null = null;
+  /** `FLAT_FRAME` of each shown chart. */
+  private frames: Float32Array = new Float32Array();
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.panZoom = new PanZoom(canvas, {
+      moved: () => {
+        this.isFitted = false;
+        this.stage.invalidate();
+      },
+      fit: () => this.fit(),
+    });
+    this.stage = new Stage(
+      canvas,
+      () => this.draw(),
+      () => this.resized(),
+    );
+    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
+    this.scene.add(
+      this.frame.object,
+      this.surface.object,
+      this.boundary.object,
+      this.resisting.object,
+      this.dots.object,
+      this.rings.object,
+    );
+    this.ready = this.stage.start(this.scene, this.camera);
+  }
+
+  /** Shows a layout. Keeps the point of view unless `isNew`. */
+  show({ layout, marks, chartColors }: FlatDrawing, isNew: boolean): void {
+    this.surface.show({ position: layout.position, ...marks }, () =>
+      this.showParts(layout, chartColors !== null),
+    );
+    this.unit = layout.unit;
+    this.middle = layout.middle;
+    this.size = layout.size;
+    this.frames = layout.frames;
+    if (isNew || this.isFitted) this.fit();
+    else this.stage.invalidate();
+  }
+
+  /** What is drawn beside the triangles. */
+  private showParts(layout: LayoutDrawing, isAtlas: boolean): void {
+    this.isAtlas = isAtlas;
+    this.colorBoundary();
+    this.material.uniforms.showsCharts.value = isAtlas;
+    this.boundary.setWidth(isAtlas ? THIN_OUTLINE : OUTLINE);
+    this.boundary.show(layout.edges);
+    this.resisting.show(layout.resisting);
+    this.dots.show(layout.dots);
+    this.rings.show(layout.rings);
+    this.frame.show(layout.tileSides);
+    this.labels.show(layout.tiles);
+  }
+
+  private colorBoundary(): void {
+    if (this.palette)
+      this.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+  }
+
+  setPalette(palette: Palette): void {
+    this.stage.renderer.setClearColor(palette.background);
+    paintLayout(this.material, palette);
+    this.frame.setColor(palette.frame);
+    this.palette = palette;
+    this.colorBoundary();
+    this.resisting.setColor(palette.flipped);
+    this.dots.setColor(palette.tightened);
+    this.rings.setColor(palette.flipped);
+    this.stage.invalidate();
+  }
+
+  setDistortion(shows: boolean): void {
+    this.material.uniforms.showsError.value = shows;
+    this.stage.invalidate();
+  }
+
+  /** Shows one chart clearer than the others; null: all alike. */
+  light(chart: number | null): void {
+    this.material.uniforms.lit.value = chart ?? NONE_LIT;
+    this.stage.invalidate();
+  }
+
+  /** Goes to one chart. */
+  goTo(chart: number): void {
+    const [left, bottom, right, top] = this.frames.subarray(FLAT_FRAME.size * chart);
+    if (!(left <= right)) return;
+    this.look((left + right) / 2, (bottom + top) / 2, [right - left, top - bottom]);
+    this.isFitted = false;
+  }
+
+  fit(): void {
+    this.look(0, 0, this.size);
+    this.isFitted = true;
+  }
+
+  private look(x: number, y: number, size: [number, number]): void {
+    const margin = Math.min(MARGIN, this.stage.width / 14, this.stage.height / 14);
+    const across = (this.stage.width - 2 * margin) / (size[0] || 1);
+    const down = (this.stage.height - 2 * margin) / (size[1] || 1);
+    this.panZoom.set(x, y, Math.min(across, down));
+    this.stage.invalidate();
+  }
+
+  private resized(): void {
+    this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
+    for (const marks of [this.dots, this.rings]) marks.setPixelRatio(this.stage.pixelRatio);
+    for (const lines of [this.frame, this.boundary, this.resisting])
+      lines.setResolution(this.stage.width, this.stage.height);
+    if (this.isFitted) this.fit();
+  }
+
+  private draw(): void {
+    if (this.surface && !this.surface.advance()) {
+      // What is on screen stays until all of the next layout is there.
+      this.stage.invalidate();
+      return;
+    }
+    const { x, y, scale } = this.panZoom;
+    const [halfWidth, halfHeight] = [this.stage.width / scale / 2, this.stage.height / scale / 2];
+    this.camera.left = x - halfWidth;
+    this.camera.right = x + halfWidth;
+    this.camera.bottom = y - halfHeight;
+    this.camera.top = y + halfHeight;
+    this.camera.updateProjectionMatrix();
+    this.stage.renderer.render(this.scene, this.camera);
+    const { width, height } = this.stage;
+    const [u0, v0] = this.middle;
+    const side = scale / this.unit;
+    this.labels.move({
+      x: (u) => width / 2 + (u - u0) * side - x * scale,
+      y: (v) => height / 2 - (v - v0) * side + y * scale,
+      side,
+      width,
+      height,
+    });
+  }
+}

@@ -1,0 +1,46 @@
+import type { DelaunayReport, VertexBound } from 'abflat';
+import { create, element } from '../base/dom';
+import { counted, measure } from '../base/format';
+
+/** What of a report is said beside the layout. */
+export interface Marked {
+  bounds: VertexBound[];
+  boundaryCrossings: number;
+  delaunay: DelaunayReport | null;
+  angularDistortion: number | null;
+}
+
+/** Says what the marks in the views are, as far as there are any, and what the Delaunay condition costs. */
+export function showMarksLegend(marked: Marked | null): void {
+  const lines = marked ? linesOf(marked) : [];
+  const box = element('marks', HTMLElement);
+  box.replaceChildren(
+    ...lines.map(([mark, text]) => {
+      const line = create('p', '');
+      line.append(create('span', `mark ${mark}`), text);
+      return line;
+    }),
+  );
+  box.hidden = lines.length === 0;
+}
+
+/** The kind of the mark and what it is. */
+function linesOf(marked: Marked): [string, string][] {
+  const { bounds, boundaryCrossings, delaunay } = marked;
+  const lines: [string, string][] = [];
+  if (bounds.length > 0)
+    lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
+  if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);
+  if (delaunay) lines.push(delaunayLine(marked.angularDistortion ?? 0, delaunay));
+  return lines;
+}
+
+function delaunayLine(
+  angularDistortion: number,
+  { resisting, angularDistortionBefore }: DelaunayReport,
+): [string, string] {
+  if (resisting.length > 0)
+    return ['line', `${counted(resisting.length, 'edge resists', 'edges resist')} Delaunay`];
+  const change = `${measure(angularDistortionBefore)} \u2192 ${measure(angularDistortion)}`;
+  return ['edge', `Delaunay: distortion ${change}`];
+}

@@ -1,0 +1,280 @@
+import { PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Palette } from '../colors/palette';
+import { type Direction, frontOf } from '../drawing/front';
+import { facingOf } from '../mesh/mesh';
+import { type Drawing, type FirstView, type FlatDrawing, FRAME } from '../model/drawing';
+import { EdgeLines } from './edge-lines';
+import { fitInView } from './fit-in-view';
+import { DOT, PointMarks } from './point-marks';
+import { type SeamMarks, SeamOverlay } from './seam-overlay';
+import { Sight } from './sight';
+import { SlicedSurface } from './sliced-surface';
+import { Stage } from './stage';
+import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
+
+const FIELD_OF_VIEW = 32;
+/** Share of the view's width or height that a fitted mesh takes. */
+const FILLED = 0.88;
+/** Radians per key press, and zoom factor. */
+const TURN = Math.PI / 24;
+const ZOOM = 1.15;
+/** From above y is still up by a little. */
+const ABOVE = 1e-3;
+
+/** A view of points (xyz each); `direction`: from them to the eye. */
+interface Look {
+  points: Float32Array;
+  direction: Direction;
+}
+
+/** The mesh in 3D. */
+export class MeshView {
+  private readonly stage: Stage;
+  /** When pictures can be drawn without waiting for shaders. */
+  readonly ready: Promise<void>;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  private readonly controls: OrbitControls;
+  private readonly material = createSurfaceMaterial();
+  private readonly surface: SlicedSurface;
+  private readonly boundary = new EdgeLines(1.75, true);
+  private readonly dots = new PointMarks({ ...DOT, depthTest: true });
+  private readonly seams = new SeamOverlay();
+  /** `FRAME` of each shown chart. */
+  private frames: Float32Array = new Float32Array();
+  private first: FirstView = {
+    front: [0, 0, 1],
+    outline: new Float32Array(),
+    hull: new Float32Array(),
+  };
+  /** Where it was last looked from, and what was to fit in the view. */
+  private from: Look = { direction: [0, 0, 1], points: new Float32Array() };
+  /** Until the user turns or zooms, the mesh stays fitted whatever happens to the pane. */
+  private isFitted = true;
+  private isFlat = false;
+  private isAtlas = false;
+  private palette: Palette | null = null;
+  private flatPaint: SurfacePaint = SurfacePaint.Checker;
+  private showsDistortion = false;
+  private wireOpacity = 0.5;
+  private showsWireframe = false;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    reducedMotion: boolean,
+  ) {
+    this.stage = new Stage(
+      canvas,
+      () => this.draw(),
+      () => this.resized(),
+    );
+    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
+    this.scene.add(this.surface.object, this.boundary.object, this.dots.object, this.seams.object);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = !reducedMotion;
+    this.controls.dampingFactor = 0.12;
+    this.controls.minDistance = 0.4;
+    this.controls.maxDistance = 30;
+    this.controls.addEventListener('change', () => this.stage.invalidate());
+    this.controls.addEventListener('start', () => {
+      this.isFitted = false;
+    });
+    canvas.addEventListener('keydown', (event) => this.onKey(event));
+    this.ready = this.stage.start(this.scene, this.camera);
+  }
+
+  /** Shows a mesh, with a checkerboard or its charts when it is flattened. Keeps the point of view unless the mesh was just opened. */
+  show(drawing: Drawing | FlatDrawing): void {
+    const { mesh } = drawing;
+    const flat = 'marks' in drawing ? drawing : null;
+    const { position, normal, uv } = mesh;
+    this.surface.show({ position, normal, ...(uv && { uv }), ...flat?.marks }, () => {
+      this.boundary.show(mesh.edges);
+      this.dots.show(mesh.dots);
+      this.isAtlas = Boolean(flat?.chartColors);
+      this.colorBoundary();
+      this.flatPaint = this.isAtlas ? SurfacePaint.Charts : SurfacePaint.Checker;
+      this.isFlat = flat !== null;
+      this.setUniforms();
+    });
+    this.frames = mesh.frames;
+    this.stage.invalidate();
+    if (!mesh.first) return;
+    this.first = mesh.first;
+    this.reset();
+  }
+
+  /** What the camera sees now. */
+  get sight(): Sight {
+    return new Sight(this.camera, this.stage.width, this.stage.height);
+  }
+
+  /** `turned` is called when the point of view has changed. */
+  onTurn(turned: () => void): void {
+    this.controls.addEventListener('change', turned);
+  }
+
+  /** `points` has xyz per vertex, in the unit sphere. */
+  markSeams(points: Float32Array, marks: SeamMarks): void {
+    if (this.seams.show(points, marks)) this.stage.invalidate();
+  }
+
+  private colorBoundary(): void {
+    if (this.palette)
+      this.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+  }
+
+  setPalette(palette: Palette): void {
+    this.stage.renderer.setClearColor(palette.background);
+    paintSurface(this.material, palette);
+    this.palette = palette;
+    this.colorBoundary();
+    this.dots.setColor(palette.tightened);
+    this.seams.setPalette(palette);
+    this.wireOpacity = palette.wireOpacity;
+    this.paint();
+  }
+
+  setWireframe(shows: boolean): void {
+    this.showsWireframe = shows;
+    this.paint();
+  }
+
+  setDistortion(shows: boolean): void {
+    this.showsDistortion = shows;
+    this.paint();
+  }
+
+  /** Shows one chart clearer than the others; null: all alike. */
+  light(chart: number | null): void {
+    this.material.uniforms.lit.value = chart ?? NONE_LIT;
+    this.stage.invalidate();
+  }
+
+  /** Looks at one chart. */
+  goTo(chart: number): void {
+    const frame = this.frames.subarray(FRAME.size * chart, FRAME.size * (chart + 1));
+    if (!(frame[FRAME.low] <= frame[FRAME.high])) return;
+    const now = this.camera.position.clone().sub(this.controls.target).normalize();
+    const area = frame.subarray(FRAME.area, FRAME.area + 3);
+    const direction = frontOf(facingOf(area, frame[FRAME.total]), now.toArray());
+    this.look({ points: cornersOf(frame), direction });
+    this.isFitted = false;
+  }
+
+  reset(): void {
+    this.fit({ points: this.first.outline, direction: this.first.front });
+  }
+
+  /** Looks from behind what is looked at now. */
+  turnRound(): void {
+    const { x, y, z } = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.lookFrom([-x, y, -z]);
+  }
+
+  private lookFrom(direction: Direction): void {
+    this.fit({ points: this.first.hull, direction });
+  }
+
+  private fit(from: Look): void {
+    this.from = from;
+    this.look(from);
+    this.isFitted = true;
+  }
+
+  private look({ points, direction }: Look): void {
+    this.stopDamping();
+    const front = new Vector3(...direction);
+    const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
+    const { target, distance } = fitInView(points, front, up * this.camera.aspect, up);
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(front, distance);
+    this.controls.update();
+    this.stage.invalidate();
+  }
+
+  /** Ends a motion that is dying down: without damping an update uses up all of it. */
+  private stopDamping(): void {
+    const { enableDamping } = this.controls;
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = enableDamping;
+  }
+
+  private paint(): void {
+    this.setUniforms();
+    this.stage.invalidate();
+  }
+
+  private setUniforms(): void {
+    const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : this.flatPaint;
+    this.material.uniforms.paint.value = this.isFlat ? flatPaint : SurfacePaint.Clay;
+    this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
+  }
+
+  private resized(): void {
+    this.camera.aspect = this.stage.width / this.stage.height;
+    this.camera.updateProjectionMatrix();
+    this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
+    this.dots.setPixelRatio(this.stage.pixelRatio);
+    this.boundary.setResolution(this.stage.width, this.stage.height);
+    this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
+    if (this.isFitted) this.fit(this.from);
+  }
+
+  private draw(): void {
+    if (this.surface && !this.surface.advance()) {
+      // What is on screen stays until all of the next surface is there.
+      this.stage.invalidate();
+      return;
+    }
+    // With damping, update() moves on and asks for the next frame through its change event.
+    this.controls?.update();
+    this.stage?.renderer.render(this.scene, this.camera);
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const turn = (theta: number, phi: number) => this.turn(theta, phi, 1);
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => turn(-TURN, 0),
+      ArrowRight: () => turn(TURN, 0),
+      ArrowUp: () => turn(0, -TURN),
+      ArrowDown: () => turn(0, TURN),
+      '+': () => this.turn(0, 0, 1 / ZOOM),
+      '=': () => this.turn(0, 0, 1 / ZOOM),
+      '-': () => this.turn(0, 0, ZOOM),
+      Home: () => this.reset(),
+      '0': () => this.reset(),
+      '1': () => this.lookFrom([0, 0, 1]),
+      '3': () => this.lookFrom([1, 0, 0]),
+      '7': () => this.lookFrom([0, 1, ABOVE]),
+      '9': () => this.turnRound(),
+    };
+    const action = actions[event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  }
+
+  private turn(theta: number, phi: number, zoom: number): void {
+    this.isFitted = false;
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const spherical = new Spherical().setFromVector3(offset);
+    spherical.theta += theta;
+    spherical.phi += phi;
+    spherical.radius *= zoom;
+    offset.setFromSpherical(spherical.makeSafe());
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.stage.invalidate();
+  }
+}
+
+/** The corners of a chart's box, xyz each. */
+function cornersOf(frame: Float32Array): Float32Array {
+  return Float32Array.from({ length: 24 }, (_, i) => {
+    const [corner, d] = [Math.floor(i / 3), i % 3];
+    return frame[((corner >> d) & 1 ? FRAME.high : FRAME.low) + d];
+  });
+}

@@ -1,0 +1,55 @@
+import { CHART_COLORS } from '../colors/chart-colors';
+import { RAMP_SIZE } from '../colors/palette';
+
+/** Angle error (relative) at the upper end of the colour ramp. Fixed, so that colours compare across t and meshes. */
+export const RAMP_MOST = 0.25;
+
+/** Corner of the triangle as barycentric coordinates: drawing without an index numbers corners in threes. */
+export const CORNER_GLSL = /* glsl */ `
+  vec3 cornerOf(int vertex) {
+    int k = vertex % 3;
+    return vec3(k == 0, k == 1, k == 2);
+  }
+`;
+
+/**
+ * Coverage (0..1) of the triangle's edges by a line of \`width\` device pixels, anti-aliased. Fades where triangles get smaller
+ * than a few pixels, so that a dense mesh does not become one dark blot.
+ */
+export const EDGE_GLSL = /* glsl */ `
+  float edgeCoverage(vec3 corner, float width) {
+    vec3 slope = sqrt(pow(dFdx(corner), vec3(2.0)) + pow(dFdy(corner), vec3(2.0)));
+    vec3 pixels = corner / slope;
+    float nearest = min(pixels.x, min(pixels.y, pixels.z));
+    float height = 1.0 / max(slope.x, max(slope.y, slope.z));
+    float line = 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, nearest);
+    return line * mix(0.3, 1.0, smoothstep(1.0, 8.0 * width, height));
+  }
+`;
+
+export const RAMP_GLSL = /* glsl */ `
+  uniform vec3 ramp[${RAMP_SIZE}];
+  vec3 rampColor(float error) {
+    float x = clamp(error / ${RAMP_MOST.toFixed(3)}, 0.0, 1.0) * ${(RAMP_SIZE - 1).toFixed(1)};
+    vec3 color = ramp[0];
+    for (int i = 1; i < ${RAMP_SIZE}; ++i) color = mix(color, ramp[i], clamp(x - float(i - 1), 0.0, 1.0));
+    return color;
+  }
+`;
+
+/** The colour of a chart by its number. */
+export const CHART_GLSL = /* glsl */ `
+  uniform vec3 charts[${CHART_COLORS}];
+  vec3 chartColor(float number) {
+    return charts[int(number + 0.5)];
+  }
+`;
+
+/** Checkerboard with cells of size 1, filtered over the pixel's footprint: no shimmer at a distance. */
+export const CHECKER_GLSL = /* glsl */ `
+  float checker(vec2 p) {
+    vec2 w = max(abs(dFdx(p)), abs(dFdy(p))) + 1e-4;
+    vec2 i = 2.0 * (abs(fract((p - 0.5 * w) * 0.5) - 0.5) - abs(fract((p + 0.5 * w) * 0.5) - 0.5)) / w;
+    return 0.5 - 0.5 * i.x * i.y;
+  }
+`;

@@ -1,0 +1,120 @@
+import { Color, DoubleSide, ShaderMaterial } from 'three';
+import { CHART_COLORS } from '../colors/chart-colors';
+import { type Palette, RAMP_SIZE } from '../colors/palette';
+import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+
+/** What the surface is painted with. */
+export const SurfacePaint = { Clay: 0, Checker: 1, Distortion: 2, Charts: 3 } as const;
+export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
+
+/** In place of the chart that is shown alone. */
+export const NONE_LIT = -1;
+
+const VERTEX = /* glsl */ `
+  ${CORNER_GLSL}
+  attribute float error;
+  attribute float chart, piece;
+  varying vec3 vNormal;
+  varying vec3 vCorner;
+  varying vec3 vView;
+  varying vec2 vUv;
+  flat varying float vError;
+  flat varying float vChart, vPiece;
+  void main() {
+    vec4 view = modelViewMatrix * vec4(position, 1.0);
+    vNormal = normalMatrix * normal;
+    vCorner = cornerOf(gl_VertexID);
+    vView = -view.xyz;
+    vUv = uv;
+    vError = error;
+    vChart = chart;
+    vPiece = piece;
+    gl_Position = projectionMatrix * view;
+  }
+`;
+
+// Three lights that stay with the camera (key, fill, rim) and a sky: form reads from every side.
+const FRAGMENT = /* glsl */ `
+  ${EDGE_GLSL}
+  ${RAMP_GLSL}
+  ${CHECKER_GLSL}
+  ${CHART_GLSL}
+  uniform int paint;
+  uniform float wire;
+  uniform float pixelRatio;
+  uniform float lit;
+  uniform vec3 clay, checkA, checkB, back, wireColor, background;
+  varying vec3 vNormal;
+  varying vec3 vCorner;
+  varying vec3 vView;
+  varying vec2 vUv;
+  flat varying float vError;
+  flat varying float vChart, vPiece;
+
+  vec3 shade(vec3 base, vec3 n, vec3 v) {
+    vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
+    vec3 fill = normalize(vec3(0.8, -0.1, 0.6));
+    float sky = 0.5 + 0.5 * n.y;
+    float light = mix(0.12, 0.26, sky) + 0.74 * pow(max(0.5 + 0.5 * dot(n, key), 0.0), 2.2) +
+                  0.18 * max(dot(n, fill), 0.0);
+    float gloss = pow(max(dot(n, normalize(key + v)), 0.0), 42.0);
+    float rim = pow(1.0 - max(dot(n, v), 0.0), 4.0);
+    return base * light + 0.06 * gloss + 0.05 * rim;
+  }
+
+  void main() {
+    vec3 base = clay;
+    if (paint == 1) base = mix(checkB, checkA, checker(vUv));
+    if (paint == 2) base = rampColor(vError);
+    if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
+    if (lit >= 0.0 && vPiece != lit) base = mix(base, background, 0.75);
+    vec3 n = normalize(vNormal);
+    if (!gl_FrontFacing) {
+      n = -n;
+      base = mix(base, back, 0.6);
+    }
+    vec3 color = shade(base, n, normalize(vView));
+    if (wire > 0.0) color = mix(color, wireColor, wire * edgeCoverage(vCorner, pixelRatio));
+    gl_FragColor = vec4(color, 1.0);
+    #include <colorspace_fragment>
+  }
+`;
+
+/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells), error (angle error), chart (number of its colour) and piece (number of the chart itself). */
+export function createSurfaceMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    side: DoubleSide,
+    // The boundary line lies exactly on the surface and must win.
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    uniforms: {
+      paint: { value: SurfacePaint.Clay },
+      wire: { value: 0 },
+      lit: { value: NONE_LIT },
+      background: { value: new Color() },
+      pixelRatio: { value: 1 },
+      clay: { value: new Color() },
+      checkA: { value: new Color() },
+      checkB: { value: new Color() },
+      back: { value: new Color() },
+      wireColor: { value: new Color() },
+      ramp: { value: Array.from({ length: RAMP_SIZE }, () => new Color()) },
+      charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
+    },
+  });
+}
+
+export function paintSurface(material: ShaderMaterial, palette: Palette): void {
+  const { uniforms } = material;
+  uniforms.background.value = palette.background;
+  uniforms.clay.value = palette.clay;
+  uniforms.checkA.value = palette.checkA;
+  uniforms.checkB.value = palette.checkB;
+  uniforms.back.value = palette.back;
+  uniforms.wireColor.value = palette.wire;
+  uniforms.ramp.value = palette.ramp;
+  uniforms.charts.value = palette.charts;
+}

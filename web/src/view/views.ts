@@ -1,0 +1,79 @@
+import { bindToggle, element } from '../base/dom';
+import { readPalette } from '../colors/palette';
+import type { Drawing, FlatDrawing } from '../model/drawing';
+import type { Outcome, Source } from '../model/model';
+import { LayoutView } from './layout-view';
+import { type Marked, showMarksLegend } from './marks-legend';
+import { MeshView } from './mesh-view';
+import { RAMP_MOST } from './shader-parts';
+
+/** Both pictures and the buttons that belong to them. */
+export class Views {
+  readonly mesh: MeshView;
+  private readonly layout: LayoutView;
+  private shownSource: Source | null = null;
+  private isDisk = true;
+
+  /** Throws NoWebGl when the browser offers no WebGL 2. */
+  constructor() {
+    const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);
+    this.layout = new LayoutView(element('layout-canvas', HTMLCanvasElement));
+    bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
+    bindToggle('distortion', (isOn) => {
+      this.mesh.setDistortion(isOn);
+      this.layout.setDistortion(isOn);
+      element('legend', HTMLElement).hidden = !isOn;
+    });
+    element('legend-most', HTMLElement).textContent = `${100 * RAMP_MOST}\u202f% and more`;
+    const turnRound = () => this.mesh.turnRound();
+    element('other-side', HTMLButtonElement).addEventListener('click', turnRound);
+    element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
+    element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
+  }
+
+  /** When both can be drawn. */
+  get ready(): Promise<unknown> {
+    return Promise.all([this.mesh.ready, this.layout.ready]);
+  }
+
+  updateTheme(): void {
+    const palette = readPalette();
+    this.mesh.setPalette(palette);
+    this.layout.setPalette(palette);
+  }
+
+  /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
+  showMesh(drawing: Drawing): void {
+    this.mesh.show(drawing);
+  }
+
+  /** Shows one chart clearer than the others; null: all alike. */
+  lightChart(chart: number | null): void {
+    this.mesh.light(chart);
+    this.layout.light(chart);
+  }
+
+  goToChart(chart: number): void {
+    this.mesh.goTo(chart);
+    this.layout.goTo(chart);
+  }
+
+  showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
+    const isNew = outcome.source !== this.shownSource;
+    this.shownSource = outcome.source;
+    const isDisk = outcome.mode === 'flatten';
+    if (isDisk !== this.isDisk) this.layout.fit();
+    this.isDisk = isDisk;
+    this.showFlat(drawing, isDisk ? outcome.result.report.charts[0] : null, isNew);
+  }
+
+  /** Another layout of the mesh that is shown; `marked` is null when nothing is. */
+  showFlat(drawing: FlatDrawing, marked: Marked | null, isNew = false): void {
+    this.lightChart(null);
+    // The point of view was chosen when the mesh was opened.
+    this.mesh.show(drawing);
+    this.layout.show(drawing, isNew);
+    showMarksLegend(marked);
+  }
+}
