@@ -69,7 +69,7 @@ struct CompareOptions {
 /// MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles, Aborted.
 Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options);
 
-/// The comparison as JSON text, indented by two spaces, without uv; keys as in the README. Numbers
+/// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/methods.md. Numbers
 /// that are not finite are null.
 std::string compareJson(const Comparison& comparison, const std::string& path);
 

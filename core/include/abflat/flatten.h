@@ -50,7 +50,7 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result);
 /// top. The report is about the rounded coordinates then.
 void roundForGltf(const PolygonMesh& mesh, FlattenResult& result);
 
-/// The report as JSON text, indented by two spaces; keys as in the README. Numbers that are not
+/// The report as JSON text, indented by two spaces; keys as in docs/report.md. Numbers that are not
 /// finite, and counts of an input that is not known (it could not be read), are null.
 std::string reportJson(const Report& report);
 

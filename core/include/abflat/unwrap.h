@@ -175,7 +175,7 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
 /// What a later run may know of this one; rows of the table of vertices, not that of texcoords.
 KnownLayout knownLayout(const UnwrapResult& earlier);
 
-/// The report as JSON text, indented by two spaces; keys as in the README.
+/// The report as JSON text, indented by two spaces; keys as in docs/report.md.
 std::string unwrapReportJson(const UnwrapReport& report);
 
 }  // namespace abflat
