@@ -8,7 +8,7 @@
 
 namespace abflat {
 
-/// How crossings of the boundary are removed.
+/// How boundary crossings are removed.
 enum class Untangle : int {
   Auto = 0,  ///< best when t is auto, none when it is a number
   None = 1,  ///< crossings stay, and the result is not valid
@@ -35,7 +35,7 @@ inline const char* untangleName(Untangle code) {
 
 /// How the linear systems of Newton's method are solved.
 enum class LinearSolver : int {
-  Schur = 0,  ///< elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large
+  Schur = 0,  ///< elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes
   Eigen = 1,  ///< the same elimination, factored by Eigen's SimplicialLDLT
   Minres = 2,  ///< MINRES on the whole symmetric system, as in the paper
   Symmlq = 3,  ///< SYMMLQ on the whole symmetric system, as in the paper
@@ -84,21 +84,21 @@ constexpr double kAutoMemory = 0;
 
 /// The options of flattening that are plain values, with their defaults.
 struct FlattenOptionValues {
-  /// boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)
+  /// boundary control coefficient: every interior angle of the layout's boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)
   double t = 0;
-  /// between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other
+  /// trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)
   double balance = 0;
-  /// how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
+  /// how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
   Untangle untangle = Untangle::Auto;
-  /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
+  /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
   LinearSolver linearSolver = LinearSolver::Schur;
-  /// what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)
+  /// memory for a factor of the solver's matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
-  /// condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there
+  /// condition (5): even a free boundary has no angle above 2 pi, so neighbouring triangles do not overlap there
   bool adjacent = false;
   /// condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows
   bool delaunay = false;
-  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one
+  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one
   int threads = 0;
   /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
   Formulation formulation = Formulation::Log;
@@ -127,14 +127,14 @@ struct OptionInfos {
 
 inline OptionInfos optionInfos(const FlattenOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
-    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every boundary vertex of the layout has an interior angle of at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free where that leaves no crossing, otherwise the bounds with the least distortion)", false, false},
-    {"balance", "--balance", "0", "at least 0 and at most 1", "between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as it can (the least symmetric Dirichlet energy), between them one is traded for the other", false, false},
-    {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how crossings of the boundary are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
-    {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one where the mesh is large; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
-    {"memory", "--memory", "auto", "above 0, or auto", "what the solver may take for a factor of its matrix, in MB; where that is too little it goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, without limit natively)", false, false},
-    {"adjacent", "--adjacent", "false", "", "condition (5): also a free boundary has no angle above 2 pi, so that neighbouring triangles do not overlap there", true, false},
+    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the layout's boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)", false, false},
+    {"balance", "--balance", "0", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
+    {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
+    {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
+    {"memory", "--memory", "auto", "above 0, or auto", "memory for a factor of the solver's matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
+    {"adjacent", "--adjacent", "false", "", "condition (5): even a free boundary has no angle above 2 pi, so neighbouring triangles do not overlap there", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
-    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes take fewer, and a build without threads takes one", false, false},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one", false, false},
     {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
     {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
   };
