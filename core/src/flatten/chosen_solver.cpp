@@ -13,14 +13,14 @@ bool isEliminated(LinearSolver solver) {
 }
 
 #if ABFLAT_RESEARCH
-Result<SolverChoice> iterativeSolver(const FlattenOptions& options) {
+Result<SolverChoice> iterativeSolver(const FlattenOptionValues& options) {
   const KktOptions kkt{options.linearSolver, options.formulation, options.precondition};
   return SolverChoice{kkt.solver, kkt.formulation, [kkt](const AngleProblem& problem) {
                         return std::make_unique<KktStepSolver>(problem, kkt);
                       }};
 }
 #else
-Result<SolverChoice> iterativeSolver(const FlattenOptions& options) {
+Result<SolverChoice> iterativeSolver(const FlattenOptionValues& options) {
   return Status{StatusCode::InvalidOption,
                 std::string("the linear solver ") + linearSolverName(options.linearSolver) +
                     " is part of the command line program alone; choose schur or eigen"};
@@ -29,7 +29,7 @@ Result<SolverChoice> iterativeSolver(const FlattenOptions& options) {
 
 }  // namespace
 
-Result<SolverChoice> chosenSolver(const FlattenOptions& options) {
+Result<SolverChoice> chosenSolver(const FlattenOptionValues& options) {
   if (!isEliminated(options.linearSolver)) return iterativeSolver(options);
   if (options.formulation == Formulation::Product)
     return Status{StatusCode::InvalidOption,
