@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "input_file.h"
 #include "mesh_format.h"

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "abflat/flatten.h"
 #include "terminal.h"
 
 namespace abflat::cli {

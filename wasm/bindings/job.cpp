@@ -10,6 +10,7 @@
 #include "abflat/samples.h"
 #include "abflat/texcoord_faces.h"
 #include "abflat/unit_square.h"
+#include "abflat/unwrap.h"
 #include "mesh/triangulate.h"
 
 namespace abflat::bindings {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "abflat/draw.h"
+#include "abflat/flatten.h"
 
 namespace abflat::cli {
 namespace {

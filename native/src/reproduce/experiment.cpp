@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "abflat/samples.h"
 #include "input_file.h"

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "abflat/draw.h"
+#include "abflat/flatten.h"
 #include "out_of_memory.h"
 
 namespace abflat::cli {

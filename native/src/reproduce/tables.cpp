@@ -3,6 +3,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "abflat/flatten.h"
+
 namespace abflat::cli {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "catch.h"
 #include "check/delaunay.h"

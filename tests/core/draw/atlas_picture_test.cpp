@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "abflat/draw.h"
+#include "abflat/unwrap.h"
 #include "catch.h"
 #include "draw/atlas_polygons.h"
 #include "draw/colours.h"

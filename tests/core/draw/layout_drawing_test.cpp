@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "abflat/draw.h"
+#include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "catch.h"
 

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "catch.h"
 

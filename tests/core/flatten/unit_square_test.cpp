@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "abflat/flatten.h"
 #include "catch.h"
 #include "check/distortion.h"
 #include "check/validity.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"

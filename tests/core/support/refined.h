@@ -1,5 +1,6 @@
 #pragma once
 
+#include "abflat/flatten.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "flatten/flatten_chart.h"

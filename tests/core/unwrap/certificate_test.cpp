@@ -2,6 +2,7 @@
 #include <random>
 
 #include "abflat/io.h"
+#include "abflat/unwrap.h"
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/unwrapped.h"
