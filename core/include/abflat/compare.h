@@ -69,8 +69,8 @@ struct CompareOptions {
 /// MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles, Aborted.
 Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options);
 
-/// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/methods.md. Numbers
-/// that are not finite are null.
+/// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/methods.md.
+/// Numbers that are not finite are null.
 std::string compareJson(const Comparison& comparison, const std::string& path);
 
 }  // namespace abflat
