@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "abflat/draw.h"
+#include "draw/kkt_pattern.h"
 #include "draw/svg_writer.h"
 #include "draw/theme.h"
-#include "draw/kkt_pattern.h"
 
 namespace abflat {
 namespace {
