@@ -284,6 +284,14 @@ double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
+/// Shorter where they run along creases.
+double costOf(const SeamMesh& mesh, const Seams& seams) {
+  double sum = 0;
+  for (std::uint32_t h = 0; h < seams.size(); ++h)
+    if (seams[h] && mesh.isOnSurface(h)) sum += mesh.cost[h] / 2;
+  return sum;
+}
+
 /// Finds seams of a mesh in which nothing is cut yet on one side of its plane of symmetry alone.
 class SymmetricFinder {
  public:
@@ -292,25 +300,25 @@ class SymmetricFinder {
 
   /// Replaces `seams`, which `report` is about, by symmetric ones where these are to be preferred.
   void run(Seams& seams, SeamReport& report) const {
-    const double length = lengthOf(mesh_, seams);
-    if (options_.symmetricSeams == SymmetricSeams::Never || length == 0) return;
+    const double cost = costOf(mesh_, seams);
+    if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
     if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
-    const std::optional<SeamPart> half = halfOf(mesh_, mirror);
+    const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
     if (!half) return;
-    const double plane = lengthOf(mesh_, unfold(mesh_, mirror, *half, {}));
-    if (isTooLong(plane, length * kMostOfPlane)) return;
+    const double plane = costOf(mesh_, unfold(mesh_, mirror, *half, {}));
+    if (isTooMuch(plane, cost * kMostOfPlane)) return;
     const Seams found = seamsOfHalf(*half, report.place);
-    const double least = 2 * lengthOf(half->mesh, found) + kLeastOfPlane * plane;
-    if (isTooLong(least, length)) return;
+    const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * plane;
+    if (isTooMuch(least, cost)) return;
     SeamOptions options = options_;
     options.place = report.place;
     options.first = unfold(mesh_, mirror, *half, found);
     SeamReport own;
     Seams symmetric = Finder(mesh_, Seams(mesh_.twin.size(), 0), options, own).run();
     if (own.cancelled) report.cancelled = true;
-    if (own.cancelled || isTooLong(own.charts, report.charts) ||
-        isTooLong(lengthOf(mesh_, symmetric), length))
+    if (own.cancelled || isTooMuch(own.charts, report.charts) ||
+        isTooMuch(costOf(mesh_, symmetric), cost))
       return;
     seams = std::move(symmetric);
     report = std::move(own);
@@ -323,7 +331,7 @@ class SymmetricFinder {
   /// latter of it with the seams beside are, they come out longer.
   static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
 
-  bool isTooLong(double now, double most) const {
+  bool isTooMuch(double now, double most) const {
     return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
   }
 

@@ -194,6 +194,11 @@ std::uint32_t halfEdgeBetween(const SeamMesh& mesh, const std::vector<std::uint3
   return kNone;
 }
 
+signed char sideOf(double distance) {
+  if (std::abs(distance) <= kTolerance) return 0;
+  return distance > 0 ? 1 : -1;
+}
+
 }  // namespace
 
 Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
@@ -212,7 +217,7 @@ Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
   for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const Vec3 p = placeOf(mesh, v);
     const double distance = plane.of(p);
-    out.side.push_back(std::abs(distance) <= kTolerance ? 0 : distance > 0 ? 1 : -1);
+    out.side.push_back(sideOf(distance));
     image.push_back(out.side[v] == 0 ? v : cells.nearest(plane.image(p), kTolerance));
     pulse.beat();
   }

@@ -1,5 +1,6 @@
 #include "seam/symmetric_seams.h"
 
+#include "hole/fill_holes.h"
 #include "mesh/corner_table.h"
 
 namespace abflat {
@@ -31,16 +32,18 @@ double mirroredShare(const SeamMesh& mesh, const Mirror& mirror, const Seams& se
   return all > 0 ? mirrored / all : 1;
 }
 
-std::optional<SeamPart> halfOf(const SeamMesh& mesh, const Mirror& mirror) {
+std::optional<SeamPart> halfOf(const SeamMesh& mesh, const Mirror& mirror, FillHoles mode) {
   Seams between(mesh.twin.size(), 0);
   for (std::uint32_t h = 0; h < between.size(); ++h) {
     between[h] = isBetween(mesh, mirror, h);
     if (between[h] && !(mesh.cost[h] < kBarredCost)) return {};
   }
-  const CutSurface s = cutAlong(mesh, between);
+  CutSurface s = cutAlong(mesh, between);
+  if (openTouchedHoles(mesh, s, mode, between)) s = cutAlong(mesh, between);
   std::vector<std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : s.charts)
-    isWanted.push_back(isOnFirstSide(mesh, mirror, chart.firstTriangle));
+    isWanted.push_back(isOnFirstSide(mesh, mirror, chart.firstTriangle) &&
+                       !mesh.isFilling(chart.firstTriangle));
   return extractCharts(mesh, s, isWanted);
 }
 

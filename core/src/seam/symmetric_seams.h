@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "abflat/generated/unwrap_options.h"
 #include "seam/extract_charts.h"
 #include "seam/mirror.h"
 
@@ -10,9 +11,9 @@ namespace abflat {
 /// Share of the seams' length whose image is a seam.
 double mirroredShare(const SeamMesh& mesh, const Mirror& mirror, const Seams& seams);
 
-/// What is on one side of the plane, as a surface of its own that is open there. None where that
-/// would cut a polygon or what fills a hole.
-std::optional<SeamPart> halfOf(const SeamMesh& mesh, const Mirror& mirror);
+/// What is on one side of the plane, as a surface of its own that is open there; holes that the
+/// plane touches are open too. None where it would cut a polygon or a hole that is to stay filled.
+std::optional<SeamPart> halfOf(const SeamMesh& mesh, const Mirror& mirror, FillHoles mode);
 
 /// Seams of the half and their images, with a cut along the plane.
 Seams unfold(const SeamMesh& mesh, const Mirror& mirror, const SeamPart& half, const Seams& seams);
