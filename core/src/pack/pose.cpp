@@ -57,7 +57,7 @@ Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& 
 Poses::Poses(const Pose& base, int count, const std::vector<PlanePoint>& hull)
     : count_(static_cast<std::uint32_t>(count)) {
   first_.reserve((count_ + 3) / 4);
-  for (int k = 0; k < (count + 3) / 4; ++k) first_.push_back(turned(base, k, count, hull));
+  for (int k = 0; 4 * k < count; ++k) first_.push_back(turned(base, k, count, hull));
 }
 
 Pose Poses::operator[](std::size_t i) const {
