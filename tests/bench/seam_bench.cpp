@@ -60,7 +60,7 @@ PolygonMesh chartMesh(const PolygonMesh& mesh, const Surface& surface, const Cut
           id.emplace(s.vertexOfCorner[c], static_cast<std::uint32_t>(id.size()));
       if (isNew)
         for (std::size_t d = 0; d < 3; ++d)
-          positions.push_back(mesh.positions[3 * surface.table.vertex[c] + d]);
+          positions.push_back(mesh.positions[3 * surface.table.vertex[SurfaceCorner(c)] + d]);
       indices.push_back(at->second);
     }
   return makeTriangleMesh(std::move(positions), std::move(indices));

@@ -230,9 +230,9 @@ Status inspectJob(Job& job) {
 
 Status loadJob(Job& job) {
   if (Status s = readInput(job); !s.ok()) return s;
-  Triangulation triangulation = triangulate(job.mesh);
-  job.layout.triangles = std::move(triangulation.vertex);
-  job.layout.faces = std::move(triangulation.face);
+  const Triangulation triangulation = triangulate(job.mesh);
+  job.layout.triangles.assign(triangulation.vertex.begin(), triangulation.vertex.end());
+  job.layout.faces.assign(triangulation.face.begin(), triangulation.face.end());
   job.layout.positions = std::move(job.mesh.positions);
   return {};
 }

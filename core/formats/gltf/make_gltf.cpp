@@ -219,7 +219,8 @@ Status checkRange(const PolygonMesh& mesh) {
 }  // namespace gltf
 
 std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh) {
-  return triangulate(mesh).corner;
+  const auto corner = triangulate(mesh).corner;
+  return {corner.begin(), corner.end()};
 }
 
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,

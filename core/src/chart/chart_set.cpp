@@ -8,30 +8,40 @@
 namespace abflat {
 namespace {
 
-/// Vertices of one chart: fans in their order, which is that of the input's vertices.
+/// Numbers the vertices of one chart after the other in the order of the surface's, which is that
+/// of the input's. A vertex of the cut surface belongs to one chart.
 class VertexNumbers {
  public:
-  explicit VertexNumbers(std::size_t fans) : number_(fans, kNone) {}
+  explicit VertexNumbers(const Fans& fans) : fans_(fans), number_(fans.inputVertex.size()) {}
 
-  const std::vector<std::uint32_t>& sorted(const std::uint32_t* fans, std::size_t count) {
+  /// Of the chart that has these triangles; returns its vertices.
+  const std::vector<SurfaceVertex>& number(const SurfaceTriangle* first,
+                                           const SurfaceTriangle* last) {
     sorted_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (number_[fans[i]] != kNone) continue;
-      number_[fans[i]] = 0;
-      sorted_.push_back(fans[i]);
-    }
+    for (const SurfaceTriangle* f = first; f != last; ++f)
+      for (const SurfaceCorner c : cornersOf(*f)) {
+        const SurfaceVertex v = fans_.ofCorner[c];
+        if (number_[v].exists()) continue;
+        number_[v] = ChartVertex(0);
+        sorted_.push_back(v);
+      }
     std::sort(sorted_.begin(), sorted_.end());
-    for (std::uint32_t i = 0; i < sorted_.size(); ++i) number_[sorted_[i]] = i;
+    for (std::size_t i = 0; i < sorted_.size(); ++i) number_[sorted_[i]] = ChartVertex(i);
     return sorted_;
   }
-  std::uint32_t operator[](std::uint32_t fan) const { return number_[fan]; }
+  ChartVertex at(SurfaceCorner c) const { return number_[fans_.ofCorner[c]]; }
 
  private:
-  std::vector<std::uint32_t> number_;  ///< fans belong to one chart each
-  std::vector<std::uint32_t> sorted_;
+  const Fans& fans_;
+  IdVector<SurfaceVertex, ChartVertex> number_;
+  std::vector<SurfaceVertex> sorted_;
 };
 
-std::vector<std::uint32_t> copyOf(Indices numbers) { return {numbers.begin(), numbers.end()}; }
+/// What the charts' arrays of plain numbers have.
+template <class I, class T>
+std::vector<std::uint32_t> copyOf(IdSpan<I, T> numbers) {
+  return {numbers.begin(), numbers.end()};
+}
 
 }  // namespace
 
@@ -39,10 +49,12 @@ class ChartSetMaker {
  public:
   ChartSetMaker(const PolygonMesh& mesh, const FilledTable& filled)
       : filled_(filled), cut_(filled.table), fans_(findFans(cut_, mesh.vertexCount())) {
-    Components parts = findComponents(cut_);
+    const Components components = findComponents(cut_);
     out_.mesh_ = &mesh;
-    out_.parts_.resize(parts.firstTriangle.size() + 1);
-    out_.ofTriangle = std::move(parts.ofTriangle);
+    out_.parts_.resize(components.firstTriangle.size() + 1);
+    out_.ofTriangle.reserve(components.ofTriangle.size());
+    for (const ComponentId i : components.ofTriangle)
+      out_.ofTriangle.push_back(ChartId(std::uint32_t{i}));
   }
 
   ChartSet run() {
@@ -64,104 +76,101 @@ class ChartSetMaker {
   }
 
   void listTriangles() {
-    for (const std::uint32_t chart : out_.ofTriangle) ++out_.parts_[chart + 1].triangle;
+    for (const ChartId chart : out_.ofTriangle) ++out_.parts_[chart + 1].triangle;
     addUp(&Part::triangle);
-    std::vector<std::uint32_t> next(out_.size(), 0);
-    local_.resize(cut_.triangleCount());
-    out_.triangles_.resize(cut_.triangleCount());
-    for (std::uint32_t f = 0; f < cut_.triangleCount(); ++f) {
-      const std::uint32_t chart = out_.ofTriangle[f];
-      local_[f] = next[chart]++;
+    IdVector<ChartId, ChartTriangle> next(out_.size(), ChartTriangle(0));
+    local_.resize(cut_.triangles().size());
+    out_.triangles_.resize(local_.size());
+    for (const SurfaceTriangle f : cut_.triangles()) {
+      const ChartId chart = out_.ofTriangle[f];
+      local_[f] = next[chart];
+      ++next[chart];
       out_.triangles_[out_.parts_[chart].triangle + local_[f]] = f;
     }
   }
 
   void connect() {
-    VertexNumbers numbers(fans_.inputVertex.size());
+    VertexNumbers numbers(fans_);
     out_.vertexOfCorner_.reserve(cut_.twin.size());
     out_.twin_.reserve(cut_.twin.size());
     out_.inputVertex_.reserve(fans_.inputVertex.size());
-    for (const std::uint32_t f : out_.triangles_)
-      for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        const std::uint32_t twin = cut_.twin[h];
-        out_.vertexOfCorner_.push_back(fans_.ofCorner[h]);
-        out_.twin_.push_back(twin == kNone ? kNone : localCorner(twin));
-      }
-    for (std::size_t i = 0; i < out_.size(); ++i) {
-      const std::size_t begin = 3 * std::size_t{out_.parts_[i].triangle},
-                        end = 3 * std::size_t{out_.parts_[i + 1].triangle};
-      for (const std::uint32_t fan : numbers.sorted(&out_.vertexOfCorner_[begin], end - begin))
-        out_.inputVertex_.push_back(fans_.inputVertex[fan]);
+    for (const ChartId i : out_.ids()) {
+      const SurfaceTriangle* const first = out_.triangles_.data() + out_.parts_[i].triangle;
+      const SurfaceTriangle* const last = out_.triangles_.data() + out_.parts_[i + 1].triangle;
+      for (const SurfaceVertex v : numbers.number(first, last))
+        out_.inputVertex_.push_back(fans_.inputVertex[v]);
       out_.parts_[i + 1].vertex = static_cast<std::uint32_t>(out_.inputVertex_.size());
+      for (const SurfaceTriangle* f = first; f != last; ++f)
+        for (const SurfaceCorner h : cornersOf(*f)) {
+          out_.vertexOfCorner_.push_back(numbers.at(h));
+          out_.twin_.push_back(cut_.twin[h].exists() ? inChart(cut_.twin[h]) : ChartCorner());
+        }
     }
-    for (std::uint32_t& v : out_.vertexOfCorner_) v = numbers[v];
   }
 
   void listBoundaries() {
-    const std::vector<std::vector<std::uint32_t>> loops = findBoundaryLoops(cut_);
-    const auto chartOf = [&](const std::vector<std::uint32_t>& loop) {
-      return out_.ofTriangle[loop.front() / 3];
+    const std::vector<SurfaceLoop> loops = findBoundaryLoops(cut_);
+    const auto chartOf = [&](const SurfaceLoop& loop) {
+      return out_.ofTriangle[triangleOf(loop.front())];
     };
-    for (const std::vector<std::uint32_t>& loop : loops)
+    for (const SurfaceLoop& loop : loops)
       out_.parts_[chartOf(loop) + 1].boundary += static_cast<std::uint32_t>(loop.size());
     addUp(&Part::boundary);
     out_.boundary_.resize(out_.parts_.back().boundary);
-    std::vector<std::uint32_t> written(out_.size(), 0);  // islands that are given may have holes
-    for (const std::vector<std::uint32_t>& loop : loops) {
-      const std::uint32_t chart = chartOf(loop), begin = out_.parts_[chart].boundary;
-      for (const std::uint32_t h : loop) out_.boundary_[begin + written[chart]++] = localCorner(h);
+    // Islands that are given may have holes.
+    IdVector<ChartId, std::uint32_t> written(out_.size(), 0);
+    for (const SurfaceLoop& loop : loops) {
+      const ChartId chart = chartOf(loop);
+      const std::uint32_t begin = out_.parts_[chart].boundary;
+      for (const SurfaceCorner h : loop) out_.boundary_[begin + written[chart]++] = inChart(h);
     }
   }
 
   void countHoles() {
     std::uint32_t last = kNone;  // triangles that fill a hole follow each other
-    for (std::uint32_t i = 0; i < filled_.hole.size(); ++i) {
-      Part& part = out_.parts_[out_.ofTriangle[filled_.surfaceTriangles + i]];
+    for (std::size_t i = 0; i < filled_.hole.size(); ++i) {
+      const SurfaceTriangle f(filled_.surfaceTriangles + i);
+      Part& part = out_.parts_[out_.ofTriangle[f]];
       ++part.fillingTriangles;
       part.filledHoles += filled_.hole[i] != last;
       last = filled_.hole[i];
     }
   }
 
-  std::uint32_t localCorner(std::uint32_t h) const { return 3 * local_[h / 3] + h % 3; }
+  ChartCorner inChart(SurfaceCorner h) const {
+    return cornerOf(local_[triangleOf(h)], placeInTriangle(h));
+  }
 
   const FilledTable& filled_;
   const CornerTable& cut_;
   const Fans fans_;
-  std::vector<std::uint32_t> local_;  ///< per triangle, its number within its chart
+  IdVector<SurfaceTriangle, ChartTriangle> local_;
   ChartSet out_;
 };
 
-ChartTopology ChartSet::topology(std::size_t i) const {
+ChartTopology ChartSet::topology(ChartId i) const {
   const Part &from = parts_[i], &to = parts_[i + 1];
-  const auto part = [](const std::vector<std::uint32_t>& all, std::size_t begin, std::size_t end) {
-    return Indices{all.data() + begin, end - begin};
-  };
-  const std::size_t begin = 3 * std::size_t{from.triangle}, end = 3 * std::size_t{to.triangle};
-  return {part(vertexOfCorner_, begin, end),
-          part(twin_, begin, end),
-          part(boundary_, from.boundary, to.boundary),
-          part(inputVertex_, from.vertex, to.vertex),
-          from.fillingTriangles,
+  const std::size_t corner = 3 * std::size_t{from.triangle};
+  const std::size_t triangles = to.triangle - from.triangle;
+  return {{vertexOfCorner_.data() + corner, 3 * triangles},
+          {twin_.data() + corner, 3 * triangles},
+          {boundary_.data() + from.boundary, to.boundary - from.boundary},
+          {inputVertex_.data() + from.vertex, to.vertex - from.vertex},
+          {triangles_.data() + from.triangle, triangles - from.fillingTriangles},
           from.filledHoles};
 }
 
-Indices ChartSet::triangles(std::size_t i) const {
-  return {triangles_.data() + parts_[i].triangle,
-          parts_[i + 1].triangle - parts_[i].triangle - parts_[i].fillingTriangles};
-}
-
-DiskChart ChartSet::chart(std::size_t i) const {
+DiskChart ChartSet::chart(ChartId i) const {
   const ChartTopology own = topology(i);
   DiskChart out;
   out.vertexOfCorner = copyOf(own.vertexOfCorner);
   out.twin = copyOf(own.twin);
   out.boundary = copyOf(own.boundary);
   out.inputVertex = copyOf(own.inputVertex);
-  out.fillingTriangles = own.fillingTriangles;
+  out.fillingTriangles = parts_[i].fillingTriangles;
   out.filledHoles = own.filledHoles;
   if (!place.empty())
-    for (const std::uint32_t v : out.inputVertex) out.place.push_back(place[v]);
+    for (const InputVertex v : own.inputVertex) out.place.push_back(place[v]);
   placeChart(*mesh_, out);
   return out;
 }

@@ -4,34 +4,29 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
+#include "chart/ids.h"
 #include "cut/filled_table.h"
+#include "mesh/ids.h"
 
 namespace abflat {
 
-/// Numbers that follow each other in a larger array.
-struct Indices {
-  const std::uint32_t* first = nullptr;
-  std::size_t count = 0;
-
-  const std::uint32_t* begin() const { return first; }
-  const std::uint32_t* end() const { return first + count; }
-  std::size_t size() const { return count; }
-  bool empty() const { return count == 0; }
-  std::uint32_t operator[](std::size_t i) const { return first[i]; }
-  std::uint32_t front() const { return *first; }
-  std::uint32_t back() const { return first[count - 1]; }
-};
-
 /// How a chart is connected; names as in DiskChart.
 struct ChartTopology {
-  Indices vertexOfCorner, twin, boundary, inputVertex;
-  std::uint32_t fillingTriangles = 0, filledHoles = 0;
+  IdSpan<ChartCorner, ChartVertex> vertexOfCorner;
+  IdSpan<ChartCorner, ChartCorner> twin;
+  IdSpan<BoundaryIndex, ChartCorner> boundary;
+  IdSpan<ChartVertex, InputVertex> inputVertex;
+  /// Of the surface; without those that fill holes, which come last in the chart.
+  IdSpan<ChartTriangle, SurfaceTriangle> triangles;
+  std::uint32_t filledHoles = 0;
 
-  std::uint32_t triangleCount() const {
-    return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
+  std::size_t triangleCount() const { return vertexOfCorner.size() / 3; }
+  std::size_t vertexCount() const { return inputVertex.size(); }
+  IdRange<ChartCorner> surfaceCorners() const { return IdRange<ChartCorner>(3 * triangles.size()); }
+  /// Where one of these corners is on the surface.
+  SurfaceCorner onSurface(ChartCorner c) const {
+    return cornerOf(triangles[triangleOf(c)], placeInTriangle(c));
   }
-  std::uint32_t surfaceTriangles() const { return triangleCount() - fillingTriangles; }
-  std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(inputVertex.size()); }
 };
 
 /// The parts of a surface that has been cut into topological disks, in the order of their first
@@ -40,14 +35,17 @@ struct ChartTopology {
 class ChartSet {
  public:
   std::size_t size() const { return parts_.empty() ? 0 : parts_.size() - 1; }
-  ChartTopology topology(std::size_t i) const;
-  /// Surface triangle of each.
-  Indices triangles(std::size_t i) const;
-  DiskChart chart(std::size_t i) const;
+  IdRange<ChartId> ids() const { return IdRange<ChartId>(size()); }
+  ChartTopology topology(ChartId i) const;
+  DiskChart chart(ChartId i) const;
+  /// The texcoord of a chart's first vertex; those of the others follow. That of the chart behind
+  /// the last is how many there are.
+  TexcoordId firstTexcoord(ChartId i) const { return TexcoordId(parts_[i].vertex); }
+  TexcoordId texcoord(ChartId i, ChartVertex v) const { return TexcoordId(parts_[i].vertex + v); }
 
-  std::vector<std::uint32_t> ofTriangle;  ///< chart per surface triangle
+  IdVector<SurfaceTriangle, ChartId> ofTriangle;
   /// Per vertex of the mesh, as in DiskChart; empty where none is known.
-  std::vector<std::uint32_t> place;
+  IdVector<InputVertex, std::uint32_t> place;
 
  private:
   friend class ChartSetMaker;
@@ -59,7 +57,10 @@ class ChartSet {
 
   const PolygonMesh* mesh_ = nullptr;
   std::vector<Part> parts_;  ///< one more than charts
-  std::vector<std::uint32_t> triangles_, vertexOfCorner_, twin_, boundary_, inputVertex_;
+  std::vector<SurfaceTriangle> triangles_;
+  std::vector<ChartVertex> vertexOfCorner_;
+  std::vector<ChartCorner> twin_, boundary_;
+  std::vector<InputVertex> inputVertex_;
 };
 
 /// Precondition: every part is a disk, what fills holes included. inputVertex of the charts are

@@ -22,10 +22,13 @@ double unitOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& vertice
 
 DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
   DiskChart chart;
-  chart.vertexOfCorner = surface.fans.ofCorner;
-  chart.twin = surface.table.twin;
-  chart.boundary = surface.boundaryLoops.front();
-  chart.inputVertex = surface.fans.inputVertex;
+  const auto copy = [](const auto& ids, std::vector<std::uint32_t>& out) {
+    out.assign(ids.begin(), ids.end());
+  };
+  copy(surface.fans.ofCorner, chart.vertexOfCorner);
+  copy(surface.table.twin, chart.twin);
+  copy(surface.boundaryLoops.front(), chart.boundary);
+  copy(surface.fans.inputVertex, chart.inputVertex);
   placeChart(mesh, chart);
   return chart;
 }

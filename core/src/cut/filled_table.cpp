@@ -4,7 +4,7 @@
 
 namespace abflat {
 
-FilledTable filledTable(const SeamMesh& mesh, const std::vector<std::uint32_t>& vertices,
+FilledTable filledTable(const SeamMesh& mesh, const IdVector<SurfaceVertex, InputVertex>& vertices,
                         const Seams& seams) {
   FilledTable out;
   std::uint32_t surface = 0;
@@ -27,8 +27,8 @@ FilledTable filledTable(const SeamMesh& mesh, const std::vector<std::uint32_t>& 
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
       const std::uint32_t o = mesh.twin[h];
       const bool isCut = o == kNone || seams[h] || number[o / 3] == kNone;
-      out.table.vertex.push_back(vertices[mesh.vertexOfCorner[h]]);
-      out.table.twin.push_back(isCut ? kNone : 3 * number[o / 3] + o % 3);
+      out.table.vertex.push_back(vertices[SurfaceVertex(mesh.vertexOfCorner[h])]);
+      out.table.twin.push_back(isCut ? SurfaceCorner() : SurfaceCorner(3 * number[o / 3] + o % 3));
     }
   return out;
 }

@@ -8,13 +8,13 @@ namespace abflat {
 /// A surface that has been cut, with what fills the holes that stay filled behind it.
 struct FilledTable {
   CornerTable table;  ///< no twins across seams
-  std::uint32_t surfaceTriangles = 0;
+  std::size_t surfaceTriangles = 0;
   std::vector<std::uint32_t> hole;  ///< that each triangle behind those fills
 };
 
 /// A hole stays filled where no edge of what fills it is a seam. `vertices` are those of the mesh
 /// that the vertices of `mesh` belong to.
-FilledTable filledTable(const SeamMesh& mesh, const std::vector<std::uint32_t>& vertices,
+FilledTable filledTable(const SeamMesh& mesh, const IdVector<SurfaceVertex, InputVertex>& vertices,
                         const Seams& seams);
 
 }  // namespace abflat

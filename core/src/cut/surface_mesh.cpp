@@ -26,12 +26,13 @@ struct Extent {
 };
 
 std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans,
-                           const std::vector<std::uint8_t>& scale) {
+                           const IdVector<SurfaceTriangle, std::uint8_t>& scale) {
   const std::size_t count = fans.inputVertex.size();
   std::vector<std::uint8_t> ofFan(count, 0);
-  for (std::size_t c = 0; c < 3 * scale.size(); ++c) ofFan[fans.ofCorner[c]] = scale[c / 3];
+  for (const SurfaceTriangle f : scale.ids())
+    for (const SurfaceCorner c : cornersOf(f)) ofFan[fans.ofCorner[c]] = scale[f];
   const auto at = [&](std::size_t i, std::size_t d) {
-    return positions[3 * static_cast<std::size_t>(fans.inputVertex[i]) + d] / 2;
+    return positions[3 * std::size_t{fans.inputVertex[SurfaceVertex(i)]} + d] / 2;
   };
   std::vector<Extent> extents(256);
   for (std::size_t d = 0; d < 3; ++d) {
@@ -115,11 +116,11 @@ double SeamMesh::totalArea() const {
 }
 
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
-                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal,
-                      const std::vector<std::uint8_t>& scale, const Pulse& pulse) {
+                      const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
+                      const IdVector<SurfaceTriangle, std::uint8_t>& scale, const Pulse& pulse) {
   SeamMesh m;
-  m.vertexOfCorner = fans.ofCorner;
-  m.twin = table.twin;
+  m.vertexOfCorner.assign(fans.ofCorner.begin(), fans.ofCorner.end());
+  m.twin.assign(table.twin.begin(), table.twin.end());
   m.positions = onGrid(positions, fans, scale);
   const std::size_t corners = m.vertexOfCorner.size();
   m.angle.resize(corners);
@@ -134,7 +135,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
   }
   weighEdges(m, cotangent);
   pulse.beat(corners);
-  for (std::size_t h = 0; h < isDiagonal.size(); ++h)
+  for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();
   m.vertexArea.assign(fans.inputVertex.size(), 0);
   m.angleSum.assign(fans.inputVertex.size(), 0);

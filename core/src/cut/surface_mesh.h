@@ -59,7 +59,9 @@ struct SeamMesh {
 /// `isDiagonal` is per half-edge, or empty where all faces are triangles. `scale` is per triangle
 /// where several scales, which share no fan, have a grid each; or empty.
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
-                      const Fans& fans, const std::vector<std::uint8_t>& isDiagonal = {},
-                      const std::vector<std::uint8_t>& scale = {}, const Pulse& pulse = {});
+                      const Fans& fans,
+                      const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal = {},
+                      const IdVector<SurfaceTriangle, std::uint8_t>& scale = {},
+                      const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -49,10 +49,17 @@ class Monitor {
   bool stopped_ = false;
 };
 
-std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface& surface) {
-  std::vector<std::uint32_t> out(mesh.faceVertices.size());
-  for (std::size_t c = 0; c < surface.triangulation.corner.size(); ++c)
-    out[surface.triangulation.corner[c]] = surface.fans.ofCorner[c];
+/// The only chart is the surface: its vertices are texcoords. Nothing is welded, so polygons are
+/// those of the input.
+Texcoords texcoordsOf(const PolygonMesh& mesh, const Surface& surface) {
+  Texcoords out;
+  out.ofCorner.resize(mesh.faceVertices.size());
+  for (const SurfaceCorner c : surface.table.corners()) {
+    const PolygonCorner corner = surface.triangulation.corner[c];
+    out.ofCorner[InputCorner(std::uint32_t{corner})] =
+        TexcoordId(std::uint32_t{surface.fans.ofCorner[c]});
+  }
+  out.firstOf = {TexcoordId(0), TexcoordId(surface.fans.inputVertex.size())};
   return out;
 }
 
@@ -61,7 +68,7 @@ std::vector<std::uint32_t> cornerToOutput(const PolygonMesh& mesh, const Surface
 struct Prepared {
   MeshSummary summary;
   DiskChart chart;
-  std::vector<std::uint32_t> cornerUv;
+  Texcoords texcoords;
 };
 
 Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
@@ -70,7 +77,7 @@ Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
   if (!surface.summary.disk.ok()) return surface.summary.disk;
   Prepared out;
   out.chart = makeDiskChart(mesh, surface);
-  out.cornerUv = cornerToOutput(mesh, surface);
+  out.texcoords = texcoordsOf(mesh, surface);
   out.summary = std::move(surface.summary);
   return out;
 }
@@ -98,8 +105,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   if (!straight.ok()) return straight.status;
   const Result<std::vector<double>> t = requestedBounds(chart, options, straight.value);
   if (!t.ok()) return t.status;
-  const Result<std::vector<std::vector<ChartPin>>> pins =
-      pinsOfCharts(mesh, {prepared.value.cornerUv, {0, chart.vertexCount()}}, options.pins);
+  const Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
+      pinsOfCharts(mesh, prepared.value.texcoords, options.pins);
   if (!pins.ok()) return pins.status;
   FlattenResult out;
   Timings& timings = out.report.timings;
@@ -145,7 +152,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   out.report.valid = out.report.charts.front().valid;
   out.vertexMap = chart.inputVertex;
   out.triangles = chart.vertexOfCorner;
-  out.cornerUv = std::move(prepared.value.cornerUv);
+  const auto& ofCorner = prepared.value.texcoords.ofCorner;
+  out.cornerUv.assign(ofCorner.begin(), ofCorner.end());
   out.straight = straightVertices(chart, flattener.straight());
   return out;
 }

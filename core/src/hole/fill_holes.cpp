@@ -142,11 +142,12 @@ double curvatureOf(const SeamMesh& mesh, const CutSurface& s, BoundaryLoop loop)
 /// All loops but the longest one of each chart; when that is to spare seams, without those that are
 /// both long and curved: filled they would bend the chart more than they spare.
 std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
-                                   const std::vector<std::uint8_t>& isFixed, FillHoles mode) {
+                                   const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
+                                   FillHoles mode) {
   constexpr double kSmall = 0.1, kFlat = kPi / 2;
   std::vector<std::uint32_t> out;
   for (const CutSurface::Chart& chart : s.charts) {
-    if (!isFixed.empty() && isFixed[chart.firstTriangle]) continue;
+    if (!isFixed.empty() && isFixed[SurfaceTriangle(chart.firstTriangle)]) continue;
     std::uint32_t longest = chart.firstLoop;
     double length = 0;
     for (std::uint32_t i = 0; chart.loops > 1 && i < chart.loops; ++i) {
@@ -169,8 +170,8 @@ std::vector<std::uint32_t> holesOf(const SeamMesh& mesh, const CutSurface& s,
 
 }  // namespace
 
-void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh,
-               const Pulse& pulse) {
+void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
+               SeamMesh& mesh, const Pulse& pulse) {
   const bool isOpen = std::find(mesh.twin.begin(), mesh.twin.end(), kNone) != mesh.twin.end();
   if (mode == FillHoles::Never || !isOpen) return;
   const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0), pulse);

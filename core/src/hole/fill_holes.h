@@ -9,8 +9,8 @@ namespace abflat {
 /// one. Those that cannot be triangulated stay open. Seams through what fills cost nothing, or
 /// kBarredCost with FillHoles::Always. `isFixed`: per triangle of charts that are left as they
 /// are; may be empty.
-void fillHoles(FillHoles mode, const std::vector<std::uint8_t>& isFixed, SeamMesh& mesh,
-               const Pulse& pulse = {});
+void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
+               SeamMesh& mesh, const Pulse& pulse = {});
 
 /// Opens the holes that seams have come to: their rims become seams, so that what filled them is
 /// apart. With FillHoles::Always only those that seams run through. Returns whether there were any.

@@ -7,8 +7,8 @@ namespace {
 
 /// A half-edge seen from its smaller vertex.
 struct EdgeEnd {
-  std::uint32_t other;  ///< larger vertex
-  std::uint32_t h;
+  InputVertex other;  ///< larger vertex
+  SurfaceCorner h;
 };
 
 /// Half-edges that are no diagonals, grouped by their smaller vertex (counting sort).
@@ -20,16 +20,15 @@ struct EdgeBuckets {
 EdgeBuckets bucketEdges(const Triangulation& t, std::size_t vertexCount) {
   EdgeBuckets b;
   b.offset.assign(vertexCount + 1, 0);
-  const auto lower = [&](std::uint32_t h) {
+  const auto lower = [&](SurfaceCorner h) {
     return std::min(t.vertex[h], t.vertex[nextCorner(h)]);
   };
-  const std::uint32_t n = static_cast<std::uint32_t>(t.vertex.size());
-  for (std::uint32_t h = 0; h < n; ++h)
+  for (const SurfaceCorner h : t.vertex.ids())
     if (!t.isDiagonal[h]) ++b.offset[lower(h) + 1];
   for (std::size_t v = 0; v < vertexCount; ++v) b.offset[v + 1] += b.offset[v];
   std::vector<std::uint32_t> fill(b.offset.begin(), b.offset.end() - 1);
   b.ends.resize(b.offset.back());
-  for (std::uint32_t h = 0; h < n; ++h)
+  for (const SurfaceCorner h : t.vertex.ids())
     if (!t.isDiagonal[h])
       b.ends[fill[lower(h)]++] = {std::max(t.vertex[h], t.vertex[nextCorner(h)]), h};
   return b;
@@ -39,7 +38,7 @@ void matchGroup(const Triangulation& t, const EdgeEnd* first, const EdgeEnd* las
                 CornerTable& table) {
   const auto count = static_cast<std::uint32_t>(last - first);
   if (count == 1) return;
-  const std::uint32_t h0 = first[0].h, h1 = first[1].h;
+  const SurfaceCorner h0 = first[0].h, h1 = first[1].h;
   if (count == 2 && t.vertex[h0] == t.vertex[nextCorner(h1)]) {
     table.twin[h0] = h1;
     table.twin[h1] = h0;
@@ -49,23 +48,24 @@ void matchGroup(const Triangulation& t, const EdgeEnd* first, const EdgeEnd* las
   bad.v0 = t.vertex[h0];
   bad.v1 = t.vertex[nextCorner(h0)];
   bad.faceCount = count;
-  bad.faces = {t.face[h0 / 3], t.face[h1 / 3]};
+  bad.faces = {t.face[triangleOf(h0)], t.face[triangleOf(h1)]};
   (count == 2 ? table.misoriented : table.nonManifold).push_back(bad);
 }
 
 /// A diagonal's twin lies in the same face, whose triangles are consecutive.
 void matchDiagonals(const Triangulation& t, CornerTable& table) {
   struct Diagonal {
-    std::uint32_t low, high, h;  ///< face corners, half-edge
+    PolygonCorner low, high;
+    SurfaceCorner h;
   };
   std::vector<Diagonal> ofFace;
-  const std::uint32_t triangles = table.triangleCount();
-  for (std::uint32_t f = 0, end = 0; f < triangles; f = end) {
+  const std::size_t triangles = table.triangles().size();
+  for (SurfaceTriangle f(0), end(0); f < triangles; f = end) {
     while (end < triangles && t.face[end] == t.face[f]) ++end;
     if (end == f + 1) continue;
     ofFace.clear();
-    for (std::uint32_t h = 3 * f; h < 3 * end; ++h) {
-      const std::uint32_t from = t.corner[h], to = t.corner[nextCorner(h)];
+    for (const SurfaceCorner h : IdRange(cornerOf(f, 0), cornerOf(end, 0))) {
+      const PolygonCorner from = t.corner[h], to = t.corner[nextCorner(h)];
       if (t.isDiagonal[h]) ofFace.push_back({std::min(from, to), std::max(from, to), h});
     }
     std::sort(ofFace.begin(), ofFace.end(), [](const Diagonal& a, const Diagonal& b) {
@@ -84,7 +84,7 @@ CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t ver
                              const Pulse& pulse) {
   CornerTable table;
   table.vertex = triangulation.vertex;
-  table.twin.assign(table.vertex.size(), kNone);
+  table.twin.assign(table.vertex.size(), {});
   EdgeBuckets buckets = bucketEdges(triangulation, vertexCount);
   for (std::size_t v = 0; v < vertexCount && pulse.beat(); ++v) {
     EdgeEnd* first = buckets.ends.data() + buckets.offset[v];

@@ -9,10 +9,11 @@ namespace abflat {
 namespace {
 
 /// Of the faces round the vertex that a boundary half-edge begins at.
-double angleAt(const PolygonMesh& mesh, const CornerTable& table, std::uint32_t h) {
+double angleAt(const PolygonMesh& mesh, const CornerTable& table, SurfaceCorner h) {
   double sum = 0;
-  for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(table.twin, c))
-    sum += cornerAngles(mesh.positions, &table.vertex[c / 3 * std::size_t{3}])[c % 3];
+  for (SurfaceCorner c = h; c.exists(); c = rotateCounterClockwise(table.twin, c))
+    sum += cornerAngles(mesh.positions,
+                        verticesOf(table.vertex, triangleOf(c)).data())[placeInTriangle(c)];
   return sum;
 }
 
@@ -23,14 +24,14 @@ VertexPairs findNotches(const PolygonMesh& mesh, const Surface& surface) {
   constexpr double kBent = 0.3;         // from a full turn; a corner of a dodecahedron by 0.63
   constexpr std::size_t kLeast = 3;     // edges of what is left of a boundary
   VertexPairs out;
-  for (const std::vector<std::uint32_t>& loop : surface.boundaryLoops) {
+  for (const SurfaceLoop& loop : surface.boundaryLoops) {
     const std::size_t n = loop.size(), before = out.size();
     const auto vertexAt = [&](std::size_t i) { return surface.table.vertex[loop[i % n]]; };
-    const auto distance = [&](std::uint32_t v, std::uint32_t w) {
+    const auto distance = [&](InputVertex v, InputVertex w) {
       return norm(edgeVector(mesh.positions, v, w));
     };
     for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t first = vertexAt(i + n - 1), end = vertexAt(i), last = vertexAt(i + 1);
+      const InputVertex first = vertexAt(i + n - 1), end = vertexAt(i), last = vertexAt(i + 1);
       const double nothing = kNothing * distance(first, end);
       const bool isLonger = distance(vertexAt(i + n - 2), vertexAt(i + 2)) <= nothing;
       if (first == last || distance(first, last) > nothing || isLonger) continue;

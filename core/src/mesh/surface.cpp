@@ -51,7 +51,7 @@ Status diskStatus(const PolygonMesh& mesh, const Surface& s, const Components& c
   if (m.components > 1)
     return {StatusCode::MultipleComponents,
             plural(m.components, "component") + "; the second begins at face " +
-                std::to_string(s.triangulation.face[components.firstTriangle[1]])};
+                std::to_string(s.triangulation.face[components.firstTriangle[ComponentId(1)]])};
   if (m.boundaryLoops == 0)
     return {StatusCode::ClosedSurface,
             "closed surface" + (m.genus > 0 ? " of genus " + std::to_string(m.genus) : "") +
@@ -74,9 +74,9 @@ std::size_t countReferenced(const PolygonMesh& mesh) {
 
 std::size_t countDegenerate(const PolygonMesh& mesh, const Triangulation& t) {
   std::size_t n = 0;
-  std::uint32_t last = kNone;
-  for (std::uint32_t f = 0; f < t.face.size(); ++f)
-    if (t.face[f] != last && isDegenerate(mesh.positions, &t.vertex[3 * f])) {
+  PolygonFace last;
+  for (const SurfaceTriangle f : t.face.ids())
+    if (t.face[f] != last && isDegenerate(mesh.positions, verticesOf(t.vertex, f).data())) {
       ++n;
       last = t.face[f];
     }
@@ -86,9 +86,9 @@ std::size_t countDegenerate(const PolygonMesh& mesh, const Triangulation& t) {
 /// chi = V - E + F on the surface cut open at bad edges and touching vertices.
 std::int64_t cutEulerCharacteristic(const Surface& s) {
   std::int64_t halfEdges = 0, boundary = 0;
-  for (std::uint32_t t : s.table.twin) t == kNone ? ++boundary : ++halfEdges;
+  for (const SurfaceCorner twin : s.table.twin) twin.exists() ? ++halfEdges : ++boundary;
   return static_cast<std::int64_t>(s.fans.inputVertex.size()) - (halfEdges / 2 + boundary) +
-         static_cast<std::int64_t>(s.table.triangleCount());
+         static_cast<std::int64_t>(s.table.triangles().size());
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse) {
   for (const auto* list : {&s.table.nonManifold, &s.table.misoriented})
     for (const BadEdge& e : *list) doubledHalfEdges += e.faceCount;
   std::size_t unpaired = 0;
-  for (std::uint32_t t : s.table.twin) unpaired += t == kNone;
+  for (const SurfaceCorner twin : s.table.twin) unpaired += !twin.exists();
   m.boundaryEdges = unpaired - static_cast<std::size_t>(doubledHalfEdges);
   const auto bad = static_cast<std::int64_t>(m.nonManifoldEdges + m.orientationConflicts);
   const std::int64_t cutChi = cutEulerCharacteristic(s);

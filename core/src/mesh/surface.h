@@ -12,7 +12,7 @@ struct Surface {
   Triangulation triangulation;
   CornerTable table;
   Fans fans;
-  std::vector<std::vector<std::uint32_t>> boundaryLoops;
+  std::vector<SurfaceLoop> boundaryLoops;
   MeshSummary summary;
 };
 

@@ -11,18 +11,21 @@ namespace abflat {
 /// an input vertex. A vertex where the surface touches itself has several. Numbered by input
 /// vertex, then by first corner.
 struct Fans {
-  std::vector<std::uint32_t> ofCorner;     ///< fan per corner, size 3T
-  std::vector<std::uint32_t> inputVertex;  ///< input vertex per fan
+  IdVector<SurfaceCorner, SurfaceVertex> ofCorner;
+  IdVector<SurfaceVertex, InputVertex> inputVertex;
 };
 Fans findFans(const CornerTable& table, std::size_t vertexCount);
 
+/// Parts of a surface that no edge joins.
+using ComponentId = Id<struct ComponentTag>;
 struct Components {
-  std::vector<std::uint32_t> ofTriangle;
-  std::vector<std::uint32_t> firstTriangle;  ///< per component
+  IdVector<SurfaceTriangle, ComponentId> ofTriangle;
+  IdVector<ComponentId, SurfaceTriangle> firstTriangle;
 };
 Components findComponents(const CornerTable& table);
 
-/// Boundary half-edges, loop by loop in order; the surface is on their left.
-std::vector<std::vector<std::uint32_t>> findBoundaryLoops(const CornerTable& table);
+/// Half-edges of one boundary loop, in order; the surface is on their left.
+using SurfaceLoop = std::vector<SurfaceCorner>;
+std::vector<SurfaceLoop> findBoundaryLoops(const CornerTable& table);
 
 }  // namespace abflat

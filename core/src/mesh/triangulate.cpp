@@ -30,13 +30,13 @@ std::vector<std::uint8_t> facesPerVertex(const PolygonMesh& mesh) {
 }
 
 /// `local`: corners of face f, counted from 0.
-void appendTriangle(const PolygonMesh& mesh, std::uint32_t f,
+void appendTriangle(const PolygonMesh& mesh, PolygonFace f,
                     const std::array<std::uint32_t, 3>& local, Triangulation& out) {
   const std::uint32_t begin = mesh.faceOffsets[f], n = mesh.faceOffsets[f + 1] - begin;
   out.face.push_back(f);
   for (std::size_t k = 0; k < 3; ++k) {
-    out.corner.push_back(begin + local[k]);
-    out.vertex.push_back(mesh.faceVertices[begin + local[k]]);
+    out.corner.push_back(PolygonCorner(begin + local[k]));
+    out.vertex.push_back(InputVertex(mesh.faceVertices[begin + local[k]]));
     const std::uint32_t next = local[k] + 1 == n ? 0 : local[k] + 1;
     out.isDiagonal.push_back(next != local[(k + 1) % 3]);
   }
@@ -52,7 +52,7 @@ Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse) {
   out.isDiagonal.reserve(3 * triangles);
   out.face.reserve(triangles);
   std::vector<std::uint8_t> valence;
-  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
+  for (PolygonFace f(0); f < mesh.faceCount() && pulse.beat(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1], n = end - begin;
     if (n == 3) {
       appendTriangle(mesh, f, {0, 1, 2}, out);

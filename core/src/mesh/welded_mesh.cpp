@@ -117,7 +117,8 @@ void separateLayers(const Pulse& pulse, WeldedMesh& out) {
   std::vector<Copy> copies;
   for (std::uint32_t f = 0; f < out.mesh.faceCount(); ++f) {
     if (repetitions.layer(f) == 0) continue;
-    out.duplicateFaces.push_back({out.inputFace[f], out.inputFace[repetitions.original(f)]});
+    const auto inputFace = [&](std::uint32_t face) { return out.inputFace[PolygonFace(face)]; };
+    out.duplicateFaces.push_back({inputFace(f), inputFace(repetitions.original(f))});
     for (std::uint32_t c = out.mesh.faceOffsets[f]; c < out.mesh.faceOffsets[f + 1]; ++c)
       copies.push_back({out.mesh.faceVertices[c], repetitions.layer(f), c});
   }
@@ -138,24 +139,28 @@ void separateLayers(const Pulse& pulse, WeldedMesh& out) {
 
 void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& placeOf,
                     const Pulse& pulse, WeldedMesh& out) {
-  out.cornerFor.assign(input.faceVertices.size(), kNone);
-  std::vector<std::uint32_t> anyAt(input.vertexCount(), kNone);
-  for (std::uint32_t c = static_cast<std::uint32_t>(out.inputCorner.size()); c-- > 0;) {
+  out.cornerFor.assign(input.faceVertices.size(), {});
+  std::vector<PolygonCorner> anyAt(input.vertexCount());
+  for (std::size_t i = out.inputCorner.size(); i-- > 0;) {
+    const PolygonCorner c(i);
     out.cornerFor[out.inputCorner[c]] = c;
     anyAt[placeOf[input.faceVertices[out.inputCorner[c]]]] = c;
   }
-  std::vector<std::uint32_t> inFaceAt(input.vertexCount(), kNone);
+  std::vector<PolygonCorner> inFaceAt(input.vertexCount());
   for (std::uint32_t f = 0; f < input.faceCount() && pulse.beat(); ++f) {
     const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
-    const auto placeAt = [&](std::uint32_t c) { return placeOf[input.faceVertices[c]]; };
-    for (std::uint32_t c = end; c-- > begin;)
-      if (out.cornerFor[c] != kNone) inFaceAt[placeAt(c)] = out.cornerFor[c];
-    for (std::uint32_t c = begin; c < end; ++c) {
-      std::uint32_t& corner = out.cornerFor[c];
-      if (corner == kNone) corner = inFaceAt[placeAt(c)];
-      if (corner == kNone) corner = anyAt[placeAt(c)];
+    const auto placeAt = [&](InputCorner c) { return placeOf[input.faceVertices[c]]; };
+    for (std::uint32_t i = end; i-- > begin;) {
+      const InputCorner c(i);
+      if (out.cornerFor[c].exists()) inFaceAt[placeAt(c)] = out.cornerFor[c];
     }
-    for (std::uint32_t c = begin; c < end; ++c) inFaceAt[placeAt(c)] = kNone;
+    const IdRange corners(InputCorner{begin}, InputCorner{end});
+    for (const InputCorner c : corners) {
+      PolygonCorner& corner = out.cornerFor[c];
+      if (!corner.exists()) corner = inFaceAt[placeAt(c)];
+      if (!corner.exists()) corner = anyAt[placeAt(c)];
+    }
+    for (const InputCorner c : corners) inFaceAt[placeAt(c)] = {};
   }
 }
 
@@ -243,9 +248,9 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
     else if (loops.size() > 1 || loops.front().size() < end - begin)
       out.splitFaces.push_back(f);
     for (const Loop& loop : loops) {
-      out.inputFace.push_back(f);
+      out.inputFace.push_back(InputFace(f));
       for (const std::uint32_t k : loop) {
-        out.inputCorner.push_back(begin + k);
+        out.inputCorner.push_back(InputCorner(begin + k));
         out.mesh.faceVertices.push_back(places[k]);
       }
       out.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(out.mesh.faceVertices.size()));
@@ -254,7 +259,8 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
   if (pulse.isStopped()) return out;
   findCornersFor(mesh, welding.ofVertex, pulse, out);
   separateLayers(pulse, out);
-  out.place = std::move(welding.ofVertex);
+  out.firstAtPlace.reserve(welding.ofVertex.size());
+  for (const std::uint32_t v : welding.ofVertex) out.firstAtPlace.push_back(InputVertex(v));
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "abflat/mesh.h"
 #include "base/pulse.h"
+#include "mesh/ids.h"
 
 namespace abflat {
 
@@ -16,15 +17,15 @@ using VertexPairs = std::vector<std::array<std::uint32_t, 2>>;
 /// that repeat others become layers of their own, which share no vertex with the first.
 struct WeldedMesh {
   PolygonMesh mesh;
-  std::vector<std::uint32_t> inputFace;    ///< per face
-  std::vector<std::uint32_t> inputCorner;  ///< per face corner: index into the input's faceVertices
-  /// Per corner of the input: a corner of `mesh` at the same place, of the same face where that has
-  /// one, or kNone where no face is left there.
-  std::vector<std::uint32_t> cornerFor;
-  std::vector<std::uint32_t> place;           ///< per input vertex: the first one at the same place
-  std::size_t mergedVertices = 0;             ///< that are at the place of an earlier one
-  std::vector<std::uint32_t> collapsedFaces;  ///< input faces without two different edges
-  std::vector<std::uint32_t> splitFaces;      ///< input faces that were split
+  IdVector<PolygonFace, InputFace> inputFace;
+  IdVector<PolygonCorner, InputCorner> inputCorner;
+  /// A corner of `mesh` at the same place, of the same face where that has one; none where no face
+  /// is left there.
+  IdVector<InputCorner, PolygonCorner> cornerFor;
+  IdVector<InputVertex, InputVertex> firstAtPlace;  ///< the first vertex at the same place
+  std::size_t mergedVertices = 0;                   ///< that are at the place of an earlier one
+  std::vector<std::uint32_t> collapsedFaces;        ///< input faces without two different edges
+  std::vector<std::uint32_t> splitFaces;            ///< input faces that were split
   /// Input faces that have the places of an earlier one, and that one.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
 };

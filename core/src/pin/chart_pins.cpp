@@ -15,7 +15,8 @@ std::string nameOf(const Pin& pin) { return "vertex " + std::to_string(pin.verte
 
 /// A corner at a pinned vertex.
 struct Use {
-  std::uint32_t vertex, face, texcoord;
+  std::uint32_t vertex, face;
+  TexcoordId texcoord;
 };
 
 /// All corners at pinned vertices, by vertex.
@@ -26,8 +27,8 @@ std::vector<Use> findUses(const PolygonMesh& mesh, const Texcoords& texcoords,
     if (pin.vertex < isPinned.size()) isPinned[pin.vertex] = 1;
   std::vector<Use> uses;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-    for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c)
-      if (isPinned[mesh.faceVertices[c]] && texcoords.ofCorner[c] != kNone)
+    for (InputCorner c(mesh.faceOffsets[f]); c < mesh.faceOffsets[f + 1]; ++c)
+      if (isPinned[mesh.faceVertices[c]] && texcoords.ofCorner[c].exists())
         uses.push_back({mesh.faceVertices[c], f, texcoords.ofCorner[c]});
   std::stable_sort(uses.begin(), uses.end(),
                    [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
@@ -48,15 +49,15 @@ std::string facesToChoose(std::vector<Use> uses) {
   return count > kMost ? out + ", ..." : out;
 }
 
-Result<std::uint32_t> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>& uses,
-                                 const Pin& pin) {
+Result<TexcoordId> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>& uses,
+                              const Pin& pin) {
   if (pin.vertex >= mesh.vertexCount())
     return invalid(nameOf(pin) + " is pinned, but the mesh has " +
                    std::to_string(mesh.vertexCount()) + " vertices, counted from 0");
   if (!std::isfinite(pin.uv[0]) || !std::isfinite(pin.uv[1]))
     return invalid("the uv that " + nameOf(pin) + " is pinned to must be two finite numbers");
   const auto [first, last] =
-      std::equal_range(uses.begin(), uses.end(), Use{pin.vertex, 0, 0},
+      std::equal_range(uses.begin(), uses.end(), Use{pin.vertex, 0, {}},
                        [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
   if (first == last)
     return invalid(nameOf(pin) + " is pinned, but no face that is flattened uses it; leave it out");
@@ -81,7 +82,7 @@ Result<std::uint32_t> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>
 /// A pin and the texcoord that it means.
 struct Found {
   const Pin* pin;
-  std::uint32_t texcoord;
+  TexcoordId texcoord;
 };
 
 std::string bothNames(const Found& a, const Found& b) {
@@ -110,28 +111,28 @@ Status checkApart(std::vector<Found>& found) {
 
 }  // namespace
 
-Result<std::vector<std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh& mesh,
-                                                        const Texcoords& texcoords,
-                                                        const std::vector<Pin>& pins) {
+Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh& mesh,
+                                                              const Texcoords& texcoords,
+                                                              const std::vector<Pin>& pins) {
   const std::size_t charts = texcoords.firstOf.size() - 1;
-  std::vector<std::vector<ChartPin>> out(charts);
+  IdVector<ChartId, std::vector<ChartPin>> out(charts);
   if (pins.empty()) return out;
   const std::vector<Use> uses = findUses(mesh, texcoords, pins);
   std::vector<Found> found;
   for (const Pin& pin : pins) {
-    const Result<std::uint32_t> texcoord = texcoordOf(mesh, uses, pin);
+    const Result<TexcoordId> texcoord = texcoordOf(mesh, uses, pin);
     if (!texcoord.ok()) return texcoord.status;
     found.push_back({&pin, texcoord.value});
   }
   if (Status s = checkApart(found); !s.ok()) return s;
-  std::size_t chart = 0;
-  std::vector<const Pin*> firstPin(charts, nullptr);
+  ChartId chart(0);
+  IdVector<ChartId, const Pin*> firstPin(charts, nullptr);
   for (const Found& f : found) {
-    while (f.texcoord >= texcoords.firstOf[chart + 1]) ++chart;
+    while (!(f.texcoord < texcoords.firstOf[ChartId(chart + 1)])) ++chart;
     out[chart].push_back({f.texcoord - texcoords.firstOf[chart], f.pin->uv[0], f.pin->uv[1]});
     if (firstPin[chart] == nullptr) firstPin[chart] = f.pin;
   }
-  for (std::size_t i = 0; i < charts; ++i)
+  for (const ChartId i : out.ids())
     if (out[i].size() == 1)
       return invalid(nameOf(*firstPin[i]) + " is the only pinned one" +
                      (charts > 1 ? " of its chart" : "") +

@@ -7,22 +7,13 @@
 namespace abflat {
 namespace {
 
-std::uint32_t inputCorner(const WeldedMesh& welded, const Surface& surface, std::uint32_t corner) {
-  return welded.inputCorner[surface.triangulation.corner[corner]];
-}
-
-std::uint32_t inputVertex(const PolygonMesh& input, const WeldedMesh& welded,
-                          const Surface& surface, std::uint32_t corner) {
-  return input.faceVertices[inputCorner(welded, surface, corner)];
-}
-
 EdgeVertices sorted(EdgeVertices e) {
   if (e[0] > e[1]) std::swap(e[0], e[1]);
   return e;
 }
 
-Vec3 normalOf(const PolygonMesh& mesh, const Surface& surface, std::uint32_t triangle) {
-  const std::uint32_t* v = &surface.table.vertex[3 * static_cast<std::size_t>(triangle)];
+Vec3 normalOf(const PolygonMesh& mesh, const Surface& surface, SurfaceTriangle f) {
+  const std::array<std::uint32_t, 3> v = verticesOf(surface.table.vertex, f);
   Vec3 n = cross(edgeVector(mesh.positions, v[0], v[1]), edgeVector(mesh.positions, v[0], v[2]));
   const double length = norm(n);
   for (double& x : n) x = length > 0 ? x / length : 0;
@@ -34,57 +25,63 @@ double bend(const Vec3& a, const Vec3& b) {
   return portable::atan2(norm(cross(a, b)), dot(a, b)) * (180 / kPi);
 }
 
-void mark(const Surface& surface, std::uint32_t h, Seams& seams) {
-  const std::uint32_t twin = surface.table.twin[h];
-  if (twin != kNone) seams[h] = seams[twin] = 1;
+void mark(const Surface& surface, SurfaceCorner h, Seams& seams) {
+  const SurfaceCorner twin = surface.table.twin[h];
+  if (twin.exists()) seams[h] = seams[twin] = 1;
 }
 
-void markSharp(const WeldedMesh& welded, const Surface& surface, double degrees, Seams& seams) {
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    const std::uint32_t twin = surface.table.twin[h];
-    if (twin == kNone || twin < h || surface.triangulation.isDiagonal[h]) continue;
-    const Vec3 a = normalOf(welded.mesh, surface, h / 3);
-    const Vec3 b = normalOf(welded.mesh, surface, twin / 3);
-    if (bend(a, b) > degrees) mark(surface, h, seams);
+/// Calls visit(half-edge, twin) once for each edge that has two sides.
+template <class Visit>
+void forEachEdge(const Surface& surface, const Visit& visit) {
+  for (const SurfaceCorner h : surface.table.corners()) {
+    const SurfaceCorner twin = surface.table.twin[h];
+    if (twin.exists() && h < twin) visit(h, twin);
   }
 }
 
+void markSharp(const SurfaceMap& map, double degrees, Seams& seams) {
+  const Surface& surface = map.surface();
+  const PolygonMesh& mesh = map.welded().mesh;
+  forEachEdge(surface, [&](SurfaceCorner h, SurfaceCorner twin) {
+    if (surface.triangulation.isDiagonal[h]) return;
+    const Vec3 a = normalOf(mesh, surface, triangleOf(h));
+    const Vec3 b = normalOf(mesh, surface, triangleOf(twin));
+    if (bend(a, b) > degrees) mark(surface, h, seams);
+  });
+}
+
 /// By value: files may list a texcoord several times. No texcoord is a value of its own.
-bool hasSameTexcoord(const CornerTexcoords& given, std::uint32_t cornerA, std::uint32_t cornerB) {
+bool hasSameTexcoord(const CornerTexcoords& given, InputCorner cornerA, InputCorner cornerB) {
   const std::size_t a = given.ofCorner[cornerA], b = given.ofCorner[cornerB];
   if (a == kNoTexcoord || b == kNoTexcoord || a == b) return a == b;
   return given.texcoords[2 * a] == given.texcoords[2 * b] &&
          given.texcoords[2 * a + 1] == given.texcoords[2 * b + 1];
 }
 
-Status markIslands(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                   Seams& seams) {
+Status markIslands(const SurfaceMap& map, Seams& seams) {
+  const PolygonMesh& input = map.input();
   if (input.faceTexcoords.empty())
     return {StatusCode::InvalidOption,
             "the mesh has no texcoords, so there are no islands to cut round; leave uv out of the "
             "seams"};
   const CornerTexcoords given{input.texcoords, input.faceTexcoords};
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    const std::uint32_t twin = surface.table.twin[h];
-    if (twin == kNone || twin < h) continue;
-    if (!hasSameTexcoords(given, welded, surface, h)) mark(surface, h, seams);
-  }
+  forEachEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner) {
+    if (!hasSameTexcoords(given, map, h)) mark(map.surface(), h, seams);
+  });
   return {};
 }
 
-Status markMaterials(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                     Seams& seams) {
+Status markMaterials(const SurfaceMap& map, Seams& seams) {
+  const PolygonMesh& input = map.input();
   if (input.faceMaterials.empty())
     return {StatusCode::InvalidOption,
             "the mesh has no materials to cut between; leave material out of the seams"};
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    const std::uint32_t twin = surface.table.twin[h];
-    if (twin == kNone || twin < h) continue;
-    const auto material = [&](std::uint32_t c) {
-      return input.faceMaterials[welded.inputFace[surface.triangulation.face[c / 3]]];
-    };
-    if (material(h) != material(twin)) mark(surface, h, seams);
-  }
+  const auto material = [&](SurfaceCorner c) {
+    return input.faceMaterials[map.face(triangleOf(c))];
+  };
+  forEachEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner twin) {
+    if (material(h) != material(twin)) mark(map.surface(), h, seams);
+  });
   return {};
 }
 
@@ -93,8 +90,11 @@ std::string nameOf(const EdgeVertices& e) {
 }
 
 /// Vertices at one place are the same for an edge.
-Status markEdges(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                 const std::vector<EdgeVertices>& edges, Seams& seams) {
+Status markEdges(const SurfaceMap& map, const std::vector<EdgeVertices>& edges, Seams& seams) {
+  const PolygonMesh& input = map.input();
+  const auto firstAtPlace = [&](std::uint32_t v) {
+    return map.welded().firstAtPlace[InputVertex(v)];
+  };
   struct Wanted {
     EdgeVertices places;
     std::size_t index;
@@ -107,15 +107,15 @@ Status markEdges(const PolygonMesh& input, const WeldedMesh& welded, const Surfa
         return {StatusCode::InvalidOption, "the seam " + nameOf(e) + " names vertex " +
                                                std::to_string(v) + ", but there are only " +
                                                std::to_string(input.vertexCount())};
-    wanted.push_back({sorted({welded.place[e[0]], welded.place[e[1]]}), wanted.size()});
+    wanted.push_back({sorted({firstAtPlace(e[0]), firstAtPlace(e[1])}), wanted.size()});
   }
   std::sort(wanted.begin(), wanted.end());
   std::vector<std::uint8_t> isFound(edges.size(), 0);
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+  const Surface& surface = map.surface();
+  for (const SurfaceCorner h : surface.table.corners()) {
     if (surface.triangulation.isDiagonal[h]) continue;
-    const std::uint32_t from = inputVertex(input, welded, surface, h),
-                        to = inputVertex(input, welded, surface, nextCorner(h));
-    const Wanted key{sorted({welded.place[from], welded.place[to]}), 0};
+    const InputVertex from = map.vertex(h), to = map.vertex(nextCorner(h));
+    const Wanted key{sorted({firstAtPlace(from), firstAtPlace(to)}), 0};
     auto found = std::lower_bound(wanted.begin(), wanted.end(), key);
     for (; found != wanted.end() && found->places == key.places; ++found) {
       isFound[found->index] = 1;
@@ -131,34 +131,29 @@ Status markEdges(const PolygonMesh& input, const WeldedMesh& welded, const Surfa
 
 }  // namespace
 
-bool hasSameTexcoords(const CornerTexcoords& given, const WeldedMesh& welded,
-                      const Surface& surface, std::uint32_t h) {
-  if (surface.triangulation.isDiagonal[h]) return true;
-  const std::uint32_t twin = surface.table.twin[h];
-  const auto corner = [&](std::uint32_t c) { return inputCorner(welded, surface, c); };
-  return hasSameTexcoord(given, corner(h), corner(nextCorner(twin))) &&
-         hasSameTexcoord(given, corner(nextCorner(h)), corner(twin));
+bool hasSameTexcoords(const CornerTexcoords& given, const SurfaceMap& map, SurfaceCorner h) {
+  if (map.surface().triangulation.isDiagonal[h]) return true;
+  const SurfaceCorner twin = map.surface().table.twin[h];
+  return hasSameTexcoord(given, map.corner(h), map.corner(nextCorner(twin))) &&
+         hasSameTexcoord(given, map.corner(nextCorner(h)), map.corner(twin));
 }
 
-Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                         const SeamSources& sources) {
-  Seams seams(surface.table.vertex.size(), 0);
-  if (sources.sharpDegrees < 180) markSharp(welded, surface, sources.sharpDegrees, seams);
+Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources) {
+  Seams seams(map.surface().table.vertex.size(), 0);
+  if (sources.sharpDegrees < 180) markSharp(map, sources.sharpDegrees, seams);
   if (sources.followsTexcoords)
-    if (Status s = markIslands(input, welded, surface, seams); !s.ok()) return s;
+    if (Status s = markIslands(map, seams); !s.ok()) return s;
   if (sources.followsMaterials)
-    if (Status s = markMaterials(input, welded, surface, seams); !s.ok()) return s;
-  if (Status s = markEdges(input, welded, surface, sources.edges, seams); !s.ok()) return s;
+    if (Status s = markMaterials(map, seams); !s.ok()) return s;
+  if (Status s = markEdges(map, sources.edges, seams); !s.ok()) return s;
   return seams;
 }
 
-std::vector<EdgeVertices> seamEdges(const PolygonMesh& input, const WeldedMesh& welded,
-                                    const Surface& surface, const Seams& seams) {
+std::vector<EdgeVertices> seamEdges(const SurfaceMap& map, const Seams& seams) {
   std::vector<EdgeVertices> out;
-  for (std::uint32_t h = 0; h < seams.size(); ++h)
-    if (seams[h] && h < surface.table.twin[h])
-      out.push_back(sorted({inputVertex(input, welded, surface, h),
-                            inputVertex(input, welded, surface, nextCorner(h))}));
+  for (const SurfaceCorner h : map.surface().table.corners())
+    if (seams[h] && h < map.surface().table.twin[h])
+      out.push_back(sorted({map.vertex(h), map.vertex(nextCorner(h))}));
   return out;
 }
 

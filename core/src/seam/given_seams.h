@@ -2,28 +2,24 @@
 
 #include "abflat/seam_sources.h"
 #include "cut/cut_surface.h"
-#include "mesh/surface.h"
-#include "mesh/welded_mesh.h"
+#include "mesh/surface_map.h"
 
 namespace abflat {
 
 /// The seams that the user asks for. Errors: InvalidOption names an edge that does not
 /// exist, or what the mesh lacks.
-Result<Seams> givenSeams(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                         const SeamSources& sources);
+Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources);
 
 /// Texcoords of the corners of the input's faces.
 struct CornerTexcoords {
   const std::vector<double>& texcoords;        ///< 2 numbers each
-  const std::vector<std::uint32_t>& ofCorner;  ///< kNoTexcoord where it has none
+  const std::vector<std::uint32_t>& ofCorner;  ///< by InputCorner; kNoTexcoord where it has none
 };
 
 /// Whether texcoords are the same on both sides of an edge, which has a twin.
-bool hasSameTexcoords(const CornerTexcoords& given, const WeldedMesh& welded,
-                      const Surface& surface, std::uint32_t halfEdge);
+bool hasSameTexcoords(const CornerTexcoords& given, const SurfaceMap& map, SurfaceCorner halfEdge);
 
 /// Seams as edges of the input, each once and with its smaller vertex first.
-std::vector<EdgeVertices> seamEdges(const PolygonMesh& input, const WeldedMesh& welded,
-                                    const Surface& surface, const Seams& seams);
+std::vector<EdgeVertices> seamEdges(const SurfaceMap& map, const Seams& seams);
 
 }  // namespace abflat

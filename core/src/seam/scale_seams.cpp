@@ -17,15 +17,16 @@ constexpr std::size_t kMostOctaves = 16;
 constexpr double kFew = 0.1;
 
 /// Per triangle, the longest side of its face.
-std::vector<double> longestSides(const PolygonMesh& mesh, const Surface& surface) {
+IdVector<SurfaceTriangle, double> longestSides(const PolygonMesh& mesh, const Surface& surface) {
   const Triangulation& t = surface.triangulation;
-  std::vector<double> ofFace(mesh.faceCount(), 0), out(t.face.size());
-  for (std::uint32_t h = 0; h < t.vertex.size(); ++h) {
-    double& longest = ofFace[t.face[h / 3]];
+  IdVector<PolygonFace, double> ofFace(mesh.faceCount(), 0);
+  IdVector<SurfaceTriangle, double> out(t.face.size());
+  for (const SurfaceCorner h : t.vertex.ids()) {
+    double& longest = ofFace[t.face[triangleOf(h)]];
     longest =
         std::max(longest, norm(edgeVector(mesh.positions, t.vertex[h], t.vertex[nextCorner(h)])));
   }
-  for (std::size_t f = 0; f < out.size(); ++f) out[f] = ofFace[t.face[f]];
+  for (const SurfaceTriangle f : out.ids()) out[f] = ofFace[t.face[f]];
   return out;
 }
 
@@ -36,8 +37,8 @@ struct Octaves {
   std::vector<std::uint32_t> jumps;  ///< edges between a smaller triangle and one that is not
 };
 
-std::vector<int> octavesOf(const std::vector<double>& sides) {
-  std::vector<int> out;
+IdVector<SurfaceTriangle, int> octavesOf(const IdVector<SurfaceTriangle, double>& sides) {
+  IdVector<SurfaceTriangle, int> out;
   out.reserve(sides.size());
   int least = 0;
   for (const double x : sides)
@@ -46,22 +47,22 @@ std::vector<int> octavesOf(const std::vector<double>& sides) {
   return out;
 }
 
-Octaves countOctaves(const CornerTable& table, const std::vector<int>& octave) {
+Octaves countOctaves(const CornerTable& table, const IdVector<SurfaceTriangle, int>& octave) {
   const auto [least, most] = std::minmax_element(octave.begin(), octave.end());
   Octaves out;
   out.first = *least;
   const auto count = static_cast<std::size_t>(*most - *least) + 1;
   out.faces.resize(count, 0);
   std::vector<std::int64_t> change(count + 1, 0);
-  const auto index = [&](std::uint32_t triangle) {
-    return static_cast<std::size_t>(octave[triangle] - out.first);
+  const auto index = [&](SurfaceTriangle f) {
+    return static_cast<std::size_t>(octave[f] - out.first);
   };
-  for (std::uint32_t f = 0; f < octave.size(); ++f) ++out.faces[index(f)];
-  for (std::uint32_t h = 0; h < table.twin.size(); ++h) {
-    const std::uint32_t o = table.twin[h];
-    if (o == kNone || index(h / 3) >= index(o / 3)) continue;
-    ++change[index(h / 3) + 1];
-    --change[index(o / 3) + 1];
+  for (const SurfaceTriangle f : octave.ids()) ++out.faces[index(f)];
+  for (const SurfaceCorner h : table.corners()) {
+    const SurfaceCorner o = table.twin[h];
+    if (!o.exists() || index(triangleOf(h)) >= index(triangleOf(o))) continue;
+    ++change[index(triangleOf(h)) + 1];
+    --change[index(triangleOf(o)) + 1];
   }
   std::int64_t jumps = 0;
   for (std::size_t i = 0; i < count; ++i)
@@ -105,8 +106,8 @@ void part(const Octaves& octaves, std::size_t begin, std::size_t end,
 }  // namespace
 
 Scales addScaleSeams(const PolygonMesh& mesh, const Surface& surface, Seams& seams) {
-  const std::vector<double> sides = longestSides(mesh, surface);
-  const std::vector<int> octave = octavesOf(sides);
+  const IdVector<SurfaceTriangle, double> sides = longestSides(mesh, surface);
+  const IdVector<SurfaceTriangle, int> octave = octavesOf(sides);
   const Octaves octaves = countOctaves(surface.table, octave);
   std::vector<std::size_t> borders;
   part(octaves, 0, octaves.faces.size(), borders);
@@ -117,11 +118,13 @@ Scales addScaleSeams(const PolygonMesh& mesh, const Surface& surface, Seams& sea
     const auto scale = std::upper_bound(borders.begin(), borders.end(), i) - borders.begin();
     out.ofTriangle.push_back(static_cast<std::uint8_t>(scale));
   }
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    const std::uint32_t o = surface.table.twin[h];
-    if (o == kNone || out.ofTriangle[h / 3] <= out.ofTriangle[o / 3]) continue;
+  for (const SurfaceCorner h : surface.table.corners()) {
+    const SurfaceCorner o = surface.table.twin[h];
+    if (!o.exists()) continue;
+    const SurfaceTriangle large = triangleOf(h), small = triangleOf(o);
+    if (out.ofTriangle[large] <= out.ofTriangle[small]) continue;
     seams[h] = seams[o] = 1;
-    const ScaleJump jump{h / 3, o / 3, sides[h / 3], sides[o / 3]};
+    const ScaleJump jump{large, small, sides[large], sides[small]};
     const auto& before = out.sharpest;
     if (!before || jump.largeSide / jump.smallSide > before->largeSide / before->smallSide)
       out.sharpest = jump;

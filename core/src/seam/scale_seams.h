@@ -11,14 +11,14 @@ namespace abflat {
 
 /// Where faces of very different size meet.
 struct ScaleJump {
-  std::uint32_t large = 0, small = 0;   ///< triangles
+  SurfaceTriangle large, small;
   double largeSide = 0, smallSide = 0;  ///< the longest of their faces
 };
 
 /// Which triangles are alike in size.
 struct Scales {
-  std::vector<std::uint8_t> ofTriangle;  ///< empty where all are
-  std::optional<ScaleJump> sharpest;     ///< where two scales meet
+  IdVector<SurfaceTriangle, std::uint8_t> ofTriangle;  ///< empty where all are
+  std::optional<ScaleJump> sharpest;                   ///< where two scales meet
 };
 
 /// Adds seams between faces so different in size that no numbers could hold both in one chart, as

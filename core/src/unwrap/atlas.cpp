@@ -11,21 +11,20 @@ namespace {
 /// Coordinates below 16, which is what packing allows for.
 constexpr int kMostTilesInSingle = 160;
 
-std::vector<PackShape> shapesOf(const ChartSet& charts, const std::vector<FlatChart>& flat) {
+std::vector<PackShape> shapesOf(const ChartSet& charts, const FlatCharts& flat) {
   std::vector<PackShape> shapes(charts.size());
-  for (std::size_t i = 0; i < charts.size(); ++i) {
+  for (const ChartId i : charts.ids()) {
     shapes[i].isFixed = flat[i].isFixed;
     shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
     if (!flat[i].isFixed && flat[i].enlarged != 1)
       for (double& x : shapes[i].uv) x *= flat[i].enlarged;
     const ChartTopology chart = charts.topology(i);
     const auto corners = chart.vertexOfCorner.begin();
-    shapes[i].triangles.assign(corners, corners + 3 * std::size_t{chart.surfaceTriangles()});
+    shapes[i].triangles.assign(corners, corners + chart.surfaceCorners().size());
     // Others may lie in its holes.
     if (chart.filledHoles > 0 || flat[i].isGiven) continue;
     shapes[i].outline.reserve(chart.boundary.size());
-    for (const std::uint32_t h : chart.boundary)
-      shapes[i].outline.push_back(chart.vertexOfCorner[h]);
+    for (const ChartCorner h : chart.boundary) shapes[i].outline.push_back(chart.vertexOfCorner[h]);
   }
   return shapes;
 }
@@ -33,7 +32,7 @@ std::vector<PackShape> shapesOf(const ChartSet& charts, const std::vector<FlatCh
 /// What is needed to undo rounding. Charts that were packed can be placed once more.
 class BeforeRounding {
  public:
-  explicit BeforeRounding(const std::vector<FlatChart>& flat) {
+  explicit BeforeRounding(const FlatCharts& flat) {
     for (const FlatChart& chart : flat) {
       const bool isPinned = chart.isFixed && !chart.isGiven;
       uvOfPinned_.push_back(isPinned ? chart.uv : std::vector<double>());
@@ -42,9 +41,9 @@ class BeforeRounding {
   }
 
   /// Validity of all without a problem has to be decided anew.
-  void restore(const Packing& packing, std::vector<FlatChart>& flat) const {
+  void restore(const Packing& packing, FlatCharts& flat) const {
     placeInAtlas(packing, flat);
-    for (std::size_t i = 0; i < flat.size(); ++i) {
+    for (const ChartId i : flat.ids()) {
       if (!uvOfPinned_[i].empty()) flat[i].uv = uvOfPinned_[i];
       if (!hadProblem_[i]) flat[i].problem.clear();
     }
@@ -67,7 +66,7 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
 
 /// Packs again what has to be larger, as long as it fits.
 void fitAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit, Numbers numbers,
-            ThreadPool& pool, std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas) {
+            ThreadPool& pool, FlatCharts& flat, Packing& packing, AtlasReport& atlas) {
   constexpr int kMostPackings = 4;
   for (int round = 0; round <= kMostPackings; ++round) {
     std::vector<double> enlarged;
@@ -79,7 +78,7 @@ void fitAll(const ChartSet& charts, const UnwrapOptionValues& options, double un
     const auto tell = [](double) { return true; };
     if (packAll(charts, options, unit, pool, tell, flat, packing, atlas).ok()) continue;
     // They stay as they are, and say so.
-    for (std::size_t i = 0; i < flat.size(); ++i) flat[i].enlarged = enlarged[i];
+    for (const ChartId i : flat.ids()) flat[i].enlarged = enlarged[i];
     placeInAtlas(packing, flat);
     fitToNumbers(charts, numbers, options.resolution, false, pool, packing, flat);
     return;
@@ -89,8 +88,8 @@ void fitAll(const ChartSet& charts, const UnwrapOptionValues& options, double un
 }  // namespace
 
 Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit,
-               ThreadPool& pool, const std::function<bool(double)>& tell,
-               std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas) {
+               ThreadPool& pool, const std::function<bool(double)>& tell, FlatCharts& flat,
+               Packing& packing, AtlasReport& atlas) {
   PackOptions how;
   how.resolution = options.resolution;
   how.padding = options.padding;
@@ -105,7 +104,7 @@ Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double
   Result<Packing> packed = pack(std::move(shapes), how);
   if (!packed.ok()) return packed.status;
   packing = std::move(packed.value);
-  for (std::size_t i = 0; i < flat.size(); ++i) {
+  for (const ChartId i : flat.ids()) {
     if (flat[i].isFixed) continue;
     packing.placements[i].a *= flat[i].enlarged;
     packing.placements[i].b *= flat[i].enlarged;
@@ -120,7 +119,7 @@ Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double
 }
 
 void checkAll(const ChartSet& charts, const UnwrapOptions& options, double unit, ThreadPool& pool,
-              std::vector<FlatChart>& flat, Packing& packing, UnwrapReport& report) {
+              FlatCharts& flat, Packing& packing, UnwrapReport& report) {
   const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
   const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)

@@ -15,12 +15,12 @@ namespace abflat {
 /// `tell` hears which share is done; when it returns false the status is Aborted. Sets what
 /// `atlas` says of packing, and leaves what it says of cuts for it.
 Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit,
-               ThreadPool& pool, const std::function<bool(double)>& tell,
-               std::vector<FlatChart>& flat, Packing& packing, AtlasReport& atlas);
+               ThreadPool& pool, const std::function<bool(double)>& tell, FlatCharts& flat,
+               Packing& packing, AtlasReport& atlas);
 
 /// Checks all charts in the atlas, rounded as the options ask for or, with a note, as they are.
 /// Those that are too small or too thin for that are made so that they are not, with a note.
 void checkAll(const ChartSet& charts, const UnwrapOptions& options, double unit, ThreadPool& pool,
-              std::vector<FlatChart>& flat, Packing& packing, UnwrapReport& report);
+              FlatCharts& flat, Packing& packing, UnwrapReport& report);
 
 }  // namespace abflat

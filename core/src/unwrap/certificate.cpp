@@ -40,7 +40,8 @@ void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result) {
   const auto hasArea = [&](std::size_t t) {
     std::array<std::uint32_t, 3> v{};
     for (std::size_t k = 0; k < 3; ++k)
-      v[k] = welded.mesh.faceVertices[welded.cornerFor[result.triangleCorners[3 * t + k]]];
+      v[k] = welded.mesh
+                 .faceVertices[welded.cornerFor[InputCorner(result.triangleCorners[3 * t + k])]];
     return !isDegenerate(cornerAngles(welded.mesh.positions, v.data()));
   };
   WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0};

@@ -9,6 +9,7 @@
 
 #include "abflat/generated/unwrap_options.h"
 #include "boundary/chart_flattener.h"
+#include "chart/ids.h"
 #include "flatten/flatten_chart.h"
 
 namespace abflat {
@@ -52,6 +53,8 @@ struct FlatChart {
   bool isCutEnough = false;  ///< no seam was found that would stretch it less
   bool isTangled = false;    ///< its boundary crosses itself; a seam may be the better remedy
 };
+
+using FlatCharts = IdVector<ChartId, FlatChart>;
 
 /// What one chart is asked for beyond the options.
 struct ChartWishes {

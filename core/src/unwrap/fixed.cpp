@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/point2.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
 #include "mesh/triangle_geometry.h"
@@ -12,43 +13,34 @@
 namespace abflat {
 namespace {
 
-std::string nameOf(std::uint32_t face) { return "face " + std::to_string(face); }
+std::string nameOf(InputFace face) { return "face " + std::to_string(face); }
 
 Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
-std::uint32_t inputFace(const WeldedMesh& welded, const Surface& surface, std::uint32_t triangle) {
-  return welded.inputFace[surface.triangulation.face[triangle]];
-}
-
-/// Corners of the input's faces, for a corner of the surface.
-std::uint32_t inputCorner(const WeldedMesh& welded, const Surface& surface, std::size_t corner) {
-  return welded.inputCorner[surface.triangulation.corner[corner]];
-}
-
 /// The faces that are named, with the texcoords of the input.
-Status addFaces(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const std::vector<std::uint32_t>& faces, FixedTriangles& out) {
+Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
+                FixedTriangles& out) {
   if (faces.empty()) return {};
+  const PolygonMesh& input = map.input();
   if (input.faceTexcoords.empty())
     return invalid("faces are to keep their texcoords, but the mesh has none");
-  std::vector<std::uint8_t> isNamed(input.faceCount(), 0);
-  for (const std::uint32_t f : faces) {
+  IdVector<InputFace, std::uint8_t> isNamed(input.faceCount(), 0);
+  for (const std::uint32_t face : faces) {
+    const InputFace f(face);
     if (f >= input.faceCount())
       return invalid(nameOf(f) + " is to keep its texcoords, but there are only " +
                      std::to_string(input.faceCount()) + " faces");
     isNamed[f] = 1;
   }
-  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t)
-    out.isFixed[t] = isNamed[inputFace(welded, surface, t)];
+  for (const SurfaceTriangle t : out.isFixed.ids()) out.isFixed[t] = isNamed[map.face(t)];
   return {};
 }
 
 /// Charts of an earlier run, with the texcoords that they have there.
-Status addCharts(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                 const UnwrapOptions& options, FixedTriangles& out) {
+Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTriangles& out) {
   if (options.fixedCharts.empty()) return {};
   const KnownLayout& known = options.known;
-  const Result<TriangleOrder> order = knownTriangles(known, input, welded, surface);
+  const Result<TriangleOrder> order = knownTriangles(known, map);
   if (!order.ok()) return order.status;
   if (known.uv.size() != 2 * known.vertexMap.size())
     return invalid("charts are to stay, but the known layout has no uv for them");
@@ -63,59 +55,53 @@ Status addCharts(const PolygonMesh& input, const WeldedMesh& welded, const Surfa
   }
   const auto first = static_cast<std::uint32_t>(out.texcoords.size() / 2);
   out.texcoords.insert(out.texcoords.end(), known.uv.begin(), known.uv.end());
-  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t) {
+  for (const SurfaceTriangle t : out.isFixed.ids()) {
     const std::size_t i = order.value.ofTriangle[t];
     if (!stays[known.chartOfTriangle[i]]) continue;
     out.isFixed[t] = 1;
-    for (std::size_t k = 0; k < 3; ++k)
-      out.ofCorner[inputCorner(welded, surface, 3 * std::size_t{t} + k)] =
-          first + known.triangles[3 * i + k];
+    for (const SurfaceCorner c : cornersOf(t))
+      out.ofCorner[map.corner(c)] = first + known.triangles[3 * i + placeInTriangle(c)];
   }
   return {};
 }
 
 /// Grows what is fixed over edges with the same texcoords on both sides.
-void growIslands(const WeldedMesh& welded, const Surface& surface, FixedTriangles& out) {
-  std::vector<std::uint32_t> front;
-  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t)
+void growIslands(const SurfaceMap& map, FixedTriangles& out) {
+  std::vector<SurfaceTriangle> front;
+  for (const SurfaceTriangle t : out.isFixed.ids())
     if (out.isFixed[t]) front.push_back(t);
   while (!front.empty()) {
-    const std::uint32_t t = front.back();
+    const SurfaceTriangle t = front.back();
     front.pop_back();
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      const std::uint32_t twin = surface.table.twin[h];
-      if (twin == kNone || out.isFixed[twin / 3] ||
-          !hasSameTexcoords({out.texcoords, out.ofCorner}, welded, surface, h))
+    for (const SurfaceCorner h : cornersOf(t)) {
+      const SurfaceCorner twin = map.surface().table.twin[h];
+      if (!twin.exists() || out.isFixed[triangleOf(twin)] ||
+          !hasSameTexcoords({out.texcoords, out.ofCorner}, map, h))
         continue;
-      out.isFixed[twin / 3] = 1;
-      front.push_back(twin / 3);
+      out.isFixed[triangleOf(twin)] = 1;
+      front.push_back(triangleOf(twin));
     }
   }
 }
 
-Status checkTexcoords(const WeldedMesh& welded, const Surface& surface, const FixedTriangles& out) {
-  for (std::uint32_t t = 0; t < out.isFixed.size(); ++t) {
+Status checkTexcoords(const SurfaceMap& map, const FixedTriangles& out) {
+  for (const SurfaceTriangle t : out.isFixed.ids()) {
     if (!out.isFixed[t]) continue;
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-      if (out.ofCorner[inputCorner(welded, surface, h)] == kNoTexcoord)
-        return invalid(nameOf(inputFace(welded, surface, t)) +
+    for (const SurfaceCorner c : cornersOf(t))
+      if (out.ofCorner[map.corner(c)] == kNoTexcoord)
+        return invalid(nameOf(map.face(t)) +
                        " is to keep its texcoords, but has none at a corner; leave it out");
   }
   return {};
 }
 
 /// Given coordinates of the chart's vertices.
-std::vector<double> givenUv(const CutMesh& mesh, const FixedTriangles& fixed, std::size_t i) {
-  const ChartTopology chart = mesh.set.topology(i);
-  const Indices triangles = mesh.set.triangles(i);
-  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()));
-  for (std::size_t c = 0; c < chart.vertexOfCorner.size(); ++c) {
-    const std::size_t h = 3 * static_cast<std::size_t>(triangles[c / 3]) + c % 3;
-    const std::size_t texcoord = fixed.ofCorner[inputCorner(mesh.welded, mesh.surface, h)];
-    for (std::size_t d = 0; d < 2; ++d)
-      uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[c]) + d] =
-          fixed.texcoords[2 * texcoord + d];
-  }
+std::vector<double> givenUv(const SurfaceMap& map, const FixedTriangles& fixed,
+                            const ChartTopology& chart) {
+  std::vector<double> uv(2 * chart.vertexCount());
+  for (const ChartCorner c : chart.surfaceCorners())
+    setPoint(uv, chart.vertexOfCorner[c],
+             pointAt(fixed.texcoords, fixed.ofCorner[map.corner(chart.onSurface(c))]));
   return uv;
 }
 
@@ -132,7 +118,7 @@ std::string placeText(const double* uv) {
 struct FixedChart {
   const DiskChart& chart;
   const std::vector<double>& uv;
-  std::function<std::uint32_t(std::size_t)> face;
+  std::function<InputFace(std::size_t)> face;
 };
 
 Status checkTriangles(const FixedChart& c) {
@@ -172,51 +158,52 @@ Status checkTile(const FixedChart& c, bool hasTiles) {
 
 }  // namespace
 
-Result<FixedTriangles> fixedTriangles(const PolygonMesh& input, const WeldedMesh& welded,
-                                      const Surface& surface, const UnwrapOptions& options) {
+Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options) {
   FixedTriangles out;
   if (options.fixedFaces.empty() && options.fixedCharts.empty()) return out;
-  out.isFixed.assign(surface.table.triangleCount(), 0);
-  out.texcoords = input.texcoords;
-  out.ofCorner = input.faceTexcoords;
-  out.ofCorner.resize(input.faceVertices.size(), kNoTexcoord);
-  if (Status s = addFaces(input, welded, surface, options.fixedFaces, out); !s.ok()) return s;
-  if (Status s = addCharts(input, welded, surface, options, out); !s.ok()) return s;
-  growIslands(welded, surface, out);
-  if (Status s = checkTexcoords(welded, surface, out); !s.ok()) return s;
-  out.borders.assign(surface.table.twin.size(), 0);
-  for (std::uint32_t h = 0; h < out.borders.size(); ++h) {
-    const std::uint32_t twin = surface.table.twin[h];
-    if (twin == kNone || !(out.isFixed[h / 3] || out.isFixed[twin / 3])) continue;
-    if (out.isFixed[h / 3] != out.isFixed[twin / 3] ||
-        !hasSameTexcoords({out.texcoords, out.ofCorner}, welded, surface, h))
+  const CornerTable& table = map.surface().table;
+  out.isFixed.assign(table.triangles().size(), 0);
+  out.texcoords = map.input().texcoords;
+  out.ofCorner = map.input().faceTexcoords;
+  out.ofCorner.resize(map.input().faceVertices.size(), kNoTexcoord);
+  if (Status s = addFaces(map, options.fixedFaces, out); !s.ok()) return s;
+  if (Status s = addCharts(map, options, out); !s.ok()) return s;
+  growIslands(map, out);
+  if (Status s = checkTexcoords(map, out); !s.ok()) return s;
+  out.borders.assign(table.twin.size(), 0);
+  for (const SurfaceCorner h : table.corners()) {
+    const SurfaceCorner twin = table.twin[h];
+    if (!twin.exists()) continue;
+    const bool isHere = out.isFixed[triangleOf(h)], isThere = out.isFixed[triangleOf(twin)];
+    if (isHere != isThere || (isHere && !hasSameTexcoords({out.texcoords, out.ofCorner}, map, h)))
       out.borders[h] = out.borders[twin] = 1;
   }
   return out;
 }
 
 Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTiles,
-                   std::vector<FlatChart>& flat) {
+                   FlatCharts& flat) {
   if (fixed.isFixed.empty()) return {};
-  std::vector<double> triangles;     // 6 coordinates each
-  std::vector<std::uint32_t> faces;  // of the input, for each of these
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    const Indices own = mesh.set.triangles(i);
-    if (!fixed.isFixed[own.front()]) continue;
+  std::vector<double> triangles;  // 6 coordinates each
+  std::vector<InputFace> faces;   // of each of these
+  for (const ChartId i : flat.ids()) {
+    const ChartTopology topology = mesh.set.topology(i);
+    if (!fixed.isFixed[topology.triangles.front()]) continue;
     const DiskChart chart = mesh.set.chart(i);
     FlatChart& out = flat[i];
     out = {};
     out.isFixed = out.isGiven = true;
-    out.uv = givenUv(mesh, fixed, i);
+    out.uv = givenUv(mesh.map, fixed, topology);
     out.unpacked.assign(out.uv.size(), NAN);
-    const FixedChart c{chart, out.uv,
-                       [&](std::size_t f) { return inputFace(mesh.welded, mesh.surface, own[f]); }};
+    const FixedChart c{chart, out.uv, [&](std::size_t f) {
+                         return mesh.map.face(topology.triangles[ChartTriangle(f)]);
+                       }};
     if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
     out.solver = "given";
     out.area = areaOf(chart);
     out.distortion = ChartDistortion(measureDistortion(chart, out.uv));
-    for (std::size_t f = 0; f < own.size(); ++f) faces.push_back(c.face(f));
+    for (const SurfaceTriangle f : topology.triangles) faces.push_back(mesh.map.face(f));
     for (const std::size_t v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});
   }

@@ -9,20 +9,19 @@ namespace abflat {
 
 /// Triangles of the surface that keep given texcoords: those of whole uv islands.
 struct FixedTriangles {
-  std::vector<std::uint8_t> isFixed;    ///< per triangle of the surface; empty: none is
-  Seams borders;                        ///< of these islands
-  std::vector<double> texcoords;        ///< given ones, 2 numbers each
-  std::vector<std::uint32_t> ofCorner;  ///< of each corner of the input's faces, or kNoTexcoord
+  IdVector<SurfaceTriangle, std::uint8_t> isFixed;  ///< empty: none is
+  Seams borders;                                    ///< of these islands
+  std::vector<double> texcoords;                    ///< given ones, 2 numbers each
+  std::vector<std::uint32_t> ofCorner;              ///< by InputCorner, or kNoTexcoord
 };
 
 /// The islands of `options.fixedFaces`, and known charts that are fixed. Errors: InvalidOption
 /// names a face or chart that does not exist, or a face that has no texcoords.
-Result<FixedTriangles> fixedTriangles(const PolygonMesh& input, const WeldedMesh& welded,
-                                      const Surface& surface, const UnwrapOptions& options);
+Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options);
 
 /// Sets the layouts of fixed charts. Errors: InvalidOption names a face that is flipped, overlapped
 /// by another one, or not in a tile, of which there are several with `hasTiles`.
 Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTiles,
-                   std::vector<FlatChart>& flat);
+                   FlatCharts& flat);
 
 }  // namespace abflat

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/point2.h"
 #include "unwrap/straight_seams.h"
 
 namespace abflat {
@@ -13,12 +14,13 @@ struct Known {
   TriangleOrder order;
   std::vector<std::uint32_t> trianglesOfChart;  ///< per known chart, on the surface
 
-  std::uint32_t chartOf(std::uint32_t triangle) const {
-    return layout.chartOfTriangle[order.ofTriangle[triangle]];
+  std::uint32_t chartOf(SurfaceTriangle f) const {
+    return layout.chartOfTriangle[order.ofTriangle[f]];
   }
-  const double* uv(std::uint32_t triangle, std::size_t k) const {
-    const std::size_t corner = 3 * static_cast<std::size_t>(order.ofTriangle[triangle]) + k;
-    return &layout.unpacked[2 * static_cast<std::size_t>(layout.triangles[corner])];
+  Point2 uv(SurfaceCorner c) const {
+    const std::size_t corner =
+        3 * std::size_t{order.ofTriangle[triangleOf(c)]} + placeInTriangle(c);
+    return pointAt(layout.unpacked, layout.triangles[corner]);
   }
 };
 
@@ -38,15 +40,13 @@ Status checkSizes(const KnownLayout& known, std::size_t triangles) {
 }
 
 /// Every triangle has the vertices of the mesh, and a chart.
-Status checkTriangles(const KnownLayout& known, const TriangleOrder& order,
-                      const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface) {
-  for (std::uint32_t t = 0; t < order.ofTriangle.size(); ++t) {
-    const std::uint32_t i = order.ofTriangle[t];
+Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, const SurfaceMap& map) {
+  for (const SurfaceTriangle f : order.ofTriangle.ids()) {
+    const OutputTriangle i = order.ofTriangle[f];
     bool isSame = known.chartOfTriangle[i] < known.chartOfTriangle.size();
-    for (std::size_t k = 0; k < 3 && isSame; ++k) {
-      const std::uint32_t v = known.triangles[3 * static_cast<std::size_t>(i) + k];
-      const std::uint32_t corner = welded.inputCorner[surface.triangulation.corner[3 * t + k]];
-      isSame = v < known.vertexMap.size() && known.vertexMap[v] == input.faceVertices[corner];
+    for (const SurfaceCorner c : cornersOf(f)) {
+      const std::uint32_t v = known.triangles[3 * std::size_t{i} + placeInTriangle(c)];
+      isSame = isSame && v < known.vertexMap.size() && known.vertexMap[v] == map.vertex(c);
     }
     if (!isSame) return isOfOther("triangle " + std::to_string(i) + " has other vertices");
   }
@@ -55,19 +55,18 @@ Status checkTriangles(const KnownLayout& known, const TriangleOrder& order,
 
 /// Known coordinates of the chart's vertices; empty where triangles are missing or more, or where
 /// an edge of the chart was a seam. A seam that is new leaves a layout that touches itself.
-std::vector<double> knownUv(const Known& known, const ChartTopology& chart, Indices triangles) {
-  const std::uint32_t id = known.chartOf(triangles.front());
-  if (known.trianglesOfChart[id] != triangles.size()) return {};
-  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()), NAN);
-  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-    if (known.chartOf(triangles[f]) != id) return {};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double* from = known.uv(triangles[f], k);
-      double* to = &uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[3 * f + k])];
-      for (std::size_t d = 0; d < 2; ++d) {
-        if (!std::isfinite(from[d]) || (!std::isnan(to[d]) && to[d] != from[d])) return {};
-        to[d] = from[d];
-      }
+std::vector<double> knownUv(const Known& known, const ChartTopology& chart) {
+  const std::uint32_t id = known.chartOf(chart.triangles.front());
+  if (known.trianglesOfChart[id] != chart.triangles.size()) return {};
+  std::vector<double> uv(2 * chart.vertexCount(), NAN);
+  for (const ChartCorner c : chart.surfaceCorners()) {
+    const SurfaceCorner onSurface = chart.onSurface(c);
+    if (known.chartOf(triangleOf(onSurface)) != id) return {};
+    const Point2 from = known.uv(onSurface);
+    double* to = &uv[2 * std::size_t{chart.vertexOfCorner[c]}];
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (!std::isfinite(from[d]) || (!std::isnan(to[d]) && to[d] != from[d])) return {};
+      to[d] = from[d];
     }
   }
   return uv;
@@ -75,16 +74,11 @@ std::vector<double> knownUv(const Known& known, const ChartTopology& chart, Indi
 
 /// Those that charts had then.
 Outlines knownOutlines(const Known& known, const Surface& surface) {
-  const std::vector<std::uint32_t>& twin = surface.table.twin;
-  std::vector<std::uint8_t> isCut(twin.size(), 1);
-  const auto isOnePlace = [&](std::uint32_t a, std::uint32_t b) {
-    const double *p = known.uv(a / 3, a % 3), *q = known.uv(b / 3, b % 3);
-    return p[0] == q[0] && p[1] == q[1];
-  };
-  for (std::uint32_t h = 0; h < twin.size(); ++h) {
-    const std::uint32_t o = twin[h];
-    if (o != kNone && known.chartOf(h / 3) == known.chartOf(o / 3))
-      isCut[h] = !isOnePlace(h, nextCorner(o)) || !isOnePlace(nextCorner(h), o);
+  IdVector<SurfaceCorner, std::uint8_t> isCut(surface.table.twin.size(), 1);
+  for (const SurfaceCorner h : surface.table.corners()) {
+    const SurfaceCorner o = surface.table.twin[h];
+    if (o.exists() && known.chartOf(triangleOf(h)) == known.chartOf(triangleOf(o)))
+      isCut[h] = known.uv(h) != known.uv(nextCorner(o)) || known.uv(nextCorner(h)) != known.uv(o);
   }
   return findOutlines(surface, isCut);
 }
@@ -111,19 +105,18 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
 
 }  // namespace
 
-Result<TriangleOrder> knownTriangles(const KnownLayout& known, const PolygonMesh& input,
-                                     const WeldedMesh& welded, const Surface& surface) {
-  TriangleOrder order = triangleOrder(input, welded, surface);
+Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap& map) {
+  TriangleOrder order = triangleOrder(map);
   if (Status s = checkSizes(known, order.firstOfFace.back()); !s.ok()) return s;
-  if (Status s = checkTriangles(known, order, input, welded, surface); !s.ok()) return s;
+  if (Status s = checkTriangles(known, order, map); !s.ok()) return s;
   return order;
 }
 
-Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
-                 const UnwrapOptions& options, ThreadPool& pool, std::vector<FlatChart>& flat) {
+Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
+                 const UnwrapOptions& options, ThreadPool& pool, FlatCharts& flat) {
   const KnownLayout& layout = options.known;
   if (layout.triangles.empty()) return {};
-  Result<TriangleOrder> order = knownTriangles(layout, mesh.input, mesh.welded, mesh.surface);
+  Result<TriangleOrder> order = knownTriangles(layout, mesh.map);
   if (!order.ok()) return order.status;
   Known known{layout, std::move(order.value), {}};
   // Other angles were wanted then.
@@ -131,19 +124,20 @@ Status takeKnown(const CutMesh& mesh, const std::vector<ChartWishes>& wishes,
       layout.straightSeams != options.straightSeams)
     return {};
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
-  for (std::uint32_t t = 0; t < known.order.ofTriangle.size(); ++t)
-    ++known.trianglesOfChart[known.chartOf(t)];
+  for (const SurfaceTriangle f : known.order.ofTriangle.ids())
+    ++known.trianglesOfChart[known.chartOf(f)];
   // Where a seam ends, and with it what is straight, depends on the charts around.
   Outlines before, now;
   if (options.straightSeams) {
-    before = knownOutlines(known, mesh.surface);
-    now = findOutlines(mesh.surface, mesh.set);
+    before = knownOutlines(known, mesh.map.surface());
+    now = findOutlines(mesh.map.surface(), mesh.set);
   }
-  parallelFor(&pool, mesh.set.size(), [&](std::size_t i) {
+  parallelFor(&pool, mesh.set.size(), [&](std::size_t k) {
+    const ChartId i(k);
     if (!flat[i].unpacked.empty()) return;
-    std::vector<double> uv = knownUv(known, mesh.set.topology(i), mesh.set.triangles(i));
+    std::vector<double> uv = knownUv(known, mesh.set.topology(i));
     if (uv.empty()) return;
-    if (options.straightSeams && !hasSameEnds(mesh.surface, mesh.set, i, before, now)) return;
+    if (options.straightSeams && !hasSameEnds(mesh, i, before, now)) return;
     flat[i] = takeOver(mesh.set.chart(i), wishes[i], std::move(uv));
   });
   return {};

@@ -12,7 +12,8 @@ namespace {
 /// Charts by size, the largest first: what takes longest begins first.
 std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
   return stableOrder(charts.size(), [&](std::uint32_t a, std::uint32_t b) {
-    return charts.topology(a).triangleCount() > charts.topology(b).triangleCount();
+    return charts.topology(ChartId(a)).triangleCount() >
+           charts.topology(ChartId(b)).triangleCount();
   });
 }
 
@@ -23,34 +24,35 @@ bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !optio
 
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
 
-void flattenAll(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
+void flattenAll(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wishes,
                 const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
-                const std::function<bool(double)>& tell, std::vector<FlatChart>& flat) {
+                const std::function<bool(double)>& tell, FlatCharts& flat) {
   const std::vector<std::uint32_t> order = largestFirst(charts);
   std::size_t triangles = 0;
   // Seams are found for what is not pinned.
   const auto patienceFor = [&](const ChartWishes& w) {
     return canCut(options) && w.pins.empty() ? Patience::Little : Patience::All;
   };
-  const auto isKnown = [&](std::size_t i) {
+  const auto isKnown = [&](ChartId i) {
     return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
   };
-  for (std::size_t i = 0; i < charts.size(); ++i)
+  for (const ChartId i : charts.ids())
     if (!isKnown(i)) triangles += charts.topology(i).triangleCount();
   std::atomic<std::size_t> done{0};
-  parallelFor(&pool, charts.size(), [&](std::size_t i) {
+  parallelFor(&pool, charts.size(), [&](std::size_t k) {
     if (monitor.stopped()) return;
-    FlatChart& out = flat[order[i]];
-    if (isKnown(order[i])) return;
-    const DiskChart chart = charts.chart(order[i]);
+    const ChartId i(order[k]);
+    FlatChart& out = flat[i];
+    if (isKnown(i)) return;
+    const DiskChart chart = charts.chart(i);
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
       return tell(static_cast<double>(done) / static_cast<double>(triangles));
     };
     const bool isCutEnough = out.isCutEnough;
-    out = flattenOne(chart, options, wishes[order[i]],
-                     isCutEnough ? Patience::All : patienceFor(wishes[order[i]]), pool, goesOn);
+    out = flattenOne(chart, options, wishes[i],
+                     isCutEnough ? Patience::All : patienceFor(wishes[i]), pool, goesOn);
     out.isCutEnough = isCutEnough;
     done += chart.triangleCount();
   });
@@ -60,14 +62,14 @@ bool isStretched(const FlatChart& chart, double most) {
   return !chart.isFixed && chart.distortion.symmetricDirichlet > most;
 }
 
-std::vector<std::uint8_t> stretchedPieces(const std::vector<FlatChart>& flat, double most) {
-  std::vector<std::uint8_t> out;
+IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double most) {
+  IdVector<ChartId, std::uint8_t> out;
   out.reserve(flat.size());
   for (const FlatChart& chart : flat) out.push_back(!chart.isCutEnough && isStretched(chart, most));
   return out;
 }
 
-bool dropTangled(std::vector<FlatChart>& flat) {
+bool dropTangled(FlatCharts& flat) {
   bool isAny = false;
   for (FlatChart& chart : flat) {
     if (!chart.isTangled || !chart.isCutEnough) continue;
@@ -77,7 +79,7 @@ bool dropTangled(std::vector<FlatChart>& flat) {
   return isAny;
 }
 
-void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
+void noteStretched(const FlatCharts& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes) {
   if (!options.seams.isAuto) return;
   std::size_t count = 0;

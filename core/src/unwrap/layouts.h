@@ -16,20 +16,20 @@ namespace abflat {
 bool canCut(const UnwrapOptions& options);
 
 /// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
-void flattenAll(const ChartSet& charts, const std::vector<ChartWishes>& wishes,
+void flattenAll(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wishes,
                 const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
-                const std::function<bool(double)>& tell, std::vector<FlatChart>& flat);
+                const std::function<bool(double)>& tell, FlatCharts& flat);
 
 /// More than seams are to allow.
 bool isStretched(const FlatChart& chart, double most);
 
 /// Per chart whether it is, and may be cut further.
-std::vector<std::uint8_t> stretchedPieces(const std::vector<FlatChart>& flat, double most);
+IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double most);
 
 /// Layouts of charts that seams do not help; whether there are any.
-bool dropTangled(std::vector<FlatChart>& flat);
+bool dropTangled(FlatCharts& flat);
 
-void noteStretched(const std::vector<FlatChart>& flat, const UnwrapOptions& options,
+void noteStretched(const FlatCharts& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes);
 
 }  // namespace abflat

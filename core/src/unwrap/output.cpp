@@ -4,6 +4,7 @@
 
 #include "base/stable_order.h"
 #include "mesh/folded_face.h"
+#include "unwrap/triangle_order.h"
 
 namespace abflat {
 namespace {
@@ -50,22 +51,27 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
 }
 
 /// Chart of each input face: of its first triangle, otherwise that of its first texcoord.
-void listCharts(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                const ChartSet& set, const std::vector<std::uint32_t>& firstOf, UnwrapResult& out) {
+void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& out) {
+  const PolygonMesh& input = mesh.map.input();
+  const IdVector<SurfaceTriangle, ChartId>& ofTriangle = mesh.set.ofTriangle;
   out.chartOfFace.assign(input.faceCount(), kNoChart);
-  for (std::uint32_t t = static_cast<std::uint32_t>(set.ofTriangle.size()); t-- > 0;)
-    out.chartOfFace[welded.inputFace[surface.triangulation.face[t]]] = set.ofTriangle[t];
-  for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
-    const std::uint32_t corner = input.faceOffsets[f];
-    if (out.chartOfFace[f] != kNoChart || welded.cornerFor[corner] == kNone) continue;
-    const auto next = std::upper_bound(firstOf.begin(), firstOf.end(), out.cornerUv[corner]);
+  for (const SurfaceTriangle t : ofTriangle.ids()) {
+    std::uint32_t& chart = out.chartOfFace[mesh.map.face(t)];
+    if (chart == kNoChart) chart = ofTriangle[t];
+  }
+  const auto& firstOf = texcoords.firstOf;
+  for (const InputFace f : IdRange<InputFace>(input.faceCount())) {
+    const TexcoordId texcoord = texcoords.ofCorner[InputCorner(input.faceOffsets[f])];
+    if (out.chartOfFace[f] != kNoChart || !texcoord.exists()) continue;
+    const auto next = std::upper_bound(firstOf.begin(), firstOf.end(), texcoord);
     out.chartOfFace[f] = static_cast<std::uint32_t>(next - firstOf.begin() - 1);
   }
 }
 
-void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-                   const ChartSet& set, UnwrapResult& out) {
-  const TriangleOrder order = triangleOrder(input, welded, surface);
+void listTriangles(const CutMesh& mesh, UnwrapResult& out) {
+  const SurfaceMap& map = mesh.map;
+  const PolygonMesh& input = map.input();
+  const TriangleOrder order = triangleOrder(map);
   out.triangles.resize(3 * static_cast<std::size_t>(order.firstOfFace.back()));
   out.triangleCorners.resize(out.triangles.size());
   out.chartOfTriangle.resize(order.firstOfFace.back());
@@ -76,30 +82,27 @@ void listTriangles(const PolygonMesh& input, const WeldedMesh& welded, const Sur
     }
     out.chartOfTriangle[i] = chart;
   };
-  const auto cornerOf = [&](std::uint32_t h) {
-    return welded.inputCorner[surface.triangulation.corner[h]];
-  };
-  for (std::uint32_t t = 0; t < order.ofTriangle.size(); ++t)
-    put(order.ofTriangle[t], {cornerOf(3 * t), cornerOf(3 * t + 1), cornerOf(3 * t + 2)},
-        set.ofTriangle[t]);
-  for (std::uint32_t f = 0; f < input.faceCount(); ++f) {
+  for (const SurfaceTriangle t : order.ofTriangle.ids())
+    put(order.ofTriangle[t],
+        {map.corner(cornerOf(t, 0)), map.corner(cornerOf(t, 1)), map.corner(cornerOf(t, 2))},
+        mesh.set.ofTriangle[t]);
+  for (const InputFace f : order.isFolded.ids()) {
     if (!order.isFolded[f]) continue;
     const std::uint32_t begin = input.faceOffsets[f];
     std::vector<std::uint32_t> places;
     for (std::uint32_t c = begin; c < input.faceOffsets[f + 1]; ++c)
-      places.push_back(welded.place[input.faceVertices[c]]);
+      places.push_back(map.welded().firstAtPlace[InputVertex(input.faceVertices[c])]);
     std::size_t i = order.firstOfFace[f];
     for (const auto& t : foldedTriangles(places))
       put(i++, {begin + t[0], begin + t[1], begin + t[2]}, out.chartOfFace[f]);
   }
 }
 
-UnwrapChart chartRow(const ChartSet& set, std::size_t i, const FlatChart& flat,
-                     std::uint32_t firstFace) {
-  const ChartTopology chart = set.topology(i);
+UnwrapChart chartRow(const CutMesh& mesh, ChartId i, const FlatChart& flat) {
+  const ChartTopology chart = mesh.set.topology(i);
   UnwrapChart row;
-  row.faces = chart.surfaceTriangles();
-  row.firstFace = firstFace;
+  row.faces = chart.triangles.size();
+  row.firstFace = mesh.map.face(chart.triangles.front());
   row.boundaryVertices = chart.boundary.size();
   row.filledHoles = chart.filledHoles;
   row.area = flat.area;
@@ -123,59 +126,38 @@ UnwrapChart chartRow(const ChartSet& set, std::size_t i, const FlatChart& flat,
 
 }  // namespace
 
-TriangleOrder triangleOrder(const PolygonMesh& input, const WeldedMesh& welded,
-                            const Surface& surface) {
-  const std::vector<std::uint32_t>& face = surface.triangulation.face;
-  TriangleOrder out;
-  out.firstOfFace.assign(input.faceCount() + 1, 0);
-  out.isFolded.assign(input.faceCount(), 0);
-  for (const std::uint32_t w : face) ++out.firstOfFace[welded.inputFace[w] + 1];
-  for (std::size_t f = 0; f < input.faceCount(); ++f) {
-    std::uint32_t& count = out.firstOfFace[f + 1];
-    out.isFolded[f] = count == 0;
-    if (out.isFolded[f]) count = input.faceOffsets[f + 1] - input.faceOffsets[f] - 2;
-    count += out.firstOfFace[f];
-  }
-  std::vector<std::uint32_t> fill = out.firstOfFace;
-  out.ofTriangle.reserve(face.size());
-  for (const std::uint32_t w : face) out.ofTriangle.push_back(fill[welded.inputFace[w]]++);
-  return out;
-}
-
-RepairReport repairReport(const WeldedMesh& welded, const Surface& surface) {
+RepairReport repairReport(const SurfaceMap& map) {
+  const WeldedMesh& welded = map.welded();
+  const CornerTable& table = map.surface().table;
   RepairReport out;
   out.mergedVertices = welded.mergedVertices;
   out.collapsedFaces = welded.collapsedFaces;
   out.splitFaces = welded.splitFaces;
   out.duplicateFaces = welded.duplicateFaces;
-  out.nonManifoldEdges = edgesOf(surface.table.nonManifold, welded.mesh.vertexCount());
-  out.orientationConflicts = edgesOf(surface.table.misoriented, welded.mesh.vertexCount());
-  out.degenerateTriangles = surface.summary.degenerateFaces;
+  out.nonManifoldEdges = edgesOf(table.nonManifold, welded.mesh.vertexCount());
+  out.orientationConflicts = edgesOf(table.misoriented, welded.mesh.vertexCount());
+  out.degenerateTriangles = map.surface().summary.degenerateFaces;
   return out;
 }
 
-Texcoords numberTexcoords(const WeldedMesh& welded, const Surface& surface, const ChartSet& set) {
+Texcoords numberTexcoords(const CutMesh& mesh) {
+  const ChartSet& set = mesh.set;
+  IdVector<SurfaceCorner, TexcoordId> ofCorner(mesh.map.surface().table.vertex.size());
   Texcoords out;
-  std::vector<std::uint32_t> ofWelded(welded.inputCorner.size(), kNone);
-  out.firstOf.push_back(0);
   out.firstOf.reserve(set.size() + 1);
-  for (std::size_t i = 0; i < set.size(); ++i) {
+  for (const ChartId i : set.ids()) {
     const ChartTopology chart = set.topology(i);
-    const Indices triangles = set.triangles(i);
-    for (std::uint32_t f = 0; f < triangles.size(); ++f)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        ofWelded[surface.triangulation.corner[3 * triangles[f] + k]] =
-            out.firstOf.back() + chart.vertexOfCorner[3 * f + k];
-    out.firstOf.push_back(out.firstOf.back() + chart.vertexCount());
+    for (const ChartCorner c : chart.surfaceCorners())
+      ofCorner[chart.onSurface(c)] = set.texcoord(i, chart.vertexOfCorner[c]);
+    out.firstOf.push_back(set.firstTexcoord(i));
   }
-  out.ofCorner.reserve(welded.cornerFor.size());
-  for (const std::uint32_t corner : welded.cornerFor)
-    out.ofCorner.push_back(corner == kNone ? kNone : ofWelded[corner]);
+  out.firstOf.push_back(set.firstTexcoord(ChartId(set.size())));
+  out.ofCorner = mesh.map.toInput(ofCorner);
   return out;
 }
 
-void measureStraight(const ChartSet& set, std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < flat.size(); ++i) {
+void measureStraight(const ChartSet& set, FlatCharts& flat) {
+  for (const ChartId i : flat.ids()) {
     if (!flat[i].uncommon || !flat[i].uncommon->straight) continue;
     UncommonParts& parts = *flat[i].uncommon;
     parts.straight->deviation =
@@ -183,8 +165,7 @@ void measureStraight(const ChartSet& set, std::vector<FlatChart>& flat) {
   }
 }
 
-void fillTexcoords(const Texcoords& texcoords, double unit, std::vector<FlatChart>& flat,
-                   UnwrapResult& out) {
+void fillTexcoords(const Texcoords& texcoords, double unit, FlatCharts& flat, UnwrapResult& out) {
   const std::size_t numbers = 2 * std::size_t{texcoords.firstOf.back()} + 2;
   out.uv.reserve(numbers);
   out.unpacked.reserve(numbers);
@@ -193,7 +174,7 @@ void fillTexcoords(const Texcoords& texcoords, double unit, std::vector<FlatChar
     for (const double x : chart.unpacked) out.unpacked.push_back(x * unit);
     chart.uv = chart.unpacked = std::vector<double>();
   }
-  out.cornerUv = texcoords.ofCorner;
+  out.cornerUv.assign(texcoords.ofCorner.begin(), texcoords.ofCorner.end());
   std::uint32_t corner = kNone;  // where nothing of a face is left, and of no other at its place
   for (std::uint32_t& texcoord : out.cornerUv) {
     if (texcoord != kNone) continue;
@@ -206,21 +187,18 @@ void fillTexcoords(const Texcoords& texcoords, double unit, std::vector<FlatChar
   }
 }
 
-void fillFaces(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface,
-               const ChartSet& set, const Texcoords& texcoords, UnwrapResult& out) {
-  listCharts(input, welded, surface, set, texcoords.firstOf, out);
-  splitVertices(input, out);
-  listTriangles(input, welded, surface, set, out);
+void fillFaces(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& out) {
+  listCharts(mesh, texcoords, out);
+  splitVertices(mesh.map.input(), out);
+  listTriangles(mesh, out);
 }
 
-void fillReport(const ChartSet& set, const std::vector<FlatChart>& flat, const Surface& surface,
-                const WeldedMesh& welded, double unit, UnwrapReport& report) {
+void fillReport(const CutMesh& mesh, const FlatCharts& flat, double unit, UnwrapReport& report) {
   double area = 0;
   report.valid = true;
   report.charts.reserve(flat.size());
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    const std::uint32_t face = surface.triangulation.face[set.triangles(i).front()];
-    report.charts.push_back(chartRow(set, i, flat[i], welded.inputFace[face]));
+  for (const ChartId i : flat.ids()) {
+    report.charts.push_back(chartRow(mesh, i, flat[i]));
     UnwrapChart& row = report.charts.back();
     area += row.area;
     report.angularDistortion += row.area * row.angularDistortion;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/point2.h"
 #include "check/distortion.h"
 #include "check/validity.h"
 
@@ -49,46 +50,38 @@ std::unique_ptr<UncommonParts> historyOf(const FlatChart& whole) {
 }
 
 bool isSame(const ChartTopology& a, const ChartTopology& b) {
-  return a.triangleCount() == b.triangleCount() && a.surfaceTriangles() == b.surfaceTriangles() &&
+  return a.triangleCount() == b.triangleCount() && a.triangles.size() == b.triangles.size() &&
          std::equal(a.twin.begin(), a.twin.end(), b.twin.begin());
 }
 
 }  // namespace
 
-void moveSame(const ChartSet& from, std::vector<FlatChart>& flatFrom, const ChartSet& to,
-              std::vector<FlatChart>& flatTo) {
-  for (std::size_t i = 0; i < to.size(); ++i) {
+void moveSame(const ChartSet& from, FlatCharts& flatFrom, const ChartSet& to, FlatCharts& flatTo) {
+  for (const ChartId i : to.ids()) {
     if (!flatTo[i].unpacked.empty()) continue;
-    const std::uint32_t k = from.ofTriangle[to.triangles(i).front()];
+    const ChartId k = from.ofTriangle[to.topology(i).triangles.front()];
     if (!flatFrom[k].unpacked.empty() && isSame(from.topology(k), to.topology(i)))
       flatTo[i] = std::move(flatFrom[k]);
   }
 }
 
-void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore,
-                const ChartSet& now, double mostStretch, ThreadPool& pool,
-                std::vector<FlatChart>& flat) {
-  std::vector<std::array<double, 2>> at(3 * before.ofTriangle.size());  // per corner
-  for (std::size_t i = 0; i < before.size(); ++i) {
+void takePieces(const ChartSet& before, const FlatCharts& flatBefore, const ChartSet& now,
+                double mostStretch, ThreadPool& pool, FlatCharts& flat) {
+  IdVector<SurfaceCorner, Point2> at(3 * before.ofTriangle.size());
+  for (const ChartId i : before.ids()) {
     if (flatBefore[i].unpacked.empty()) continue;
     const ChartTopology chart = before.topology(i);
-    const Indices triangles = before.triangles(i);
-    for (std::uint32_t c = 0; c < 3 * chart.surfaceTriangles(); ++c) {
-      const double* uv = &flatBefore[i].unpacked[2 * std::size_t{chart.vertexOfCorner[c]}];
-      at[3 * std::size_t{triangles[c / 3]} + c % 3] = {uv[0], uv[1]};
-    }
+    for (const ChartCorner c : chart.surfaceCorners())
+      at[chart.onSurface(c)] = pointAt(flatBefore[i].unpacked, chart.vertexOfCorner[c]);
   }
-  parallelFor(&pool, now.size(), [&](std::size_t i) {
-    const Indices triangles = now.triangles(i);
-    const FlatChart& whole = flatBefore[before.ofTriangle[triangles.front()]];
-    if (!flat[i].unpacked.empty() || whole.unpacked.empty()) return;
+  parallelFor(&pool, now.size(), [&](std::size_t k) {
+    const ChartId i(k);
     const ChartTopology chart = now.topology(i);
-    std::vector<double> uv(2 * std::size_t{chart.vertexCount()});
-    for (std::uint32_t c = 0; c < 3 * chart.surfaceTriangles(); ++c) {
-      const auto& p = at[3 * std::size_t{triangles[c / 3]} + c % 3];
-      uv[2 * std::size_t{chart.vertexOfCorner[c]}] = p[0];
-      uv[2 * std::size_t{chart.vertexOfCorner[c]} + 1] = p[1];
-    }
+    const FlatChart& whole = flatBefore[before.ofTriangle[chart.triangles.front()]];
+    if (!flat[i].unpacked.empty() || whole.unpacked.empty()) return;
+    std::vector<double> uv(2 * chart.vertexCount());
+    for (const ChartCorner c : chart.surfaceCorners())
+      setPoint(uv, chart.vertexOfCorner[c], at[chart.onSurface(c)]);
     flat[i] = pieceAsItLies(now.chart(i), std::move(uv), whole.solver);
     if (flat[i].unpacked.empty() || flat[i].distortion.symmetricDirichlet > mostStretch) {
       flat[i] = {};
@@ -99,13 +92,12 @@ void takePieces(const ChartSet& before, const std::vector<FlatChart>& flatBefore
   });
 }
 
-std::vector<std::uint8_t> stretchedByCuts(const ChartSet& before,
-                                          const std::vector<FlatChart>& flatBefore,
-                                          const ChartSet& now, const std::vector<FlatChart>& flat,
-                                          double mostStretch) {
-  std::vector<std::uint8_t> out(before.size(), 0);
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const std::uint32_t whole = before.ofTriangle[now.triangles(i).front()];
+IdVector<ChartId, std::uint8_t> stretchedByCuts(const ChartSet& before,
+                                                const FlatCharts& flatBefore, const ChartSet& now,
+                                                const FlatCharts& flat, double mostStretch) {
+  IdVector<ChartId, std::uint8_t> out(before.size(), 0);
+  for (const ChartId i : now.ids()) {
+    const ChartId whole = before.ofTriangle[now.topology(i).triangles.front()];
     const double bound = std::max(mostStretch, flatBefore[whole].distortion.symmetricDirichlet);
     if (flat[i].distortion.symmetricDirichlet > bound) out[whole] = 1;
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/point2.h"
 #include "base/portable_math.h"
 #include "hole/fill_holes.h"
 #include "seam/piece_fitting.h"
@@ -27,21 +28,19 @@ RoomWish wishOf(const UnwrapOptionValues& options) {
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
 }
 
-FlatSurface flatSurface(const ChartSet& set, const std::vector<FlatChart>& flat,
-                        const OpenSurface& open) {
+FlatSurface flatSurface(const ChartSet& set, const FlatCharts& flat, const OpenSurface& open) {
   FlatSurface out;
   out.surface = cutAlong(open.mesh, open.seams);
   out.at.resize(out.surface.vertexCount());
   out.canCut.assign(out.surface.charts.size(), 0);
   double area = 0;
-  for (std::size_t i = 0; i < set.size(); ++i) {
+  for (const ChartId i : set.ids()) {
     const ChartTopology chart = set.topology(i);
-    const Indices triangles = set.triangles(i);
-    out.canCut[out.surface.chartOfTriangle[triangles.front()]] = flat[i].problem.empty();
+    out.canCut[out.surface.chartOfTriangle[chart.triangles.front()]] = flat[i].problem.empty();
     area += flat[i].area;
-    for (std::uint32_t c = 0; c < 3 * chart.surfaceTriangles(); ++c) {
-      const double* uv = &flat[i].unpacked[2 * std::size_t{chart.vertexOfCorner[c]}];
-      out.at[out.surface.vertexOfCorner[3 * triangles[c / 3] + c % 3]] = {uv[0], uv[1]};
+    for (const ChartCorner c : chart.surfaceCorners()) {
+      const Point2 p = pointAt(flat[i].unpacked, chart.vertexOfCorner[c]);
+      out.at[out.surface.vertexOfCorner[chart.onSurface(c)]] = {p[0], p[1]};
     }
   }
   out.unitArea = area / open.mesh.totalArea();
@@ -112,14 +111,14 @@ class RoomSearch {
 
 }  // namespace
 
-bool cutsForRoom(const UnwrapOptionValues& options, const std::vector<FlatChart>& flat) {
+bool cutsForRoom(const UnwrapOptionValues& options, const FlatCharts& flat) {
   return options.minUtilization != 0 && options.texelDensity == kAutoTexelDensity &&
          std::none_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isFixed; });
 }
 
-RoomCuts findRoomCuts(const ChartSet& set, const std::vector<FlatChart>& flat,
-                      const OpenSurface& open, const UnwrapOptionValues& options,
-                      double utilization, const std::function<bool()>& goesOn) {
+RoomCuts findRoomCuts(const ChartSet& set, const FlatCharts& flat, const OpenSurface& open,
+                      const UnwrapOptionValues& options, double utilization,
+                      const std::function<bool()>& goesOn) {
   constexpr std::size_t kMostCharts = 64;
   constexpr double kLeast = 0.02;
   const RoomWish wish = wishOf(options);
@@ -144,12 +143,12 @@ void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurfac
   openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
 }
 
-void takeBack(const ChartSet& before, const std::vector<std::uint8_t>& isAsked, const Seams& seams,
-              OpenSurface& open) {
+void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isAsked,
+              const Seams& seams, OpenSurface& open) {
   const CutSurface s = cutAlong(open.mesh, seams);
   std::vector<std::uint8_t> isBack(s.charts.size(), 0);
-  for (std::size_t i = 0; i < before.size(); ++i)
-    isBack[s.chartOfTriangle[before.triangles(i).front()]] = isAsked[i];
+  for (const ChartId i : before.ids())
+    isBack[s.chartOfTriangle[before.topology(i).triangles.front()]] = isAsked[i];
   for (std::size_t h = 0; h < seams.size(); ++h)
     if (isBack[s.chartOfTriangle[h / 3]]) open.seams[h] = seams[h];
 }

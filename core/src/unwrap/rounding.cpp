@@ -198,14 +198,15 @@ std::string number(double x) {
 
 }  // namespace
 
-void placeInAtlas(const Packing& packing, std::vector<FlatChart>& flat) {
-  for (std::size_t i = 0; i < flat.size(); ++i)
+void placeInAtlas(const Packing& packing, FlatCharts& flat) {
+  for (const ChartId i : flat.ids())
     if (!flat[i].isFixed) placeOne(packing.placements[i], flat[i]);
 }
 
-std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, std::vector<FlatChart>& flat) {
+std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& flat) {
   std::vector<std::uint8_t> isLost(flat.size(), 0);
-  parallelFor(&pool, flat.size(), [&](std::size_t i) {
+  parallelFor(&pool, flat.size(), [&](std::size_t k) {
+    const ChartId i(k);
     if (flat[i].isGiven) return;
     const bool wasValid = flat[i].problem.empty();
     if (flat[i].isFixed)
@@ -219,9 +220,10 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, std::vector<
 }
 
 std::size_t fitToNumbers(const ChartSet& charts, Numbers numbers, int resolution, bool mayGrow,
-                         ThreadPool& pool, Packing& packing, std::vector<FlatChart>& flat) {
+                         ThreadPool& pool, Packing& packing, FlatCharts& flat) {
   std::vector<std::uint8_t> isTooSmall(flat.size(), 0);
-  parallelFor(&pool, flat.size(), [&](std::size_t i) {
+  parallelFor(&pool, flat.size(), [&](std::size_t k) {
+    const ChartId i(k);
     if (!flat[i].isGiven)
       isTooSmall[i] =
           !fit(charts.chart(i), numbers, resolution, mayGrow, packing.placements[i], flat[i]);
@@ -229,7 +231,7 @@ std::size_t fitToNumbers(const ChartSet& charts, Numbers numbers, int resolution
   return static_cast<std::size_t>(std::count(isTooSmall.begin(), isTooSmall.end(), 1));
 }
 
-std::vector<std::string> fittingNotes(const std::vector<FlatChart>& flat, Numbers numbers) {
+std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers) {
   const std::string precision =
       numbers == Numbers::Double ? "double precision" : "single precision";
   std::size_t larger = 0, charts = 0, vertices = 0;

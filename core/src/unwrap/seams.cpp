@@ -24,7 +24,7 @@ OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams 
                         const Pulse& pulse) {
   CornerTable table = surface.table;
   for (std::size_t h = 0; h < given.size(); ++h)
-    if (given[h]) table.twin[h] = kNone;
+    if (given[h]) table.twin[SurfaceCorner(h)] = {};
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal,
                         scales.ofTriangle, pulse);
@@ -49,7 +49,9 @@ double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
   const auto longest = std::max_element(open.mesh.length.begin(), open.mesh.length.end());
   if (longest == open.mesh.length.end() || !(*longest > 0)) return 1;
   const auto h = static_cast<std::uint32_t>(longest - open.mesh.length.begin());
-  const auto input = [&](std::uint32_t c) { return open.inputVertex[open.mesh.vertexOfCorner[c]]; };
+  const auto input = [&](std::uint32_t c) {
+    return open.inputVertex[SurfaceVertex(open.mesh.vertexOfCorner[c])];
+  };
   return norm(edgeVector(welded.mesh.positions, input(h), input(nextCorner(h)))) / *longest;
 }
 
@@ -144,7 +146,7 @@ bool areMostAlone(const SeamMesh& mesh) {
 
 /// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
 /// So are triangles alone, where they are many: there is nothing to search.
-void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& options,
+void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const SeamOptions& options,
                 OpenSurface& open, SeamReport& found) {
   if (isFixed.empty() && !areMostAlone(open.mesh)) {
     open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
@@ -157,7 +159,8 @@ void findAround(const std::vector<std::uint8_t>& isFixed, const SeamOptions& opt
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
   std::vector<std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : islands.charts)
-    isWanted.push_back(chart.triangles > 1 && (isFixed.empty() || !isFixed[chart.firstTriangle]));
+    isWanted.push_back(chart.triangles > 1 &&
+                       (isFixed.empty() || !isFixed[SurfaceTriangle(chart.firstTriangle)]));
   findWithin(islands, isWanted, options, open, found);
 }
 
@@ -166,23 +169,19 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
   if (fixed.isFixed.empty()) return given;
   Seams out = fixed.borders;
   for (std::size_t h = 0; h < out.size(); ++h)
-    if (given[h] && !fixed.isFixed[h / 3]) out[h] = 1;
+    if (given[h] && !fixed.isFixed[SurfaceTriangle(h / 3)]) out[h] = 1;
   return out;
 }
 
 }  // namespace
 
-std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Surface& surface,
-                      double unit) {
-  const auto faceOf = [&](std::uint32_t triangle) {
-    return welded.inputFace[surface.triangulation.face[triangle]];
-  };
+std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
   char text[160];
   std::snprintf(text, sizeof text,
                 "faces of very different size are cut apart: face %u is %.3g long, face %u beside "
                 "it %.3g",
-                faceOf(jump.large), jump.largeSide * unit, faceOf(jump.small),
-                jump.smallSide * unit);
+                std::uint32_t{map.face(jump.large)}, jump.largeSide * unit,
+                std::uint32_t{map.face(jump.small)}, jump.smallSide * unit);
   return text;
 }
 
@@ -205,7 +204,7 @@ OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surfac
   return open;
 }
 
-bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
+bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open) {
   const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
@@ -214,9 +213,9 @@ bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
   std::vector<double> excess(s.charts.size(), 0);  // 0: stays
   bool isAnyRestored = false;
-  for (std::size_t i = 0; i < charts.size(); ++i) {
+  for (const ChartId i : charts.ids()) {
     if (!isAsked(charts[i])) continue;
-    const std::uint32_t c = s.chartOfTriangle[set.triangles(i).front()];
+    const std::uint32_t c = s.chartOfTriangle[set.topology(i).triangles.front()];
     if (charts[i].isTangled && restore(s, c, open)) {
       isAnyRestored = true;
       continue;
@@ -245,13 +244,13 @@ bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
   return isAnyFound || isAnyRestored;
 }
 
-void expectScale(const ChartSet& set, const std::vector<std::uint8_t>& isAsked, ThreadPool& pool,
-                 OpenSurface& open) {
+void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,
+                 ThreadPool& pool, OpenSurface& open) {
   if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
-  for (std::size_t i = 0; i < set.size(); ++i)
-    isWanted[s.chartOfTriangle[set.triangles(i).front()]] = isAsked[i];
+  for (const ChartId i : set.ids())
+    isWanted[s.chartOfTriangle[set.topology(i).triangles.front()]] = isAsked[i];
   const SeamPart part = extractCharts(open.mesh, s, isWanted);
   std::vector<std::uint32_t> place;
   for (const std::uint32_t v : part.vertex) place.push_back(open.place[v]);
@@ -266,7 +265,7 @@ ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   // Charts are factored in the order that was found for the whole surface.
   out.place.assign(welded.mesh.vertexCount(), 0);
   for (std::size_t i = 0; i < open.place.size(); ++i)
-    out.place[open.inputVertex[i]] = open.place[i];
+    out.place[open.inputVertex[SurfaceVertex(i)]] = open.place[i];
   return out;
 }
 

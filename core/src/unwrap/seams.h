@@ -7,28 +7,26 @@
 #include "abflat/unwrap.h"
 #include "base/parallel.h"
 #include "chart/chart_set.h"
-#include "mesh/surface.h"
-#include "mesh/welded_mesh.h"
+#include "mesh/surface_map.h"
 #include "seam/scale_seams.h"
 #include "unwrap/fixed.h"
 
 namespace abflat {
 
 /// That the surface is cut between two faces. `unit`: what a length of 1 is in the mesh.
-std::string scaleNote(const ScaleJump& jump, const WeldedMesh& welded, const Surface& surface,
-                      double unit);
+std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit);
 
 /// The surface, its holes filled, with the seams that cut it to disks.
 struct OpenSurface {
   SeamMesh mesh;
-  double unit = 1;                         ///< of `mesh`, in that of the input
-  std::vector<std::uint32_t> inputVertex;  ///< per vertex of `mesh`, of the welded mesh
-  Seams given;                             ///< of the surface
-  Seams seams;                             ///< of `mesh`; what is given may be its boundary instead
-  Seams found;                             ///< before they were shortened; a superset of `seams`
-  std::vector<std::uint32_t> place;        ///< per vertex of `mesh`, in an elimination order
-  std::vector<double> scale;               ///< per vertex of `mesh`, the log-scale to be expected
-  std::vector<double> foundScale;          ///< the same before seams were shortened
+  double unit = 1;                                   ///< of `mesh`, in that of the input
+  IdVector<SurfaceVertex, InputVertex> inputVertex;  ///< of the welded mesh
+  Seams given;                                       ///< of the surface
+  Seams seams;                       ///< of `mesh`; what is given may be its boundary instead
+  Seams found;                       ///< before they were shortened; a superset of `seams`
+  std::vector<std::uint32_t> place;  ///< per vertex of `mesh`, in an elimination order
+  std::vector<double> scale;         ///< per vertex of `mesh`, the log-scale to be expected
+  std::vector<double> foundScale;    ///< the same before seams were shortened
 };
 
 /// Cuts the surface around what is fixed, and fills the holes of its charts; `keepsOn` as in
@@ -47,13 +45,13 @@ struct Stretched {
 /// Cuts charts further that are stretched by more than `options.maxStretch`, or tangled: their
 /// seams are found anew, from those that were found before, with a prediction that what they are
 /// tells better. False where none of them can be cut so that less is to be expected.
-bool cutStretched(const ChartSet& set, const std::vector<Stretched>& charts,
+bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open);
 
 /// Tells anew which scale is to be expected of charts that seams have changed.
-void expectScale(const ChartSet& set, const std::vector<std::uint8_t>& isAsked, ThreadPool& pool,
-                 OpenSurface& open);
+void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,
+                 ThreadPool& pool, OpenSurface& open);
 
 /// Its charts.
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open);

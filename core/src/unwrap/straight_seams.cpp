@@ -13,22 +13,20 @@ constexpr double kCorner = kPi / 4;
 constexpr double kMostTurn = kPi / 2;
 
 /// Whether the seam, or the boundary of the surface, goes on from one half-edge to the next.
-bool goesOn(const Surface& surface, const Outlines& outlines, std::uint32_t from,
-            std::uint32_t to) {
-  const std::uint32_t behind = surface.table.twin[from], ahead = surface.table.twin[to];
-  if (behind == kNone || ahead == kNone) return behind == ahead;
+bool goesOn(const Surface& surface, const Outlines& outlines, SurfaceCorner from,
+            SurfaceCorner to) {
+  const SurfaceCorner behind = surface.table.twin[from], ahead = surface.table.twin[to];
+  if (!behind.exists() || !ahead.exists()) return behind == ahead;
   return behind != to && outlines[ahead] == behind;
 }
 
 /// Per place of the chart's boundary.
-std::vector<std::uint8_t> goOn(const Surface& surface, const ChartSet& set, std::size_t chart,
+std::vector<std::uint8_t> goOn(const Surface& surface, const ChartTopology& chart,
                                const Outlines& outlines) {
-  const Indices boundary = set.topology(chart).boundary, triangles = set.triangles(chart);
-  const auto onSurface = [&](std::uint32_t h) { return 3 * triangles[h / 3] + h % 3; };
   std::vector<std::uint8_t> out;
-  std::uint32_t before = boundary.back();
-  for (const std::uint32_t h : boundary) {
-    out.push_back(goesOn(surface, outlines, onSurface(before), onSurface(h)));
+  ChartCorner before = chart.boundary.back();
+  for (const ChartCorner h : chart.boundary) {
+    out.push_back(goesOn(surface, outlines, chart.onSurface(before), chart.onSurface(h)));
     before = h;
   }
   return out;
@@ -100,9 +98,9 @@ void releaseAtChords(const DiskChart& chart, const std::vector<double>& turn,
 
 }  // namespace
 
-Outlines findOutlines(const Surface& surface, const std::vector<std::uint8_t>& isCut) {
-  Outlines out(isCut.size(), kNone);
-  for (std::uint32_t h = 0; h < isCut.size(); ++h) {
+Outlines findOutlines(const Surface& surface, const IdVector<SurfaceCorner, std::uint8_t>& isCut) {
+  Outlines out(isCut.size());
+  for (const SurfaceCorner h : isCut.ids()) {
     if (isCut[h] == 0) continue;
     out[h] = nextCorner(h);
     while (isCut[out[h]] == 0) out[h] = nextCorner(surface.table.twin[out[h]]);
@@ -111,32 +109,31 @@ Outlines findOutlines(const Surface& surface, const std::vector<std::uint8_t>& i
 }
 
 Outlines findOutlines(const Surface& surface, const ChartSet& set) {
-  std::vector<std::uint8_t> isCut(surface.table.twin.size(), 0);
-  for (std::size_t i = 0; i < set.size(); ++i) {
+  IdVector<SurfaceCorner, std::uint8_t> isCut(surface.table.twin.size(), 0);
+  for (const ChartId i : set.ids()) {
     const ChartTopology chart = set.topology(i);
-    const Indices triangles = set.triangles(i);
-    const std::uint32_t corners = 3 * chart.surfaceTriangles();
-    for (std::uint32_t h = 0; h < corners; ++h)
-      isCut[3 * triangles[h / 3] + h % 3] = chart.twin[h] >= corners;
+    const IdRange<ChartCorner> corners = chart.surfaceCorners();
+    for (const ChartCorner h : corners) isCut[chart.onSurface(h)] = chart.twin[h] >= corners.size();
   }
   return findOutlines(surface, isCut);
 }
 
-bool hasSameEnds(const Surface& surface, const ChartSet& set, std::size_t chart, const Outlines& a,
-                 const Outlines& b) {
-  return goOn(surface, set, chart, a) == goOn(surface, set, chart, b);
+bool hasSameEnds(const CutMesh& mesh, ChartId chart, const Outlines& a, const Outlines& b) {
+  const ChartTopology topology = mesh.set.topology(chart);
+  return goOn(mesh.map.surface(), topology, a) == goOn(mesh.map.surface(), topology, b);
 }
 
-std::vector<StraightSeams> straightSeams(const Surface& surface, const ChartSet& set,
-                                         const Outlines& outlines,
-                                         const std::vector<std::uint8_t>& isFixed) {
-  std::vector<StraightSeams> out(set.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (!isFixed.empty() && isFixed[set.triangles(i).front()]) continue;
+IdVector<ChartId, StraightSeams> straightSeams(
+    const Surface& surface, const ChartSet& set, const Outlines& outlines,
+    const IdVector<SurfaceTriangle, std::uint8_t>& isFixed) {
+  IdVector<ChartId, StraightSeams> out(set.size());
+  for (const ChartId i : set.ids()) {
+    const ChartTopology topology = set.topology(i);
+    if (!isFixed.empty() && isFixed[topology.triangles.front()]) continue;
     const DiskChart chart = set.chart(i);
     const std::vector<double> turn = turns(chart);
     StraightPlaces& places = out[i].places;
-    places = goOn(surface, set, i, outlines);
+    places = goOn(surface, topology, outlines);
     for (std::size_t k = 0; k < places.size(); ++k)
       if (std::abs(turn[k]) > kCorner) places[k] = 0;
     const std::size_t ends = placesThatTurn(chart, places);

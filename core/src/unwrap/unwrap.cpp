@@ -12,9 +12,8 @@
 #include "base/stopwatch.h"
 #include "chart/chart_set.h"
 #include "mesh/notches.h"
-#include "mesh/surface.h"
+#include "mesh/surface_map.h"
 #include "mesh/triangle_geometry.h"
-#include "mesh/welded_mesh.h"
 #include "seam/given_seams.h"
 #include "seam/scale_seams.h"
 #include "unwrap/atlas.h"
@@ -72,7 +71,8 @@ class Unwrapping {
   }
 
  private:
-  CutMesh cutMesh() const { return {input_, welded_, surface_, set_}; }
+  SurfaceMap map() const { return {input_, welded_, surface_}; }
+  CutMesh cutMesh() const { return {map(), set_}; }
 
   Status checkInput() const {
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
@@ -97,10 +97,10 @@ class Unwrapping {
     if (pulse.isStopped()) return {};
     if (surface_.table.vertex.empty())
       return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
-    report_.repair = repairReport(welded_, surface_);
-    surface_.boundaryLoops = std::vector<std::vector<std::uint32_t>>();
+    report_.repair = repairReport(map());
+    surface_.boundaryLoops = std::vector<SurfaceLoop>();
     pool_ = std::make_unique<ThreadPool>(
-        usefulThreads(options_.threads, surface_.table.triangleCount()));
+        usefulThreads(options_.threads, surface_.table.triangles().size()));
     report_.threads = pool_->threads();
     pool_->listen(pulse_);
     return {};
@@ -113,13 +113,12 @@ class Unwrapping {
   }
 
   Status cut() {
-    Result<Seams> given = givenSeams(input_, welded_, surface_, options_.seams);
+    Result<Seams> given = givenSeams(map(), options_.seams);
     if (!given.ok()) return given.status;
     Scales scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
-    if (scales.sharpest)
-      report_.notes.push_back(scaleNote(*scales.sharpest, welded_, surface_, unit_));
-    Result<FixedTriangles> fixed = fixedTriangles(input_, welded_, surface_, options_);
+    if (scales.sharpest) report_.notes.push_back(scaleNote(*scales.sharpest, map(), unit_));
+    Result<FixedTriangles> fixed = fixedTriangles(map(), options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     open_ = cutOpen(
@@ -167,7 +166,7 @@ class Unwrapping {
 
   struct LaidCharts {
     ChartSet set;
-    std::vector<FlatChart> flat;
+    FlatCharts flat;
   };
 
   /// Charts of the surface as it is open now. Those that are as before keep their layout; what is
@@ -175,7 +174,7 @@ class Unwrapping {
   LaidCharts openAnew() {
     LaidCharts before{std::move(set_), std::move(flat_)};
     set_ = chartsOf(welded_, open_);
-    flat_ = std::vector<FlatChart>(set_.size());
+    flat_ = FlatCharts(set_.size());
     moveSame(before.set, before.flat, set_, flat_);
     return before;
   }
@@ -186,16 +185,17 @@ class Unwrapping {
     monitor_.tellAgain();
     const Seams seams = visibleSeams(open_);
     measureSeams(open_, seams, report_.seams);
-    out_.seams = seamEdges(input_, welded_, surface_, seams);
+    out_.seams = seamEdges(map(), seams);
     open_ = OpenSurface();
-    wishes_ = std::vector<ChartWishes>();
-    set_.place = std::vector<std::uint32_t>();
+    wishes_ = IdVector<ChartId, ChartWishes>();
+    set_.place = {};
   }
 
   Status readWishes() {
     monitor_.tellAgain();
-    texcoords_ = numberTexcoords(welded_, surface_, set_);
-    Result<std::vector<ChartWishes>> wishes = chartWishes(cutMesh(), texcoords_, fixed_, options_);
+    texcoords_ = numberTexcoords(cutMesh());
+    Result<IdVector<ChartId, ChartWishes>> wishes =
+        chartWishes(cutMesh(), texcoords_, fixed_, options_);
     if (!wishes.ok()) return wishes.status;
     wishes_ = std::move(wishes.value);
     return {};
@@ -220,7 +220,7 @@ class Unwrapping {
 
   bool cutFurther(const std::function<bool()>& goesOn) {
     if (!canCut(options_)) return false;
-    std::vector<Stretched> charts;
+    IdVector<ChartId, Stretched> charts;
     for (FlatChart& chart : flat_) {
       const bool isAsked =
           (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
@@ -296,7 +296,7 @@ class Unwrapping {
 
   /// Charts that were cut for packing to pieces that are stretched too much are whole again.
   Status joinStretched(LaidCharts& before, const Seams& seams) {
-    const std::vector<std::uint8_t> isJoined =
+    const IdVector<ChartId, std::uint8_t> isJoined =
         stretchedByCuts(before.set, before.flat, set_, flat_, options_.maxStretch);
     if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
     takeBack(before.set, isJoined, seams, open_);
@@ -313,9 +313,9 @@ class Unwrapping {
     measureStraight(set_, flat_);
     fillTexcoords(texcoords_, unit_, flat_, out_);
     giveBackFreeMemory();
-    fillReport(set_, flat_, surface_, welded_, unit_, report_);
-    flat_ = std::vector<FlatChart>();
-    fillFaces(input_, welded_, surface_, set_, texcoords_, out_);
+    fillReport(cutMesh(), flat_, unit_, report_);
+    flat_ = FlatCharts();
+    fillFaces(cutMesh(), texcoords_, out_);
     monitor_.tellAgain();
     set_ = ChartSet();
     surface_ = Surface();
@@ -342,8 +342,8 @@ class Unwrapping {
   OpenSurface open_;
   ChartSet set_;
   Texcoords texcoords_;
-  std::vector<ChartWishes> wishes_;
-  std::vector<FlatChart> flat_;
+  IdVector<ChartId, ChartWishes> wishes_;
+  FlatCharts flat_;
   int round_ = 0;                        ///< of flattening
   static constexpr double kUncut = 0.6;  ///< of packing, where charts may be cut for it
   Packing packing_;

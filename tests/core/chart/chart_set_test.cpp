@@ -15,7 +15,7 @@ namespace {
 /// Every triangle by itself.
 Seams allSeams(const Surface& surface) {
   Seams seams(surface.table.twin.size());
-  for (std::size_t h = 0; h < seams.size(); ++h) seams[h] = surface.table.twin[h] != kNone;
+  for (const SurfaceCorner h : surface.table.corners()) seams[h] = surface.table.twin[h].exists();
   return seams;
 }
 
@@ -30,7 +30,7 @@ TEST_CASE("without seams a disk is its own chart") {
   const ChartSet set = charts(c, Seams(c.surface.table.twin.size(), 0));
   REQUIRE(set.size() == 1);
   const DiskChart wanted = makeDiskChart(c.mesh, c.surface);
-  const DiskChart chart = set.chart(0);
+  const DiskChart chart = set.chart(ChartId(0));
   CHECK(chart.vertexOfCorner == wanted.vertexOfCorner);
   CHECK(chart.twin == wanted.twin);
   CHECK(chart.boundary == wanted.boundary);
@@ -42,13 +42,15 @@ TEST_CASE("cut along all edges a surface is its triangles") {
   const Cuttable c(torus(5, 4));
   const Surface& surface = c.surface;
   const ChartSet set = charts(c, allSeams(surface));
-  REQUIRE(set.size() == surface.table.triangleCount());
-  for (std::uint32_t f = 0; f < set.size(); ++f) {
-    CHECK(set.topology(f).vertexCount() == 3);
-    CHECK(set.topology(f).boundary.size() == 3);
-    REQUIRE(set.triangles(f).size() == 1);
-    CHECK(set.triangles(f).front() == f);
-    CHECK(set.ofTriangle[f] == f);
+  REQUIRE(set.size() == surface.table.triangles().size());
+  for (const SurfaceTriangle f : surface.table.triangles()) {
+    const ChartId i = set.ofTriangle[f];
+    CHECK(std::uint32_t{i} == std::uint32_t{f});
+    const ChartTopology chart = set.topology(i);
+    CHECK(chart.vertexCount() == 3);
+    CHECK(chart.boundary.size() == 3);
+    REQUIRE(chart.triangles.size() == 1);
+    CHECK(chart.triangles.front() == f);
   }
 }
 
@@ -56,21 +58,21 @@ TEST_CASE("a strip cut across falls into charts whose corners are those of the s
   const Cuttable cuttable(bumpyGrid(8, 2, 0.2, 3));
   const Surface& surface = cuttable.surface;
   Seams seams(surface.table.twin.size(), 0);
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+  for (const SurfaceCorner h : surface.table.corners()) {
     // The edges of the grid's middle line.
     const std::uint32_t a = surface.table.vertex[h] % 9,
                         b = surface.table.vertex[nextCorner(h)] % 9;
-    if (a == 4 && b == 4 && surface.table.twin[h] != kNone) seams[h] = 1;
+    if (a == 4 && b == 4 && surface.table.twin[h].exists()) seams[h] = 1;
   }
   const ChartSet set = charts(cuttable, seams);
   REQUIRE(set.size() == 2);
-  std::set<std::uint32_t> seen;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const DiskChart chart = set.chart(i);
-    for (std::uint32_t c = 0; c < chart.vertexOfCorner.size(); ++c) {
-      const std::uint32_t whole = 3 * set.triangles(i)[c / 3] + c % 3;
+  std::set<SurfaceCorner> seen;
+  for (const ChartId i : set.ids()) {
+    const ChartTopology chart = set.topology(i);
+    for (const ChartCorner c : chart.surfaceCorners()) {
+      const SurfaceCorner whole = chart.onSurface(c);
       CHECK(chart.inputVertex[chart.vertexOfCorner[c]] == surface.table.vertex[whole]);
-      if (chart.twin[c] != kNone) CHECK(chart.twin[chart.twin[c]] == c);
+      if (chart.twin[c].exists()) CHECK(chart.twin[chart.twin[c]] == c);
       seen.insert(whole);
     }
   }

@@ -40,7 +40,7 @@ std::uint32_t holesIn(const SeamMesh& mesh) {
 
 std::uint32_t holesIn(const ChartSet& set) {
   std::uint32_t sum = 0;
-  for (std::size_t i = 0; i < set.size(); ++i) sum += set.topology(i).filledHoles;
+  for (const ChartId i : set.ids()) sum += set.topology(i).filledHoles;
   return sum;
 }
 
@@ -131,14 +131,16 @@ TEST_CASE("motheaten surfaces fall into disks, their holes filled or not", "[hol
         const ChartSet set = filled.charts(seams);
         std::size_t triangles = 0;
         bool areDisks = true;
-        for (std::size_t i = 0; i < set.size(); ++i) {
-          areDisks = areDisks && isDisk(set.chart(i));
-          triangles += set.triangles(i).size();
-          CHECK(set.triangles(i).size() == set.topology(i).surfaceTriangles());
-          CHECK(!set.triangles(i).empty());
+        for (const ChartId i : set.ids()) {
+          const DiskChart chart = set.chart(i);
+          const std::size_t own = set.topology(i).triangles.size();
+          areDisks = areDisks && isDisk(chart);
+          triangles += own;
+          CHECK(own == chart.surfaceTriangles());
+          CHECK(own > 0);
         }
         CHECK(areDisks);
-        CHECK(triangles == filled.cuttable.surface.table.triangleCount());
+        CHECK(triangles == filled.cuttable.surface.table.triangles().size());
         CHECK(set.ofTriangle.size() == triangles);
         all += holesIn(filled.mesh);
         kept += holesIn(set);
@@ -156,7 +158,7 @@ TEST_CASE("where holes touch, each is filled by itself or none is", "[holes]") {
   }));
   const ChartSet set = filled.charts(filled.find(true, FillHoles::Auto));
   REQUIRE(set.size() > 0);
-  for (std::size_t i = 0; i < set.size(); ++i) CHECK(isDisk(set.chart(i)));
+  for (const ChartId i : set.ids()) CHECK(isDisk(set.chart(i)));
 }
 
 TEST_CASE("holes that stay filled leave no vertex without a path, and no walk without an end",
@@ -182,6 +184,6 @@ TEST_CASE("holes that stay filled leave no vertex without a path, and no walk wi
     for (std::uint32_t v = 0; v < s.vertexCount(); ++v) CHECK(forest.source[v] != kNone);
     const Seams seams = filled.find(true, FillHoles::Always);
     const ChartSet set = filled.charts(seams);
-    for (std::size_t i = 0; i < set.size(); ++i) CHECK(isDisk(set.chart(i)));
+    for (const ChartId i : set.ids()) CHECK(isDisk(set.chart(i)));
   }
 }

@@ -149,10 +149,10 @@ void checkFilled(const PolygonMesh& mesh, double area) {
   std::vector<double> flat;
   double sum = 0;
   int least = 1;
-  for (std::size_t f = 0; f < t.face.size(); ++f) {
+  for (const SurfaceTriangle f : t.face.ids()) {
     std::array<Point2, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double* at = &mesh.positions[3 * static_cast<std::size_t>(t.vertex[3 * f + k])];
+      const double* at = &mesh.positions[3 * std::size_t{t.vertex[cornerOf(f, k)]}];
       p[k] = {at[0], at[1] * 0.6 + at[2] * 0.8};
       flat.insert(flat.end(), {p[k][0], p[k][1]});
     }
@@ -177,7 +177,7 @@ TEST_CASE("polygons with bridged holes are what they bound", "[polygons]") {
       CHECK(welded.mesh.faceVertices.size() == mesh.faceVertices.size());
       CHECK(welded.splitFaces.empty());
       checkFilled(welded.mesh, bridged.area());
-      for (std::uint32_t c = 0; c < welded.cornerFor.size(); ++c)
+      for (const InputCorner c : welded.cornerFor.ids())
         CHECK(welded.inputCorner[welded.cornerFor[c]] == c);
     }
   }
@@ -223,9 +223,9 @@ TEST_CASE("holes that touch the rim, and each other, are holes", "[polygons]") {
   REQUIRE(welded.mesh.faceCount() == 1);
   double sum = 0;
   const Triangulation t = triangulate(welded.mesh);
-  for (std::size_t f = 0; f < t.face.size(); ++f) {
+  for (const SurfaceTriangle f : t.face.ids()) {
     const auto at = [&](std::size_t k) {
-      const double* p = &mesh.positions[3 * static_cast<std::size_t>(t.vertex[3 * f + k])];
+      const double* p = &mesh.positions[3 * std::size_t{t.vertex[cornerOf(f, k)]}];
       return Point2{p[0], p[1]};
     };
     CHECK(turn(at(0), at(1), at(2)) > 0);

@@ -121,9 +121,9 @@ TEST_CASE("unreferenced vertices are counted and do not matter") {
 TEST_CASE("twins are mutual and run in opposite directions; loops cover the boundary once") {
   const PolygonMesh mesh = renumbered(bumpyGrid(9, 4, 0.3, 3), 4).mesh;
   const Surface s = buildSurface(mesh);
-  for (std::uint32_t h = 0; h < s.table.twin.size(); ++h) {
-    const std::uint32_t t = s.table.twin[h];
-    if (t == kNone) continue;
+  for (const SurfaceCorner h : s.table.corners()) {
+    const SurfaceCorner t = s.table.twin[h];
+    if (!t.exists()) continue;
     CHECK(s.table.twin[t] == h);
     CHECK(s.table.vertex[t] == s.table.vertex[nextCorner(h)]);
     CHECK(s.table.vertex[nextCorner(t)] == s.table.vertex[h]);
@@ -146,8 +146,9 @@ TEST_CASE("concave faces keep their area and every edge when triangulated") {
       const auto y = [&](std::uint32_t v) { return -mesh.positions[3 * v + 2]; };
       return (x(b) - x(a)) * (y(c) - y(a)) - (y(b) - y(a)) * (x(c) - x(a));
     };
-    for (std::size_t f = 0; f < t.face.size(); ++f) {
-      const double a = twice(t.vertex[3 * f], t.vertex[3 * f + 1], t.vertex[3 * f + 2]);
+    for (const SurfaceTriangle f : t.face.ids()) {
+      const std::array<std::uint32_t, 3> v = verticesOf(t.vertex, f);
+      const double a = twice(v[0], v[1], v[2]);
       CHECK(a > 0);
       area += a;
     }

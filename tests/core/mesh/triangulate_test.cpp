@@ -39,8 +39,8 @@ void checkTriangulated(const PolygonMesh& mesh) {
   const Triangulation t = triangulate(mesh);
   REQUIRE(t.face.size() == n - 2);
   double sum = 0, least = 1;
-  for (std::size_t f = 0; f < t.face.size(); ++f) {
-    const double area = doubleArea(mesh, &t.vertex[3 * f], 3);
+  for (const SurfaceTriangle f : t.face.ids()) {
+    const double area = doubleArea(mesh, verticesOf(t.vertex, f).data(), 3);
     sum += area;
     least = std::min(least, area);
   }
@@ -48,9 +48,9 @@ void checkTriangulated(const PolygonMesh& mesh) {
   CHECK(sum == Approx(doubleArea(mesh, mesh.faceVertices.data(), n)));
   const CornerTable table = buildCornerTable(t, n);
   std::size_t sides = 0, wrong = 0;
-  for (std::uint32_t h = 0; h < table.twin.size(); ++h) {
-    const std::uint32_t g = table.twin[h];
-    if (g == kNone) {
+  for (const SurfaceCorner h : table.corners()) {
+    const SurfaceCorner g = table.twin[h];
+    if (!g.exists()) {
       ++sides;
       wrong += t.isDiagonal[h];
     } else {
@@ -99,5 +99,7 @@ TEST_CASE("the roundest ear is cut off first") {
   mesh.faceVertices = {0, 1, 2, 3, 4};
   mesh.faceOffsets = {0, 5};
   // Area over squared sides: 10 / 36.5 at corner 0, 2 / 8 at corner 2, less at the others.
-  CHECK(triangulate(mesh).corner == std::vector<std::uint32_t>{4, 0, 1, 1, 2, 3, 1, 3, 4});
+  const auto corner = triangulate(mesh).corner;
+  CHECK(std::vector<std::uint32_t>(corner.begin(), corner.end()) ==
+        std::vector<std::uint32_t>{4, 0, 1, 1, 2, 3, 1, 3, 4});
 }

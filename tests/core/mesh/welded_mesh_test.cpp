@@ -48,7 +48,8 @@ TEST_CASE("loose triangles are the surface they show") {
     CHECK(found.boundaryLoops == wanted.boundaryLoops);
     CHECK(found.genus == wanted.genus);
     CHECK(welded.mergedVertices == mesh.faceVertices.size() - mesh.vertexCount());
-    for (std::uint32_t c = 0; c < welded.cornerFor.size(); ++c) CHECK(welded.cornerFor[c] == c);
+    for (const InputCorner c : welded.cornerFor.ids())
+      CHECK(std::uint32_t{welded.cornerFor[c]} == std::uint32_t{c});
   }
 }
 
@@ -62,10 +63,10 @@ TEST_CASE("faces without area are gone, and their corners find others at their p
   const PolygonMesh mesh = meshOf(kSquare, {{0, 1, 2}, {0, 2, 2}, {0, 2, 3}, {1, 1, 1}});
   const WeldedMesh welded = weld(mesh);
   CHECK(welded.collapsedFaces == std::vector<std::uint32_t>{1, 3});
-  CHECK(welded.inputFace == std::vector<std::uint32_t>{0, 2});
+  CHECK(welded.inputFace == IdVector<PolygonFace, InputFace>{InputFace(0), InputFace(2)});
   CHECK(buildSurface(welded.mesh).summary.disk.ok());
-  for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c) {
-    REQUIRE(welded.cornerFor[c] != kNone);
+  for (const InputCorner c : welded.cornerFor.ids()) {
+    REQUIRE(welded.cornerFor[c].exists());
     const std::uint32_t found = mesh.faceVertices[welded.inputCorner[welded.cornerFor[c]]];
     CHECK(found == mesh.faceVertices[c]);
   }
@@ -108,7 +109,7 @@ TEST_CASE("a face of many corners at two places collapses, and its corners find 
   for (std::size_t i = 0; i < back.size(); ++i) back[i] = i % 2;
   const WeldedMesh welded = weld(meshOf(kSquare, {{0, 1, 2}, back}));
   CHECK(welded.collapsedFaces == std::vector<std::uint32_t>{1});
-  for (std::uint32_t c = 3; c < welded.cornerFor.size(); ++c)
+  for (InputCorner c(3); c < welded.cornerFor.size(); ++c)
     if (welded.cornerFor[c] != (c - 3) % 2) FAIL("corner " << c);
 }
 

@@ -28,9 +28,9 @@ std::vector<PolygonMesh> chartsOf(const Cuttable& cuttable, const Seams& seams) 
   std::vector<std::uint32_t> vertex(corners), triangle(corners / 3);
   std::iota(vertex.begin(), vertex.end(), 0u);
   std::iota(triangle.begin(), triangle.end(), 0u);
-  for (std::uint32_t h = 0; h < corners; ++h) {
-    const std::uint32_t o = table.twin[h];
-    if (o == kNone || seams[h]) continue;
+  for (const SurfaceCorner h : table.corners()) {
+    const SurfaceCorner o = table.twin[h];
+    if (!o.exists() || seams[h]) continue;
     join(triangle, h / 3, o / 3);
     join(vertex, h, nextCorner(o));
     join(vertex, nextCorner(h), o);
@@ -46,7 +46,7 @@ std::vector<PolygonMesh> chartsOf(const Cuttable& cuttable, const Seams& seams) 
     const auto [at, isNew] = p.id.emplace(find(vertex, c), static_cast<std::uint32_t>(p.id.size()));
     if (isNew)
       for (std::size_t d = 0; d < 3; ++d)
-        p.positions.push_back(cuttable.mesh.positions[3 * table.vertex[c] + d]);
+        p.positions.push_back(cuttable.mesh.positions[3 * table.vertex[SurfaceCorner(c)] + d]);
     p.indices.push_back(at->second);
   }
   std::vector<PolygonMesh> charts;

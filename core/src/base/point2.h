@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace abflat {
+
+/// A point in the plane: uv of a vertex, for example.
+using Point2 = std::array<double, 2>;
+
+/// Of coordinates that follow each other, those of point i.
+inline Point2 pointAt(const std::vector<double>& coordinates, std::size_t i) {
+  return {coordinates[2 * i], coordinates[2 * i + 1]};
+}
+inline void setPoint(std::vector<double>& coordinates, std::size_t i, const Point2& point) {
+  coordinates[2 * i] = point[0];
+  coordinates[2 * i + 1] = point[1];
+}
+
+}  // namespace abflat

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <utility>
+
+#include "abflat/mesh.h"
+#include "mesh/surface.h"
+#include "mesh/welded_mesh.h"
+
+namespace abflat {
+
+/// Where a surface comes from. The one owner of the way from its triangles and corners through
+/// triangulation and welding to the mesh that the user gave, and of the way back. Refers to all
+/// three.
+class SurfaceMap {
+ public:
+  SurfaceMap(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface)
+      : input_(input), welded_(welded), surface_(surface) {}
+
+  const PolygonMesh& input() const { return input_; }
+  const WeldedMesh& welded() const { return welded_; }
+  const Surface& surface() const { return surface_; }
+
+  InputFace face(SurfaceTriangle f) const {
+    return welded_.inputFace[surface_.triangulation.face[f]];
+  }
+  InputCorner corner(SurfaceCorner c) const {
+    return welded_.inputCorner[surface_.triangulation.corner[c]];
+  }
+  InputVertex vertex(SurfaceCorner c) const { return InputVertex(input_.faceVertices[corner(c)]); }
+
+  /// Of each corner of the input what a corner of the surface at the same place has, of the same
+  /// face where that is possible; T() where no triangle is left there. All corners of the surface
+  /// that belong to one corner of the input have the same.
+  template <class T>
+  IdVector<InputCorner, T> toInput(const IdVector<SurfaceCorner, T>& ofCorner) const {
+    IdVector<PolygonCorner, T> ofPolygon(welded_.inputCorner.size());
+    for (const SurfaceCorner c : ofCorner.ids())
+      ofPolygon[surface_.triangulation.corner[c]] = ofCorner[c];
+    IdVector<InputCorner, T> out;
+    out.reserve(welded_.cornerFor.size());
+    for (const PolygonCorner c : welded_.cornerFor) out.push_back(c.exists() ? ofPolygon[c] : T());
+    return out;
+  }
+
+ private:
+  const PolygonMesh& input_;
+  const WeldedMesh& welded_;
+  const Surface& surface_;
+};
+
+}  // namespace abflat
