@@ -161,9 +161,9 @@ test('what cannot be kept is one sentence, and nothing is written', async (t) =>
     ['before.obj', 'all', 2, /--keep: 'all' is not uv, material=NAME or one file=PATH/],
     ['before.obj', 'file=none.txt', 3, /none\.txt/],
     ['before.obj', 'file=bad.txt', 3, /bad\.txt:1: expected a face number, such as '17'/],
-    ['before.obj', 'file=many.txt', 2, /face 99999 .* there are only/],
-    ['mirrored.obj', 'uv', 2, /mirrored\.obj: face 0 is to keep its texcoords, but is flipped/],
-    ['outside.obj', 'uv', 2, /outside\.obj: face \d+ .* is not within the unit square/],
+    ['before.obj', 'file=many.txt', 2, /face 99999 .* the mesh has only/],
+    ['mirrored.obj', 'uv', 2, /mirrored\.obj: face 0's texcoords are mirrored/],
+    ['outside.obj', 'uv', 2, /outside\.obj: face \d+ .* is outside the unit square/],
   ]) {
     const run = await unwrapped(at, input, '--keep', keep);
     assert.deepEqual([run.code, wanted.test(run.stderr)], [code, true], run.stderr);

@@ -283,7 +283,7 @@ test('what cannot be done is one sentence', async (t) => {
   writeFileSync(at('diagonal.txt'), '# no edge\n0 7\n');
   for (const [args, code, message] of [
     [['none.obj'], 4, /^abflat: none\.obj: the mesh has no faces\n$/],
-    [['flat.obj'], 4, /^abflat: flat\.obj: all faces have fewer than three different corners\n$/],
+    [['flat.obj'], 4, /^abflat: flat\.obj: every face has fewer than three distinct corners\n$/],
     [['in.obj', '--seams', 'file=bad.txt'], 3, /^abflat: bad\.txt:2: expected two vertex numbers/],
     [
       ['in.obj', '--seams', 'file=far.txt'],

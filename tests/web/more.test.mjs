@@ -131,7 +131,7 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
   await click(page, '#more-keep-uv');
   assert.match(
     await textOf(page, '#alert'),
-    /face 1 is to keep its texcoords, but is flipped there/,
+    /face 1's texcoords are mirrored/,
   );
   await page.locator('#layout-note').waitFor();
   assert.match(await textOf(page, '#layout-note'), /^Still showing folded\.obj, /);

@@ -34,32 +34,36 @@ Status diskStatus(const PolygonMesh& mesh, const Surface& s, const Components& c
   if (const std::uint32_t f = findRepeatedVertex(mesh, vertex); f != kNone)
     return {StatusCode::DegenerateFace, "face " + std::to_string(f) + " uses vertex " +
                                             std::to_string(vertex) +
-                                            " twice; remove the face or split it"};
+                                            " twice. Remove the face or split it"};
   if (!s.table.nonManifold.empty()) {
     const BadEdge& e = s.table.nonManifold.front();
     return {StatusCode::NonManifoldEdge, edgeName(e) + " has " + std::to_string(e.faceCount) +
                                              " faces (" + plural(m.nonManifoldEdges, "edge") +
-                                             " with more than two)"};
+                                             " with more than two). Use unwrap, which cuts there"};
   }
   if (!s.table.misoriented.empty()) {
     const BadEdge& e = s.table.misoriented.front();
     return {StatusCode::InconsistentOrientation,
             "face " + std::to_string(e.faces[1]) + " has opposite orientation to face " +
                 std::to_string(e.faces[0]) + " at " + edgeName(e) + " (" +
-                plural(m.orientationConflicts, "such edge") + ")"};
+                plural(m.orientationConflicts, "such edge") +
+                "). Use unwrap, or reorient the faces"};
   }
   if (m.components > 1)
     return {StatusCode::MultipleComponents,
-            plural(m.components, "component") + "; the second begins at face " +
+            plural(m.components, "component") + ". Use unwrap, or keep only one: the second begins at face " +
                 std::to_string(s.triangulation.face[components.firstTriangle[ComponentId(1)]])};
   if (m.boundaryLoops == 0)
     return {StatusCode::ClosedSurface,
             "closed surface" + (m.genus > 0 ? " of genus " + std::to_string(m.genus) : "") +
-                "; cut it open first"};
-  if (m.genus > 0) return {StatusCode::HasHandles, "genus " + std::to_string(m.genus)};
+                ". Use unwrap, which cuts it open"};
+  if (m.genus > 0)
+    return {StatusCode::HasHandles,
+            "not a disk, so use unwrap: the surface has genus " + std::to_string(m.genus)};
   if (m.boundaryLoops > 1)
     return {StatusCode::MultipleBoundaryLoops,
-            plural(m.boundaryLoops, "boundary loop") + "; the second passes through vertex " +
+            plural(m.boundaryLoops, "boundary loop") +
+                ". Use unwrap, or close all but one: the second passes through vertex " +
                 std::to_string(s.table.vertex[s.boundaryLoops[1].front()])};
   return {};
 }

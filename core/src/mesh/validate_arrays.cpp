@@ -13,15 +13,15 @@ Status validateExtras(const PolygonMesh& mesh) {
   if (mesh.texcoords.size() % 2 != 0)
     return invalid("the number of texcoord coordinates is not a multiple of 2");
   if (!mesh.faceTexcoords.empty() && mesh.faceTexcoords.size() != mesh.faceVertices.size())
-    return invalid("there is not one texcoord for each face corner");
+    return invalid("every face corner needs one texcoord");
   if (!mesh.faceMaterials.empty() && mesh.faceMaterials.size() != mesh.faceCount())
-    return invalid("there is not one material for each face");
+    return invalid("every face needs one material");
   const std::size_t count = mesh.texcoords.size() / 2;
   for (std::size_t c = 0; c < mesh.faceTexcoords.size(); ++c)
     if (mesh.faceTexcoords[c] != kNoTexcoord && mesh.faceTexcoords[c] >= count)
       return invalid("face corner " + std::to_string(c) + " refers to texcoord " +
-                     std::to_string(mesh.faceTexcoords[c]) + ", but there are " +
-                     std::to_string(count) + ", counted from 0");
+                     std::to_string(mesh.faceTexcoords[c]) + ", but there are only " +
+                     std::to_string(count) + " (indices start at 0)");
   return {};
 }
 
@@ -47,8 +47,8 @@ Status validateArrays(const PolygonMesh& mesh) {
     for (std::uint32_t c = begin; c < end && c < mesh.faceVertices.size(); ++c)
       if (mesh.faceVertices[c] >= mesh.vertexCount())
         return invalid("face " + std::to_string(f) + " refers to vertex " +
-                       std::to_string(mesh.faceVertices[c]) + ", but there are " +
-                       std::to_string(mesh.vertexCount()) + " vertices, counted from 0");
+                       std::to_string(mesh.faceVertices[c]) + ", but there are only " +
+                       std::to_string(mesh.vertexCount()) + " vertices (indices start at 0)");
   }
   return validateExtras(mesh);
 }

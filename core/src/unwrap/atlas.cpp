@@ -123,16 +123,16 @@ void checkAll(const ChartSet& charts, const UnwrapOptions& options, double unit,
   const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
   const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)
-    report.notes.push_back("texcoords are in double precision: single is too coarse for " +
-                           std::to_string(report.atlas.tiles) + " tiles");
+    report.notes.push_back(
+        "texcoords are in double precision: single precision is too coarse for " +
+        std::to_string(report.atlas.tiles) + " tiles");
   if (isSingle && isFine) {
     const BeforeRounding before(flat);
     const std::size_t lost = roundToSingle(charts, pool, flat);
     if (lost == 0) return;
     before.restore(packing, flat);
-    report.notes.push_back("texcoords are in double precision: rounded to single, " +
-                           std::to_string(lost) + (lost == 1 ? " chart" : " charts") +
-                           " would not be valid");
+    report.notes.push_back("texcoords are in double precision: rounding to single would make " +
+                           std::to_string(lost) + (lost == 1 ? " chart" : " charts") + " invalid");
   }
   const Numbers numbers = options.roundsForGltf ? Numbers::Gltf : Numbers::Double;
   fitAll(charts, options, unit, numbers, pool, flat, packing, report.atlas);

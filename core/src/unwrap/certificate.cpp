@@ -20,12 +20,12 @@ std::string problemOf(const ChartDefect& defect, const std::vector<UnwrapChart>&
   if (defect.kind == ChartDefect::Flipped)
     return std::to_string(defect.triangles) +
            (defect.triangles == 1 ? " triangle is" : " triangles are") +
-           " flipped or without area once texcoords are rounded for the file";
+           " flipped or degenerate after rounding to the precision of the file";
   if (defect.kind == ChartDefect::Outside)
-    return "it reaches beyond its tile once texcoords are rounded for the file";
+    return "it extends beyond its tile after rounding to the precision of the file";
   if (defect.other == defect.chart)
-    return "its boundary touches or crosses itself once texcoords are rounded for the file";
-  return "it touches or overlaps the chart with face " +
+    return "its boundary touches or crosses itself after rounding to the precision of the file";
+  return "it touches or overlaps the chart containing face " +
          std::to_string(charts[defect.other].firstFace) + " in the atlas";
 }
 
@@ -72,8 +72,8 @@ std::string foldedFansNote(const PolygonMesh& input, const UnwrapResult& result)
   }
   if (count == 0) return {};
   return std::to_string(count) + (count == 1 ? " polygon folds" : " polygons fold") +
-         " where a program cuts it into triangles from its first corner; a glTF has the triangles "
-         "that were checked";
+         " over when triangulated as a fan from the first corner; glTF output contains the "
+         "triangles that were checked";
 }
 
 }  // namespace abflat

@@ -88,7 +88,7 @@ double areaOf(const DiskChart& chart) { return surfaceArea(chart) * chart.unit *
 void checkInPlace(const DiskChart& chart, FlatChart& flat) {
   if (!flat.problem.empty()) return;
   if (!checkValidity(chart, flat.uv).valid())
-    flat.problem = "valid by itself, but its smallest triangles are lost at the scale of the atlas";
+    flat.problem = "valid on its own, but its smallest triangles vanish at the scale of the atlas";
 }
 
 }  // namespace abflat

@@ -23,12 +23,12 @@ Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
   if (faces.empty()) return {};
   const PolygonMesh& input = map.input();
   if (input.faceTexcoords.empty())
-    return invalid("faces are to keep their texcoords, but the mesh has none");
+    return invalid("the mesh has no texcoords to keep");
   IdVector<InputFace, std::uint8_t> isNamed(input.faceCount(), 0);
   for (const std::uint32_t face : faces) {
     const InputFace f(face);
     if (f >= input.faceCount())
-      return invalid(nameOf(f) + " is to keep its texcoords, but there are only " +
+      return invalid(nameOf(f) + " cannot keep its texcoords: the mesh has only " +
                      std::to_string(input.faceCount()) + " faces");
     isNamed[f] = 1;
   }
@@ -43,14 +43,14 @@ Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTrian
   const Result<TriangleOrder> order = knownTriangles(known, map);
   if (!order.ok()) return order.status;
   if (known.uv.size() != 2 * known.vertexMap.size())
-    return invalid("charts are to stay, but the known layout has no uv for them");
+    return invalid("the known layout has no uv for the fixed charts");
   std::vector<std::uint8_t> exists(known.chartOfTriangle.size(), 0), stays(exists);
   for (const std::uint32_t chart : known.chartOfTriangle)
     if (chart < exists.size()) exists[chart] = 1;
   for (const std::uint32_t chart : options.fixedCharts) {
     if (chart >= exists.size() || !exists[chart])
       return invalid("chart " + std::to_string(chart) +
-                     " is to stay, but the known layout has no such chart");
+                     " cannot stay fixed: the known layout has no such chart");
     stays[chart] = 1;
   }
   const auto first = static_cast<std::uint32_t>(out.texcoords.size() / 2);
@@ -90,7 +90,7 @@ Status checkTexcoords(const SurfaceMap& map, const FixedTriangles& out) {
     for (const SurfaceCorner c : cornersOf(t))
       if (out.ofCorner[map.corner(c)] == kNoTexcoord)
         return invalid(nameOf(map.face(t)) +
-                       " is to keep its texcoords, but has none at a corner; leave it out");
+                       " cannot keep its texcoords: a corner has none. Do not keep that face");
   }
   return {};
 }
@@ -126,9 +126,9 @@ Status checkTriangles(const FixedChart& c) {
     const std::uint32_t* v = &c.chart.vertexOfCorner[3 * f];
     const int sign = orientation(&c.uv[2 * v[0]], &c.uv[2 * v[1]], &c.uv[2 * v[2]]);
     if (sign < 0 || (sign == 0 && !isDegenerate(c.chart.angles[f])))
-      return invalid(nameOf(c.face(f)) + " is to keep its texcoords, but is " +
-                     (sign < 0 ? "flipped" : "without area") +
-                     " there; mend its island or leave it out");
+      return invalid(nameOf(c.face(f)) + "'s texcoords are " +
+                     (sign < 0 ? "mirrored" : "degenerate") +
+                     ". Fix that island, or do not keep it");
   }
   return {};
 }
@@ -148,10 +148,9 @@ Status checkTile(const FixedChart& c, bool hasTiles) {
     const double* uv = &c.uv[2 * static_cast<std::size_t>(c.chart.vertexOfCorner[h])];
     for (std::size_t d = 0; d < 2; ++d)
       if (!(uv[d] >= tile[d] && uv[d] <= tile[d] + 1))
-        return invalid(nameOf(c.face(h / 3)) + " is to keep its texcoords, but with " +
-                       placeText(uv) + " its island is not within " +
-                       (hasTiles ? "one tile" : "the unit square") +
-                       "; move the island or leave it out");
+        return invalid(nameOf(c.face(h / 3)) + "'s texcoord " + placeText(uv) + " is outside " +
+                       (hasTiles ? "the tile of its island" : "the unit square") +
+                       ". Move that island, or do not keep it");
   }
   return {};
 }
@@ -209,10 +208,9 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
   }
   const auto pair = findOverlap(triangles);
   if (!pair) return {};
-  return invalid("faces " + std::to_string(faces[(*pair)[0]]) + " and " +
+  return invalid("the texcoords of faces " + std::to_string(faces[(*pair)[0]]) + " and " +
                  std::to_string(faces[(*pair)[1]]) +
-                 " are to keep their texcoords, but overlap there; mend their islands or leave one "
-                 "of them out");
+                 " overlap. Fix their islands, or do not keep both");
 }
 
 }  // namespace abflat

@@ -26,13 +26,13 @@ struct Known {
 
 Status isOfOther(const std::string& what) {
   return {StatusCode::InvalidOption,
-          "the known layout is not of this mesh: " + what + "; unwrap without it first"};
+          "the known layout belongs to another mesh: " + what + ". Unwrap without it first"};
 }
 
 Status checkSizes(const KnownLayout& known, std::size_t triangles) {
   if (known.triangles.size() != 3 * triangles || known.chartOfTriangle.size() != triangles)
     return isOfOther("it has " + std::to_string(known.triangles.size() / 3) +
-                     " triangles and the mesh " + std::to_string(triangles));
+                     " triangles, but the mesh has " + std::to_string(triangles));
   if (known.unpacked.size() != 2 * known.vertexMap.size())
     return isOfOther("it has " + std::to_string(known.unpacked.size() / 2) + " coordinates for " +
                      std::to_string(known.vertexMap.size()) + " vertices");
@@ -48,7 +48,7 @@ Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, cons
       const std::uint32_t v = known.triangles[3 * std::size_t{i} + placeInTriangle(c)];
       isSame = isSame && v < known.vertexMap.size() && known.vertexMap[v] == map.vertex(c);
     }
-    if (!isSame) return isOfOther("triangle " + std::to_string(i) + " has other vertices");
+    if (!isSame) return isOfOther("triangle " + std::to_string(i) + " has different vertices");
   }
   return {};
 }

@@ -93,9 +93,10 @@ void noteStretched(const FlatCharts& flat, const UnwrapOptions& options,
   char text[120];
   std::snprintf(text, sizeof text, "%zu %s stretched by more than %g, up to %.5g: ", count,
                 count == 1 ? "chart is" : "charts are", options.maxStretch, most);
-  notes.push_back(text + std::string(isFree(options) ? "seams that were tried do not help enough"
-                                     : options.straightSeams ? "straight seams take that"
-                                                             : "a larger t, or auto, takes less"));
+  notes.push_back(text + std::string(isFree(options) ? "no seam that was tried helps enough"
+                                     : options.straightSeams
+                                         ? "straight seams force that"
+                                         : "a larger t, or auto, stretches less"));
 }
 
 }  // namespace abflat

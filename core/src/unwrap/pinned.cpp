@@ -12,11 +12,11 @@ namespace {
 
 Status outside(InputVertex vertex, std::size_t coordinate, double value) {
   char digits[kMostDoubleChars];
-  return {StatusCode::InvalidOption, "the pins put vertex " + std::to_string(vertex) +
-                                         " outside the unit square, where " +
+  return {StatusCode::InvalidOption, "the pins push vertex " + std::to_string(vertex) +
+                                         " outside the unit square: " +
                                          (coordinate % 2 == 0 ? "u" : "v") + " is " +
                                          std::string(digits, writeDouble(digits, value)) +
-                                         "; move the pins of its chart, or nearer to each other"};
+                                         ". Move the pins of its chart inward or closer together"};
 }
 
 }  // namespace
@@ -48,7 +48,8 @@ Status checkUnpinned(const ChartSet& charts, const IdVector<ChartId, ChartWishes
               "vertex " +
                   std::to_string(
                       charts.topology(i).inputVertex[ChartVertex(wishes[i].pins.front().vertex)]) +
-                  " is pinned, but its chart is to keep its texcoords; leave one of them out"};
+                  " is pinned, but its chart keeps its texcoords. Remove the pin, or do not keep "
+                  "the chart"};
   return {};
 }
 
@@ -71,9 +72,9 @@ Status checkPinned(const CutMesh& mesh, const FlatCharts& flat) {
   }
   const auto pair = findOverlap(triangles);
   if (!pair) return {};
-  return {StatusCode::InvalidOption, "the pins put faces " + std::to_string(faces[(*pair)[0]]) +
+  return {StatusCode::InvalidOption, "the pins make faces " + std::to_string(faces[(*pair)[0]]) +
                                          " and " + std::to_string(faces[(*pair)[1]]) +
-                                         " on each other; move the pins of their charts apart"};
+                                         " overlap. Move the pins of their charts apart"};
 }
 
 }  // namespace abflat

@@ -246,13 +246,13 @@ std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers) {
   std::vector<std::string> out;
   if (larger > 0)
     out.push_back(std::to_string(larger) + (larger == 1 ? " tiny chart is" : " tiny charts are") +
-                  " enlarged, up to " + number(most) + " times: " + precision +
-                  " would lose triangles at the texel density of the others");
+                  " enlarged up to " + number(most) + " times: " + precision +
+                  " would lose triangles at the texel density of the other charts");
   if (vertices > 0)
     out.push_back(std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") + " of " +
                   std::to_string(charts) + (charts == 1 ? " chart" : " charts") +
-                  " moved by up to " + number(farthest) + " in uv: triangles were too thin for " +
-                  precision);
+                  " moved by up to " + number(farthest) +
+                  " in uv, because triangles were too thin for " + precision);
   return out;
 }
 

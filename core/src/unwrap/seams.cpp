@@ -178,8 +178,8 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
   char text[160];
   std::snprintf(text, sizeof text,
-                "faces of very different size are cut apart: face %u is %.3g long, face %u beside "
-                "it %.3g",
+                "faces of very different sizes are cut apart: face %u is %.3g long, its neighbour, "
+                "face %u, is %.3g",
                 std::uint32_t{map.face(jump.large)}, jump.largeSide * unit,
                 std::uint32_t{map.face(jump.small)}, jump.smallSide * unit);
   return text;

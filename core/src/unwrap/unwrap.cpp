@@ -76,8 +76,7 @@ class Unwrapping {
 
   Status checkInput() const {
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
-      return {StatusCode::InvalidOption,
-              "several tiles (udim) are for a texel density, which is auto: give a number"};
+      return {StatusCode::InvalidOption, "udim needs a numeric texel density"};
     if (input_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
     return {};
   }
@@ -96,7 +95,7 @@ class Unwrapping {
         weldAndSee(inUnits, false, notches, pulse);
     if (pulse.isStopped()) return {};
     if (surface_.table.vertex.empty())
-      return {StatusCode::EmptyMesh, "all faces have fewer than three different corners"};
+      return {StatusCode::EmptyMesh, "every face has fewer than three distinct corners"};
     report_.repair = repairReport(map());
     surface_.boundaryLoops = std::vector<SurfaceLoop>();
     pool_ = std::make_unique<ThreadPool>(

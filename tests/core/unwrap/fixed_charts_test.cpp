@@ -111,11 +111,11 @@ TEST_CASE("charts that cannot stay are named", "[fixed]") {
     return s.message;
   };
   options.fixedCharts = {0};
-  CHECK(messageOf().find("the known layout is not of this mesh") == 0);
+  CHECK(messageOf().find("the known layout belongs to another mesh") == 0);
   options.known = knownLayout(first);
   options.fixedCharts = {0, 77};
-  CHECK(messageOf() == "chart 77 is to stay, but the known layout has no such chart");
+  CHECK(messageOf() == "chart 77 cannot stay fixed: the known layout has no such chart");
   options.fixedCharts = {0};
   options.known.uv.clear();
-  CHECK(messageOf() == "charts are to stay, but the known layout has no uv for them");
+  CHECK(messageOf() == "the known layout has no uv for the fixed charts");
 }

@@ -193,7 +193,7 @@ TEST_CASE("fixed charts are in tiles of their own where there are several", "[fi
   for (std::size_t i = 0; i < mesh.texcoords.size(); i += 2) mesh.texcoords[i] += 2;
   UnwrapOptions options = severalCharts();
   options.fixedFaces = {0};
-  CHECK(unwrap(mesh, options).status.message.find("not within the unit square") !=
+  CHECK(unwrap(mesh, options).status.message.find("outside the unit square") !=
         std::string::npos);
   options.udim = true;
   options.texelDensity = 2 * first.report.atlas.texelDensity;
@@ -220,16 +220,16 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
     INFO(text);
     return text.find(part) != std::string::npos;
   };
-  CHECK(says(plain, "the mesh has none"));
+  CHECK(says(plain, "the mesh has no texcoords to keep"));
   PolygonMesh bad = good;
   bad.faceTexcoords[15] = kNoTexcoord;
-  CHECK(says(bad, "face 5 is to keep its texcoords, but has none at a corner"));
+  CHECK(says(bad, "face 5 cannot keep its texcoords: a corner has none"));
   bad = good;
   for (std::size_t i = 0; i < bad.texcoords.size(); i += 2) bad.texcoords[i] = 1 - bad.texcoords[i];
-  CHECK(says(bad, "is to keep its texcoords, but is flipped there"));
+  CHECK(says(bad, "'s texcoords are mirrored"));
   bad = good;
   for (double& x : bad.texcoords) x *= 3;
-  CHECK(says(bad, "not within the unit square"));
+  CHECK(says(bad, "outside the unit square"));
   // One island, made small, within a face of another.
   bad = good;
   const std::uint32_t around = first.report.charts[0].firstFace;
@@ -247,9 +247,9 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
       }
     }
   options.fixedFaces = {around, stacked};
-  CHECK(says(bad, "overlap there"));
+  CHECK(says(bad, " overlap. "));
   options.fixedFaces = {500};
-  CHECK(says(good, "face 500 is to keep its texcoords, but there are only 192 faces"));
+  CHECK(says(good, "face 500 cannot keep its texcoords: the mesh has only 192 faces"));
 }
 
 TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {

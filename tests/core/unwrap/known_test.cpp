@@ -226,7 +226,7 @@ TEST_CASE("what is known of another mesh is refused", "[known]") {
     options.known = layout;
     const Status s = unwrap(mesh, options).status;
     return s.code == StatusCode::InvalidOption &&
-           s.message.find("the known layout is not of this mesh") == 0;
+           s.message.find("the known layout belongs to another mesh") == 0;
   };
   const KnownLayout good = knownLayout(unwrapped(mesh, {}));
   CHECK_FALSE(refused(good));

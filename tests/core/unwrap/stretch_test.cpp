@@ -89,11 +89,11 @@ TEST_CASE("what the user's own bounds stretch is said, and not cut for", "[unwra
   };
   SECTION("convex") {
     options.t = 1;
-    check("a larger t, or auto, takes less");
+    check("a larger t, or auto, stretches less");
   }
   SECTION("straight seams") {
     options.straightSeams = true;
-    check("straight seams take that");
+    check("straight seams force that");
   }
   SECTION("without automatic seams nothing is promised") {
     options.seams.isAuto = false;
