@@ -138,16 +138,17 @@ class Libraries {
     for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words)) {
       const Status s = read(std::string(word));
       hasAny = hasAny || s.ok();
-      if (!s.ok()) missing.push_back("materials of " + std::string(word) + kNamesOnly + s.message);
+      if (!s.ok())
+        missing.push_back("the materials in " + std::string(word) + kNamesOnly + s.message);
     }
-    if (!hasAny) missing = {"materials of " + line + kNamesOnly + whole.message};
+    if (!hasAny) missing = {"the materials in " + line + kNamesOnly + whole.message};
     out_.notes.insert(out_.notes.end(), missing.begin(), missing.end());
   }
 
   const std::vector<Library>& found() const { return found_; }
 
  private:
-  static constexpr const char* kNamesOnly = " are names only: ";
+  static constexpr const char* kNamesOnly = " keep only their names: ";
 
   Status read(const std::string& name) {
     const Result<std::string> text = readResource_(name);

@@ -34,29 +34,30 @@ Result<Container> openBinary(std::string_view bytes, const std::string& fileName
   const auto failure = [&](const std::string& sentence) {
     return Status{StatusCode::ParseError, fileName + ": " + sentence};
   };
-  if (bytes.size() < kHeaderSize) return failure("the file ends within its first 12 bytes");
+  if (bytes.size() < kHeaderSize)
+    return failure("this GLB is truncated: it ends within its 12-byte header");
   const std::uint32_t version = wordAt(bytes, 4), size = wordAt(bytes, 8);
   if (version != kVersion)
     return failure("glTF version " + std::to_string(version) +
-                   " is not supported; convert it to version 2");
+                   " is not supported. Convert it to version 2");
   if (size > bytes.size())
-    return failure("the file says that it has " + std::to_string(size) +
-                   " bytes, but it ends after " + std::to_string(bytes.size()) + ": it is cut off");
+    return failure("this GLB is truncated: its header declares " + std::to_string(size) +
+                   " bytes, but it ends after " + std::to_string(bytes.size()));
   bytes = bytes.substr(0, size);
   Container out;
   out.isBinary = true;
   bool hasJson = false;
   for (std::size_t at = kHeaderSize; at < bytes.size();) {
     const std::string place = "the chunk at byte " + std::to_string(at);
-    if (bytes.size() - at < kChunkHeaderSize) return failure(place + " has no complete header");
+    if (bytes.size() - at < kChunkHeaderSize) return failure(place + " has an incomplete header");
     const std::uint32_t length = wordAt(bytes, at), type = wordAt(bytes, at + 4);
     const std::size_t begin = at + kChunkHeaderSize;
     if (length > bytes.size() - begin)
-      return failure(place + " says that it has " + std::to_string(length) + " bytes, but only " +
-                     std::to_string(bytes.size() - begin) + " are left: the file is cut off");
+      return failure(place + " declares " + std::to_string(length) + " bytes, but only " +
+                     std::to_string(bytes.size() - begin) + " are left: this GLB is truncated");
     const std::string_view content = bytes.substr(begin, length);
     if (!hasJson && type != kJsonChunk)
-      return failure(place + " is not JSON, but the first must be");
+      return failure(place + " is not JSON, but the first chunk must be");
     if (!hasJson) {
       out.json = content;
     } else if (type == kBufferChunk && !out.hasBuffer && out.others.empty()) {
@@ -94,7 +95,7 @@ Result<std::string> binaryFile(std::string_view json, std::string_view buffer,
                            buffer.size() + others.size();
   if (size > std::numeric_limits<std::uint32_t>::max())
     return Status{StatusCode::CannotWrite,
-                  "a .glb file cannot have more than 4 GB; write a .gltf, .obj or .ply"};
+                  "a .glb file cannot exceed 4 GB. Write .gltf, .obj or .ply instead"};
   std::string out;
   out.reserve(size);
   out.append(kMagic);

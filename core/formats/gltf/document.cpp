@@ -76,14 +76,13 @@ class DocumentReader {
       if (!buffer["uri"].isPresent() && hasOwnBuffer && isFirst)
         bytes = std::string(ownBuffer);
       else if (!buffer["uri"].isPresent())
-        buffer.complain("has no uri, and the file has no buffer of its own for it");
+        buffer.complain("has no uri, and the file has no binary chunk for it");
       else
         bytes = resource(buffer["uri"], uri);
       if (!resourceError_.ok()) return;
       if (length > bytes.size())
-        buffer.complain("says that it has " + std::to_string(length) +
-                        " bytes, but there are only " + std::to_string(bytes.size()) +
-                        ": it is cut off");
+        buffer.complain("declares " + std::to_string(length) + " bytes, but has only " +
+                        std::to_string(bytes.size()) + ": it is truncated");
       bytes.resize(std::min(length, bytes.size()));
       out_.buffers.push_back(std::move(bytes));
     }
@@ -96,7 +95,7 @@ class DocumentReader {
       return std::move(data.value);
     }
     if (hasScheme(uri)) {
-      place.complain("is " + uri + ", which is not a file beside this one; download it first");
+      place.complain("is " + uri + ", which is not a local file. Download it first");
       return {};
     }
     Result<std::string> bytes = readResource_(pathOfUri(uri));
@@ -112,7 +111,7 @@ class DocumentReader {
     out.offset = view["byteOffset"].count(0);
     out.length = view["byteLength"].count();
     out.stride = view["byteStride"].count(0);
-    if (out.stride > kMostStride) view["byteStride"].complain("is above 252");
+    if (out.stride > kMostStride) view["byteStride"].complain("exceeds 252");
     if (out.buffer == kNone) return out;
     const std::size_t size = out_.buffers[out.buffer].size();
     if (out.offset > size || out.length > size - out.offset)
@@ -136,7 +135,7 @@ class DocumentReader {
       case 5126:
         return ComponentType::Float;
       default:
-        type.complain("is not one of 5120, 5121, 5122, 5123, 5125 and 5126");
+        type.complain("must be 5120, 5121, 5122, 5123, 5125 or 5126");
         return ComponentType::Float;
     }
   }
@@ -148,7 +147,7 @@ class DocumentReader {
     const bool isVector = name.substr(0, 3) == "VEC", isMatrix = name.substr(0, 3) == "MAT";
     const bool isKnown = name.size() == 4 && name[3] >= '2' && name[3] <= '4';
     if (!isKnown || !(isVector || isMatrix)) {
-      accessor["type"].complain("is not one of SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 and MAT4");
+      accessor["type"].complain("must be SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4");
       return {};
     }
     const std::size_t n = static_cast<std::size_t>(name[3] - '0');
@@ -174,7 +173,7 @@ class DocumentReader {
     out.offset = accessor["byteOffset"].count(0);
     out.count = accessor["count"].count();
     if (out.view == kNone && out.count > out_.size)
-      accessor.complain("asks for " + std::to_string(out.count) +
+      accessor.complain("declares " + std::to_string(out.count) +
                         " elements without a bufferView, but the file has only " +
                         std::to_string(out_.size) + " bytes");
     out.shape = shape(accessor);
@@ -188,13 +187,13 @@ class DocumentReader {
     if (!sparse.isPresent()) return out;
     SparseElements s;
     s.count = sparse["count"].count();
-    if (s.count == 0) sparse["count"].complain("is 0");
+    if (s.count == 0) sparse["count"].complain("must not be 0");
     const Field indices = sparse["indices"], values = sparse["values"];
     s.indexView = indices["bufferView"].requiredIndex(views, "bufferViews");
     s.indexOffset = indices["byteOffset"].count(0);
     s.indexType = componentType(indices["componentType"]);
     if (!isUnsigned(s.indexType))
-      indices["componentType"].complain("is not that of unsigned numbers");
+      indices["componentType"].complain("must be an unsigned integer type");
     s.valueView = values["bufferView"].requiredIndex(views, "bufferViews");
     s.valueOffset = values["byteOffset"].count(0);
     checkRange(indices, s.indexView, s.indexOffset, s.count, componentSize(s.indexType),
@@ -218,7 +217,7 @@ class DocumentReader {
     if (mode < kModes)
       out.mode = static_cast<Mode>(mode);
     else
-      primitive["mode"].complain("is above 6");
+      primitive["mode"].complain("must not exceed 6");
     out.attributes = readAttributes(primitive["attributes"]);
     for (const Field& target : primitive["targets"].items())
       out.targets.push_back(readAttributes(target));

@@ -52,7 +52,7 @@ std::size_t Field::count(std::size_t fallback) const {
   const double value = value_->is_number() ? value_->get<double>() : -1;
   if (value >= 0 && value < kMostCount && value == std::floor(value))
     return static_cast<std::size_t>(value);
-  complain("is not a number counted from 0");
+  complain("is not a non-negative integer");
   return fallback;
 }
 
@@ -64,8 +64,8 @@ std::size_t Field::count() const {
 std::size_t Field::index(std::size_t size, const char* list) const {
   const std::size_t out = count(kNone);
   if (out == kNone || out < size) return out;
-  complain("is " + std::to_string(out) + ", but there are " + std::to_string(size) + " " + list +
-           ", counted from 0");
+  complain("is " + std::to_string(out) + ", but there are only " + std::to_string(size) + " " +
+           list + " (indices start at 0)");
   return kNone;
 }
 
@@ -76,14 +76,14 @@ std::size_t Field::requiredIndex(std::size_t size, const char* list) const {
 
 bool Field::flag() const {
   if (!value_) return false;
-  if (!value_->is_boolean()) complain("is neither true nor false");
+  if (!value_->is_boolean()) complain("must be true or false");
   return value_->is_boolean() && value_->get<bool>();
 }
 
 std::string Field::text() const {
   if (!value_) return {};
   if (value_->is_string()) return value_->get<std::string>();
-  complain("is not a text");
+  complain("is not a string");
   return {};
 }
 
@@ -91,7 +91,7 @@ void Field::numbers(double* out, std::size_t size) const {
   if (!value_) return;
   bool isValid = value_->is_array() && value_->size() == size;
   for (std::size_t i = 0; isValid && i < size; ++i) isValid = (*value_)[i].is_number();
-  if (!isValid) return complain("is not a list of " + std::to_string(size) + " numbers");
+  if (!isValid) return complain("is not an array of " + std::to_string(size) + " numbers");
   for (std::size_t i = 0; i < size; ++i) out[i] = (*value_)[i].get<double>();
 }
 

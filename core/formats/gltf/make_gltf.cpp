@@ -210,8 +210,8 @@ Status checkRange(const PolygonMesh& mesh) {
       if (std::abs(mesh.positions[3 * std::size_t{v} + d]) > kMost)
         return {StatusCode::CannotWrite,
                 "vertex " + std::to_string(v) +
-                    " has a coordinate above 3.4e38, the largest number that a glTF holds; scale "
-                    "the mesh or write an OBJ"};
+                    " has a coordinate above 3.4e38, the largest number in glTF. Scale "
+                    "the mesh or write OBJ instead"};
   return {};
 }
 

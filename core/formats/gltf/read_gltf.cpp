@@ -80,7 +80,7 @@ class ModelReader {
     if (Status s = readVertices(m, p, source_.groups[part.group], vertices); !s.ok()) return s;
     const std::vector<std::uint32_t> triangles = asTriangles(primitive.mode, std::move(vertices));
     if (triangles.size() > kMostVertices - model_.mesh.faceVertices.size())
-      return failure(m, p, " has more triangles than there can be, with those before it");
+      return failure(m, p, " brings the mesh to more triangles than are supported");
     addFaces(triangles, part, primitive.material);
     source_.parts.push_back(part);
     return {};
@@ -88,8 +88,8 @@ class ModelReader {
 
   Status tooMuch(std::size_t mesh, std::size_t primitive) const {
     return failure(mesh, primitive,
-                   " makes more of the file than its " + std::to_string(document_.size) +
-                       " bytes are worth: too many meshes use the same bytes");
+                   " expands the file far beyond its " + std::to_string(document_.size) +
+                       " bytes: too many meshes share the same data");
   }
 
   /// Before anything is made of them: a triangle for each entry of a strip or fan.
@@ -122,16 +122,16 @@ class ModelReader {
     }
     const Accessor& indices = document_.accessors[primitive.indices];
     if (!isUnsigned(indices.shape.type) || indices.shape.components() != 1)
-      return failure(m, p, ".indices is not a list of unsigned numbers");
+      return failure(m, p, ".indices must be unsigned integers");
     if (!hasSparseOrder(document_, indices))
-      return failure(m, p, ".indices has sparse indices that do not ascend within its elements");
+      return failure(m, p, ".indices has sparse indices that are out of order or out of range");
     out = integersOf(document_, indices);
     for (std::size_t i = 0; i < out.size(); ++i)
       if (out[i] >= group.vertexCount)
         return failure(m, p,
                        ".indices: entry " + std::to_string(i) + " is vertex " +
-                           std::to_string(out[i]) + ", but there are " +
-                           std::to_string(group.vertexCount) + ", counted from 0");
+                           std::to_string(out[i]) + ", but there are only " +
+                           std::to_string(group.vertexCount) + " vertices (indices start at 0)");
     return {};
   }
 
@@ -152,9 +152,9 @@ class ModelReader {
     const Accessor& positions =
         document_.accessors[accessorNamed(primitive.attributes, "POSITION")];
     if (positions.shape.components() != 3 || positions.shape.columns != 1)
-      return failure(m, p, ".attributes.POSITION has not three coordinates for each vertex");
+      return failure(m, p, ".attributes.POSITION must have three coordinates per vertex");
     if (positions.count > kMostVertices - mesh.vertexCount())
-      return failure(m, p, " is more than 4294967294 vertices can be, with those before it");
+      return failure(m, p, " brings the mesh to more than 4294967294 vertices");
     if (!budget_.take(elementsOfGroup(primitive, positions.count))) return tooMuch(m, p);
     for (const Attributes* list : allAttributes(primitive))
       for (const auto& [name, accessor] : *list)
@@ -186,7 +186,7 @@ class ModelReader {
              std::to_string(count);
     return hasSparseOrder(document_, a)
                ? ""
-               : place + " has sparse indices that do not ascend within its elements";
+               : place + " has sparse indices that are out of order or out of range";
   }
 
   static std::vector<const Attributes*> allAttributes(const Primitive& primitive) {
@@ -236,13 +236,13 @@ class ModelReader {
 
   void addNotes() {
     if (leftOut_ > 0)
-      model_.notes.push_back(counted(leftOut_, "primitive of points or lines is",
-                                     "primitives of points or lines are") +
-                             " left as " + (leftOut_ == 1 ? "it is" : "they are"));
+      model_.notes.push_back(
+          counted(leftOut_, "point or line primitive was", "point or line primitives were") +
+          " left unchanged");
     if (unused_ > 0)
-      model_.notes.push_back(counted(unused_, "mesh that the scene does not use is",
-                                     "meshes that the scene does not use are") +
-                             " left as " + (unused_ == 1 ? "it is" : "they are"));
+      model_.notes.push_back(counted(unused_, "mesh that the scene does not use was",
+                                     "meshes that the scene does not use were") +
+                             " left unchanged");
   }
 
   Source& source_;

@@ -48,11 +48,10 @@ constexpr std::array<const char*, 3> kPackings = {
 
 void checkVersion(const Field& root, Complaints& complaints) {
   const Field asset = root["asset"];
-  if (!asset.isPresent())
-    return complaints.add("is not a glTF file: the JSON has no entry 'asset'");
+  if (!asset.isPresent()) return complaints.add("this is not a glTF file: its JSON has no 'asset'");
   const std::string version = asset["version"].text();
   if (version.substr(0, 2) != "2.")
-    complaints.add("glTF version '" + version + "' is not supported; convert it to version 2.0");
+    complaints.add("glTF version '" + version + "' is not supported. Convert it to version 2.0");
 }
 
 void checkExtensions(const Field& root, Complaints& complaints) {
@@ -79,7 +78,7 @@ Result<Json> readJson(std::string_view text, const std::string& fileName) {
   if (!complaints.none()) return complaints.status();
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) {
-    complaints.add("the JSON is not valid; it may be cut off");
+    complaints.add("the JSON is not valid. Is the file truncated?");
     return complaints.status();
   }
   const Field root(&json, "", complaints);

@@ -42,7 +42,7 @@ class SceneWalk {
       stack.pop_back();
       if (isVisited_[visit.node])
         return failure(visit.node,
-                       "is reached twice; each node has at most one parent, and is not "
+                       "is reached twice. A node must have at most one parent and must not be "
                        "its own descendant");
       isVisited_[visit.node] = true;
       const Node& node = document_.nodes[visit.node];

@@ -37,8 +37,8 @@ Result<std::string> decodeBase64(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const int value = values[static_cast<unsigned char>(text[i])];
     if (value == kNoDigit)
-      return Status{StatusCode::ParseError, "has a character that is not base64 at position " +
-                                                std::to_string(i) + " of its data"};
+      return Status{StatusCode::ParseError,
+                    "has a non-base64 character at position " + std::to_string(i) + " of its data"};
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     held += 6;
     if (held < 8) continue;

@@ -194,7 +194,7 @@ std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texc
   }
   if (count == 0) return {};
   return {"the tangents of " + std::to_string(count) + (count == 1 ? " primitive" : " primitives") +
-          " are those of the old texcoords; bake normal maps anew and recompute them"};
+          " still match the old texcoords. Recompute them and rebake normal maps"};
 }
 
 }  // namespace abflat

@@ -30,7 +30,7 @@ bool isCloseTo(const Attempt& a, const Attempt& crossing) {
 }
 
 std::string givenUp(int steps) {
-  return "untangling was given up after " + std::to_string(steps) + " Newton steps";
+  return "gave up untangling after " + std::to_string(steps) + " Newton steps";
 }
 
 /// The best way of those that `untangle` names; without one the attempt itself.
@@ -69,7 +69,7 @@ Attempt lastResort(ChartFlattener& flattener, const std::vector<double>& t) {
     Attempt a = flattener.attempt(tighter, nullptr);
     if (a.solution.cancelled || a.isGivenUp) return a;
     if (!a.valid()) continue;
-    a.fallbacks.push_back("no valid layout with the free boundary; all bounds lowered to " +
+    a.fallbacks.push_back("no valid layout with a free boundary; lowered all bounds to " +
                           std::to_string(limit).substr(0, 3) + " pi");
     return a;
   }
@@ -109,7 +109,7 @@ Attempt madeValid(ChartFlattener& flattener, Attempt first, const std::vector<do
   Attempt last = lastResort(flattener, t);
   flattener.allowAllSteps();
   if (last.valid() || last.solution.cancelled) return last;
-  return flattener.tutte(t, "no bounds give a valid layout by angles");
+  return flattener.tutte(t, "no bounds give a valid layout from angles");
 }
 
 }  // namespace abflat

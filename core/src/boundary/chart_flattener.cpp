@@ -32,15 +32,15 @@ std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solu
   std::size_t count = 0;
   for (std::size_t c = 0; c < problem.weight.size(); ++c)
     count += solution.weight[c] != problem.weight[c];
-  return std::to_string(count) + (count == 1 ? " angle weighs" : " angles weigh") +
-         " more, to stay away from 0 and pi";
+  return std::to_string(count) + (count == 1 ? " angle got" : " angles got") +
+         " more weight, to stay away from 0 and pi";
 }
 
 std::string reasonWithoutFactor(const FactorMemory& memory) {
   if (memory.fits()) return {};
   constexpr double kMegabyte = 1048576;
   char out[120];
-  std::snprintf(out, sizeof out, "a factor of the matrix needs %.4g MB, allowed are %.4g MB",
+  std::snprintf(out, sizeof out, "factoring the matrix needs %.4g MB, but only %.4g MB are allowed",
                 static_cast<double>(memory.needed) / kMegabyte,
                 static_cast<double>(memory.allowed) / kMegabyte);
   return out;
@@ -121,9 +121,9 @@ Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
 
 std::string withoutFactorNote(const FactorMemory& memory) {
   if (memory.fits()) return {};
-  return reasonWithoutFactor(memory) + (memory.fitsInSingle()
-                                            ? "; single precision and conjugate gradients instead"
-                                            : "; conjugate gradients with multigrid instead");
+  return reasonWithoutFactor(memory) +
+         (memory.fitsInSingle() ? "; used single precision and conjugate gradients instead"
+                                : "; used conjugate gradients with multigrid instead");
 }
 
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
@@ -186,7 +186,7 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
     a.fallbacks.push_back(
-        withFloor("the active set stalled; interior point with a barrier floor of %g",
+        withFloor("the active set stalled; used the interior point with a barrier floor of %g",
                   a.solution.barrierFloor));
   layOutAndCheck(a);
   for (const double floor : kFloors) {
@@ -198,7 +198,8 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
     timings_.solve += watch.lap();
     if (b.solution.cancelled && (isGivenUp(b) || b.solution.cancelled)) return b;
     b.fallbacks.push_back(withFloor(
-        "angles too small to be drawn; interior point with a barrier floor of %g", floor));
+        "angles were too small to draw; used the interior point with a barrier floor of %g",
+        floor));
     layOutAndCheck(b);
     a = std::move(b);
   }
@@ -255,7 +256,7 @@ Attempt ChartFlattener::tutte(const std::vector<double>& t, const std::string& r
   a.solution.converged = true;
   measure(a);
   a.exceeded = exceededBounds(chart_, a.uv, t);
-  a.fallbacks.push_back(reason + "; Tutte's embedding on a circle instead");
+  a.fallbacks.push_back(reason + "; used Tutte's embedding on a circle instead");
   return a;
 }
 

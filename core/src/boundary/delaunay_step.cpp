@@ -23,7 +23,7 @@ std::vector<std::array<std::uint32_t, 2>> inputEdges(const DiskChart& chart,
 /// Why a Delaunay layout is not taken; empty when it is.
 std::string objection(const Attempt& next, const Attempt& before) {
   if (!next.solution.converged) return "no layout with this connectivity was found";
-  if (next.validity.flippedTriangles > 0) return "its angles are too small to be drawn";
+  if (next.validity.flippedTriangles > 0) return "its angles are too small to draw";
   if (before.valid() && !next.valid())
     return "its boundary crosses itself; a smaller t, or t = auto, prevents that";
   return {};
@@ -39,14 +39,14 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
   report.violated = report.violatedBefore = before.violated.size();
   report.angularDistortionBefore = attempt.distortion.angular;
   const auto keep = [&](const std::string& why) {
-    if (!why.empty()) attempt.fallbacks.push_back("not made Delaunay: " + why);
+    if (!why.empty()) attempt.fallbacks.push_back("the layout is not Delaunay: " + why);
     attempt.delaunay = report;
     return std::move(attempt);
   };
   if (before.violated.empty()) return keep({});
   if (attempt.solver == "tutte") return keep("there are no angles to start from");
   if (const std::string note = flattener.memoryNote(); !note.empty())
-    return keep(note + ", and this condition cannot do without");
+    return keep(note + ", and the Delaunay condition needs that factor");
 
   std::string why;
   for (const double margin : kMargins) {
@@ -58,7 +58,7 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
     if (!why.empty()) continue;
     report.violated = checkDelaunay(chart, next.uv).violated.size();
     if (report.violated > 0) {
-      why = std::to_string(report.violated) + " edges miss the limit by rounding";
+      why = std::to_string(report.violated) + " edges miss the limit by a rounding error";
       report.violated = report.violatedBefore;
       continue;
     }
@@ -70,7 +70,8 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
     return next;
   }
   report.resisting = inputEdges(chart, flattener.resistingEdges(attempt));
-  return keep(why + "; " + std::to_string(report.resisting.size()) + " edges resist");
+  return keep(why + "; " + std::to_string(report.resisting.size()) +
+              " edges cannot become Delaunay");
 }
 
 }  // namespace abflat

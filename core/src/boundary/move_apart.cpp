@@ -135,10 +135,11 @@ double extentOf(const DiskChart& chart, const std::vector<double>& uv) {
 
 std::string note(std::size_t count, double share) {
   char out[140];
-  std::snprintf(out, sizeof out,
-                "the boundary touched itself: %zu of its vertices are drawn back, by up to %.1g of "
-                "its extent",
-                count, share);
+  std::snprintf(
+      out, sizeof out,
+      "the boundary touched itself; %zu of its vertices were pulled back by up to %.1g of "
+      "its extent",
+      count, share);
   return out;
 }
 

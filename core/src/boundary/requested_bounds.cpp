@@ -24,12 +24,12 @@ Status checkFeasible(const std::vector<double>& t, double common) {
   char text[200];
   if (uniform)
     std::snprintf(text, sizeof text,
-                  "t = %g cannot be met: with %zu boundary vertices the least possible t is %.17g",
+                  "t = %g is too small: with %zu boundary vertices, t must be at least %.17g",
                   common, t.size(), 1 - 2 / n);
   else
     std::snprintf(text, sizeof text,
-                  "the bounds cannot be met: they sum to %.6g pi, but the angles of %zu boundary "
-                  "vertices sum to %g pi",
+                  "the bounds cannot be met: they sum to %.6g pi, but the interior angles of %zu "
+                  "boundary vertices sum to %g pi",
                   sum, t.size(), n - 2);
   return {StatusCode::InfeasibleBound, text};
 }

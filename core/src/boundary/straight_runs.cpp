@@ -34,21 +34,20 @@ Result<std::size_t> placeOf(const DiskChart& chart, std::uint32_t vertex) {
   return Status{StatusCode::InvalidOption,
                 "vertex " + std::to_string(vertex) + " ends a straight run, but " +
                     (count == 0 ? "is not on the boundary"
-                                : "the boundary passes it more than once; end the run elsewhere")};
+                                : "the boundary passes it more than once. End the run elsewhere")};
 }
 
 Status checkFeasible(const DiskChart& chart, const StraightPlaces& straight) {
   if (isTooStraight(straight))
     return {StatusCode::InfeasibleBound,
-            "the straight runs leave fewer than three boundary vertices that may turn, and their "
-            "turns sum to 2 pi; shorten a run"};
+            "the straight runs leave fewer than three boundary vertices for the turns of a closed "
+            "boundary. Shorten a run"};
   const std::vector<FlatChord> chords = flatChords(chart, straight);
   if (chords.empty()) return {};
   const FlatChord& chord = chords.front();
   return {StatusCode::InfeasibleBound,
           "the edge from " + nameOf(chart, chord.from) + " to " + nameOf(chart, chord.to) +
-              " cuts off a part of a straight run, which leaves no area between them; end a run "
-              "at " +
+              " cuts off part of a straight run, with no area between them. End a run at " +
               nameOf(chart, (chord.from + 1) % straight.size())};
 }
 
@@ -66,7 +65,7 @@ Result<StraightPlaces> straightPlaces(const DiskChart& chart,
     if (from.value == to.value)
       return Status{StatusCode::InvalidOption, "a straight run begins and ends at vertex " +
                                                    std::to_string(run.from) +
-                                                   "; it needs two vertices"};
+                                                   ". It needs two different vertices"};
     for (std::size_t i = (from.value + 1) % n; i != to.value; i = (i + 1) % n) straight[i] = 1;
   }
   if (Status s = checkFeasible(chart, straight); !s.ok()) return s;

@@ -119,7 +119,7 @@ Status checkSize(const UnwrapResult& result) {
   // Both are at most 2^16 texels times 900 rows.
   if (atlas.resolution * std::max(atlas.columns(), atlas.rows()) <= kMostPictureTexels) return {};
   return {StatusCode::InvalidOption, "pictures have at most " + std::to_string(kMostPictureTexels) +
-                                         " pixels along a side; lower the resolution, or ask for "
+                                         " pixels along a side. Lower the resolution, or use "
                                          "SVG"};
 }
 

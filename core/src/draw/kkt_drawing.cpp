@@ -75,10 +75,10 @@ void paintPath(SvgWriter& out, const SvgPath& path, double y, std::string_view c
 void paintActiveBounds(SvgWriter& out, const KktPattern& p) {
   const KktBlock& bounds = p.blocks.back();
   const std::size_t count = bounds.end - bounds.begin, angles = p.blocks.front().end;
-  out.text(kLeft, kStripTop - 9,
-           count == 0 ? "no bound is active"
-                      : "rows of the active bounds over the columns of the angles, enlarged",
-           {{"font-size", 12}, {"fill", kMuted}});
+  out.text(
+      kLeft, kStripTop - 9,
+      count == 0 ? "no bound is active" : "active bounds (rows) and angles (columns), enlarged",
+      {{"font-size", 12}, {"fill", kMuted}});
   if (count == 0) return;
   SvgPath dots;
   for (const auto& [row, column] : p.entries) {
@@ -143,7 +143,7 @@ Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation for
       kLeft, 38,
       grouped(p.size) + " × " + grouped(p.size) + ", " + grouped(p.entries.size()) + " non-zeros",
       {{"font-size", 13}, {"fill", kMuted}});
-  out.text(kLeft, 56, "of them " + grouped(p.hessianEntries) + " in the Hessian",
+  out.text(kLeft, 56, grouped(p.hessianEntries) + " of them in the Hessian",
            {{"font-size", 13}, {"fill", kMuted}});
   out.add("rect", {{"x", kLeft},
                    {"y", kTop},

@@ -34,7 +34,7 @@ std::string exceededText(const Exceeded& exceeded) {
   char most[40];
   std::snprintf(most, sizeof most, "%.3g pi", exceeded.most / kPi);
   return "the layout exceeds " + std::to_string(exceeded.count) +
-         " of the bounds asked for, by up to " + most;
+         " of the requested bounds, by up to " + most;
 }
 
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
@@ -46,28 +46,28 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
     std::snprintf(text, sizeof text,
                   "the solver did not converge: constraint residual %.2g after %zu steps",
                   a.solution.constraintResidual, a.solution.history.size());
-    return text + std::string(a.straight ? "; shorten the straight runs or leave some out" : "");
+    return text + std::string(a.straight ? ". Shorten or remove straight runs" : "");
   }
   if (a.pins && a.wasValidUnpinned && !v.valid())
     return "the pins fold the layout: " +
            (v.flippedTriangles > 0
                 ? count(v.flippedTriangles, "triangle is", "triangles are") +
-                      " flipped or without area"
+                      " flipped or degenerate"
                 : "its boundary crosses itself at " + count(v.crossings.count, "place", "places")) +
-           "; move them nearer to where the layout without them is, or leave some out";
-  if (a.exceeded.count > 0) return exceededText(a.exceeded) + "; raise them or leave some out";
+           ". Move the pins closer to the layout without pins, or remove some";
+  if (a.exceeded.count > 0) return exceededText(a.exceeded) + ". Raise or remove some";
   if (v.flippedTriangles > 0) {
     const int range = edgeRange(chart, a.uv);
-    return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or without area" +
+    return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate" +
            (range >= kDrawable
-                ? ": with these bounds edge lengths span " +
+                ? ": with these bounds, edge lengths span " +
                       (range < 300 ? std::to_string(range) : "over 300") +
-                      " orders of magnitude, more than can be drawn; allow a larger t"
+                      " orders of magnitude, more than numbers can hold. Allow a larger t"
                 : "");
   }
   if (v.crossings.count > 0)
     return "the boundary crosses itself at " + count(v.crossings.count, "place", "places") +
-           "; a smaller t, down to 1, straightens it, and t = auto finds how much that takes";
+           ". A smaller t, down to 1, straightens it; t = auto finds out how small";
   return {};
 }
 

@@ -23,7 +23,7 @@ Result<SolverChoice> iterativeSolver(const FlattenOptionValues& options) {
 Result<SolverChoice> iterativeSolver(const FlattenOptionValues& options) {
   return Status{StatusCode::InvalidOption,
                 std::string("the linear solver ") + linearSolverName(options.linearSolver) +
-                    " is part of the command line program alone; choose schur or eigen"};
+                    " is available only in the command line program. Choose schur or eigen"};
 }
 #endif
 
@@ -34,7 +34,7 @@ Result<SolverChoice> chosenSolver(const FlattenOptionValues& options) {
   if (options.formulation == Formulation::Product)
     return Status{StatusCode::InvalidOption,
                   "the product formulation has no Schur elimination, because its Hessian is not "
-                  "diagonal; choose minres, symmlq, gmres or bicgstab as the linear solver"};
+                  "diagonal. Choose minres, symmlq, gmres or bicgstab as the linear solver"};
   return SolverChoice{options.linearSolver, options.formulation, {}};
 }
 

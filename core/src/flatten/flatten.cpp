@@ -93,8 +93,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   if (options.delaunay && options.balance > 0)
     return Status{
         StatusCode::InvalidOption,
-        "delaunay is a condition on angles, which a balance above 0 gives up: ask for one "
-        "of the two"};
+        "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
+        "them"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   if (!monitor.tell("connectivity", 0)) return aborted;
 

@@ -76,10 +76,9 @@ void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const Pin
   if (const std::string note = withoutFactorNote(layout.memory); !note.empty())
     attempt.fallbacks.push_back("pins: " + note);
   if (!layout.isSolved)
-    attempt.fallbacks.push_back(
-        "the linear system that spreads the pins is singular to the precision of numbers" +
-        std::string(layout.memory.fits() ? "" : ", or needs a factor: allow more memory") +
-        "; only the pinned vertices are moved");
+    attempt.fallbacks.push_back("the linear system that spreads the pins is numerically singular" +
+                                std::string(layout.memory.fits() ? "" : ", or needs more memory") +
+                                "; moved only the pinned vertices");
   attempt.wasValidUnpinned = attempt.valid();
   attempt.uv = std::move(layout.uv);
   attempt.pins = PinReport{pins.size(), layout.deviation * chart.unit};

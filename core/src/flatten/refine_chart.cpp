@@ -61,7 +61,7 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wi
 
 std::string limitOf(const Refinement& found) {
   if (!found.isConverged)
-    return "Newton's method was ended after " + std::to_string(found.steps) + " steps";
+    return "Newton's method stopped after " + std::to_string(found.steps) + " steps";
   return found.isHeldApart ? "parts of the boundary are held apart" : "";
 }
 
@@ -71,8 +71,7 @@ std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
   std::vector<double> nearly = rules.bounds;
   for (double& t : nearly)
     if (t < kFree) t -= rules.margin / kPi;
-  if (exceededBounds(chart, uv, nearly).count > 0)
-    return "angles of the boundary reach their bounds";
+  if (exceededBounds(chart, uv, nearly).count > 0) return "boundary angles reach their bounds";
   return rules.straight.empty() ? "" : "straight parts of the boundary stay straight";
 }
 
@@ -218,7 +217,7 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
   constexpr double kRounding = 1e-9;
   if (attempt.distortion.symmetricDirichlet <= 1 + kRounding && attempt.valid()) return;
   if (!attempt.valid()) {
-    attempt.fallbacks.emplace_back("a layout that is not valid is not refined");
+    attempt.fallbacks.emplace_back("skipped refining, because the layout is not valid");
     return;
   }
   const RefiningTime time(flattener);
@@ -233,7 +232,7 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
   Attempt out =
       refined(flattener, optionsFor(flattener, wishes, isFree ? Outline::Free : Outline::Fixed),
               attempt, !wishes.pins.empty());
-  if (!isFree) out.refined->limit = "the boundary keeps its form, so that it keeps its angles";
+  if (!isFree) out.refined->limit = "the boundary keeps its shape to keep its angles";
   if (shaped && !(out.valid() && out.refined->energy < shaped->refined->energy))
     out = std::move(*shaped);
   if (out.valid()) {
@@ -241,7 +240,7 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
     return;
   }
   attempt.refined = {out.refined->energyBefore, out.refined->energyBefore, out.refined->steps,
-                     "what has less energy is not valid"};
+                     "layouts with less energy are not valid"};
 }
 
 }  // namespace abflat

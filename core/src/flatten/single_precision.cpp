@@ -26,7 +26,7 @@ std::string count(std::size_t n, const char* one, const char* many) {
 std::string findDefect(const Validity& validity) {
   if (validity.flippedTriangles > 0)
     return count(validity.flippedTriangles, "triangle would", "triangles would") +
-           " be flipped or without area";
+           " be flipped or degenerate";
   if (validity.crossings.count > 0)
     return "the boundary would cross itself at " +
            count(validity.crossings.count, "place", "places");
@@ -116,7 +116,7 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
     setMeasures(report, rounded);
     result.uv = std::move(rounded.uv);
   } else {
-    report.fallbacks.push_back("texcoords are written in double precision: rounded to single, " +
+    report.fallbacks.push_back("texcoords are in double precision: rounded to single precision, " +
                                obstacle);
   }
   result.report.timings.check += watch.lap();
@@ -128,8 +128,8 @@ void roundForGltf(const PolygonMesh& mesh, FlattenResult& result) {
   const DiskChart chart = makeDiskChart(mesh, buildSurface(mesh));
   std::vector<double> uv = result.uv;
   roundForGltf(uv);
-  replaceLayout(chart, std::move(uv), "in single precision, which is all that a glTF has, ",
-                "; write an OBJ or PLY", result);
+  replaceLayout(chart, std::move(uv), "in single precision, the only one in glTF, ",
+                ". Write OBJ or PLY instead", result);
   result.report.timings.check += watch.lap();
 }
 
@@ -139,7 +139,7 @@ void fitUnitSquare(const PolygonMesh& mesh, FlattenResult& result) {
   std::vector<double> uv = result.uv;
   moveToUnitSquare(uv);
   replaceLayout(chart, std::move(uv), "scaled into the unit square, ",
-                "; scale the mesh nearer to size 1", result);
+                ". Scale the mesh closer to size 1", result);
   result.report.timings.check += watch.lap();
 }
 

@@ -23,7 +23,7 @@ inline std::string quoted(std::string_view word) {
 /// Of a word where a number is expected.
 inline std::string notANumber(std::string_view word) {
   return quoted(word) + " is not a number" +
-         (word.find(',') == std::string_view::npos ? "" : "; write decimals with a point");
+         (word.find(',') == std::string_view::npos ? "" : ". Use a decimal point");
 }
 
 }  // namespace abflat

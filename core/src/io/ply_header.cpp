@@ -74,12 +74,12 @@ class HeaderReader {
         s = property(words);
       } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
         s = here(quoted(keyword) +
-                 " is none of format, comment, obj_info, element, property and "
+                 " is not format, comment, obj_info, element, property or "
                  "end_header");
       }
       if (!s.ok()) return s;
     }
-    return here("the header does not end with end_header; is the file cut off?");
+    return here("the header has no end_header. Is the file truncated?");
   }
 
  private:
@@ -105,8 +105,8 @@ class HeaderReader {
     else if (name == "binary_big_endian")
       header_.encoding = PlyEncoding::BigEndian;
     else
-      return here(quoted(name) + " is none of ascii, binary_little_endian and binary_big_endian");
-    if (version != "1.0") return here("version " + quoted(version) + " of PLY is not known");
+      return here(quoted(name) + " is not ascii, binary_little_endian or binary_big_endian");
+    if (version != "1.0") return here("PLY version " + quoted(version) + " is not supported");
     return {};
   }
 
@@ -118,29 +118,29 @@ class HeaderReader {
     if (e.name.empty() || !parseInteger(word, count) || count < 0 || !takeWord(words).empty())
       return here("expected 'element NAME COUNT'");
     e.count = static_cast<std::uint64_t>(count);
-    if (!elementNames_.insert(e.name).second) return here("a second element " + quoted(e.name));
+    if (!elementNames_.insert(e.name).second) return here("duplicate element " + quoted(e.name));
     propertyNames_.clear();
     header_.elements.push_back(std::move(e));
     return {};
   }
 
   Status property(std::string_view words) {
-    if (header_.elements.empty()) return here("a property that belongs to no element");
+    if (header_.elements.empty()) return here("this property comes before any element");
     PlyElement& e = header_.elements.back();
     PlyProperty p;
     std::string_view type = takeWord(words);
     if (type == "list") {
       p.isList = true;
       const std::string_view count = takeWord(words);
-      if (!parseType(count, p.countType)) return here(quoted(count) + " is not a type");
+      if (!parseType(count, p.countType)) return here(quoted(count) + " is not a PLY type");
       type = takeWord(words);
     }
-    if (!parseType(type, p.type)) return here(quoted(type) + " is not a type");
+    if (!parseType(type, p.type)) return here(quoted(type) + " is not a PLY type");
     p.name = takeWord(words);
     if (p.name.empty() || !takeWord(words).empty())
       return here("expected 'property TYPE NAME' or 'property list TYPE TYPE NAME'");
     if (!propertyNames_.insert(p.name).second)
-      return here("a second property " + quoted(p.name) + " of element " + quoted(e.name));
+      return here("duplicate property " + quoted(p.name) + " of element " + quoted(e.name));
     e.hasLists = e.hasLists || p.isList;
     e.leastBytes += sizeOf(p.isList ? p.countType : p.type);
     e.properties.push_back(p);
@@ -166,7 +166,7 @@ class HeaderReader {
                                       {"z", &header_.z}}) {
       *index = e.find(name);
       if (*index == kNoIndex || e.properties[*index].isList)
-        return here(std::string("element 'vertex' has no number '") + name + "'");
+        return here(std::string("element 'vertex' has no scalar property '") + name + "'");
     }
     if (e.count > 0xffffffff) return here("more than 4294967295 vertices are not supported");
     for (const auto& [u, v] : kPlyTexcoordNames) {
@@ -183,14 +183,14 @@ class HeaderReader {
     if (header_.face == kNoIndex) {
       for (const PlyElement& e : header_.elements)
         if (e.name == "tristrips" && e.count > 0)
-          return here("triangle strips are not supported; save the mesh with element 'face'");
+          return here("triangle strips are not supported. Save the mesh with element 'face'");
       return {};
     }
     const PlyElement& e = header_.elements[header_.face];
     for (const char* name : {"vertex_indices", "vertex_index"})
       if (header_.corners == kNoIndex) header_.corners = e.find(name);
     if (header_.corners == kNoIndex || !e.properties[header_.corners].isList)
-      return here("element 'face' has no list 'vertex_indices' or 'vertex_index'");
+      return here("element 'face' has no list property 'vertex_indices' or 'vertex_index'");
     for (std::size_t p = e.properties.size(); p-- > 0;)
       if (isCornerTexcoords(e.properties[p])) header_.cornerTexcoords = p;
     if (header_.cornerTexcoords != kNoIndex) header_.u = header_.v = kNoIndex;

@@ -12,7 +12,7 @@ inline std::string tooFewCorners(std::size_t corners) {
 
 inline std::string noSuchVertex(const std::string& vertex, std::uint64_t vertices) {
   return "the face refers to vertex " + vertex + ", but the file has " + std::to_string(vertices) +
-         " vertices, counted from 0";
+         " vertices (indices start at 0)";
 }
 
 /// "3 of 'face'", "1 of 'vertex'".

@@ -65,16 +65,17 @@ Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view byte
   if (looksLikePly(bytes)) return MeshFormat::Ply;
   if (looksLikeOff(bytes)) return MeshFormat::Off;
   if (looksLikeObj(bytes)) return MeshFormat::Obj;
-  return Status{StatusCode::UnreadableFile,
-                std::string(fileName) +
-                    (bytes.empty() ? ": the file is empty" : ": not an OBJ, PLY, STL or OFF file")};
+  return Status{
+      StatusCode::UnreadableFile,
+      std::string(fileName) +
+          (bytes.empty() ? ": the file is empty" : " is not supported. Use OBJ, PLY, STL or OFF")};
 }
 
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
   std::string_view text = bytes;
   if (isUtf16(bytes) && !(format == MeshFormat::Stl && looksLikeStl(bytes)))
     return Status{StatusCode::ParseError,
-                  std::string(fileName) + ": the text is UTF-16; save it as UTF-8"};
+                  std::string(fileName) + ": the text is UTF-16. Save it as UTF-8"};
   if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
   switch (format) {
     case MeshFormat::Obj:

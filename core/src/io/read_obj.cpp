@@ -40,10 +40,10 @@ class ObjReader {
                         "the face refers to vertex " + std::to_string(largestIndex_) +
                             ", but the file has " + std::to_string(knownVertices()) + " vertices");
     if (mesh_.positions.empty() && mesh_.faceVertices.empty())
-      return Status{StatusCode::ParseError,
-                    std::string(fileName_) +
-                        (text.empty() ? ": the file is empty"
-                                      : ": the file contains no mesh (no v and no f lines)")};
+      return Status{
+          StatusCode::ParseError,
+          std::string(fileName_) +
+              (text.empty() ? ": the file is empty" : " contains no mesh (no v or f lines)")};
     settleTexcoords(mesh_);
     if (!materials_.empty()) mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
     return std::move(mesh_);
@@ -137,7 +137,7 @@ class ObjReader {
         return parseError(fileName_, line.number,
                           "the vertex has " + std::to_string(d) +
                               (d == 1 ? " coordinate" : " coordinates") +
-                              " instead of 3; is the file cut off?");
+                              " instead of 3. Is the file truncated?");
       if (!parseDouble(word, value)) return parseError(fileName_, line.number, notANumber(word));
       if (!std::isfinite(value))
         return parseError(fileName_, line.number,
@@ -208,7 +208,7 @@ class ObjReader {
       rest.remove_prefix(slash + 1);
     }
     if (corner.vertex == 0)
-      return parseError(fileName_, line.number, "vertex index 0; OBJ counts from 1");
+      return parseError(fileName_, line.number, "vertex index 0. OBJ indices start at 1");
     return {};
   }
 
@@ -217,9 +217,8 @@ class ObjReader {
     const std::int64_t known = knownVertices();
     if (vertex < -known)
       return parseError(fileName_, line,
-                        "the face refers to vertex " + std::to_string(vertex) +
-                            " (counted back), but only " + std::to_string(known) +
-                            " vertices come before it");
+                        "the face refers to vertex " + std::to_string(vertex) + ", but only " +
+                            std::to_string(known) + " vertices come before it");
     if (vertex > largestIndex_) {
       largestIndex_ = vertex;
       largestIndexLine_ = line;

@@ -72,7 +72,7 @@ class OffReader {
     }
     // Exporters leave all sorts of things at the end; but another face is part of the mesh.
     if (lines_.next(line) && readFace(line).ok())
-      return here("the header promises " + promised() + ", but here is one more face");
+      return here("the header declares " + promised() + ", but there is another face");
     mesh_.faceVertices.resize(mesh_.faceOffsets.back());  // what looked like a face to begin with
     return std::move(mesh_);
   }
@@ -87,7 +87,7 @@ class OffReader {
   }
 
   Status cutOff(std::size_t read, const char* one, const char* many) const {
-    return here("the header promises " + promised() + ", but the file ends after " +
+    return here("the header declares " + promised() + ", but the file ends after " +
                 counted(read, one, many));
   }
 
@@ -109,14 +109,14 @@ class OffReader {
       return here("not an OFF file: it begins with " + quoted(name));
     std::string_view counts = words;
     std::string_view first = takeWord(counts);
-    if (first == "BINARY") return here("binary OFF is not supported; save it as text");
+    if (first == "BINARY") return here("binary OFF is not supported. Save it as text");
     if (first.empty()) {
-      if (!lines_.next(line)) return here("the file ends before the counts of vertices and faces");
+      if (!lines_.next(line)) return here("the file ends before the vertex and face counts");
       words = line;
     }
     std::int64_t v = 0, f = 0;
     if (!parseInteger(takeWord(words), v) || !parseInteger(takeWord(words), f) || v < 0 || f < 0)
-      return here("expected the numbers of vertices and faces");
+      return here("expected the vertex and face counts");
     vertices_ = static_cast<std::size_t>(v);
     faces_ = static_cast<std::size_t>(f);
     return {};
@@ -129,7 +129,7 @@ class OffReader {
       double value = 0;
       if (word.empty())
         return here("the vertex has " + std::to_string(d) +
-                    " coordinates instead of 3; is the file cut off?");
+                    " coordinates instead of 3. Is the file truncated?");
       if (!parseDouble(word, value)) return here(notANumber(word));
       if (!std::isfinite(value)) return here("the coordinate " + quoted(word) + " is not finite");
       mesh_.positions.push_back(value);
@@ -141,19 +141,19 @@ class OffReader {
     std::string_view words = line;
     std::int64_t count = 0;
     const std::string_view first = takeWord(words);
-    if (!parseInteger(first, count)) return here(quoted(first) + " is not a number of corners");
+    if (!parseInteger(first, count)) return here(quoted(first) + " is not a corner count");
     if (count < 3)
       return here("the face has " + std::to_string(count) + " corners; at least 3 are needed");
     for (std::int64_t k = 0; k < count; ++k) {
       const std::string_view word = takeWord(words);
       std::int64_t vertex = 0;
       if (word.empty())
-        return here("the face has " + std::to_string(k) + " of its " + std::to_string(count) +
-                    " corners; is the file cut off?");
+        return here("the face has only " + std::to_string(k) + " of its " + std::to_string(count) +
+                    " corners. Is the file truncated?");
       if (!parseInteger(word, vertex)) return here(quoted(word) + " is not a vertex number");
       if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices_)
         return here("the face refers to vertex " + std::to_string(vertex) + ", but the file has " +
-                    std::to_string(vertices_) + " vertices, counted from 0");
+                    std::to_string(vertices_) + " vertices (indices start at 0)");
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
     }
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));

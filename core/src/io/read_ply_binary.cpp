@@ -43,8 +43,8 @@ class BinaryReader {
     for (const char* c = at_; c != end_; ++c)
       if (*c != '\0' && *c != '\n' && *c != '\r' && *c != ' ')
         return Status{StatusCode::ParseError,
-                      std::string(fileName_) + ": the file goes on for " + std::to_string(room()) +
-                          " bytes behind the last element that its header promises"};
+                      std::string(fileName_) + ": the file has " + std::to_string(room()) +
+                          " bytes after the last element that its header declares"};
     finishTexcoords(header_, mesh_);
     return std::move(mesh_);
   }
@@ -61,7 +61,7 @@ class BinaryReader {
   Status cutOff() const {
     return {StatusCode::ParseError, fileEnds() + " before the " +
                                         rowsOf(element_->count, *element_) +
-                                        " that its header promises; is it cut off?"};
+                                        " that its header declares. Is it truncated?"};
   }
 
   Status here(const std::string& sentence) const {
@@ -76,9 +76,10 @@ class BinaryReader {
         at_ = field.end;
         return {};
       case PlyScan::CutOff:
-        return {StatusCode::ParseError,
-                fileEnds() + ", within " + quoted(element_->name) + " " + std::to_string(row_) +
-                    " of " + std::to_string(element_->count) + " (counted from 0); is it cut off?"};
+        return {StatusCode::ParseError, fileEnds() + ", within " + quoted(element_->name) + " " +
+                                            std::to_string(row_) + " of " +
+                                            std::to_string(element_->count) +
+                                            " (numbered from 0). Is it truncated?"};
       case PlyScan::BadCount:
         break;
     }

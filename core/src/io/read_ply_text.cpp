@@ -37,14 +37,13 @@ class TextReader {
         if (i == header_.vertex ? takePlainVertex() : i == header_.face && takePlainFace())
           continue;
         if (!nextRow(words))
-          return here("the header promises " + rowsOf(element_->count, *element_) +
+          return here("the header declares " + rowsOf(element_->count, *element_) +
                       ", but the file ends after " + std::to_string(row));
         const Status s = i == header_.vertex ? vertex(words) : skippedOrFace(words, i);
         if (!s.ok()) return s;
       }
     }
-    if (nextRow(words))
-      return here("the file goes on behind the last row that its header promises");
+    if (nextRow(words)) return here("the file goes on after the last row that its header declares");
     finishTexcoords(header_, mesh_);
     return std::move(mesh_);
   }
@@ -153,7 +152,7 @@ class TextReader {
   }
 
   Status missing(const PlyProperty& property) const {
-    return here("the row ends before " + quoted(property.name) + "; is the file cut off?");
+    return here("the row ends before " + quoted(property.name) + ". Is the file truncated?");
   }
 
   Status ended(std::string_view words) const {
@@ -260,8 +259,8 @@ class TextReader {
       const std::string_view word = takeWord(words);
       std::int64_t vertex = 0;
       if (word.empty())
-        return here("the face has " + std::to_string(k) + " of its " + std::to_string(size) +
-                    " corners; is the file cut off?");
+        return here("the face has only " + std::to_string(k) + " of its " + std::to_string(size) +
+                    " corners. Is the file truncated?");
       if (!parseWhole(word, vertex)) return here(quoted(word) + " is not a vertex number");
       if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices)
         return here(noSuchVertex(std::to_string(vertex), vertices));

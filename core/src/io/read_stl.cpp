@@ -44,10 +44,10 @@ Result<PolygonMesh> readBinary(std::string_view bytes, std::string_view fileName
                  " bytes and does not begin with 'solid'");
   const std::uint64_t promised = promisedFacets(bytes);
   if (bytes.size() != promisedBytes(bytes))
-    return wrong("the header promises " + std::to_string(promised) + " facets, which makes " +
+    return wrong("the header declares " + std::to_string(promised) + " facets, or " +
                  std::to_string(promisedBytes(bytes)) + " bytes, but the file has " +
                  std::to_string(bytes.size()) +
-                 (bytes.size() < promisedBytes(bytes) ? "; is it cut off?" : ""));
+                 (bytes.size() < promisedBytes(bytes) ? ". Is it truncated?" : ""));
   if (promised > 0xffffffff / 3) return wrong("more than 1431655765 facets are not supported");
   const auto facets = static_cast<std::size_t>(promised);
   VertexTable table(facets / 2);
@@ -97,7 +97,7 @@ class StlReader {
                               : "expected 'solid', not " + quoted(word));
       }
     }
-    if (isInSolid) return here("the file ends before 'endsolid'; is it cut off?");
+    if (isInSolid) return here("the file ends before 'endsolid'. Is it truncated?");
     return meshOf(table_, std::move(corners_));
   }
 
@@ -138,7 +138,7 @@ class StlReader {
     const std::string_view word = nextWord();
     if (is(word, keyword)) return {};
     return here("expected '" + std::string(keyword) + "', not " +
-                (word.empty() ? "the end of the file; is it cut off?" : quoted(word)));
+                (word.empty() ? "the end of the file. Is it truncated?" : quoted(word)));
   }
 
   void skipBlanks() {
@@ -188,7 +188,7 @@ class StlReader {
       if (takePlain(x)) continue;
       const std::string_view word = nextWord();
       if (!parseDouble(word, x))
-        return here(word.empty() ? "the file ends within a vertex; is it cut off?"
+        return here(word.empty() ? "the file ends within a vertex. Is it truncated?"
                                  : notANumber(word));
       if (!std::isfinite(x))
         return here("facet " + std::to_string(corners_.size() / 3) + ", vertex " +

@@ -87,8 +87,8 @@ Embedding embedByWeights(const DiskChart& chart, const HalfEdgeWeights& weights,
   const Eigen::MatrixXd solved = solve(s, weights.isSymmetric);
   if (solved.rows() == 0 || !solved.allFinite()) {
     out.problem =
-        "the linear system for the interior vertices cannot be solved: its weights are "
-        "too far apart or cancel";
+        "the linear system for the interior vertices cannot be solved: its weights "
+        "differ too much in size, or cancel";
     return out;
   }
   for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)

@@ -49,22 +49,23 @@ std::string text(double number) {
   return {digits, writeDouble(digits, number)};
 }
 
-/// "; this, that, or the other".
+/// ". Do this, do that, or do the other".
 std::string choiceOf(const std::vector<std::string>& ways) {
   std::string out;
   for (std::size_t i = 0; i < ways.size(); ++i)
-    out += (i == 0 ? "; " : i + 1 < ways.size() ? ", " : ", or ") + ways[i];
+    out += (i == 0 ? ". " : i + 1 < ways.size() ? ", " : ", or ") + ways[i];
+  if (!out.empty()) out[2] = static_cast<char>(out[2] - 'a' + 'A');
   return out;
 }
 
 Status checkOptions(const PackOptions& o) {
   if (o.resolution < 1 || o.resolution > kMostResolution)
-    return invalid("the resolution is " + text(o.resolution) + "; it must be 1 to " +
+    return invalid("the resolution is " + text(o.resolution) + "; it must be from 1 to " +
                    text(kMostResolution) + " texels");
   if (o.padding < 0) return invalid("the padding is " + text(o.padding) + "; it must be 0 or more");
   if (o.padding >= o.resolution || 2 * ((o.padding + 1) / 2) >= o.resolution)
-    return invalid("a padding of " + text(o.padding) + " texels leaves nothing of a tile of " +
-                   text(o.resolution) + "; lower the padding or raise the resolution");
+    return invalid("a padding of " + text(o.padding) + " texels leaves no room in a tile of " +
+                   text(o.resolution) + ". Lower the padding or raise the resolution");
   if (!(o.texelDensity >= 0) || !std::isfinite(o.texelDensity))
     return invalid("the texel density must be a finite number, 0 or above");
   return {};
@@ -75,8 +76,8 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
     for (const double x : shapes[i].uv)
       if (!std::isfinite(x))
         return {StatusCode::InvalidMesh, "chart " + text(i) +
-                                             " has a coordinate that is not finite; charts must be "
-                                             "flattened before they are packed"};
+                                             " has a coordinate that is not finite. Flatten the "
+                                             "charts before packing them"};
   return {};
 }
 
@@ -135,7 +136,7 @@ class Packer {
       const double lastColumn = options_.udim ? 9 : 0;
       if (!isInside || column < 0 || column > lastColumn || row < 0 || row > lastRow)
         return invalid("chart " + text(i) +
-                       " is fixed, but does not lie inside the unit square of a tile");
+                       " is fixed, but lies outside the unit square of its tile");
       const auto tile = static_cast<std::uint32_t>(row * 10 + column);
       if (taken_.size() <= tile) taken_.resize(tile + 1);
       add(raster.takenInTile(loops, column, row), taken_[tile]);
@@ -193,14 +194,14 @@ class Packer {
       if (Status s = takeFixed(); !s.ok()) return s;
       return placeInOneTile();
     }
-    return tooSmall(text(movable_.size()) + " charts, one texel each with a padding of " +
+    return tooSmall(text(movable_.size()) + " charts of one texel each, with a padding of " +
                     text(options_.padding) + ", do not fit a tile of " + text(options_.resolution) +
                     waysForTexels());
   }
 
   std::string waysForTexels() const {
     const int least = leastResolution(movable_.size(), options_.padding);
-    if (options_.resolution >= least) return " beside the fixed ones; raise the resolution";
+    if (options_.resolution >= least) return " beside the fixed ones. Raise the resolution";
     std::vector<std::string> ways;
     if (least <= kMostResolution)
       ways.push_back("raise the resolution to " + text(least) + " or more");

@@ -53,29 +53,30 @@ Result<TexcoordId> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>& u
                               const Pin& pin) {
   if (pin.vertex >= mesh.vertexCount())
     return invalid(nameOf(pin) + " is pinned, but the mesh has " +
-                   std::to_string(mesh.vertexCount()) + " vertices, counted from 0");
+                   std::to_string(mesh.vertexCount()) + " vertices (indices start at 0)");
   if (!std::isfinite(pin.uv[0]) || !std::isfinite(pin.uv[1]))
     return invalid("the uv that " + nameOf(pin) + " is pinned to must be two finite numbers");
   const auto [first, last] =
       std::equal_range(uses.begin(), uses.end(), Use{pin.vertex, 0, {}},
                        [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
   if (first == last)
-    return invalid(nameOf(pin) + " is pinned, but no face that is flattened uses it; leave it out");
+    return invalid(nameOf(pin) + " is pinned, but no flattened face uses it. Remove the pin");
   const auto chosen = pin.face == kAnyFace ? first : std::find_if(first, last, [&](const Use& u) {
     return u.face == pin.face;
   });
   if (chosen == last)
     return invalid(nameOf(pin) + " is pinned in face " + std::to_string(pin.face) +
-                   ", which does not use it; give one that does, such as " +
+                   ", which does not use it. Name a face that does, such as " +
                    std::to_string(first->face));
   const bool isTold = std::all_of(first, last, [&](const Use& u) {
     return u.texcoord == chosen->texcoord || (pin.face != kAnyFace && u.face != pin.face);
   });
   if (!isTold)
-    return invalid(nameOf(pin) +
-                   " is pinned, but has several texcoords, one on each side of a seam; tell which "
-                   "by a face that uses it: " +
-                   facesToChoose({first, last}));
+    return invalid(
+        nameOf(pin) +
+        " is pinned, but has several texcoords, one on each side of a seam. Choose one by "
+        "naming a face that uses it: " +
+        facesToChoose({first, last}));
   return chosen->texcoord;
 }
 
@@ -99,14 +100,14 @@ Status checkApart(std::vector<Found>& found) {
   const auto place = sameNext([](const Found& a, const Found& b) { return a.pin->uv < b.pin->uv; });
   if (place != found.end() && place->texcoord != (place + 1)->texcoord)
     return invalid(bothNames(*place, *(place + 1)) +
-                   " are pinned to the same uv; every vertex needs its own");
+                   " are pinned to the same uv. Every vertex needs its own");
   const auto twice =
       sameNext([](const Found& a, const Found& b) { return a.texcoord < b.texcoord; });
   if (twice == found.end()) return {};
   if (twice->pin->vertex == (twice + 1)->pin->vertex)
-    return invalid(nameOf(*twice->pin) + " is pinned twice; leave one of the two out");
+    return invalid(nameOf(*twice->pin) + " is pinned twice. Remove one of the two pins");
   return invalid(bothNames(*twice, *(twice + 1)) +
-                 " are at the same place and pinned both; leave one of them out");
+                 " are duplicates and both pinned. Remove one of the two pins");
 }
 
 }  // namespace
@@ -134,9 +135,9 @@ Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh&
   }
   for (const ChartId i : out.ids())
     if (out[i].size() == 1)
-      return invalid(nameOf(*firstPin[i]) + " is the only pinned one" +
+      return invalid(nameOf(*firstPin[i]) + " is the only pinned vertex" +
                      (charts > 1 ? " of its chart" : "") +
-                     ", which leaves scale and rotation open; pin two or more, or none");
+                     ", which leaves scale and rotation undetermined. Pin two or more, or none");
   return out;
 }
 

@@ -61,7 +61,7 @@ void measure(const DiskChart& chart, MethodResult& row) {
   row.boundaryCrossings = v.crossings.count;
   if (row.problem.empty() && v.flippedTriangles > 0)
     row.problem =
-        count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or without area";
+        count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate";
   else if (row.problem.empty() && v.crossings.count > 0)
     row.problem = "the boundary crosses itself at " + count(v.crossings.count, "place", "places");
   row.valid = row.problem.empty();

@@ -45,7 +45,7 @@ Embedding embedLscm(const DiskChart& chart) {
   Embedding out{std::vector<double>(2 * static_cast<std::size_t>(chart.vertexCount()), 0), {}};
   const auto [left, right] = findPins(chart);
   if (left == right) {
-    out.problem = "all boundary vertices are at the same place: there is nothing to pin";
+    out.problem = "all boundary vertices coincide, so there is nothing to pin";
     return out;
   }
   out.uv[2 * static_cast<std::size_t>(right)] = 1;
@@ -53,8 +53,8 @@ Embedding embedLscm(const DiskChart& chart) {
   if (!relaxConformally(conformalEnergy(chart, drawableAngles(chart)), {left, right}, out.uv,
                         unlimited))
     out.problem =
-        "the linear system of the conformal energy cannot be solved: it is singular to "
-        "the precision of numbers";
+        "the linear system of the conformal energy cannot be solved: it is "
+        "numerically singular";
   return out;
 }
 

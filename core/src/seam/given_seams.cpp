@@ -61,9 +61,10 @@ bool hasSameTexcoord(const CornerTexcoords& given, InputCorner cornerA, InputCor
 Status markIslands(const SurfaceMap& map, Seams& seams) {
   const PolygonMesh& input = map.input();
   if (input.faceTexcoords.empty())
-    return {StatusCode::InvalidOption,
-            "the mesh has no texcoords, so there are no islands to cut round; leave uv out of the "
-            "seams"};
+    return {
+        StatusCode::InvalidOption,
+        "the mesh has no texcoords, so there are no uv islands to cut around. Leave uv out of the "
+        "seams"};
   const CornerTexcoords given{input.texcoords, input.faceTexcoords};
   forEachEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner) {
     if (!hasSameTexcoords(given, map, h)) mark(map.surface(), h, seams);
@@ -75,7 +76,7 @@ Status markMaterials(const SurfaceMap& map, Seams& seams) {
   const PolygonMesh& input = map.input();
   if (input.faceMaterials.empty())
     return {StatusCode::InvalidOption,
-            "the mesh has no materials to cut between; leave material out of the seams"};
+            "the mesh has no materials to cut between. Leave material out of the seams"};
   const auto material = [&](SurfaceCorner c) {
     return input.faceMaterials[map.face(triangleOf(c))];
   };
@@ -104,7 +105,7 @@ Status markEdges(const SurfaceMap& map, const std::vector<EdgeVertices>& edges, 
   for (const EdgeVertices& e : edges) {
     for (const std::uint32_t v : e)
       if (v >= input.vertexCount())
-        return {StatusCode::InvalidOption, "the seam " + nameOf(e) + " names vertex " +
+        return {StatusCode::InvalidOption, "seam " + nameOf(e) + " refers to vertex " +
                                                std::to_string(v) + ", but there are only " +
                                                std::to_string(input.vertexCount())};
     wanted.push_back({sorted({firstAtPlace(e[0]), firstAtPlace(e[1])}), wanted.size()});
@@ -125,8 +126,8 @@ Status markEdges(const SurfaceMap& map, const std::vector<EdgeVertices>& edges, 
   const auto missing = std::find(isFound.begin(), isFound.end(), 0);
   if (missing == isFound.end()) return {};
   return {StatusCode::InvalidOption,
-          "the seam " + nameOf(edges[static_cast<std::size_t>(missing - isFound.begin())]) +
-              " is no edge of a face"};
+          "seam " + nameOf(edges[static_cast<std::size_t>(missing - isFound.begin())]) +
+              " is not an edge of any face"};
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ Result<SeamSources> parseSeams(std::string_view text) {
              !(out.sharpDegrees > 0 && out.sharpDegrees <= 180))
       return wrong(word);
   }
-  if (isNone && words > 1) return Status{StatusCode::InvalidOption, "none does not go with others"};
+  if (isNone && words > 1)
+    return Status{StatusCode::InvalidOption, "none cannot be combined with other seams"};
   return out;
 }
 

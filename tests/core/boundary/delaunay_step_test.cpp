@@ -123,7 +123,7 @@ TEST_CASE("where the connectivity has no Delaunay layout the edges that resist a
   for (const auto& edge : chart.delaunay->resisting)
     for (const std::uint32_t v : edge) CHECK(v < 25);
   REQUIRE(chart.fallbacks.size() == 1);
-  CHECK(chart.fallbacks.front().find("not made Delaunay") == 0);
+  CHECK(chart.fallbacks.front().find("the layout is not Delaunay") == 0);
 }
 
 TEST_CASE("shared disks are made Delaunay") {

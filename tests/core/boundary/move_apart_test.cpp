@@ -114,7 +114,7 @@ TEST_CASE("a slit that closes again is opened without another solution") {
     CHECK(checkSeparated(chart, open.uv).valid());
     CHECK(open.distortion.symmetricDirichlet < 1 + 1e-4);
     REQUIRE(open.fallbacks.size() == 1);
-    CHECK(open.fallbacks.front().find("drawn back") != std::string::npos);
+    CHECK(open.fallbacks.front().find("pulled back") != std::string::npos);
     double farthest = 0;
     for (std::size_t i = 0; i < open.uv.size(); ++i)
       farthest = std::max(farthest, std::abs(open.uv[i] - closed.uv[i]));

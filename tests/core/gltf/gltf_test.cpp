@@ -174,7 +174,7 @@ TEST_CASE("meshes that share bytes do not multiply them without end", "[gltf]") 
     return errorOf(json + "]}", 12 * kVertices);
   };
   CHECK(shared(50, "").empty());
-  const std::string refused = "too many meshes use the same bytes";
+  const std::string refused = "too many meshes share the same data";
   for (const std::string primitive : {"", ",\"indices\": 1", ",\"indices\": 1, \"mode\": 5",
                                       ",\"targets\": [{\"POSITION\": 0}]"}) {
     const std::string error = shared(1500, primitive);

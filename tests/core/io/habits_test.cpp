@@ -105,18 +105,18 @@ TEST_CASE("OBJ: habits of exporters", "[habits]") {
           {"another", "v 0 -1.#IND00 0\n" + plain, "not finite: '#IND00"},
           {"nan", "v nan 0 0\n" + plain, "'nan' is not finite"},
           {"too large", "v 1e400 0 0\n" + plain, "'1e400' is not finite"},
-          {"decimal comma", "v 1,5 0 0\n" + plain, "'1,5' is not a number; write decimals with a"},
+          {"decimal comma", "v 1,5 0 0\n" + plain, "'1,5' is not a number. Use a decimal point"},
           {"Fortran", "v 1.5D0 0 0\n" + plain, "'1.5D0' is not a number"},
           {"two coordinates", "v 0 0\n" + plain, "has 2 coordinates instead of 3"},
           {"one coordinate", "v 0\n" + plain, "has 1 coordinate instead of 3"},
           {"two corners", kVertices + "f 1 2\n" + kFace, "a.obj:4: the face has 2 corners"},
           {"too many slashes", kVertices + "f 1/// 2 3\n", "is not a face corner"},
           {"semicolon", kVertices + "f 1 2 3;\n", "'3;' is not a face corner"},
-          {"counted from 0", kVertices + "f 0 1 2\n", "counts from 1"},
-          {"UTF-16", utf16(plain, false, true), "UTF-16; save it as UTF-8"},
-          {"UTF-16, big", utf16(plain, true, true), "UTF-16; save it as UTF-8"},
-          {"UTF-16 without a mark", utf16(plain, false, false), "UTF-16; save it as UTF-8"},
-          {"nothing", "mtllib a.mtl\n", "the file contains no mesh (no v and no f lines)"},
+          {"counted from 0", kVertices + "f 0 1 2\n", "indices start at 1"},
+          {"UTF-16", utf16(plain, false, true), "UTF-16. Save it as UTF-8"},
+          {"UTF-16, big", utf16(plain, true, true), "UTF-16. Save it as UTF-8"},
+          {"UTF-16 without a mark", utf16(plain, false, false), "UTF-16. Save it as UTF-8"},
+          {"nothing", "mtllib a.mtl\n", "contains no mesh (no v or f lines)"},
       },
       MeshFormat::Obj, "obj");
 }
@@ -148,7 +148,7 @@ TEST_CASE("OFF: habits of exporters", "[habits]") {
           {"binary", "OFF BINARY\n", "binary OFF is not supported"},
           {"four coordinates", "4OFF\n3 1 0\n" + body, "not an OFF file: it begins with '4OFF'"},
           {"two corners", "OFF\n3 2 0\n" + kPoints + "2 0 1\n3 0 1 2\n", "2 corners"},
-          {"UTF-16", utf16("OFF\n3 1 0\n" + body, false, true), "UTF-16; save it as UTF-8"},
+          {"UTF-16", utf16("OFF\n3 1 0\n" + body, false, true), "UTF-16. Save it as UTF-8"},
       },
       MeshFormat::Off, "off");
 }
@@ -176,7 +176,7 @@ TEST_CASE("STL: habits of exporters", "[habits]") {
           {"bytes behind the last facet", binaryStl("", "ab"), "but the file has 136"},
           {"cut off", "solid a\n" + facet, "ends before 'endsolid'"},
           {"quads", replaced(text, " endloop", "  vertex 1 1 0\n endloop"), "expected 'endloop'"},
-          {"UTF-16", utf16(text, false, true), "UTF-16; save it as UTF-8"},
+          {"UTF-16", utf16(text, false, true), "UTF-16. Save it as UTF-8"},
       },
       MeshFormat::Stl, "stl");
 }
@@ -191,9 +191,9 @@ TEST_CASE("PLY: habits of exporters", "[habits]") {
           {"numbers of other types", replaced(ply("int float"), "float", "double")},
           {"mark of UTF-8", "\xEF\xBB\xBF" + ply("uchar int")},
           {"blank lines", replaced(ply("uchar int"), "comment c", "\ncomment c")},
-          {"long integers", ply("uchar uint64"), "'uint64' is not a type"},
-          {"another name", ply("uchar int", "corners"), "no list 'vertex_indices'"},
-          {"UTF-16", utf16(ply("uchar int"), true, true), "UTF-16; save it as UTF-8"},
+          {"long integers", ply("uchar uint64"), "'uint64' is not a PLY type"},
+          {"another name", ply("uchar int", "corners"), "no list property 'vertex_indices'"},
+          {"UTF-16", utf16(ply("uchar int"), true, true), "UTF-16. Save it as UTF-8"},
       },
       MeshFormat::Ply, "ply");
 }

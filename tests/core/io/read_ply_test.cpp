@@ -113,25 +113,25 @@ TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   checkError("", "a.ply: ", "empty");
   checkError("plyx\n", "a.ply:1: ", "not a PLY file");
-  checkError("ply\nformat text 1.0\n", "a.ply:2: ", "'text' is none of ascii");
+  checkError("ply\nformat text 1.0\n", "a.ply:2: ", "'text' is not ascii");
   checkError("ply\nformat ascii 2.0\n", "a.ply:2: ", "version '2.0'");
   checkError("ply\nelement vertex 1\nend_header\n", "a.ply:3: ", "no format");
   checkError(start + "element vertex\n", "a.ply:3: ", "element NAME COUNT");
   checkError(start + "element vertex -1\n", "a.ply:3: ", "element NAME COUNT");
-  checkError(start + "property float x\n", "a.ply:3: ", "belongs to no element");
-  checkError(start + "element a 1\nproperty real x\n", "a.ply:4: ", "'real' is not a type");
+  checkError(start + "property float x\n", "a.ply:3: ", "before any element");
+  checkError(start + "element a 1\nproperty real x\n", "a.ply:4: ", "'real' is not a PLY type");
   checkError(start + "element a 1\nproperty list real int x\n", "a.ply:4: ", "'real' is not");
   checkError(start + "element a 1\nproperty float\n", "a.ply:4: ", "property TYPE NAME");
-  checkError(start + "element a 1\nelement a 2\n", "a.ply:4: ", "a second element 'a'");
+  checkError(start + "element a 1\nelement a 2\n", "a.ply:4: ", "duplicate element 'a'");
   checkError(start + "element a 1\nproperty int b\nproperty int b\n",
-             "a.ply:5: ", "a second property 'b'");
+             "a.ply:5: ", "duplicate property 'b'");
   checkError(start + "elements a 1\n", "a.ply:3: ", "'elements' is none of");
-  checkError(start + xyz, "a.ply:6: ", "does not end with end_header");
+  checkError(start + xyz, "a.ply:6: ", "has no end_header");
   checkError(start + "element face 0\nend_header\n", "a.ply:4: ", "no element 'vertex'");
   checkError(start + "element vertex 1\nproperty float x\nproperty list int int y\nend_header\n",
-             "a.ply:6: ", "no number 'y'");
+             "a.ply:6: ", "no scalar property 'y'");
   checkError(start + xyz + "element face 1\nproperty int vertex_index\nend_header\n0 0 0\n3\n",
-             "a.ply:9: ", "no list 'vertex_indices'");
+             "a.ply:9: ", "no list property 'vertex_indices'");
   checkError(
       start + xyz + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n",
       "a.ply:9: ", "triangle strips");
@@ -155,8 +155,8 @@ TEST_CASE("PLY: any number of properties and elements is taken, no name twice", 
   REQUIRE(r.ok());
   CHECK(r.value.positions == std::vector<double>{1, 2, 3});
   const std::string line = "a.ply:" + std::to_string(3 * kNames + 7) + ":";
-  checkError(head + "property int p7\nend_header\n", line, "a second property 'p7'");
-  checkError(head + "element e7 0\nend_header\n", line, "a second element 'e7'");
+  checkError(head + "property int p7\nend_header\n", line, "duplicate property 'p7'");
+  checkError(head + "element e7 0\nend_header\n", line, "duplicate element 'e7'");
 }
 
 TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
@@ -177,7 +177,7 @@ TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
   checkError(changed("3 2 1 0", "3 2 1 -1"), "a.ply:17: ", "vertex -1");
   checkError(changed("3 2 1 0", "3 2 1 0.5"), "a.ply:17: ", "'0.5' is not a vertex number");
   checkError(changed("3 2 1 0\n", ""), "a.ply:16: ", "2 of 'face', but the file ends after 1");
-  checkError(good + "3 0 1 2\n", "a.ply:18: ", "goes on behind the last row");
+  checkError(good + "3 0 1 2\n", "a.ply:18: ", "goes on after the last row");
   checkError(changed("face 2", "face 4000000000"), "a.ply:17: ", "ends after 2");
   checkError(changed("vertex 4", "vertex 4000000000"), "a.ply:16: ", "more values");
   checkError(changed("vertex 4", "vertex 99999999999"), "a.ply:11: ", "4294967295 vertices");
@@ -204,7 +204,7 @@ TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[
   checkError(changed(face + 4, "\xff"), "a.ply: face 0 (byte ", "vertex -16777216");
   checkError(good.substr(0, good.size() - 1), "a.ply: the file ends at byte ", "within 'face' 1");
   checkError(good.substr(0, face), "a.ply: the file ends at byte ", "before the 2 of 'face'");
-  checkError(good + "x", "a.ply: the file goes on for 1 bytes", "behind");
+  checkError(good + "x", "a.ply: the file has 1 bytes", "after");
   checkError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 of");
   checkError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "of 'face'");
   const std::string other = plyFile(

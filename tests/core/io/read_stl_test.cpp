@@ -157,7 +157,8 @@ TEST_CASE("STL: what is wrong is named with its place", "[stl]") {
   checkError("", "a.stl: ", "empty");
   checkError("hollow\n", "a.stl: ", "does not begin with 'solid'");
   checkError(text.substr(0, text.find("endsolid")), "a.stl:29: ", "ends before 'endsolid'");
-  checkError(text.substr(0, text.find("endloop")), "a.stl:6: ", "end of the file; is it cut off?");
+  checkError(text.substr(0, text.find("endloop")),
+             "a.stl:6: ", "end of the file. Is it truncated?");
   checkError(replaced(text, "outer", "inner"), "a.stl:3: ", "expected 'outer', not 'inner'");
   checkError(replaced(text, "endloop", "vertex"), "a.stl:7: ", "expected 'endloop'");
   checkError(replaced(text, "facet", "fact"), "a.stl:2: ", "expected 'facet' or 'endsolid'");
@@ -169,11 +170,11 @@ TEST_CASE("STL: what is wrong is named with its place", "[stl]") {
   const std::string binary = binaryStl(tetrahedron());
   checkError(binary.substr(0, 83), "a.stl: ", "has 83 bytes");
   checkError(binary.substr(0, 200), "a.stl: ",
-             "promises 4 facets, which makes 284 bytes, but the "
-             "file has 200; is it cut off?");
+             "declares 4 facets, or 284 bytes, but the "
+             "file has 200. Is it truncated?");
   checkError(binary + "x", "a.stl: ", "the file has 285");
   std::string lies = binary;
-  checkError(lies.replace(80, 4, "\xff\xff\xff\xff"), "a.stl: ", "promises 4294967295 facets");
+  checkError(lies.replace(80, 4, "\xff\xff\xff\xff"), "a.stl: ", "declares 4294967295 facets");
   std::string infinite = binary;
   infinite.replace(84 + 50 + 12 + 12 + 4, 4, std::string("\0\0\x80\x7f", 4));
   checkError(infinite, "a.stl: facet 1 (byte 162): vertex 1 ", "not finite");

@@ -44,7 +44,7 @@ TEST_CASE("OBJ: polygons, negative indices, comments, CRLF, joined lines and ext
 
 TEST_CASE("OBJ: what is wrong is named with its line") {
   checkError(obj(""), "a.obj: ", "empty");
-  checkError(obj("# nothing\n"), "a.obj: ", "no mesh (no v and no f lines)");
+  checkError(obj("# nothing\n"), "a.obj: ", "no mesh (no v or f lines)");
   checkError(obj("v 0 0 0\nv 1 2"), "a.obj:2: ", "2 coordinates");
   checkError(obj("v 0 0 zero\n"), "a.obj:1: ", "'zero' is not a number");
   checkError(obj("v 0 0 1.5x\n"), "a.obj:1: ", "'1.5x' is not a number");
@@ -54,7 +54,7 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
   checkError(obj(kTriangle + "f 1 2\n"), "a.obj:4: ", "2 corners");
   checkError(obj(kTriangle + "\n\nf 1 2 4\n"), "a.obj:6: ", "vertex 4, but the file has 3");
   checkError(obj(kTriangle + "f 1 2 -4\n"), "a.obj:4: ", "vertex -4");
-  checkError(obj(kTriangle + "f 0 1 2\n"), "a.obj:4: ", "counts from 1");
+  checkError(obj(kTriangle + "f 0 1 2\n"), "a.obj:4: ", "indices start at 1");
   for (const char* corner : {"x", "+-1", "1/x", "1/2/3/4", "1///", "/1", "//1", "1.5", "1;"})
     checkError(obj(kTriangle + "f 2 3 " + corner + "\n"), "a.obj:4: ", "is not a face corner");
   CHECK(obj(kTriangle).ok());  // a point cloud is readable
@@ -125,16 +125,16 @@ TEST_CASE("OFF: what is wrong is named with its line") {
   checkError(off(""), "a.off: ", "empty");
   checkError(off("PLY\n"), "a.off:1: ", "not an OFF file");
   checkError(off("OFF BINARY\n"), "a.off:1: ", "binary");
-  checkError(off("OFF\n"), "a.off:1: ", "ends before the counts");
-  checkError(off("OFF\n3 -1 0\n"), "a.off:2: ", "expected the numbers");
-  checkError(off("OFF\nmany 1 0\n"), "a.off:2: ", "expected the numbers");
+  checkError(off("OFF\n"), "a.off:1: ", "ends before the vertex and face counts");
+  checkError(off("OFF\n3 -1 0\n"), "a.off:2: ", "expected the vertex and face counts");
+  checkError(off("OFF\nmany 1 0\n"), "a.off:2: ", "expected the vertex and face counts");
   checkError(off("OFF\n5 1 0\n" + vertices + "3 0 1 2\n"), "a.off:6: ", "ends after 4 vertices");
   checkError(off("OFF\n3 2 0\n" + vertices + "3 0 1 2\n"),
              "a.off:6: ", "2 faces, but the file ends after 1 face");
   checkError(off("OFF\n4 1 0\n" + vertices + "3 0 1 2\n"), "a.off:6: ", "ends after 0 faces");
   checkError(off("OFF\n2 1 0\n" + vertices + "3 0 1 2\n"), "a.off:5: ", "0 corners");
   checkError(off("OFF\n3 1 0\n" + vertices + "3 0 1 2\n3 0 1 2\n"),
-             "a.off:7: ", "3 vertices and 1 face, but here is one more face");
+             "a.off:7: ", "3 vertices and 1 face, but there is another face");
   checkError(off("OFF\n9000000000000000000 9000000000000000000 0\n" + vertices),
              "a.off:5: ", "ends after 3 vertices");
   checkError(off("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), "a.off:4: ", "2 coordinates");

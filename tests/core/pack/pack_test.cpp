@@ -240,7 +240,7 @@ TEST_CASE("a density that does not fit names one, and a resolution, that do", "[
       if (factor < 2 && tight.ok()) continue;
       PackOptions coarser = options, finer = options;
       coarser.texelDensity =
-          after("do not fit one tile of 64 texels; lower the density to ", tight.status);
+          after("do not fit one tile of 64 texels. Lower the density to ", tight.status);
       CHECK(coarser.texelDensity < options.texelDensity);
       CHECK(coarser.texelDensity > 0.9 * most);
       CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
@@ -259,7 +259,7 @@ TEST_CASE("a chart larger than a tile names the density and resolution that it f
   const Result<Packing> none = pack(shapes, options);
   PackOptions coarser = options, finer = options;
   coarser.texelDensity =
-      after("does not fit a tile of 64 texels; lower the density to ", none.status);
+      after("does not fit a tile of 64 texels. Lower the density to ", none.status);
   finer.resolution = static_cast<int>(after("raise the resolution to ", none.status));
   CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
   CHECK(complaint(shapes, packed(shapes, finer), finer) == "");

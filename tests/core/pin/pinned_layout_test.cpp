@@ -162,7 +162,7 @@ TEST_CASE("pins keep to the memory that is allowed", "[pin]") {
       CHECK(largestDifference(limited.value.uv, usual.value.uv) < 1e-7);
       const std::vector<std::string>& notes = limited.value.report.charts[0].fallbacks;
       REQUIRE(notes.size() == 2);
-      CHECK_THAT(notes[1], Catch::StartsWith("pins: a factor of the matrix needs ") &&
+      CHECK_THAT(notes[1], Catch::StartsWith("pins: factoring the matrix needs ") &&
                                Catch::Contains(memory > 10 ? "single precision" : "multigrid"));
       CHECK(limited.value.report.valid == usual.value.report.valid);
     }
@@ -178,7 +178,7 @@ TEST_CASE("pins that make no sense are named", "[pin]") {
     return r.status.message;
   };
   using Catch::Contains;
-  CHECK_THAT(message({{3, {0, 0}}}), Contains("vertex 3 is the only pinned one"));
+  CHECK_THAT(message({{3, {0, 0}}}), Contains("vertex 3 is the only pinned vertex"));
   CHECK_THAT(message({{3, {0, 0}}, {99, {1, 0}}}),
              Contains("vertex 99") && Contains("26 vertices"));
   CHECK_THAT(message({{3, {0, 0}}, {25, {1, 0}}}), Contains("vertex 25") && Contains("no face"));

@@ -104,7 +104,7 @@ TEST_CASE("an outline that bounds hold finds its form in few steps", "[refine]")
     refineChart(flattener, wishes, attempt);
     REQUIRE(attempt.refined);
     CAPTURE(name, attempt.refined->steps);
-    CHECK(attempt.refined->limit == "angles of the boundary reach their bounds");
+    CHECK(attempt.refined->limit == "boundary angles reach their bounds");
     CHECK(attempt.refined->steps <= 10);
   }
 }
@@ -139,7 +139,7 @@ TEST_CASE("a refined outline keeps its bounds and straight parts", "[refine]") {
       held.isFixed.assign(chart.vertexCount(), 0);
       for (const std::uint32_t h : chart.boundary) held.isFixed[chart.vertexOfCorner[h]] = 1;
       CHECK(attempt.refined->energy < refine(chart, before.uv, held).energy);
-      CHECK(attempt.refined->limit.find("keeps its form") == std::string::npos);
+      CHECK(attempt.refined->limit.find("keeps its shape") == std::string::npos);
     }
   }
 }

@@ -137,7 +137,7 @@ TEST_CASE("the report says what a factor needs and what it may take") {
     REQUIRE(delaunay.ok());
     CHECK(delaunay.value.uv == limited.value.uv);
     CHECK_THAT(delaunay.value.report.charts[0].fallbacks.back(),
-               Catch::StartsWith("not made Delaunay: a factor"));
+               Catch::StartsWith("the layout is not Delaunay: factoring"));
   }
   SECTION("enough memory") {
     options.memory = 1000;
