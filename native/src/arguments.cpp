@@ -5,6 +5,7 @@
 #include "abflat/generated/status_code.h"
 #include "arguments/options.h"
 #include "arguments/subcommands.h"
+#include "terminal.h"
 
 namespace abflat::cli {
 namespace {
@@ -21,29 +22,27 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'; known are unwrap, flatten, inspect, sample, sweep, compare, reproduce";
+           "'. Use unwrap, flatten, inspect, sample, sweep, compare or reproduce";
   else if (named.empty())
-    what = "name a command: unwrap, flatten, inspect, sample, sweep, compare or reproduce";
+    what = "no command given. Use unwrap, flatten, inspect, sample, sweep, compare or reproduce";
   else if (const std::string option = unknownOption(*named.front()); !option.empty())
-    what = "there is no option '" + option + "'; write a file of that name as ./" + option;
+    what = "there is no option '" + option + "'. To name a file like that, write ./" + option;
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
-  return "abflat: " + what + "\nabflat" + command + " --help says how.\n";
+  return "abflat: " + sentence(what) + "\nRun 'abflat" + command + " --help' for usage.\n";
 }
 
 }  // namespace
 
 Command parseArguments(int argc, const char* const* argv) {
-  CLI::App app(
-      "Unwraps 3D meshes: cuts them into charts and flattens these by their angles, with a convex "
-      "or free boundary.",
-      "abflat");
+  CLI::App app("Unwraps 3D meshes: cuts them into charts and flattens these by their angles.",
+               "abflat");
   app.set_version_flag("--version", "abflat " ABFLAT_VERSION, "print the version");
   app.require_subcommand(1);
   setUsage(app, "abflat COMMAND ...");
   app.footer(
-      "abflat COMMAND --help says more about a command.\n\n"
+      "Run 'abflat COMMAND --help' for the options of a command.\n\n"
       "Examples:\n"
       "  abflat unwrap character.obj -o character-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj\n"

@@ -54,15 +54,17 @@ Status readGltfInput(const std::string& path, InputMesh& input) {
 void joinRepeated(InputMesh& input) {
   const std::size_t joined = joinVertices(input.mesh);
   if (joined > 0)
-    input.notes.push_back(std::to_string(joined) + (joined == 1 ? " vertex is" : " vertices are") +
-                          " taken as the one at the same place");
+    input.notes.push_back(std::to_string(joined) +
+                          (joined == 1 ? " duplicate vertex was" : " duplicate vertices were") +
+                          " treated as one");
 }
 
 Status readMeshInput(const std::string& path, InputMesh& input) {
   const std::string name = inputName(path);
   const Result<MeshFormat> format = detectFormat(name, input.bytes);
   if (!format.ok() && input.bytes.empty()) return format.status;
-  if (!format.ok()) return {format.status.code, name + ": not an OBJ, PLY, STL, OFF or glTF file"};
+  if (!format.ok())
+    return {format.status.code, name + " is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB"};
   input.format = fileFormat(format.value);
   Result<PolygonMesh> mesh = readMesh(input.bytes, format.value, name);
   input.mesh = std::move(mesh.value);

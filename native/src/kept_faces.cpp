@@ -27,9 +27,10 @@ Status addMaterial(const std::string& name, const PolygonMesh& mesh,
   const std::vector<std::string>& names = mesh.materialNames;
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     const std::string known = listed(names);
-    return {StatusCode::InvalidOption,
-            "there is no material '" + name + "' to keep; " +
-                (known.empty() ? "no material of the mesh has a name" : "the mesh has " + known)};
+    return {
+        StatusCode::InvalidOption,
+        "there is no material '" + name + "' to keep: " +
+            (known.empty() ? "the materials of the mesh have no names" : "the mesh has " + known)};
   }
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     if (names[mesh.faceMaterials[f]] == name) faces.push_back(f);
@@ -54,7 +55,7 @@ Result<KeptFaces> parseKept(const std::string& text) {
                     "'" + word + "' is not uv, material=NAME or one file=PATH"};
   }
   if (!out.any())
-    return Status{StatusCode::InvalidOption, "name what to keep: uv, material=NAME or file=PATH"};
+    return Status{StatusCode::InvalidOption, "nothing to keep. Use uv, material=NAME or file=PATH"};
   return out;
 }
 

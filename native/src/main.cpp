@@ -41,6 +41,6 @@ int main(int argc, char** argv) {
     return cli::ended(cli::outOfMemory("abflat"));
   } catch (const std::exception& defect) {
     return cli::ended({StatusCode::Internal,
-                       std::string("a defect of abflat, please report it: ") + defect.what()});
+                       std::string("this is a bug in abflat. Please report it: ") + defect.what()});
   }
 }

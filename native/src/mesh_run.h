@@ -79,7 +79,7 @@ class MeshRun {
           stderr);
     if (report.valid) return static_cast<int>(ExitCode::Valid);
     complain(inputName(command_.input) +
-             ": the layout is written, but not valid: " + Job::problem(report));
+             ": the layout was written, but is not valid: " + Job::problem(report));
     return static_cast<int>(ExitCode::NotValid);
   }
 
@@ -113,7 +113,7 @@ class MeshRun {
         isSameTarget(command_.input, command_.output))
       return Status{StatusCode::InvalidOption,
                     name + ": the result is " + formatName(written) + " and would replace this " +
-                        formatName(input_.format) + " file; give --output another name"};
+                        formatName(input_.format) + " file. Give --output another name"};
     return Job::compute(command_, input_.mesh, [this](const Progress& p) {
       progress_.show(p);
       return true;
@@ -126,7 +126,7 @@ class MeshRun {
     if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
     if (texcoord_ > 0 && !isChosen) {
       notes_.push_back("a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_" +
-                       std::to_string(texcoord_) + "; --texcoord 0 replaces the old ones");
+                       std::to_string(texcoord_) + ". Use --texcoord 0 to replace the old ones");
       if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});
     }
     for (const std::string& note : staleNotes(*input_.gltf, texcoord_)) notes_.push_back(note);

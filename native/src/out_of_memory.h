@@ -10,7 +10,7 @@ namespace abflat::cli {
 
 inline Status outOfMemory(const std::string& place) {
   return {StatusCode::OutOfMemory,
-          place + ": there is not enough memory; use a smaller mesh or a machine with more"};
+          place + ": not enough memory. Use a smaller mesh or a machine with more memory"};
 }
 
 /// Runs `work`, which returns a Result; the core leaves lack of memory to the standard library's

@@ -48,7 +48,7 @@ std::string writeAll(int file, std::string_view bytes) {
     const ssize_t written =
         uninterrupted([&] { return ::write(file, bytes.data(), bytes.size()); });
     if (written < 0) return std::strerror(errno);
-    if (written == 0 && ++idle == kMostIdle) return "it takes no more";
+    if (written == 0 && ++idle == kMostIdle) return "it accepts no more data";
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return {};
@@ -107,7 +107,7 @@ Status OutputFile::check() const {
   if (target_.empty()) return {};
   const std::string folder = folderOf(target_);
   std::error_code ignored;  // what cannot be looked up is not there
-  if (fs::is_directory(target_, ignored)) return failure("it is a folder; name a file in it");
+  if (fs::is_directory(target_, ignored)) return failure("it is a folder. Name a file in it");
   if (!isDirect_ && fs::is_symlink(target_, ignored)) return failure(std::strerror(ELOOP));
   if (!fs::is_directory(folder, ignored))
     return failure(fs::exists(folder, ignored) ? folder + " is not a folder"
@@ -217,8 +217,7 @@ Status OutputFile::undo() {
   if (old_.empty()) return !hasName_ || removed(target_) ? Status{} : failure(std::strerror(errno));
   const auto from = old_.c_str(), to = target_.c_str();
   if (uninterrupted([&] { return std::rename(from, to); }) == 0) return {};
-  return failure(std::string(std::strerror(errno)) + "; the file that was there is " + old_ +
-                 " now");
+  return failure(std::string(std::strerror(errno)) + ". The previous file is now " + old_);
 }
 
 void OutputFile::settle() {

@@ -10,9 +10,7 @@ Result<std::vector<Pin>> readPins(const std::string& path) {
     return (in >> std::ws).eof() || readIndex(in, pin.face);
   };
   return readRows<Pin>(
-      path,
-      "a vertex number, its u and v, and a face number where it takes one, such as '17 0.5 1'",
-      read);
+      path, "a vertex number, u, v and optionally a face number, such as '17 0.5 1'", read);
 }
 
 }  // namespace abflat::cli

@@ -40,7 +40,7 @@ std::string problemOf(const struct stat& info, int file) {
 std::string problemOfOrdinary(const struct stat& info) {
   if (S_ISDIR(info.st_mode)) return "it is a folder";
   if (!S_ISREG(info.st_mode)) return "it is a device or a pipe";
-  return info.st_size > kMostOrdinary ? "it has more than 4 GB" : "";
+  return info.st_size > kMostOrdinary ? "it is larger than 4 GB" : "";
 }
 
 /// Reads until the end. Empty, or why it failed.

@@ -31,16 +31,16 @@ class Resources {
     const auto failure = [&](const std::string& reason) {
       return Status{StatusCode::UnreadableFile, "cannot read " + shown + ": " + reason};
     };
-    if (name.find('\0') != std::string::npos) return failure("the name has a zero byte in it");
+    if (name.find('\0') != std::string::npos) return failure("the name contains a zero byte");
     std::error_code error;
     const fs::path folder = fs::canonical(folder_.empty() ? "." : folder_, error);
     if (error) return failure(error.message());
     const fs::path file = fs::canonical(folder_ / name, error);
     if (!allowsOutside_ && isOutside(folder, file, name))
-      return failure("it is outside of the folder of the mesh; --allow-outside reads it");
+      return failure("it is outside the folder of the mesh. Use --allow-outside to read it");
     if (error) return failure(error.message());
     if (++reads_[file] > kMostReads)
-      return failure("the mesh names it more than " + std::to_string(kMostReads) + " times");
+      return failure("the mesh refers to it more than " + std::to_string(kMostReads) + " times");
     std::string bytes;
     if (const std::string s = readOrdinaryFile(file.string(), bytes); !s.empty()) return failure(s);
     return bytes;

@@ -20,8 +20,13 @@ std::string printable(const std::string& text) {
   return out;
 }
 
+std::string sentence(const std::string& message) {
+  const char last = message.empty() ? '.' : message.back();
+  return last == '.' || last == '?' || last == '!' ? message : message + ".";
+}
+
 void complain(const std::string& message) {
-  std::fprintf(stderr, "abflat: %s\n", printable(message).c_str());
+  std::fprintf(stderr, "abflat: %s\n", printable(sentence(message)).c_str());
 }
 
 bool isErrorTerminal() {

@@ -9,7 +9,10 @@ namespace abflat::cli {
 /// Without what a terminal takes as a command: names and words of a file may hold anything.
 std::string printable(const std::string& text);
 
-/// "abflat: MESSAGE" on standard error, in one line.
+/// `message` with a full stop, unless it ends a sentence already.
+std::string sentence(const std::string& message);
+
+/// "abflat: MESSAGE." on standard error, in one line.
 void complain(const std::string& message);
 
 bool isErrorTerminal();

@@ -20,12 +20,12 @@ std::vector<std::string> repairLines(const RepairReport& r) {
   const auto add = [&](std::size_t n, const char* one, const char* many) {
     if (n > 0) lines.push_back(counted(n, one, many));
   };
-  add(r.mergedVertices, "vertex at the place of another one", "vertices at places of others");
-  add(r.collapsedFaces.size(), "face without area left out", "faces without area left out");
+  add(r.mergedVertices, "duplicate vertex treated as one", "duplicate vertices treated as one");
+  add(r.collapsedFaces.size(), "degenerate face left out", "degenerate faces left out");
   add(r.splitFaces.size(), "face that touches itself", "faces that touch themselves");
   add(r.duplicateFaces.size(), "repeated face", "repeated faces");
-  add(r.nonManifoldEdges.size(), "edge of more than two faces cut",
-      "edges of more than two faces cut");
+  add(r.nonManifoldEdges.size(), "edge with more than two faces cut",
+      "edges with more than two faces cut");
   add(r.orientationConflicts.size(), "edge cut where the orientation changes",
       "edges cut where the orientation changes");
   return lines;
@@ -43,7 +43,7 @@ std::string resultText(const Report& report, const std::string& inputName,
       << counted(report.input.vertices, "vertex", "vertices") << ", "
       << counted(c.boundaryVertices, "boundary vertex", "boundary vertices") << "\n"
       << "  t = " << c.t
-      << (c.bounds.empty() ? "" : " but for " + counted(c.bounds.size(), "vertex", "vertices"))
+      << (c.bounds.empty() ? "" : " except at " + counted(c.bounds.size(), "vertex", "vertices"))
       << ", " << counted(static_cast<std::size_t>(c.iterations), "Newton step", "Newton steps")
       << ", residual " << c.constraintResidual << "\n"
       << "  distortion: angles " << c.angularDistortion << ", lengths " << c.lengthDistortion
@@ -55,9 +55,9 @@ std::string resultText(const Report& report, const std::string& inputName,
         << (c.refined->limit.empty() ? "" : "; " + c.refined->limit) << "\n";
   if (c.delaunay)
     out << "  Delaunay: " << c.delaunay->violated << " of "
-        << counted(c.delaunay->edges, "interior edge", "interior edges") << " violated, before "
-        << c.delaunay->violatedBefore << "; angles " << c.delaunay->angularDistortionBefore
-        << " before\n";
+        << counted(c.delaunay->edges, "interior edge", "interior edges") << " violated, "
+        << c.delaunay->violatedBefore << " before; angular distortion was "
+        << c.delaunay->angularDistortionBefore << "\n";
   for (const std::string& fallback : c.fallbacks) out << "  " << printable(fallback) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
@@ -72,8 +72,8 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << counted(report.input.vertices, "vertex", "vertices") << ", "
       << counted(report.input.components, "component", "components") << "\n";
   for (const std::string& line : repairLines(report.repair)) out << "  " << line << "\n";
-  out << "  " << counted(report.charts.size(), "chart", "charts") << ", seams of "
-      << report.seams.relativeLength << " times the root of the area"
+  out << "  " << counted(report.charts.size(), "chart", "charts") << ", seam length "
+      << report.seams.relativeLength << " times the square root of the area"
       << (report.seams.filledHoles == 0
               ? ""
               : ", " + counted(report.seams.filledHoles, "hole", "holes") + " filled")
@@ -87,8 +87,7 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << " texels per unit\n";
   if (report.atlas.packingCuts > 0)
     out << "  " << counted(static_cast<std::size_t>(report.atlas.packingCuts), "cut", "cuts")
-        << " for packing, without which it is " << report.atlas.uncutTexelDensity
-        << " texels per unit\n";
+        << " to pack tighter (without: " << report.atlas.uncutTexelDensity << " texels per unit)\n";
   for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
@@ -103,10 +102,10 @@ std::string inspectText(const MeshSummary& s, const std::string& name,
   };
   out << printable(name) << "\n";
   row("vertices", s.vertices);
-  row("  without faces", s.unreferencedVertices);
+  row("  unused", s.unreferencedVertices);
   row("faces", s.faces);
   row("  as triangles", s.triangles);
-  row("  of zero area", s.degenerateFaces);
+  row("  degenerate", s.degenerateFaces);
   row("components", s.components);
   row("boundary loops", s.boundaryLoops);
   row("boundary edges", s.boundaryEdges);

@@ -93,7 +93,7 @@ struct UnwrapJob {
       if (++count == 1) first = &chart;
     }
     return std::to_string(count) + " of " + std::to_string(report.charts.size()) +
-           (report.charts.size() == 1 ? " chart, " : " charts, ") + "the first with face " +
+           (report.charts.size() == 1 ? " chart, " : " charts, ") + "the first containing face " +
            std::to_string(first->firstFace) + ": " + first->problem;
   }
 };

@@ -41,7 +41,7 @@ test('a full disk leaves what is on it', (t) =>
     const args = ['flatten', 'in.obj', '-o', 'out.obj', '--report', 'r.json'];
     const run = await runAbflat(args, { cwd: disk() });
     assert.equal(run.code, 5, run.stderr);
-    assert.match(run.stderr, /^abflat: cannot write out\.obj: No space left on device\n$/);
+    assert.match(run.stderr, /^abflat: cannot write out\.obj: No space left on device\.\n$/);
     assert.deepEqual(contentsOf(disk()), before);
   }));
 

@@ -15,7 +15,7 @@ const plyText = (points = '0 0 0\n1 0 0\n0 1 0\n', faces = '3 0 1 2\n') =>
 
 /** name, file, content, exit code, what the sentence must say. */
 const REFUSED = [
-  ['OBJ cut off inside a vertex', 'a.obj', `${HEAD}v 1 1`, 3, /a\.obj:4: .*cut off/],
+  ['OBJ cut off inside a vertex', 'a.obj', `${HEAD}v 1 1`, 3, /a\.obj:4: .*truncated/],
   ['OBJ cut off inside a face', 'a.obj', `${HEAD}f 1 2`, 3, /a\.obj:4: .*2 corners/],
   [
     'OBJ cut off before its last vertices',
@@ -30,7 +30,7 @@ const REFUSED = [
   ['NaN in OFF', 'a.off', 'OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n', 3, /a\.off:4: /],
   ['a word for a number', 'a.obj', `v 0 zero 0\n${TRIANGLE}`, 3, /a\.obj:1: 'zero'/],
   ['an index out of range', 'a.obj', `${HEAD}f 1 2 7\n`, 3, /a\.obj:4: .*vertex 7/],
-  ['index 0', 'a.obj', `${HEAD}f 0 1 2\n`, 3, /a\.obj:4: .*counts from 1/],
+  ['index 0', 'a.obj', `${HEAD}f 0 1 2\n`, 3, /a\.obj:4: .*indices start at 1/],
   ['a negative index before the first vertex', 'a.obj', `${HEAD}f -1 -2 -4\n`, 3, /a\.obj:4: /],
   ['an index beyond 64 bits', 'a.obj', `${HEAD}f 1 2 99999999999999999999\n`, 3, /a\.obj:4: /],
   [
@@ -73,7 +73,7 @@ const REFUSED = [
     'a.off',
     TETRAHEDRON.replace('4 4 6', '4 3 6'),
     3,
-    /a\.off:10: .*3 faces.*one more/,
+    /a\.off:10: .*3 faces.*another face/,
   ],
   [
     'NaN in PLY',
@@ -119,7 +119,7 @@ const REFUSED = [
     'a.png',
     '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
     3,
-    /a\.png: not an OBJ, PLY, STL, OFF or glTF file/,
+    /a\.png is not supported\. Use OBJ, PLY, STL, OFF, glTF or GLB/,
   ],
   ['vertices without faces', 'a.obj', HEAD, 4, /a\.obj: .*no faces/],
   ['a face that uses a vertex twice', 'a.obj', `${TRIANGLE}f 1 2 2\n`, 4, /face 1 .*twice|face 1 /],

@@ -154,7 +154,7 @@ test('without a result the report says why and what the input is', async (t) => 
   assert.deepEqual(report.charts, []);
   assert.deepEqual([report.input.faces, report.input.boundaryLoops], [4, 0]);
   assert.equal(report.error.code, 'ClosedSurface');
-  assert.equal(run.stderr, `abflat: ${report.error.message}\n`);
+  assert.equal(run.stderr, `abflat: ${report.error.message}.\n`);
 
   writeFileSync(at('broken.obj'), 'v 1 2\n');
   const broken = await flatten(at, ['broken.obj', '-o', 'out.obj', '--report', 'r.json']);
@@ -230,7 +230,7 @@ test('the format of standard input is found out', async (t) => {
   assert.equal(lines(run.stdout, 'vt').length, 4);
   for (const [input, sentence] of [
     ['', /standard input: the file is empty/],
-    ['hello', /standard input: not an OBJ, PLY, STL, OFF or glTF file/],
+    ['hello', /standard input is not supported\. Use OBJ, PLY, STL, OFF, glTF or GLB/],
     ['v 0 0\n', /standard input:1: /],
   ]) {
     const bad = await flatten(at, ['-', '-o', '-'], { input });

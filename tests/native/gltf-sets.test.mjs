@@ -94,9 +94,9 @@ for (const [what, file, expected] of CASES)
     assert.ok(sets.includes(`TEXCOORD_${expected}`));
     for (const set of file.sets)
       if (set !== expected) assert.deepEqual(cornersOf(after, set), cornersOf(before, set));
-    const sentence = `a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_${expected}; --texcoord 0 replaces the old ones`;
+    const sentence = `a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_${expected}. Use --texcoord 0 to replace the old ones`;
     assert.deepEqual(notes, expected > 0 ? [sentence] : []);
-    assert.equal(stderr, expected > 0 ? `abflat: in.glb: ${sentence}\n` : '');
+    assert.equal(stderr, expected > 0 ? `abflat: in.glb: ${sentence}.\n` : '');
   });
 
 test('a set that is named is written, and nothing is said', async (t) => {

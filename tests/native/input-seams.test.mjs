@@ -177,9 +177,9 @@ test('sources go together, and say what they miss', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), surfaces.objText(CUBE));
   for (const [seams, missing] of [
-    ['uv', /^abflat: in\.obj: the mesh has no texcoords.*leave uv out/],
+    ['uv', /^abflat: in\.obj: the mesh has no texcoords.*Leave uv out/],
     ['auto,uv', /no texcoords/],
-    ['material', /^abflat: in\.obj: the mesh has no materials.*leave material out/],
+    ['material', /^abflat: in\.obj: the mesh has no materials.*Leave material out/],
   ]) {
     const { code, stderr } = await unwrapped(at, 'in.obj', seams);
     assert.deepEqual([code, missing.test(stderr)], [2, true], stderr);

@@ -106,9 +106,9 @@ test('material: faces of materials keep their uv, those of others are made new',
   const list = 'material=old wood#2,material=new,material=metal';
   assertKept(before, await unwrapped(at, 'painted.obj', '--keep', list), () => true);
   for (const [input, known] of [
-    ['painted.obj', /no material 'gold' to keep; the mesh has 'old wood#2', 'new', 'metal'\n/],
-    ['painted.glb', /no material 'gold' to keep; the mesh has 'old wood#2', 'new', 'metal'\n/],
-    ['before.obj', /no material 'gold' to keep; no material of the mesh has a name\n/],
+    ['painted.obj', /no material 'gold' to keep: the mesh has 'old wood#2', 'new', 'metal'\.\n/],
+    ['painted.glb', /no material 'gold' to keep: the mesh has 'old wood#2', 'new', 'metal'\.\n/],
+    ['before.obj', /no material 'gold' to keep: the materials of the mesh have no names\.\n/],
   ]) {
     const none = await unwrapped(at, input, '--keep', 'uv,material=gold');
     assert.deepEqual([none.code, known.test(none.stderr)], [2, true], none.stderr);

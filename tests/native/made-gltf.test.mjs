@@ -152,20 +152,20 @@ test('what an OBJ names but does not have is told, and is no error', async (t) =
   const alone = await converted(at, 'in.obj', 'out.glb');
   assert.match(
     alone.notes.join('\n'),
-    /^materials of the materials\.mtl are names only: cannot read the materials\.mtl: .*$/,
+    /^the materials in the materials\.mtl keep only their names: cannot read the materials\.mtl: .*$/,
   );
   assertParts(alone.model, faces, ({ TEXCOORD_1 }) => assert.equal(TEXCOORD_1, undefined));
   writeFileSync(at('the materials.mtl'), MTL);
   const bare = await converted(at, 'in.obj', 'out.glb');
   assert.ok(
-    bare.notes.some((n) => /the image maps\/+oak 1\.png is left out: cannot read/.test(n)),
+    bare.notes.some((n) => /image maps\/+oak 1\.png was left out: cannot read/.test(n)),
     `${bare.notes}`,
   );
   assert.equal(bare.model.json.images, undefined);
   writeFileSync(at('oak 1.png'), 'no picture');
   const wrong = await converted(at, 'in.obj', 'out.glb');
   assert.ok(
-    wrong.notes.some((n) => /oak 1\.png is left out: a glTF has PNG and JPEG only/.test(n)),
+    wrong.notes.some((n) => /oak 1\.png was left out: glTF supports only PNG and JPEG/.test(n)),
   );
   writeFileSync(at('oak 1.png'), PNG);
   assert.equal((await converted(at, 'in.obj', 'out.glb')).model.json.images.length, 1);

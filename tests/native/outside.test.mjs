@@ -11,7 +11,7 @@ import { grid } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
 const SECRET = 'the secret that is nobody’s business';
-const OUTSIDE = /is outside of the folder of the mesh; --allow-outside reads it/;
+const OUTSIDE = /is outside the folder of the mesh\. Use --allow-outside to read it/;
 
 /** A square whose positions are in a buffer at `uri`. */
 function squareGltf(uri, change) {
@@ -127,7 +127,7 @@ test('one file is not read any number of times', async (t) => {
   writeFileSync(at('model/in.gltf'), many.text);
   const run = await runAbflat(['inspect', 'model/in.gltf'], { cwd: at() });
   assert.equal(run.code, 3);
-  assert.match(run.stderr, /buffers\[8\]\.uri: .*the mesh names it more than 8 times/);
+  assert.match(run.stderr, /buffers\[8\]\.uri: .*the mesh refers to it more than 8 times/);
 });
 
 test('material files and images of an OBJ, and the image of a PLY, are held to the same', async (t) => {

@@ -242,7 +242,7 @@ test('a run that goes wrong leaves no picture; wrong names and sizes are told fi
   for (const [options, wanted] of [
     [['--layout', 'l.jpg'], /--layout: give a name that ends in \.svg or \.png, not 'l\.jpg'/],
     [['--heat-map', 'l.svg'], /--heat-map: give a name that ends in \.png/],
-    [['--layout', 'l.png', '--scale', '2'], /--scale: is for an SVG/],
+    [['--layout', 'l.png', '--scale', '2'], /--scale: needs an SVG/],
     [['--layout', 'l.svg', '--scale', '0'], /--scale: must be a number above 0/],
     [['--layout', 'l.png', '--resolution', '20000'], /--layout: a PNG has at most 16384/],
     [['--layout', 'x.png', '--heat-map', './x.png'], /--heat-map: is the same file as --layout/],

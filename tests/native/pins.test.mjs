@@ -68,19 +68,19 @@ test('pins that fold the layout: written, exit code 1, and a sentence', async (t
     '0 0 0\n4 0 1\n20 1 0\n24 1 1\n',
   );
   assert.equal(code, 1);
-  assert.match(stderr, /written, but not valid: the pins fold the layout: .*; move them/);
+  assert.match(stderr, /written, but is not valid: the pins fold the layout: .*\. Move the pins/);
   assert.equal(report.valid, false);
   assert.deepEqual([...uvOfVertices(text).get(20)], ['1 0']);
 });
 
 for (const [pins, sentence, expected] of [
-  ['0 0\n', /pins:1: expected a vertex number, its u and v/, 3],
+  ['0 0\n', /pins:1: expected a vertex number, u, v/, 3],
   ['0 0 0\n1.5 2\n', /pins:2: expected/, 3],
   ['0 0 0\n1 2 3 4 5\n', /pins:2: expected/, 3],
   ['-1 0 0\n', /pins:1: expected/, 3],
   ['0 0 nan\n', /pins:1: expected/, 3],
   ['0 0 1e999\n', /pins:1: expected/, 3],
-  ['0 0 0\n', /in\.obj: vertex 0 is the only pinned one/, 2],
+  ['0 0 0\n', /in\.obj: vertex 0 is the only pinned vertex/, 2],
   ['0 0 0\n99 1 1\n', /in\.obj: vertex 99 is pinned, but the mesh has 9 vertices/, 2],
   ['0 0 0\n0 1 1\n', /in\.obj: vertex 0 is pinned twice/, 2],
   ['0 0 0\n4 1 1\n8 0 0\n', /in\.obj: vertices 0 and 8 are pinned to the same uv/, 2],

@@ -205,7 +205,7 @@ describe('folders', () => {
       [
         ['--meshes', 'meshes', '--out', 'out'],
         3,
-        /meshes: there is no \.obj, \.ply, \.stl or \.off file in it/,
+        /meshes: it contains no \.obj, \.ply, \.stl or \.off file/,
       ],
       [['--meshes', 'missing', '--out', 'out'], 3, /missing: there is no such folder/],
       [['--meshes', 'file', '--out', 'out'], 3, /file: it is not a folder/],

@@ -282,22 +282,22 @@ test('what cannot be done is one sentence', async (t) => {
   writeFileSync(at('far.txt'), '0 99\n');
   writeFileSync(at('diagonal.txt'), '# no edge\n0 7\n');
   for (const [args, code, message] of [
-    [['none.obj'], 4, /^abflat: none\.obj: the mesh has no faces\n$/],
-    [['flat.obj'], 4, /^abflat: flat\.obj: every face has fewer than three distinct corners\n$/],
+    [['none.obj'], 4, /^abflat: none\.obj: the mesh has no faces\.\n$/],
+    [['flat.obj'], 4, /^abflat: flat\.obj: every face has fewer than three distinct corners\.\n$/],
     [['in.obj', '--seams', 'file=bad.txt'], 3, /^abflat: bad\.txt:2: expected two vertex numbers/],
     [
       ['in.obj', '--seams', 'file=far.txt'],
       2,
       /the seam 0-99 names vertex 99, but there are only 8/,
     ],
-    [['in.obj', '--seams', 'file=diagonal.txt'], 2, /the seam 0-7 is no edge of a face/],
+    [['in.obj', '--seams', 'file=diagonal.txt'], 2, /seam 0-7 is not an edge of any face/],
     [['in.obj', '--seams', 'file=missing.txt'], 3, /missing\.txt/],
     [
       ['in.obj', '--seams', 'sideways'],
       2,
       /--seams: 'sideways' is not auto, uv, material, none or sharp=DEGREES/,
     ],
-    [['in.obj', '--seams', 'none,auto'], 2, /--seams: none does not go with others/],
+    [['in.obj', '--seams', 'none,auto'], 2, /--seams: none cannot be combined with other seams/],
     [['in.obj', '--seams', 'sharp=200'], 2, /--seams: 'sharp=200' is not/],
     [['in.obj', '--max-stretch', '1'], 2, /--max-stretch: must be a number above 1, not 1/],
     [['in.obj', '--write-seams', 'in.obj'], 2, /--write-seams: would replace the input/],

@@ -16,7 +16,7 @@ const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 /** arguments, what the message must say. */
 const WRONG = [
   [[], /flatten, inspect, sample, sweep, compare or reproduce/],
-  [['unfold'], /no command 'unfold'; known are unwrap, flatten/],
+  [['unfold'], /no command 'unfold'\. Use unwrap, flatten/],
   [['unwrap'], /IN/],
   [['flatten'], /IN/],
   [['flatten', 'in.obj'], /--output/],
@@ -66,11 +66,15 @@ const WRONG = [
     ['unwrap', 'in.obj', '-o', 'o.obj', '--keep', 'file=-', '--pins', '-'],
     /--pins: standard input is the file of --keep already/,
   ],
-  [['flatten', 'in.obj', '-o', 'out.off'], /written as OBJ, PLY or glTF/],
+  [
+    ['flatten', 'in.obj', '-o', 'out.off'],
+    /cannot write \.off files\. Use \.obj, \.ply, \.glb or \.gltf/,
+  ],
+  [['unwrap', 'in.obj', '-o', 'o.obj', '--udim'], /--udim: needs a numeric --texel-density/],
   [['sweep', 'in.obj', '--csv', './in.obj'], /--csv: would replace the input/],
   [['inspect'], /IN/],
   [['sample'], /NAME/],
-  [['sample', 'teapot', '-o', 'out.obj'], /no sample 'teapot'; known are hemisphere/],
+  [['sample', 'teapot', '-o', 'out.obj'], /no sample 'teapot'\. Use hemisphere/],
   [['sample', 'head'], /--output/],
   [['sample', 'head', '-o', 'out.obj', '--detail', '0.5'], /--detail: must be a number from 1/],
   [['sample', 'head', '-o', 'out.obj', '--detail', '1e9'], /--detail: must be a number from 1/],
@@ -83,7 +87,7 @@ for (const [args, sentence] of WRONG)
     const run = await runAbflat(args, { cwd: at() });
     assert.equal(run.code, 2, run.stderr);
     assert.match(run.stderr, sentence);
-    assert.match(run.stderr, /^abflat: [^\n]+\nabflat.* --help/);
+    assert.match(run.stderr, /^abflat: [^\n]+\nRun 'abflat.* --help' for usage\.\n/);
     assert.equal(run.stdout, '');
     assert.equal(existsSync(at('out.obj')), false);
     assert.equal(readFileSync(at('in.obj'), 'utf8'), TRIANGLE);

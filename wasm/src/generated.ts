@@ -29,33 +29,33 @@ export type StatusName = (typeof STATUS_NAMES)[number];
 export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; readonly text: string }>> = {
   Ok: { exit: 0, text: 'no error' },
   InvalidOption: { exit: 2, text: 'an option is unknown or out of its range' },
-  UnreadableFile: { exit: 3, text: 'the file does not exist, cannot be opened or has an unknown format' },
-  ParseError: { exit: 3, text: 'the content is not what its format promises; the message names the line, or the byte of a binary file' },
-  InvalidMesh: { exit: 3, text: 'mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners' },
+  UnreadableFile: { exit: 3, text: 'the file does not exist, cannot be opened or has an unsupported format' },
+  ParseError: { exit: 3, text: 'the file breaks the rules of its format; the message names the line, or the byte of a binary file' },
+  InvalidMesh: { exit: 3, text: 'mesh arrays are inconsistent: an index out of range, a coordinate that is not finite, a face with fewer than three corners' },
   EmptyMesh: { exit: 4, text: 'the mesh has no faces' },
   DegenerateFace: { exit: 4, text: 'a face uses the same vertex twice' },
   NonManifoldEdge: { exit: 4, text: 'an edge has more than two faces' },
-  InconsistentOrientation: { exit: 4, text: 'two neighbouring faces run along their common edge in the same direction' },
+  InconsistentOrientation: { exit: 4, text: 'two adjacent faces have opposite orientation' },
   MultipleComponents: { exit: 4, text: 'the mesh has more than one edge-connected component' },
   ClosedSurface: { exit: 4, text: 'the surface has no boundary' },
   MultipleBoundaryLoops: { exit: 4, text: 'the surface has more than one boundary loop' },
   HasHandles: { exit: 4, text: 'the surface has genus above 0' },
-  InfeasibleBound: { exit: 4, text: 't is below 1 - 2/(number of boundary vertices); the message says the least t possible' },
-  OutOfMemory: { exit: 4, text: 'the mesh needs more memory than there is' },
+  InfeasibleBound: { exit: 4, text: 't is below 1 - 2/(number of boundary vertices); the message names the smallest possible t' },
+  OutOfMemory: { exit: 4, text: 'there is not enough memory for the mesh' },
   Aborted: { exit: 4, text: 'the caller cancelled the run' },
   CannotWrite: { exit: 5, text: 'the output cannot be written' },
-  Internal: { exit: 4, text: 'a defect of abflat; please report it with the mesh' },
-  AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message says which resolution or texel density they fit at' },
+  Internal: { exit: 4, text: 'a bug in abflat; please report it with the mesh' },
+  AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message names a resolution or texel density at which they fit' },
 };
 
 /** Exit codes of the command line program. */
 export const EXIT_CODES = [
   { code: 0, name: 'Valid', text: 'a valid result was written' },
-  { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says which' },
-  { code: 2, name: 'Usage', text: 'the command line cannot be understood' },
-  { code: 3, name: 'Unreadable', text: 'the input cannot be read: the message names file, place and what is wrong' },
-  { code: 4, name: 'NotFlattenable', text: 'the mesh was read but cannot be flattened, or not packed as asked: the message says why' },
-  { code: 5, name: 'CannotWrite', text: 'the output cannot be written; an existing file is left as it was' },
+  { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says why' },
+  { code: 2, name: 'Usage', text: 'the command line is wrong' },
+  { code: 3, name: 'Unreadable', text: 'the input cannot be read; the message says where and why' },
+  { code: 4, name: 'NotFlattenable', text: 'the mesh cannot be flattened, or not packed as asked; the message says why' },
+  { code: 5, name: 'CannotWrite', text: 'the output cannot be written; existing files are unchanged' },
 ] as const;
 
 export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';
@@ -87,14 +87,14 @@ export const FLATTEN_DEFAULTS: Readonly<FlattenOptionValues> = {
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const FLATTEN_OPTIONS = {
-  t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the layout\'s boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)', range: 'above 0, or auto' },
+  t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   balance: { type: 'number', default: 0, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
-  untangle: { type: 'choice', default: 'auto', choices: ['auto', 'none', 'local', 'global', 'best'], text: 'how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less', range: 'auto, none, local, global, best' },
-  linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'eigen'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes; eigen = the same elimination, factored by Eigen\'s SimplicialLDLT', range: 'schur, eigen' },
-  memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for a factor of the solver\'s matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
-  adjacent: { type: 'boolean', default: false, text: 'condition (5): even a free boundary has no angle above 2 pi, so neighbouring triangles do not overlap there', range: '' },
-  delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows', range: '' },
-  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one', range: 'at least 0 and at most 256, whole' },
+  untangle: { type: 'choice', default: 'auto', choices: ['auto', 'none', 'local', 'global', 'best'], text: 'how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = keep crossings; the result is not valid; local = tighten only the bounds of the arcs that cross; global = tighten all bounds alike; best = local or global, whichever distorts less', range: 'auto, none, local, global, best' },
+  linearSolver: { type: 'choice', default: 'schur', choices: ['schur', 'eigen'], text: 'how the linear systems of Newton\'s method are solved: schur = elimination to two rows per vertex, then sparse factorisation; for large meshes, conjugate gradients preconditioned by one; eigen = the same elimination, factored by Eigen\'s SimplicialLDLT', range: 'schur, eigen' },
+  memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
+  adjacent: { type: 'boolean', default: false, text: 'condition (5): keep boundary angles below 2 pi even if the boundary is free, so that adjacent triangles do not overlap', range: '' },
+  delaunay: { type: 'boolean', default: false, text: 'condition (9): make every interior edge of the layout Delaunay, where the connectivity allows it', range: '' },
+  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;
 
 export type FillHoles = 'auto' | 'never' | 'always';
@@ -138,18 +138,18 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const UNWRAP_OPTIONS = {
-  maxStretch: { type: 'number', default: 1.02, above: 1, text: 'largest stretch of a chart, as its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts', range: 'above 1' },
+  maxStretch: { type: 'number', default: 1.02, above: 1, text: 'largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts', range: 'above 1' },
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
-  fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled, so that they need no seams: auto = where the hole is small or lies in something flat, the chart stays within maxStretch and no seam reaches the hole; never = a seam joins every hole to the outer boundary; always = however much it stretches', range: 'auto, never, always' },
-  symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether a mesh that is its own mirror image gets symmetric automatic seams: auto = unless they would be longer; never = each seam where it serves its own side best; always = even if they are longer', range: 'auto, never, always' },
-  t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the layout\'s boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)', range: 'above 0, or auto' },
-  straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight lines in the atlas, from junction to junction and corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is', range: '' },
-  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'texels along a side of the texture that charts are packed for', range: 'at least 16 and at most 32768, whole' },
-  padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts at that resolution', range: 'at least 0 and at most 256, whole' },
-  texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per unit of length of the mesh, the same for meshes that belong together (auto = as many as fit one tile)', range: 'above 0, or auto' },
-  udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as that texel density needs: 1001 and on, ten in a row, u from 0 to 10', range: '' },
-  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: they are cut further until they do, or until cutting no longer helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface\'s area)', range: 'at least 0 and at most 1, or auto' },
-  rotate: { type: 'boolean', default: true, text: 'rotating charts to pack tighter', range: '' },
-  memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for a factor of the solver\'s matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
-  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one', range: 'at least 0 and at most 256, whole' },
+  fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would exceed maxStretch; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
+  symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
+  t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
+  straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
+  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
+  padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts', range: 'at least 0 and at most 256, whole' },
+  texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
+  udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
+  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
+  rotate: { type: 'boolean', default: true, text: 'rotate charts to pack tighter', range: '' },
+  memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
+  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;

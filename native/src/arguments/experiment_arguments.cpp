@@ -28,15 +28,15 @@ std::vector<double> parseList(const std::string& option, const std::string& text
 }  // namespace
 
 CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
-  CLI::App* sub =
-      app.add_subcommand("sweep", "Compare the distortion of a mesh for several t and balances");
+  CLI::App* sub = app.add_subcommand(
+      "sweep", "Flatten a mesh with several values of t and balance, and compare the distortion");
   sub->group("Commands");
   addInput(*sub, c.input);
   const CLI::Option* t =
       sub->add_option_function<std::string>(
              "--t", [&c](const std::string& text) { c.t = parseList("--t", text); },
-             wrapped("values of t separated by commas, each a number above 0, or auto; with "
-                     "--balance the default is auto"))
+             wrapped("values of t, separated by commas: numbers above 0, or auto (default with "
+                     "--balance: auto)"))
           ->default_str("2,1.05,1,0.968")
           ->type_name("LIST");
   sub->add_option_function<std::string>(
@@ -45,20 +45,18 @@ CLI::App* addSweep(CLI::App& app, SweepCommand& c) {
            c.balance = parseList("--balance", text);
            if (t->count() == 0) c.t = {kAutoT};
          },
-         wrapped("balances between angles and lengths separated by commas, each from 0 to 1; every "
-                 "t is combined with every balance"))
+         wrapped("balances between angles and lengths, separated by commas: numbers from 0 to 1; "
+                 "every t is combined with every balance"))
       ->default_str("0")
       ->type_name("LIST");
   sub->add_option("--csv", c.csv,
-                  wrapped("CSV file to write instead of printing a table; - for standard output"))
+                  wrapped("CSV file to write instead of a table; - writes to standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
   addAllowOutside(*sub, c.allowsOutside);
   setUsage(*sub, "abflat sweep IN [OPTIONS]");
-  sub->footer(
-      "A t that is not possible for the mesh, or gives no valid layout, is a row that says "
-      "so.\n\n" +
-      exitCodeHelp());
+  sub->footer("If a t is impossible for the mesh, or gives no valid layout, its row says so.\n\n" +
+              exitCodeHelp());
   return sub;
 }
 
@@ -68,20 +66,18 @@ void checkTogether(const SweepCommand& c) {
 
 CLI::App* addCompare(CLI::App& app, CompareCommand& c) {
   CLI::App* sub = app.add_subcommand(
-      "compare",
-      "Compare the layouts of a mesh by abflat, MIPS, Tutte, mean value, harmonic and LSCM");
+      "compare", "Compare layouts by abflat, MIPS, Tutte, mean value, harmonic and LSCM");
   sub->group("Commands");
   addInput(*sub, c.input);
-  sub->add_option("--json", c.json,
-                  wrapped("JSON file to write instead of printing a table, with all measures; - "
-                          "for standard output"))
+  sub->add_option(
+         "--json", c.json,
+         wrapped("JSON file for all measures, instead of a table; - writes to standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
   addAllowOutside(*sub, c.allowsOutside);
   setUsage(*sub, "abflat compare IN [OPTIONS]");
   sub->footer(
-      "A method that gives no valid layout is a row that says so; the exit code is 0 all the "
-      "same.\n\n" +
+      "If a method gives no valid layout, its row says so and the exit code is still 0.\n\n" +
       exitCodeHelp());
   return sub;
 }
@@ -96,10 +92,10 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
   sub->group("Commands");
   sub->add_option(
          "--meshes", c.meshes,
-         wrapped("folder whose OBJ, PLY, STL and OFF files are used beside the generated models"))
+         wrapped("folder of OBJ, PLY, STL and OFF files to use as well as the generated models"))
       ->check(notEmpty())
       ->type_name("DIR");
-  sub->add_option("-o,--out", c.out, wrapped("folder to write to; made when it is missing"))
+  sub->add_option("-o,--out", c.out, wrapped("folder to write to; created if missing"))
       ->required()
       ->check(notEmpty())
       ->type_name("DIR");
@@ -110,16 +106,16 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
            c.wantsConvergence = part == "convergence";
            c.wantsFigures = part == "figures";
          },
-         wrapped("one part of it: tables, convergence or figures"))
+         wrapped("only one part: tables, convergence or figures"))
       ->check(CLI::IsMember({"tables", "convergence", "figures"}))
       ->type_name("PART");
   const OptionInfos infos = optionInfos(c.options);
   for (int i = 0; i < infos.count; ++i)
     if (infos[i].name == std::string("precondition")) addOption(*sub, c.options, i);
-  sub->add_flag("-q,--quiet", c.quiet, "no progress; errors are still printed");
+  sub->add_flag("-q,--quiet", c.quiet, "print only errors: no progress");
   setUsage(*sub, "abflat reproduce [--meshes DIR] --out DIR [OPTIONS]");
   sub->footer(
-      "A mesh that cannot be read or is no disk is a row that says so. DIR/index.html shows all "
+      "If a mesh cannot be read or is not a disk, its row says so. DIR/index.html shows all "
       "results.\n\n" +
       exitCodeHelp());
   return sub;

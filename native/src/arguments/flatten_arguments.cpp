@@ -5,26 +5,25 @@
 namespace abflat::cli {
 
 CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
-  CLI::App* sub = app.add_subcommand(
-      "flatten", "Flatten a mesh that is a disk and write it with its uv layout");
+  CLI::App* sub = app.add_subcommand("flatten", "Flatten a mesh that is a disk as one chart");
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
   addOptions(*sub, c.options);
   sub->add_option(
          "--bounds", c.bounds,
-         wrapped("text file with bounds for single boundary vertices, in place of the "
-                 "common t: a line 'VERTEX T' each, vertices counted from 0; - for standard input"))
+         wrapped("text file with bounds for single boundary vertices, which replace t there: "
+                 "one 'VERTEX T' per line, numbered from 0; - reads standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
   sub->add_option(
          "--straight", c.straight,
-         wrapped("text file with parts of the boundary that are to be straight: a line 'FROM TO' "
-                 "each, boundary vertices counted from 0, with the surface on the left on the way "
-                 "from one to the other; - for standard input"))
+         wrapped("text file with parts of the boundary to make straight: one 'FROM TO' per line, "
+                 "two boundary vertices numbered from 0, with the surface on the left from FROM "
+                 "to TO; - reads standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
-  addPins(*sub, c.pins, "");
+  addPins(*sub, c.pins, " (two or more)");
   addTexcoordSet(*sub, c.texcoord);
   addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
@@ -55,7 +54,7 @@ void checkTogether(const FlattenCommand& c) {
           option,
           std::string("standard input is ") +
               (c.input == kStandardStream ? "the mesh" : std::string("the file of ") + reader) +
-              " already; name a file");
+              " already. Name a file");
     reader = option;
   }
 }

@@ -4,8 +4,7 @@
 namespace abflat::cli {
 
 CLI::App* addInspect(CLI::App& app, InspectCommand& c) {
-  CLI::App* sub =
-      app.add_subcommand("inspect", "Say what a mesh is, and what keeps it from being flattened");
+  CLI::App* sub = app.add_subcommand("inspect", "Describe a mesh and why flatten would refuse it");
   sub->group("Commands");
   addInput(*sub, c.input);
   sub->add_flag("--json", c.json, "print JSON instead of a table");

@@ -35,10 +35,7 @@ CLI::Validator resultName() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
         if (isWritableName(text)) return "";
-        return "results are written as OBJ, PLY or glTF: give a name that ends in .obj, .ply, .glb "
-               "or "
-               ".gltf, not " +
-               endingOf(text);
+        return "cannot write " + endingOf(text) + " files. Use .obj, .ply, .glb or .gltf";
       },
       "");
 }
@@ -95,16 +92,16 @@ CLI::Validator notEmpty() {
 }
 
 void addInput(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL, OFF or glTF; - for standard input")
+  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL, OFF or glTF; - reads standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
 }
 
 void addOutput(CLI::App& app, std::string& output) {
-  app.add_option("-o,--output", output,
-                 wrapped("file to write, OBJ, PLY or glTF (.glb, .gltf) by its ending; - for OBJ "
-                         "on standard output"))
+  app.add_option(
+         "-o,--output", output,
+         wrapped("file to write: .obj, .ply, .glb or .gltf; - writes OBJ to standard output"))
       ->required()
       ->check(notEmpty())
       ->check(resultName())
@@ -113,9 +110,9 @@ void addOutput(CLI::App& app, std::string& output) {
 
 void addPins(CLI::App& app, std::string& pins, const std::string& where) {
   app.add_option("--pins", pins,
-                 wrapped("text file with two or more vertices that are to lie at given uv" + where +
-                         ": a line 'VERTEX U V' each, counted from 0, and a face after that where "
-                         "the vertex is on a seam; - for standard input"))
+                 wrapped("text file that pins vertices to uv" + where +
+                         ": one 'VERTEX U V' per line, or 'VERTEX U V FACE' for a vertex on a "
+                         "seam, numbered from 0; - reads standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
 }
@@ -135,32 +132,32 @@ void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set) {
   app.add_option_function<std::string>(
          "--texcoord", take,
          wrapped(
-             "set of a glTF that gets the texcoords, from 0 on; others stay, so that 1 is for a "
-             "lightmap beside the textures (auto = 0, or where a texture uses that, the first "
-             "set that the file does not have)"))
+             "glTF set for the new texcoords: TEXCOORD_0 to TEXCOORD_7; other sets stay, so use "
+             "1 for a lightmap beside the textures (auto = 0, or the first free set if a texture "
+             "uses TEXCOORD_0)"))
       ->default_str("auto")
       ->type_name("NUMBER");
 }
 
 void addAllowOutside(CLI::App& app, bool& allowsOutside) {
   app.add_flag("--allow-outside", allowsOutside,
-               wrapped("read buffers, material files and images that the mesh names wherever they "
-                       "are; without it only in the folder of the mesh and below"));
+               wrapped("read buffers, material files and images that the mesh refers to from any "
+                       "folder, not only from the folder of the mesh and its subfolders"));
 }
 
 void addReport(CLI::App& app, std::string& report) {
   app.add_option("--report", report,
-                 wrapped("JSON file for what was done and how well; - for standard output"))
+                 wrapped("JSON file for the report; - writes to standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
 }
 
 void addQuiet(CLI::App& app, bool& quiet) {
-  app.add_flag("-q,--quiet", quiet, "no progress and no summary; errors are still printed");
+  app.add_flag("-q,--quiet", quiet, "print only errors: no progress, no summary");
 }
 
 void refuse(const char* option, const std::string& what) {
-  throw CLI::ValidationError(option, what + "; give it a name of its own");
+  throw CLI::ValidationError(option, what + ". Give it another name");
 }
 
 bool replaces(const std::string& target, const std::string& source) {

@@ -23,7 +23,7 @@ CLI::Validator sampleName() {
           if (sample.name == text) return "";
           known += (known.empty() ? "" : ", ") + std::string(sample.name);
         }
-        return "there is no sample '" + text + "'; known are " + known;
+        return "there is no sample '" + text + "'. Use " + known;
       },
       "");
 }
@@ -31,7 +31,7 @@ CLI::Validator sampleName() {
 }  // namespace
 
 CLI::App* addSample(CLI::App& app, SampleCommand& c) {
-  CLI::App* sub = app.add_subcommand("sample", "Write a generated mesh to try things on");
+  CLI::App* sub = app.add_subcommand("sample", "Write a generated mesh to experiment with");
   sub->group("Commands");
   sub->add_option("NAME", c.name, "one of the samples below")
       ->required()

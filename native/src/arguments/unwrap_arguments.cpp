@@ -15,7 +15,7 @@ CLI::Validator pictureName(const std::vector<std::string>& endings, const std::s
         const std::string ending = endingOf(text);
         for (const std::string& known : endings)
           if (ending == known) return "";
-        return "give a name that ends in " + inWords + ", not '" + text + "'";
+        return "use a name that ends in " + inWords + ", not '" + text + "'";
       },
       "");
 }
@@ -44,20 +44,23 @@ void setKept(const std::string& text, UnwrapCommand& c) {
 }
 
 void addPictures(CLI::App& app, UnwrapCommand& c) {
-  app.add_option("--layout", c.layout,
-                 wrapped("picture of the atlas with charts in colours and all edges, SVG or PNG by "
-                         "its ending; PNG has a pixel per texel"))
+  app.add_option(
+         "--layout", c.layout,
+         wrapped("picture of the atlas, .svg or .png: charts in colour, with all edges; a PNG "
+                 "has one pixel per texel"))
       ->check(notEmpty())
       ->check(pictureName({".svg", ".png"}, ".svg or .png"))
       ->type_name("FILE");
-  app.add_option("--scale", c.scale,
-                 wrapped("millimetres for a unit of the mesh: the SVG of --layout gets the size at "
-                         "which charts are as large as their surface"))
+  app.add_option(
+         "--scale", c.scale,
+         wrapped("millimetres per mesh unit in the SVG of --layout, so that charts print as large "
+                 "as their surface"))
       ->check(numberCheck("above 0", [](double mm) { return mm > 0 && mm < 1e9; }))
       ->type_name("MM");
   app.add_option("--heat-map", c.heatMap,
-                 wrapped("PNG picture of the atlas by area distortion: blue shrunk, white as the "
-                         "whole, red enlarged, to 1/2 and 2"))
+                 wrapped("PNG picture of the area distortion: blue is shrunk (1/2 and less), white "
+                         "average, red "
+                         "enlarged (2 and more)"))
       ->check(notEmpty())
       ->check(pictureName({".png"}, ".png"))
       ->type_name("FILE");
@@ -66,14 +69,14 @@ void addPictures(CLI::App& app, UnwrapCommand& c) {
 void checkPictures(const UnwrapCommand& c) {
   const bool isSvg = endingOf(c.layout) == ".svg";
   if (c.scale > 0 && !isSvg)
-    throw CLI::ValidationError("--scale", "is for an SVG; add --layout FILE.svg");
+    throw CLI::ValidationError("--scale", "needs an SVG. Add --layout FILE.svg");
   const char* picture = !c.heatMap.empty()            ? "--heat-map"
                         : !c.layout.empty() && !isSvg ? "--layout"
                                                       : nullptr;
   if (picture != nullptr && c.options.resolution > kMostPictureTexels)
     throw CLI::ValidationError(
         picture, "a PNG has at most " + std::to_string(kMostPictureTexels) +
-                     " pixels along a side; lower --resolution, or write the layout as .svg");
+                     " pixels along a side. Lower --resolution, or write the layout as .svg");
 }
 
 /// It can be read once.
@@ -85,7 +88,7 @@ void checkStandardInput(const UnwrapCommand& c) {
         {"--pins", c.pins}}) {
     if (path != kStandardStream) continue;
     if (!reader.empty())
-      throw CLI::ValidationError(option, "standard input is " + reader + " already; name a file");
+      throw CLI::ValidationError(option, "standard input is " + reader + " already. Name a file");
     reader = std::string("the file of ") + option;
   }
 }
@@ -94,33 +97,32 @@ void checkStandardInput(const UnwrapCommand& c) {
 
 CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   CLI::App* sub = app.add_subcommand(
-      "unwrap", "Cut any mesh into charts, flatten them and write it with a packed uv atlas");
+      "unwrap", "Cut any mesh into charts, flatten them and pack them into an atlas");
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
   sub->add_option_function<std::string>(
          "--seams", [&c](const std::string& text) { setSeams(text, c); },
-         wrapped("where to cut, separated by commas: auto = so that no chart is stretched too much "
-                 "or overlaps; uv = between the islands that the mesh has; material = between "
+         wrapped("where to cut, separated by commas: auto = where a chart would stretch too much "
+                 "or overlap; uv = around the uv islands of the mesh; material = between "
                  "materials; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
-                 "file, a line 'VERTEX VERTEX' each, counted from 0; none = only what makes charts "
-                 "disks, which is always done"))
+                 "file, one 'VERTEX VERTEX' per line, numbered from 0; none = only the cuts that "
+                 "every chart needs to be a disk"))
       ->default_str("auto")
       ->type_name("LIST");
   sub->add_option_function<std::string>(
          "--keep", [&c](const std::string& text) { setKept(text, c); },
-         wrapped("faces whose uv islands stay exactly as they are in the input, while all others "
-                 "are unwrapped and packed around them, separated by commas: uv = all that have "
-                 "texcoords; material=NAME = all of a material; file=PATH = face numbers in a text "
-                 "file, one a line, "
-                 "counted from 0"))
+         wrapped("faces whose uv islands stay exactly as they are, separated by commas; all others "
+                 "are unwrapped and packed around them: uv = all faces with texcoords; "
+                 "material=NAME = all faces of a material; file=PATH = the faces in a text file, "
+                 "one number per line, from 0"))
       ->type_name("LIST");
   sub->add_option("--write-seams", c.writeSeams,
-                  wrapped("text file for the edges that were cut, as --seams file=PATH takes them; "
-                          "- for standard output"))
+                  wrapped("text file for the edges that were cut, to be read by --seams file=PATH; "
+                          "- writes to standard output"))
       ->check(notEmpty())
       ->type_name("FILE");
-  addPins(*sub, c.pins, " in the atlas, none or several of a chart");
+  addPins(*sub, c.pins, " in the atlas (two or more per chart)");
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addTexcoordSet(*sub, c.texcoord);
@@ -157,6 +159,8 @@ void checkTogether(const UnwrapCommand& c) {
       refuse(target->option, "would replace the file of --keep");
     if (replaces(target->path, c.pins)) refuse(target->option, "would replace the file of --pins");
   }
+  if (c.options.udim && c.options.texelDensity == kAutoTexelDensity)
+    throw CLI::ValidationError("--udim", "needs a numeric --texel-density");
   checkPictures(c);
   checkStandardInput(c);
 }

@@ -95,11 +95,11 @@ class Runs {
     const std::size_t faces = experiment_.summary().triangles;
     const std::size_t most = mostFaces(m, precondition_);
     if (isIterative(m) && faces > most)
-      return leaveOut(m, "left out: " + std::to_string(faces) + " faces; it is tried up to " +
+      return leaveOut(m, "left out: " + std::to_string(faces) + " faces; the limit is " +
                              std::to_string(most) +
                              (precondition_ ? "" : " without preconditioner"));
     if (isIterative(m) && stalls_)
-      return leaveOut(m, "left out: the active set stalls on this mesh with exact steps too");
+      return leaveOut(m, "left out: on this mesh the active set stalls with exact steps as well");
     FlattenOptions options;
     options.threads = 1;  // not all linear solvers have several
     options.t = 1;

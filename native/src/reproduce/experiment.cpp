@@ -49,7 +49,7 @@ Result<std::vector<fs::path>> meshFiles(const std::string& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return noMeshes(folder, "there is no such folder");
   if (!fs::is_directory(folder, error))
-    return noMeshes(folder, "it is not a folder; name the folder of the meshes");
+    return noMeshes(folder, "it is not a folder. Name the folder of the meshes");
   std::vector<fs::path> out;
   fs::directory_iterator at(folder, error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
@@ -58,7 +58,7 @@ Result<std::vector<fs::path>> meshFiles(const std::string& folder) {
       out.push_back(at->path());
   }
   if (error) return noMeshes(folder, error.message());
-  if (out.empty()) return noMeshes(folder, "there is no .obj, .ply, .stl or .off file in it");
+  if (out.empty()) return noMeshes(folder, "it contains no .obj, .ply, .stl or .off file");
   std::sort(out.begin(), out.end());
   return out;
 }

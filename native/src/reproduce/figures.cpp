@@ -92,7 +92,7 @@ std::string whyNoMatrix(const Experiment& e) {
   const std::size_t faces = e.summary().triangles;
   if (faces <= kMaxMatrixFaces) return "";
   return "left out: with " + std::to_string(faces) +
-         " faces a dot would stand for hundreds of rows; drawn up to " +
+         " faces, a dot would stand for hundreds of rows; the limit is " +
          std::to_string(kMaxMatrixFaces);
 }
 

@@ -14,7 +14,7 @@ Status OutputFolder::prepare() const {
   std::error_code ignored;  // then it is no folder
   if (error || !fs::is_directory(path_, ignored))
     return {StatusCode::CannotWrite,
-            "cannot make the folder " + path_ + (error ? ": " + error.message() : "")};
+            "cannot create the folder " + path_ + (error ? ": " + error.message() : "")};
   return OutputFile((fs::path(path_) / "index.html").string()).check();
 }
 

@@ -78,7 +78,7 @@ std::string pageHtml(const PageContent& content) {
     body += figureHtml(picture);
   }
   if (!content.remarks.empty()) {
-    start("What is not shown");
+    start("Left out");
     body += list(content.remarks);
   }
   return kHead + std::string("<p>Made by abflat " ABFLAT_VERSION ". Compared with ") +

@@ -11,8 +11,8 @@ namespace abflat {
 /// How boundary crossings are removed.
 enum class Untangle : int {
   Auto = 0,  ///< best when t is auto, none when it is a number
-  None = 1,  ///< crossings stay, and the result is not valid
-  Local = 2,  ///< tighten the bounds of the arcs that cross, and only those
+  None = 1,  ///< keep crossings; the result is not valid
+  Local = 2,  ///< tighten only the bounds of the arcs that cross
   Global = 3,  ///< tighten all bounds alike
   Best = 4,  ///< local or global, whichever distorts less
 };
@@ -35,7 +35,7 @@ inline const char* untangleName(Untangle code) {
 
 /// How the linear systems of Newton's method are solved.
 enum class LinearSolver : int {
-  Schur = 0,  ///< elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes
+  Schur = 0,  ///< elimination to two rows per vertex, then sparse factorisation; for large meshes, conjugate gradients preconditioned by one
   Eigen = 1,  ///< the same elimination, factored by Eigen's SimplicialLDLT
   Minres = 2,  ///< MINRES on the whole symmetric system, as in the paper
   Symmlq = 3,  ///< SYMMLQ on the whole symmetric system, as in the paper
@@ -84,21 +84,21 @@ constexpr double kAutoMemory = 0;
 
 /// The options of flattening that are plain values, with their defaults.
 struct FlattenOptionValues {
-  /// boundary control coefficient: every interior angle of the layout's boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)
+  /// boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)
   double t = 0;
   /// trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)
   double balance = 0;
-  /// how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less
+  /// how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = keep crossings; the result is not valid; local = tighten only the bounds of the arcs that cross; global = tighten all bounds alike; best = local or global, whichever distorts less
   Untangle untangle = Untangle::Auto;
-  /// how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
+  /// how the linear systems of Newton's method are solved: schur = elimination to two rows per vertex, then sparse factorisation; for large meshes, conjugate gradients preconditioned by one; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF
   LinearSolver linearSolver = LinearSolver::Schur;
-  /// memory for a factor of the solver's matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
+  /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
-  /// condition (5): even a free boundary has no angle above 2 pi, so neighbouring triangles do not overlap there
+  /// condition (5): keep boundary angles below 2 pi even if the boundary is free, so that adjacent triangles do not overlap
   bool adjacent = false;
-  /// condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows
+  /// condition (9): make every interior edge of the layout Delaunay, where the connectivity allows it
   bool delaunay = false;
-  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one
+  /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
   int threads = 0;
   /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
   Formulation formulation = Formulation::Log;
@@ -127,14 +127,14 @@ struct OptionInfos {
 
 inline OptionInfos optionInfos(const FlattenOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
-    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the layout's boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)", false, false},
+    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"balance", "--balance", "0", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
-    {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = crossings stay, and the result is not valid; local = tighten the bounds of the arcs that cross, and only those; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
-    {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows a vertex, then a sparse factorisation, or conjugate gradients with one for large meshes; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
-    {"memory", "--memory", "auto", "above 0, or auto", "memory for a factor of the solver's matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
-    {"adjacent", "--adjacent", "false", "", "condition (5): even a free boundary has no angle above 2 pi, so neighbouring triangles do not overlap there", true, false},
-    {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, as far as the connectivity allows", true, false},
-    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one", false, false},
+    {"untangle", "--untangle", "auto", "auto, none, local, global, best", "how boundary crossings are removed: auto = best when t is auto, none when it is a number; none = keep crossings; the result is not valid; local = tighten only the bounds of the arcs that cross; global = tighten all bounds alike; best = local or global, whichever distorts less", false, true},
+    {"linearSolver", "--linear-solver", "schur", "schur, eigen, minres, symmlq, gmres, bicgstab", "how the linear systems of Newton's method are solved: schur = elimination to two rows per vertex, then sparse factorisation; for large meshes, conjugate gradients preconditioned by one; eigen = the same elimination, factored by Eigen's SimplicialLDLT; minres = MINRES on the whole symmetric system, as in the paper; symmlq = SYMMLQ on the whole symmetric system, as in the paper; gmres = GMRES, as in classic ABF; bicgstab = BiCGSTAB, as in classic ABF", false, true},
+    {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
+    {"adjacent", "--adjacent", "false", "", "condition (5): keep boundary angles below 2 pi even if the boundary is free, so that adjacent triangles do not overlap", true, false},
+    {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, where the connectivity allows it", true, false},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
     {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
     {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
   };

@@ -7,34 +7,34 @@ namespace abflat {
 /// What the command line program returns.
 enum class ExitCode : int {
   Valid = 0,  ///< a valid result was written
-  NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says which
-  Usage = 2,  ///< the command line cannot be understood
-  Unreadable = 3,  ///< the input cannot be read: the message names file, place and what is wrong
-  NotFlattenable = 4,  ///< the mesh was read but cannot be flattened, or not packed as asked: the message says why
-  CannotWrite = 5,  ///< the output cannot be written; an existing file is left as it was
+  NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says why
+  Usage = 2,  ///< the command line is wrong
+  Unreadable = 3,  ///< the input cannot be read; the message says where and why
+  NotFlattenable = 4,  ///< the mesh cannot be flattened, or not packed as asked; the message says why
+  CannotWrite = 5,  ///< the output cannot be written; existing files are unchanged
 };
 
 /// Why a call has no result.
 enum class StatusCode : int {
   Ok = 0,  ///< no error
   InvalidOption = 1,  ///< an option is unknown or out of its range
-  UnreadableFile = 2,  ///< the file does not exist, cannot be opened or has an unknown format
-  ParseError = 3,  ///< the content is not what its format promises; the message names the line, or the byte of a binary file
-  InvalidMesh = 4,  ///< mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners
+  UnreadableFile = 2,  ///< the file does not exist, cannot be opened or has an unsupported format
+  ParseError = 3,  ///< the file breaks the rules of its format; the message names the line, or the byte of a binary file
+  InvalidMesh = 4,  ///< mesh arrays are inconsistent: an index out of range, a coordinate that is not finite, a face with fewer than three corners
   EmptyMesh = 5,  ///< the mesh has no faces
   DegenerateFace = 6,  ///< a face uses the same vertex twice
   NonManifoldEdge = 7,  ///< an edge has more than two faces
-  InconsistentOrientation = 8,  ///< two neighbouring faces run along their common edge in the same direction
+  InconsistentOrientation = 8,  ///< two adjacent faces have opposite orientation
   MultipleComponents = 9,  ///< the mesh has more than one edge-connected component
   ClosedSurface = 10,  ///< the surface has no boundary
   MultipleBoundaryLoops = 11,  ///< the surface has more than one boundary loop
   HasHandles = 12,  ///< the surface has genus above 0
-  InfeasibleBound = 13,  ///< t is below 1 - 2/(number of boundary vertices); the message says the least t possible
-  OutOfMemory = 14,  ///< the mesh needs more memory than there is
+  InfeasibleBound = 13,  ///< t is below 1 - 2/(number of boundary vertices); the message names the smallest possible t
+  OutOfMemory = 14,  ///< there is not enough memory for the mesh
   Aborted = 15,  ///< the caller cancelled the run
   CannotWrite = 16,  ///< the output cannot be written
-  Internal = 17,  ///< a defect of abflat; please report it with the mesh
-  AtlasTooSmall = 18,  ///< the charts do not fit the atlas; the message says which resolution or texel density they fit at
+  Internal = 17,  ///< a bug in abflat; please report it with the mesh
+  AtlasTooSmall = 18,  ///< the charts do not fit the atlas; the message names a resolution or texel density at which they fit
 };
 
 constexpr int kExitCodeCount = 6;
@@ -93,11 +93,11 @@ inline const char* statusText(StatusCode code) {
     case StatusCode::InvalidOption:
       return "an option is unknown or out of its range";
     case StatusCode::UnreadableFile:
-      return "the file does not exist, cannot be opened or has an unknown format";
+      return "the file does not exist, cannot be opened or has an unsupported format";
     case StatusCode::ParseError:
-      return "the content is not what its format promises; the message names the line, or the byte of a binary file";
+      return "the file breaks the rules of its format; the message names the line, or the byte of a binary file";
     case StatusCode::InvalidMesh:
-      return "mesh arrays contradict themselves: an index out of range, a coordinate that is not finite, a face with fewer than three corners";
+      return "mesh arrays are inconsistent: an index out of range, a coordinate that is not finite, a face with fewer than three corners";
     case StatusCode::EmptyMesh:
       return "the mesh has no faces";
     case StatusCode::DegenerateFace:
@@ -105,7 +105,7 @@ inline const char* statusText(StatusCode code) {
     case StatusCode::NonManifoldEdge:
       return "an edge has more than two faces";
     case StatusCode::InconsistentOrientation:
-      return "two neighbouring faces run along their common edge in the same direction";
+      return "two adjacent faces have opposite orientation";
     case StatusCode::MultipleComponents:
       return "the mesh has more than one edge-connected component";
     case StatusCode::ClosedSurface:
@@ -115,17 +115,17 @@ inline const char* statusText(StatusCode code) {
     case StatusCode::HasHandles:
       return "the surface has genus above 0";
     case StatusCode::InfeasibleBound:
-      return "t is below 1 - 2/(number of boundary vertices); the message says the least t possible";
+      return "t is below 1 - 2/(number of boundary vertices); the message names the smallest possible t";
     case StatusCode::OutOfMemory:
-      return "the mesh needs more memory than there is";
+      return "there is not enough memory for the mesh";
     case StatusCode::Aborted:
       return "the caller cancelled the run";
     case StatusCode::CannotWrite:
       return "the output cannot be written";
     case StatusCode::Internal:
-      return "a defect of abflat; please report it with the mesh";
+      return "a bug in abflat; please report it with the mesh";
     case StatusCode::AtlasTooSmall:
-      return "the charts do not fit the atlas; the message says which resolution or texel density they fit at";
+      return "the charts do not fit the atlas; the message names a resolution or texel density at which they fit";
   }
   return "";
 }
@@ -167,15 +167,15 @@ inline const char* exitCodeText(ExitCode code) {
     case ExitCode::Valid:
       return "a valid result was written";
     case ExitCode::NotValid:
-      return "a result was written, but it is not valid or the solver did not converge; the report says which";
+      return "a result was written, but it is not valid or the solver did not converge; the report says why";
     case ExitCode::Usage:
-      return "the command line cannot be understood";
+      return "the command line is wrong";
     case ExitCode::Unreadable:
-      return "the input cannot be read: the message names file, place and what is wrong";
+      return "the input cannot be read; the message says where and why";
     case ExitCode::NotFlattenable:
-      return "the mesh was read but cannot be flattened, or not packed as asked: the message says why";
+      return "the mesh cannot be flattened, or not packed as asked; the message says why";
     case ExitCode::CannotWrite:
-      return "the output cannot be written; an existing file is left as it was";
+      return "the output cannot be written; existing files are unchanged";
   }
   return "";
 }

@@ -10,11 +10,11 @@
 
 namespace abflat {
 
-/// Whether holes in charts, such as eye sockets and windows, are treated as filled, so that they need no seams.
+/// Whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams.
 enum class FillHoles : int {
-  Auto = 0,  ///< where the hole is small or lies in something flat, the chart stays within maxStretch and no seam reaches the hole
-  Never = 1,  ///< a seam joins every hole to the outer boundary
-  Always = 2,  ///< however much it stretches
+  Auto = 0,  ///< fill small or flat holes, unless a seam reaches them or the chart would exceed maxStretch
+  Never = 1,  ///< connect every hole to the outer boundary by a seam
+  Always = 2,  ///< fill them, however much that stretches
 };
 
 inline const char* fillHolesName(FillHoles code) {
@@ -29,11 +29,11 @@ inline const char* fillHolesName(FillHoles code) {
   return "";
 }
 
-/// Whether a mesh that is its own mirror image gets symmetric automatic seams.
+/// Whether automatic seams of a symmetric mesh are symmetric.
 enum class SymmetricSeams : int {
-  Auto = 0,  ///< unless they would be longer
-  Never = 1,  ///< each seam where it serves its own side best
-  Always = 2,  ///< even if they are longer
+  Auto = 0,  ///< symmetric unless that makes seams longer
+  Never = 1,  ///< place each seam where it is best for its own side
+  Always = 2,  ///< symmetric even if that makes seams longer
 };
 
 inline const char* symmetricSeamsName(SymmetricSeams code) {
@@ -55,52 +55,52 @@ constexpr double kAutoMinUtilization = -1;
 
 /// The options of unwrapping that are plain values, with their defaults.
 struct UnwrapOptionValues {
-  /// largest stretch of a chart, as its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts
+  /// largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts
   double maxStretch = 1.02;
   /// trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)
   double balance = 0.2;
-  /// whether holes in charts, such as eye sockets and windows, are treated as filled, so that they need no seams: auto = where the hole is small or lies in something flat, the chart stays within maxStretch and no seam reaches the hole; never = a seam joins every hole to the outer boundary; always = however much it stretches
+  /// whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would exceed maxStretch; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches
   FillHoles fillHoles = FillHoles::Auto;
-  /// whether a mesh that is its own mirror image gets symmetric automatic seams: auto = unless they would be longer; never = each seam where it serves its own side best; always = even if they are longer
+  /// whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
-  /// boundary control coefficient: every interior angle of the layout's boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)
+  /// boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)
   double t = 0;
-  /// make seams and boundaries straight lines in the atlas, from junction to junction and corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is
+  /// make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved
   bool straightSeams = false;
-  /// texels along a side of the texture that charts are packed for
+  /// side of the texture in texels
   int resolution = 1024;
-  /// free texels between charts at that resolution
+  /// free texels between charts
   int padding = 2;
-  /// texels per unit of length of the mesh, the same for meshes that belong together (auto = as many as fit one tile)
+  /// texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)
   double texelDensity = 0;
-  /// use as many UDIM tiles as that texel density needs: 1001 and on, ten in a row, u from 0 to 10
+  /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
   bool udim = false;
-  /// share of the tile that charts should cover: they are cut further until they do, or until cutting no longer helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)
+  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)
   double minUtilization = -1;
-  /// rotating charts to pack tighter
+  /// rotate charts to pack tighter
   bool rotate = true;
-  /// memory for a factor of the solver's matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
+  /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
-  /// most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one
+  /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
   int threads = 0;
 };
 
 inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
-    {"maxStretch", "--max-stretch", "1.02", "above 1", "largest stretch of a chart, as its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts", false, false},
+    {"maxStretch", "--max-stretch", "1.02", "above 1", "largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts", false, false},
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
-    {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled, so that they need no seams: auto = where the hole is small or lies in something flat, the chart stays within maxStretch and no seam reaches the hole; never = a seam joins every hole to the outer boundary; always = however much it stretches", false, true},
-    {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether a mesh that is its own mirror image gets symmetric automatic seams: auto = unless they would be longer; never = each seam where it serves its own side best; always = even if they are longer", false, true},
-    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the layout's boundary is at most t*pi (1 = convex; 2 and above = free boundary, classic ABF; auto = free unless the boundary would cross itself, otherwise the bounds that distort least)", false, false},
-    {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight lines in the atlas, from junction to junction and corner to corner; what turns by more than 90 degrees in all, such as the rim of a round lid, stays as it is", true, false},
-    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "texels along a side of the texture that charts are packed for", false, false},
-    {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts at that resolution", false, false},
-    {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per unit of length of the mesh, the same for meshes that belong together (auto = as many as fit one tile)", false, false},
-    {"udim", "--udim", "false", "", "use as many UDIM tiles as that texel density needs: 1001 and on, ten in a row, u from 0 to 10", true, false},
-    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: they are cut further until they do, or until cutting no longer helps (0 = never; auto = where that brings at least 1.5 % more texels per unit for each new chart, and 4 % for a seam as long as the root of the surface's area)", false, false},
-    {"rotate", "--no-rotate", "true", "", "without rotating charts to pack tighter", true, false},
-    {"memory", "--memory", "auto", "above 0, or auto", "memory for a factor of the solver's matrix, in MB; if that is too little, the solver goes on in single precision, or without a factor by conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
-    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "most threads to use, 0 for one per processor; results do not depend on it, small meshes use fewer, and a build without threads uses one", false, false},
+    {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would exceed maxStretch; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},
+    {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer", false, true},
+    {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
+    {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
+    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
+    {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts", false, false},
+    {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
+    {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
+    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)", false, false},
+    {"rotate", "--no-rotate", "true", "", "without rotate charts to pack tighter", true, false},
+    {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
   return {kInfos, 14};
 }
