@@ -76,7 +76,10 @@ test('primitives that have the set keep it, and the others get an atlas', async 
   // Once more: nothing is left to do, and that is said.
   await document.transform(unwrap(abflat, { onAtlas }));
   assert.equal(atlases.length, 1);
-  assert.match(said.at(-1).join(), /^warn,.*2 of 2 primitives have TEXCOORD_0.*overwrite: true/);
+  assert.match(
+    said.at(-1).join(),
+    /^warn,.*2 of 2 primitives already have TEXCOORD_0.*overwrite: true/,
+  );
   await document.transform(unwrap(abflat, { onAtlas, overwrite: true }));
   assert.equal(atlases[1].parts.length, 2);
   assert.notEqual(primitives[0].getAttribute('TEXCOORD_0'), given);

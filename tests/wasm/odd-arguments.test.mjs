@@ -49,12 +49,12 @@ test('an option of any type is refused by its name', async () => {
   for (const name of ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'])
     for (const value of ODD)
       await fails(createAbflat({ [name]: value }), 'InvalidOption', /must be/);
-  await fails(createAbflat({ baseUrl: 'http://[' }), 'InvalidOption', /baseUrl is no address/);
+  await fails(createAbflat({ baseUrl: 'http://[' }), 'InvalidOption', /baseUrl is not a valid URL/);
 });
 
 test('messages do not end in [object Object]', async () => {
   await fails(abflat.unwrap(grid(2), { padding: {} }), 'InvalidOption', /of the type Object\.$/);
-  await fails(abflat.unwrap(grid(2), { padding: 5n }), 'InvalidOption', /it is 5n\.$/);
+  await fails(abflat.unwrap(grid(2), { padding: 5n }), 'InvalidOption', /not 5n\.$/);
 });
 
 test('an array that was transferred is refused by its name', async () => {
@@ -134,7 +134,7 @@ test('abflat/three refuses in the same way', async () => {
   };
   const call = (...args) => unwrapGeometry(abflat, ...args);
   await fails(call(null), 'InvalidMesh', /needs a BufferGeometry/);
-  await fails(call(new BufferGeometry()), 'InvalidMesh', /attribute position/);
+  await fails(call(new BufferGeometry()), 'InvalidMesh', /position attribute/);
   await fails(call(make(detached(indices.slice()))), 'InvalidMesh', /index.*has lost/);
   for (const options of [null, 5, []])
     await fails(call(make(indices), options), 'InvalidOption', /options must be an object/);

@@ -107,7 +107,7 @@ function bundled(name, text, { format = 'esm', files = {}, folder: path = '' } =
 
 const CASES = [
   ['esm', /UnreadableFile Cannot load \S+abflat-simd\.wasm: 404/],
-  ['iife', /UnreadableFile A bundle that is no ES module/],
+  ['iife', /UnreadableFile A bundle that is not an ES module/],
 ];
 for (const [format, missing] of CASES)
   test(

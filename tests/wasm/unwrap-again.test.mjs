@@ -80,7 +80,7 @@ test('known: what is no result, or that of another mesh, is refused', async () =
   assert.equal((await abflat.unwrap(arraysOf(CUBE), { known: rest })).report.valid, true);
   for (const [known, pattern] of [
     [null, /result of unwrap; its unpacked/],
-    [{ ...cube, indices: [0, 1, 2] }, /its indices is no Uint32Array/],
+    [{ ...cube, indices: [0, 1, 2] }, /its indices is not a Uint32Array/],
     [{ ...cube, report: {} }, /report\.options\.t/],
     [{ ...cube, vertexMap: cube.vertexMap.slice(1) }, /not of this mesh.*coordinates/],
     [await abflat.unwrap(arraysOf(sphere(6))), /not of this mesh.*triangles/],
@@ -187,8 +187,8 @@ test('fixedCharts: what is missing is said', async () => {
   const { uv, ...known } = await abflat.unwrap(mesh);
   const fixedCharts = Uint32Array.of(0);
   for (const [options, pattern] of [
-    [{ fixedCharts }, /fixedCharts are charts of known/],
-    [{ fixedCharts, known }, /its uv is no Float64Array/],
+    [{ fixedCharts }, /fixedCharts needs known/],
+    [{ fixedCharts, known }, /its uv is not a Float64Array/],
     [{ fixedCharts: [0], known: { ...known, uv } }, /must be a Uint32Array of chart numbers/],
     [{ fixedCharts: Uint32Array.of(9999), known: { ...known, uv } }, /has no such chart/],
   ])

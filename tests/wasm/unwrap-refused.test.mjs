@@ -25,7 +25,7 @@ const REFUSED = [
   [{ seamEdges: [0, 1] }, /seamEdges must be a Uint32Array/],
   [{ seamEdges: Uint32Array.of(0, 1, 2) }, /multiple of 2/],
   [{ seamEdges: Uint32Array.of(0, 99) }, /0-99.*99/],
-  [{ seamEdges: Uint32Array.of(0, 7) }, /0-7 is no edge/],
+  [{ seamEdges: Uint32Array.of(0, 7) }, /0-7 is not an edge/],
   [{ roundsForGltf: 1 }, /roundsForGltf must be true or false/],
   [{ fixedFaces: [0] }, /fixedFaces must be a Uint32Array/],
   [{ fixedFaces: 'all' }, /fixedFaces must be 'uv' or a Uint32Array/],

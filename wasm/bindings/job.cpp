@@ -253,7 +253,7 @@ Status sampleJob(Job& job, double detail) {
     names.append(names.empty() ? "" : ", ").append(sample.name);
   }
   return {StatusCode::InvalidOption,
-          "there is no sample \"" + job.name + "\"; there are: " + names};
+          "there is no sample \"" + job.name + "\". Use " + names};
 }
 
 }  // namespace abflat::bindings

@@ -28,10 +28,10 @@ export function bestBuild(): Build {
 /** What keeps the build `threads` from running here. */
 export function whyNoThreads(): string | undefined {
   if (typeof Worker === 'undefined')
-    return 'there are no Web Workers here, as in Node; the command line program has threads there';
+    return 'there are no Web Workers here, as in Node. Use the command line program for threads';
   if (globalThis.crossOriginIsolated !== true || typeof SharedArrayBuffer === 'undefined')
     return (
-      'the page is not cross-origin isolated; serve it with the headers ' +
+      'the page is not cross-origin isolated. Serve it with the headers ' +
       '"Cross-Origin-Opener-Policy: same-origin" and "Cross-Origin-Embedder-Policy: require-corp"'
     );
   return undefined;

@@ -89,7 +89,10 @@ async function startClient(
   const { build, statuses } = await client.call<Description>({ kind: 'describe' });
   if (statuses.join() === STATUS_NAMES.join()) return { client, build };
   client.terminate();
-  throw new AbflatError('Internal', 'abflat.wasm and abflat are of different versions.');
+  throw new AbflatError(
+    'Internal',
+    'The versions of abflat.wasm and abflat differ. Use files of one version.',
+  );
 }
 
 function fileIn(platform: Platform, folder: Address | undefined, name: string): string | undefined {
@@ -97,7 +100,7 @@ function fileIn(platform: Platform, folder: Address | undefined, name: string): 
   try {
     return platform.fileIn(folder, name);
   } catch (error) {
-    throw new AbflatError('InvalidOption', `baseUrl is no address: ${messageOf(error)}.`);
+    throw new AbflatError('InvalidOption', `baseUrl is not a valid URL: ${messageOf(error)}.`);
   }
 }
 
@@ -123,7 +126,7 @@ async function loadModule(
 function checkThreads(): void {
   const reason = whyNoThreads();
   if (reason !== undefined)
-    throw new AbflatError('InvalidOption', `The build threads does not run here: ${reason}.`);
+    throw new AbflatError('InvalidOption', `The threads build cannot run here: ${reason}.`);
 }
 
 function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
@@ -131,7 +134,7 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
   const { normalize, pins } = options;
   checkBoolean('normalize', normalize);
   if (normalize && pinNumbers(pins).length > 0)
-    throw new AbflatError('InvalidOption', 'normalize would move the pins: leave one of them out.');
+    throw new AbflatError('InvalidOption', 'normalize would move the pins. Use only one of them.');
   const settings = {
     kind: 'flatten',
     values: flattenNumbers(options),

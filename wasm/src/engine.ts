@@ -293,13 +293,13 @@ export class Engine {
     if (error instanceof OutOfMemory) {
       return new AbflatError(
         'OutOfMemory',
-        `The mesh needs more memory than there is: abflat may use ${megabytes(this.#heap.maxBytes)}` +
+        `There is not enough memory for this mesh: abflat may use ${megabytes(this.#heap.maxBytes)}` +
           ` and has ${megabytes(this.heapBytes)}. Use a mesh with fewer faces, or a larger maxMemory.`,
       );
     }
     return new AbflatError(
       'Internal',
-      `The WebAssembly module stopped (${messageOf(error)}); please report it with the mesh.`,
+      `The WebAssembly module stopped (${messageOf(error)}). Please report it with the mesh.`,
     );
   }
 }

@@ -3,7 +3,9 @@ import type { StatusName } from './generated.js';
 /** What of abflat itself is missing: its module or its worker cannot be loaded, or the worker has stopped. */
 export type LostPart = 'module' | 'worker' | 'stopped';
 
-/** Why a call has no result: `code` for programs, `message` one sentence for people. */
+const ended = (message: string) => (/[.?!]$/.test(message) ? message : `${message}.`);
+
+/** Why a call has no result: `code` for programs, `message` for people, in full sentences. */
 export class AbflatError extends Error {
   override readonly name = 'AbflatError';
   readonly code: StatusName;
@@ -11,7 +13,7 @@ export class AbflatError extends Error {
   readonly lost: LostPart | null;
 
   constructor(code: StatusName, message: string, lost: LostPart | null = null) {
-    super(message);
+    super(ended(message));
     this.code = code;
     this.lost = lost;
   }

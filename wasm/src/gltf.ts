@@ -83,8 +83,8 @@ export function unwrap(
 /** A document that is as it was may surprise who asked for an atlas. */
 function tellKept(document: Document, set: number, kept: number, count: number): void {
   const message =
-    `abflat: ${kept} of ${count} primitives have TEXCOORD_${set} and keep it. ` +
-    `Pass texcoord: 'auto' for a set of their own, or overwrite: true.`;
+    `abflat: ${kept} of ${count} primitives already have TEXCOORD_${set} and keep it. ` +
+    `Pass texcoord: 'auto' to add a set, or overwrite: true to replace it.`;
   const logger = document.getLogger();
   if (kept === count) logger.warn(message);
   else logger.info(message);

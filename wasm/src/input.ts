@@ -16,9 +16,8 @@ const WANTED = 'The mesh must be { positions, indices } or { bytes, name }';
 /** For what other libraries take for a mesh. */
 function hintFor(mesh: object): string {
   if ('isBufferGeometry' in mesh || 'isObject3D' in mesh)
-    return ': for geometry of three.js there is unwrapGeometry of "abflat/three"';
-  if ('getRoot' in mesh)
-    return ': for documents of glTF-Transform there is unwrap of "abflat/gltf"';
+    return '. For three.js geometry, use unwrapGeometry of "abflat/three"';
+  if ('getRoot' in mesh) return '. For glTF-Transform documents, use unwrap of "abflat/gltf"';
   return '';
 }
 
@@ -46,7 +45,10 @@ function move<T extends OwnedMesh>(mesh: T): T {
   try {
     return structuredClone(mesh, { transfer: buffers });
   } catch (error) {
-    throw new AbflatError('InvalidOption', `transfer: the buffers stay (${messageOf(error)}).`);
+    throw new AbflatError(
+      'InvalidOption',
+      `transfer: the buffers cannot be transferred (${messageOf(error)}).`,
+    );
   }
 }
 
@@ -76,7 +78,7 @@ function refuseGltf(bytes: Uint8Array, name: string): void {
   if (!isBinary && !/\.gl(b|tf)$/i.test(name)) return;
   throw new AbflatError(
     'UnreadableFile',
-    `${name} is a glTF: read it with glTF-Transform and use unwrap of "abflat/gltf", or with GLTFLoader of three.js and use ` +
+    `${name} is a glTF. Read it with glTF-Transform and use unwrap of "abflat/gltf", or with GLTFLoader of three.js and use ` +
       'unwrapGeometry of "abflat/three".',
   );
 }
@@ -110,7 +112,7 @@ function checkArrays(mesh: Partial<Record<keyof MeshArrays, unknown>>): OwnedArr
 function ofSeparateTriangles(vertexCount: number): Uint32Array {
   if (vertexCount % 3 !== 0)
     throw invalid(
-      `Without indices each three vertices are a triangle; there are ${vertexCount} vertices.`,
+      `Without indices, every three vertices make a triangle, but there are ${vertexCount} vertices.`,
     );
   return Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
 }
@@ -147,7 +149,7 @@ function kindOf(name: string, values: unknown): string {
 
 function checkKind(name: string, tag: string, kinds: string[]): void {
   if (!kinds.includes(tag) && !OTHERS.includes(tag))
-    throw invalid(`${name} must be an array of numbers, as a ${kinds[0]}, not ${tag}.`);
+    throw invalid(`${name} must be an array of numbers, such as a ${kinds[0]}, not ${tag}.`);
 }
 
 function checkMultiple(name: string, { length }: { length: number }, of: number): void {

@@ -6,11 +6,11 @@ import { wasmFile } from './wasm-file.js';
 
 /** Where no address was given. */
 const COPY =
-  'A bundler may have left it out, as esbuild and Rollup do. Then copy the files (cp -r node_modules/abflat/dist public/abflat) ' +
-  "and say where they are (createAbflat({ baseUrl: '/abflat/' })).";
+  'A bundler may have left it out, as esbuild and Rollup do. Copy the files (cp -r node_modules/abflat/dist public/abflat) ' +
+  "and pass their location (createAbflat({ baseUrl: '/abflat/' })).";
 
 const VITE =
-  "The development server of Vite lost it: set optimizeDeps: { exclude: ['abflat'] } in vite.config.js.";
+  "The development server of Vite cannot find it. Set optimizeDeps: { exclude: ['abflat'] } in vite.config.js.";
 
 const adviceFor = ({ pathname }: URL) => (pathname.includes('/.vite/') ? VITE : COPY);
 
@@ -71,7 +71,7 @@ function notLoaded(address?: Address): AbflatError {
     : '';
   return new AbflatError(
     'UnreadableFile',
-    `Cannot load the worker of abflat from ${place}: it is not there, it is served with a type that is no script's, ${header}or worker-src of ` +
+    `Cannot load the worker of abflat from ${place}: it is missing, it is not served as a script, ${header}or worker-src of ` +
       `the page's content security policy forbids it (from another origin it needs blob: and that origin).${advice}`,
     'worker',
   );
@@ -87,7 +87,7 @@ function openWorker(build: Build, address?: Address): Worker {
   } catch (error) {
     throw new AbflatError(
       'UnreadableFile',
-      `The browser does not start the worker of abflat: ${messageOf(error)}.`,
+      `The browser cannot start the worker of abflat: ${messageOf(error)}.`,
       'worker',
     );
   }

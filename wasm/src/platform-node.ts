@@ -10,8 +10,8 @@ import { wasmFile } from './wasm-file.js';
 
 /** Where no address was given. */
 const KEEP =
-  "A bundler may have left it out. Then keep abflat out of the bundle (external: ['abflat'], in Next serverExternalPackages: ['abflat']), " +
-  'or say where its folder dist is (createAbflat({ baseUrl })).';
+  "A bundler may have left it out. Keep abflat out of the bundle (external: ['abflat'], in Next serverExternalPackages: ['abflat']), " +
+  'or pass the location of its folder dist (createAbflat({ baseUrl })).';
 
 export const node: Platform = {
   fileIn: (folder, name) =>

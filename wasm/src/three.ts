@@ -69,7 +69,7 @@ function positionsOf(
   if (!mesh) {
     throw new AbflatError(
       'InvalidMesh',
-      'toBufferGeometry needs the mesh when it is of arrays and not of a file.',
+      'toBufferGeometry needs the mesh if it was given as arrays, not as a file.',
     );
   }
   return pickRows(new Float32Array(mesh.positions), vertexMap, { size: 3 });

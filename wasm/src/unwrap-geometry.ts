@@ -42,9 +42,9 @@ const invalid = (message: string) => new AbflatError('InvalidMesh', message);
 
 function meshOf(geometry: BufferGeometry): MeshArrays {
   if (!(geometry as Partial<BufferGeometry> | undefined)?.isBufferGeometry)
-    throw invalid('unwrapGeometry needs a BufferGeometry; that of a mesh is mesh.geometry.');
+    throw invalid('unwrapGeometry needs a BufferGeometry. For a mesh, pass mesh.geometry.');
   const position = geometry.getAttribute('position') as Attribute | undefined;
-  if (!position) throw invalid('unwrapGeometry needs a geometry with the attribute position.');
+  if (!position) throw invalid('unwrapGeometry needs a geometry with a position attribute.');
   const positions = numbersOf(position, 3);
   if (geometry.index) checkMemory('The index of the geometry', geometry.index.array);
   const corners =

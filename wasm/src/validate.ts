@@ -71,7 +71,7 @@ export function bytesIn(name: string, buffer: ArrayBuffer): Uint8Array {
 const lost = (name: string) =>
   new AbflatError(
     'InvalidMesh',
-    `${name} has lost its memory, which was transferred or made smaller: pass a copy that nobody else uses.`,
+    `${name} has lost its memory: its buffer was transferred or resized. Pass a copy.`,
   );
 
 export function checkObject(options: unknown): void {
@@ -82,7 +82,7 @@ export function checkKeys(options: object, known: string[]): void {
   checkObject(options);
   const unknown = Object.keys(options).find((key) => !known.includes(key));
   if (unknown === undefined) return;
-  throw invalid(`There is no option "${unknown}"; there are: ${known.join(', ')}.`);
+  throw invalid(`There is no option "${unknown}". The options are ${known.join(', ')}.`);
 }
 
 export function checkSignal(signal: unknown): void {
@@ -115,8 +115,7 @@ export function checkAbflat(abflat: unknown): void {
 
 export function checkAddress(name: string, value: unknown): void {
   if (value === undefined || typeof (value as { href?: unknown } | null)?.href === 'string') return;
-  if (typeof value !== 'string' || value === '')
-    throw invalid(`${name} must be an address or a URL.`);
+  if (typeof value !== 'string' || value === '') throw invalid(`${name} must be a URL.`);
 }
 
 interface NumberRule {
@@ -138,7 +137,7 @@ export function checkNumber(name: string, value: unknown, rule: NumberRule): voi
     value < (rule.below ?? Number.POSITIVE_INFINITY) &&
     value <= (rule.atMost ?? Number.POSITIVE_INFINITY);
   if (isInRange) return;
-  throw invalid(`${name} must be a number ${rule.range}; it is ${shown(value)}.`);
+  throw invalid(`${name} must be a number ${rule.range}, not ${shown(value)}.`);
 }
 
 export function checkMaxMemory(value: unknown): void {
@@ -148,7 +147,7 @@ export function checkMaxMemory(value: unknown): void {
 
 export function checkBuild(value: unknown): void {
   if (value === undefined || BUILDS.some((build) => build === value)) return;
-  throw invalid(`build must be one of ${BUILDS.join(', ')}; it is ${shown(value)}.`);
+  throw invalid(`build must be one of ${BUILDS.join(', ')}, not ${shown(value)}.`);
 }
 
 interface OptionRule extends NumberRule {
@@ -166,13 +165,13 @@ function optionNumber(name: string, value: unknown, rule: OptionRule): number {
   if (rule.choices) {
     const index = rule.choices.indexOf(value as string);
     if (index >= 0) return index;
-    throw invalid(`${name} must be one of ${rule.range}; it is ${shown(value)}.`);
+    throw invalid(`${name} must be one of ${rule.range}, not ${shown(value)}.`);
   }
   if (typeof value === 'string' && rule.words && Object.hasOwn(rule.words, value))
     return rule.words[value] as number;
   checkNumber(name, value, rule);
   if (rule.type === 'integer' && !Number.isInteger(value))
-    throw invalid(`${name} must be a number ${rule.range}; it is ${value}.`);
+    throw invalid(`${name} must be a number ${rule.range}, not ${value}.`);
   return value as number;
 }
 
@@ -201,7 +200,7 @@ function optionNumbers<T extends object>(
 /** Copies. What is wrong with the numbers within is for the module to see. */
 export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | undefined {
   if (known === undefined) {
-    if (needsUv) throw invalid('fixedCharts are charts of known, which is missing.');
+    if (needsUv) throw invalid('fixedCharts needs known, the result that has these charts.');
     return undefined;
   }
   const found = (known ?? {}) as Partial<KnownLayout>;
@@ -210,7 +209,7 @@ export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | und
     tag: string,
   ) => {
     if (tagOf(found[name]) !== tag)
-      throw invalid(`known must be a result of unwrap; its ${name} is no ${tag}.`);
+      throw invalid(`known must be a result of unwrap; its ${name} is not a ${tag}.`);
     checkMemory(`known.${name}`, found[name] as ArrayBufferView);
   };
   check('unpacked', 'Float64Array');

@@ -6,7 +6,7 @@ export function wasmFile(build: Build): URL {
   if (!import.meta.url)
     throw new AbflatError(
       'UnreadableFile',
-      'A bundle that is no ES module does not know where its files are: pass baseUrl to createAbflat.',
+      'A bundle that is not an ES module cannot find its files. Pass baseUrl to createAbflat.',
     );
   switch (build) {
     case 'plain':

@@ -153,7 +153,9 @@ function checkAttributes(primitive: Primitive, vertexCount: number, fail: Fail):
       if (!array) throw fail(`${name}${of} has no data`);
       checkMemory(`${name}${of}`, array);
       if (attribute.getCount() !== vertexCount)
-        throw fail(`${name}${of} has ${attribute.getCount()} rows, POSITION ${vertexCount}`);
+        throw fail(
+          `${name}${of} has ${attribute.getCount()} elements, but POSITION has ${vertexCount}`,
+        );
     }
   };
   const indices = primitive.getIndices()?.getArray();
@@ -183,7 +185,7 @@ export function cornersOf(primitive: Primitive, vertexCount: number, fail?: Fail
   const wrong = corners.findIndex((vertex) => vertex >= vertexCount);
   if (wrong >= 0 && fail)
     throw fail(
-      `triangle ${Math.floor(wrong / 3)} has vertex ${corners[wrong]}, and there are ${vertexCount}`,
+      `triangle ${Math.floor(wrong / 3)} refers to vertex ${corners[wrong]}, but there are only ${vertexCount} vertices`,
     );
   return corners;
 }

@@ -30,7 +30,7 @@ export function setTexcoords(
   if (indices.length !== 3 * triangles)
     throw new AbflatError(
       'InvalidMesh',
-      `The layout has ${indices.length / 3} triangles, the document ${triangles}.`,
+      `The layout has ${indices.length / 3} triangles, but the document has ${triangles}.`,
     );
   const coordinates = normalize ? normalized(uv) : uv;
   const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
