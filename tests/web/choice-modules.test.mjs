@@ -27,7 +27,7 @@ test('a mesh is found among its files in any order; of several all are offered',
 
 test('why nothing can be opened is a sentence with the name of the file', async () => {
   const { noMesh } = await load('session/chosen-files');
-  assert.match(noMesh(files('cat.png')), /^cat\.png is no mesh\. Open an OBJ, .*\.$/);
+  assert.match(noMesh(files('cat.png')), /^cat\.png is not a mesh\. Open an OBJ, .*\.$/);
   assert.match(noMesh(files('cat.png', 'dog.png')), /^None of these 2 files is a mesh\. .*\.$/);
 });
 
@@ -89,11 +89,11 @@ test('a number that was not used is said with its range and what is used instead
   const { refusal } = await load('controls/number-field');
   assert.equal(
     refusal('t', '7', 'from 0.9 to 2', 'auto'),
-    '7 was not used: t must be from 0.9 to 2. It is still auto.',
+    '7 was ignored: t must be from 0.9 to 2. It is still auto.',
   );
   assert.equal(
-    refusal('Padding', '', 'from 0 to 256, whole', '2'),
-    'Padding must be from 0 to 256, whole. It is still 2.',
+    refusal('Padding', '', 'a whole number from 0 to 256', '2'),
+    'Padding must be a whole number from 0 to 256. It is still 2.',
   );
 });
 

@@ -81,7 +81,7 @@ test('a number outside the range is marked and not used', async (t) => {
   await page.locator('#t-number').blur();
   assert.equal(await page.inputValue('#t-number'), '2');
   assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'true');
-  const reason = '7 was not used: t must be from 0.9 to 2. It is still auto.';
+  const reason = '7 was ignored: t must be from 0.9 to 2. It is still auto.';
   assert.equal(await textOf(page, '#run-text'), reason);
   assert.equal(await page.locator('#live').textContent(), reason);
 
@@ -90,7 +90,7 @@ test('a number outside the range is marked and not used', async (t) => {
   await page.locator('#padding').blur();
   assert.match(
     await textOf(page, '#run-text'),
-    /^2\.5 was not used: Padding must be from 0 to 256, whole\. It is still 2\.$/,
+    /^2\.5 was ignored: Padding must be a whole number from 0 to 256\. It is still 2\.$/,
   );
 });
 
@@ -180,7 +180,7 @@ test('a worker that stops is reported, and another one goes on', async (t) => {
     await dropAndWait(page, `${which}.obj`, grid(4));
     assert.equal(
       await page.locator('#alert p').first().innerText(),
-      `${which}.obj was not opened: its worker stopped, perhaps for want of memory. Close other tabs, then try again.`,
+      `${which}.obj was not opened: its worker stopped, possibly because memory ran out. Close other tabs, then try again.`,
     );
     assert.match(await textOf(page, '#alert'), /out of memory/);
     await tryAgain(page);

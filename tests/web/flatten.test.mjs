@@ -189,7 +189,7 @@ test('Auto untangles a boundary that crosses itself when it is free', async (t) 
   assert.equal(await page.getAttribute('#t-auto', 'aria-pressed'), 'true');
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.equal((await metrics(page)).Crossings, '0');
-  assert.match(await textOf(page, '#layout-info'), /^t = auto: free but for \d+ vertices$/);
+  assert.match(await textOf(page, '#layout-info'), /^t = auto: free except at \d+ vertices$/);
   assert.match(await textOf(page, '#marks'), /^\d+ tightened vertices$/);
   assert.match(await textOf(page, '#t-hint'), /^auto: /);
   await page.focus('#t');

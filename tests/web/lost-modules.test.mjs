@@ -64,7 +64,7 @@ test('an error of abflat that it was not loaded is told from that of a mesh', as
   const [notLoaded, detail] = say('module', 'b.wasm: Failed to fetch. A bundler may.');
   assert.match(notLoaded, /connection/);
   assert.equal(detail, 'b.wasm: Failed to fetch.');
-  assert.deepEqual(say('worker', 'b.js. Bundlers!'), [notLoaded, 'A worker cannot be loaded.']);
+  assert.deepEqual(say('worker', 'b.js. Bundlers!'), [notLoaded, 'A worker could not be loaded.']);
   const [stopped, why] = say('stopped', 'memory');
   assert.match(stopped, /stopped/);
   assert.equal(why, 'memory');

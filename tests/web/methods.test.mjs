@@ -48,7 +48,7 @@ test('Delaunay changes the layout, says what it costs, and can be taken back', a
   assert.ok(Number(to) > Number(from), 'a condition more costs distortion');
   assert.notDeepEqual(await picture(page, '#layout-canvas'), plain);
   await page.click('#notes-button');
-  assert.match(await textOf(page, '#active-chart'), /Inner edges/);
+  assert.match(await textOf(page, '#active-chart'), /Interior edges/);
   assert.match(await textOf(page, '#notes'), /^Edges that are not Delaunay: [1-9]\d* of .*, 0 now/);
   await page.click('#details-close');
 
@@ -70,7 +70,7 @@ test('edges that resist the Delaunay condition are marked', { skip: withoutShare
   const plain = await picture(page, '#layout-canvas');
   await page.click('#delaunay');
   await settled(page);
-  assert.match(await textOf(page, '#marks'), /^\d+ edges resist Delaunay$/);
+  assert.match(await textOf(page, '#marks'), /^\d+ edges cannot become Delaunay$/);
   assert.notDeepEqual(await picture(page, '#layout-canvas'), plain);
 });
 

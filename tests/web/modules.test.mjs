@@ -96,7 +96,7 @@ test('notes: why a layout is not valid, what was done, which vertices are tighte
   assert.deepEqual(notes(chart), [
     'The boundary crosses itself.',
     'The active set stalled; interior point.',
-    '2 boundary vertices are tightened, down to t\u00a0=\u00a01.125.',
+    '2 boundary vertices were tightened, down to t\u00a0=\u00a01.125.',
   ]);
 });
 

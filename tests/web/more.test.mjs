@@ -102,7 +102,7 @@ test('faces that have uv in the file keep it, as with the command line, until an
   await settled(page);
   assert.equal(await textOf(page, '#alert'), '');
   assert.equal(await page.getAttribute('#more-keep-uv', 'aria-pressed'), 'true');
-  assert.equal(await textOf(page, '#more-state'), 'uv of the file kept');
+  assert.equal(await textOf(page, '#more-state'), 'UVs of the file kept');
   assert.match(await textOf(page, '#run-text'), /\d+ (of \d+ charts )?as in the file$/);
   await assertAsProgram(t, page, painted, ['--keep', 'uv']);
   const kept = await metrics(page);
@@ -129,10 +129,7 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
   await settled(page);
   await page.click('#more-toggle');
   await click(page, '#more-keep-uv');
-  assert.match(
-    await textOf(page, '#alert'),
-    /face 1's texcoords are mirrored/,
-  );
+  assert.match(await textOf(page, '#alert'), /face 1's texcoords are mirrored/);
   await page.locator('#layout-note').waitFor();
   assert.match(await textOf(page, '#layout-note'), /^Still showing folded\.obj, /);
   // The message leaves the buttons below the views free.

@@ -330,8 +330,8 @@ test('seam files are those of the command line, and are checked', async () => {
   for (const [text, message] of [
     ['5 6\n5', "a.txt:2: expected two vertex numbers, such as '17 42'."],
     ['5 -6', "a.txt:1: expected two vertex numbers, such as '17 42'."],
-    ['5 16', 'a.txt:1: there is no vertex 16, the last one is 15.'],
-    ['\n0 5', 'a.txt:2: 0-5 is no edge of a face.'],
+    ['5 16', 'a.txt:1: there is no vertex 16; the last one is 15.'],
+    ['\n0 5', 'a.txt:2: 0-5 is not an edge of any face.'],
   ])
     assert.throws(() => readSeams(graph, text, 'a.txt'), { message });
 });

@@ -90,7 +90,7 @@ test('two clicks cut along the shortest path, and the charts follow', async (t) 
   assert.equal(seen.size, (n + 1) ** 2, 'every vertex can be aimed at');
   // Straight across: from the boundary to the boundary.
   await clickAt(page, seen.get(2 * (n + 1)));
-  assert.match(await textOf(page, '#run-text'), /^A cut begins at vertex 10$/);
+  assert.match(await textOf(page, '#run-text'), /^Cut started at vertex 10$/);
   assert.match(
     await point(page, ...seen.get(2 * (n + 1) + n)),
     /^Vertex 10 to 14: cut 4 edges, 4\.00 long$/,
@@ -175,8 +175,8 @@ test('Escape lets go, a drag turns the view, Alt does the other thing, Shift goe
   assert.match(await point(page, ...seen.get(7)), /^Vertex 6 to 7/);
   await page.keyboard.press('Escape');
   await drawn(page);
-  assert.match(await hint(page), /^Vertex 7: begin a cut$/);
-  assert.equal(await textOf(page, '#run-text'), 'No cut was made');
+  assert.match(await hint(page), /^Vertex 7: start a cut$/);
+  assert.equal(await textOf(page, '#run-text'), 'Cut cancelled');
 
   // From 6 to 8 and on to 18.
   await clickAt(page, seen.get(6));
@@ -267,7 +267,7 @@ test('seams are cut by keyboard and by touch', async (t) => {
   const tap = ([x, y]) => page.touchscreen.tap(box.x + x * box.width, box.y + y * box.height);
   await tap(seen.get(6));
   await drawn(page);
-  assert.equal(await textOf(page, '#run-text'), 'A cut begins at vertex 6');
+  assert.equal(await textOf(page, '#run-text'), 'Cut started at vertex 6');
   await tap(seen.get(8));
   await drawn(page);
   await settled(page);
@@ -395,6 +395,6 @@ test('seams are opened from a file and saved to one', async (t) => {
   assert.equal(readFileSync(await saved.path(), 'utf8'), text);
   await open('10 11\n0 13\n');
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
-  assert.match(await textOf(page, '#alert'), /mine\.txt:2: 0-13 is no edge of a face\./);
+  assert.match(await textOf(page, '#alert'), /mine\.txt:2: 0-13 is not an edge of any face\./);
   assert.equal(await edited(page), 4, 'the seams stay');
 });

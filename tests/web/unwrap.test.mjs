@@ -55,7 +55,7 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.equal(await page.getAttribute('#mode-unwrap', 'aria-pressed'), 'true');
   assert.ok(await page.isDisabled('#mode-flatten'));
-  assert.match(await textOf(page, '#mode-hint'), /^Closed surface: only Unwrap$/);
+  assert.match(await textOf(page, '#mode-hint'), /^Closed surface: use Unwrap$/);
   assert.ok(await page.isHidden('#flatten-options'));
   assert.ok(await page.isVisible('#stretch'));
   assert.ok(await page.isHidden('#delaunay'));
@@ -162,7 +162,7 @@ test('above the limit the badge says so, and one click cuts further', async (t) 
   assert.equal(await textOf(page, '#seams-state'), 'only what disks need');
   assert.equal(await textOf(page, '#badge'), 'Stretched');
   assert.match(await textOf(page, '#reason'), /^Stretch \d\.\d+; the limit is 1\.02$/);
-  assert.match(await textOf(page, '#stretch-hint'), /^only checked/);
+  assert.match(await textOf(page, '#stretch-hint'), /^not enforced/);
   const { Stretch } = await metrics(page);
   assert.ok(Number(Stretch) > 1.02);
   // The limit is what the user says, whether or not anything is cut to keep it.
@@ -213,9 +213,9 @@ test('what was repaired is said in one line each', async (t) => {
   const lines = await page.locator('#atlas-notes li').allInnerTexts();
   assert.equal(lines.length, Number.parseInt(button, 10));
   for (const pattern of [
-    /^\d+ faces? repeats? (another and has a chart of its|others and have charts of their) own: faces? \d+/,
+    /^\d+ duplicate faces? (has its own chart|have their own charts): faces? \d+/,
     /^\d+ edges? (has|have) more than two faces and became (a seam|seams): edges? \d+–\d+/,
-    /^\d+ faces? (has|have) fewer than three corners and took the UVs of the neighbours: faces? \d+/,
+    /^\d+ degenerate faces? uses? the UVs of neighbouring faces: faces? \d+/,
     /^\d+ edges? lies? between faces of opposite orientation and became (a seam|seams): /,
   ])
     assert.ok(

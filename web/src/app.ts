@@ -377,7 +377,7 @@ export class App implements SessionEvents {
     const format = this.shown ? exportFormat(this.shown) : 'obj';
     const isEarlier = isStale && !this.exportButton.disabled;
     this.exportText.textContent = `Export ${isEarlier ? 'earlier ' : ''}${format.toUpperCase()}`;
-    this.exportButton.title = isEarlier ? `The layout that is still shown: ${this.owner()}` : '';
+    this.exportButton.title = isEarlier ? `Exports the layout still shown: ${this.owner()}` : '';
   }
 
   private export(): void {

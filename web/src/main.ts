@@ -14,7 +14,7 @@ function createViews(): Views | null {
     if (!(error instanceof NoWebGl)) throw error;
     for (const id of ['mesh-stage', 'layout-stage']) {
       const text =
-        'No picture: WebGL 2 is off or missing in this browser. Flattening, numbers and export work all the same.';
+        'WebGL 2 is off or missing in this browser, so nothing can be drawn. Unwrapping and export still work.';
       element(id, HTMLElement).append(create('p', 'no-webgl', text));
     }
     for (const id of ['mesh-canvas', 'layout-canvas']) element(id, HTMLElement).hidden = true;

@@ -9,9 +9,15 @@ export function counted(n: number, singular: string, plural = `${singular}s`): s
   return `${count(n)} ${n === 1 ? singular : plural}`;
 }
 
-/** With a capital at its beginning. */
+/** What abflat calls texcoords are UVs on the page. */
+export function inPageWords(message: string): string {
+  return message.replace(/\btexcoords\b(?!\.\w)/g, 'UVs').replace(/\btexcoord\b(?!\.\w)/g, 'UV');
+}
+
+/** With a capital at its beginning, in the page's words. */
 export function sentence(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
+  const words = inPageWords(text);
+  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** Three significant digits, without an exponent where that stays short. */

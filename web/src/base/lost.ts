@@ -18,11 +18,11 @@ export const notLoaded = (detail: string) =>
 
 export const stopped = (detail: string) =>
   new Lost(
-    'its worker stopped, perhaps for want of memory. Close other tabs, then try again.',
+    'its worker stopped, possibly because memory ran out. Close other tabs, then try again.',
     detail,
   );
 
-export const NO_WORKER = 'A worker cannot be loaded.';
+export const NO_WORKER = 'A worker could not be loaded.';
 
 const OF_PART: Record<LostPart, (sentence: string) => Lost> = {
   module: notLoaded,

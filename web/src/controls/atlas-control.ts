@@ -88,12 +88,12 @@ export class AtlasControl {
   private showStretch(): void {
     const { maxStretch } = this.settings;
     const lengths = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
-    const hint = this.isCutting ? lengths : 'only checked: Auto is off';
+    const hint = this.isCutting ? lengths : 'not enforced: Auto is off';
     this.value.value = String(maxStretch);
     this.hint.textContent = hint;
     this.hint.title = this.isCutting
-      ? 'Of every chart, on average over its surface: the less, the more seams and charts'
-      : `${lengths}. Nothing is cut to keep them: press Auto, or Cut further beside the result`;
+      ? 'Limit for the average stretch of each chart. A lower limit gives more seams and charts'
+      : `${lengths}. No cuts enforce this: press Auto, or Cut further next to the result`;
     this.slider.setAttribute('aria-valuetext', `${maxStretch}: ${hint}`);
     this.slider.style.setProperty('--value', String(share(maxStretch)));
   }

@@ -35,7 +35,7 @@ export class BalanceControl {
 }
 
 function meaning(balance: number): string {
-  if (balance === 0) return 'angles as they were found';
+  if (balance === 0) return 'angles as flattened';
   if (balance === 1) return 'lengths and areas as well as possible';
   return 'angles traded for lengths';
 }

@@ -6,18 +6,18 @@ import type { Mode } from '../model/settings';
 const MODES: Mode[] = ['flatten', 'unwrap'];
 
 const HINTS: Record<Mode, string> = {
-  flatten: 'one piece',
+  flatten: 'one chart',
   unwrap: 'charts in a square',
 };
 
 /** Why a mesh cannot be flattened, in two words. */
 const NO_DISK: Partial<Record<StatusName, string>> = {
-  DegenerateFace: 'Faces without area',
-  NonManifoldEdge: 'Edges of three faces',
-  InconsistentOrientation: 'Faces turned over',
-  MultipleComponents: 'Several pieces',
+  DegenerateFace: 'Degenerate faces',
+  NonManifoldEdge: 'Non-manifold edges',
+  InconsistentOrientation: 'Flipped faces',
+  MultipleComponents: 'Several components',
   ClosedSurface: 'Closed surface',
-  MultipleBoundaryLoops: 'Several holes',
+  MultipleBoundaryLoops: 'Several boundaries',
   HasHandles: 'Handles',
 };
 
@@ -63,7 +63,7 @@ export class ModeSwitch {
     const { ok, code, message } = this.disk;
     this.buttons[0].disabled = !ok;
     const reason = NO_DISK[code as StatusName];
-    this.hint.textContent = ok ? HINTS[this.mode] : `${reason ?? 'No disk'}: only Unwrap`;
+    this.hint.textContent = ok ? HINTS[this.mode] : `${reason ?? 'Not a disk'}: use Unwrap`;
     this.hint.title = ok ? '' : `${sentence(message)}.`;
     document.body.dataset.mode = this.mode;
   }

@@ -14,7 +14,7 @@ import {
 import { NumberField } from './number-field';
 
 const KEEP_UV =
-  'Faces that have uv in the file keep exactly that; all others are unwrapped and packed around them';
+  'Faces with UVs in the file keep them exactly; all others are unwrapped and packed around them';
 
 /** The options of an atlas that open with a button, which says what of them is not as usual. */
 export class MoreControl {
@@ -31,7 +31,7 @@ export class MoreControl {
     private readonly say: (text: string) => void,
   ) {
     for (const name of MORE) this.add(name);
-    this.keepUv = this.switchOf('more-keep-uv', 'Keep uv of the file', KEEP_UV);
+    this.keepUv = this.switchOf('more-keep-uv', 'Keep UVs of the file', KEEP_UV);
     this.keepUv.hidden = true;
     this.keepUv.addEventListener('click', () => {
       const { fixedFaces, ...others } = this.options;
@@ -113,7 +113,7 @@ export class MoreControl {
       this.set({ [name]: !this.options[name] });
     });
     if (name !== 'udim') return;
-    button.title += '. Needs a texel density';
+    button.title += '. Needs a numeric texel density';
     this.udim = button;
   }
 

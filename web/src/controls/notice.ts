@@ -37,6 +37,6 @@ export class Notice {
 
 function sentence({ name }: FileSource, others: FileSource[]): string {
   const more = others.length - OFFERED;
-  const rest = more > 0 ? `, of ${others.length + 1} meshes` : '';
-  return `One mesh at a time${rest}: this is ${name}.`;
+  const rest = more > 0 ? `, one of ${others.length + 1} meshes` : '';
+  return `Opened ${name}${rest}. Only one mesh can be open at a time.`;
 }

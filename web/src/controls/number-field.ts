@@ -66,15 +66,15 @@ export function fits(value: number, rule: NumberRule): boolean {
   );
 }
 
-/** "from 0 to 256, whole" */
+/** "a whole number from 0 to 256" */
 function rangeText({ above, atLeast = 0, atMost, type }: NumberRule): string {
   const low = above === undefined ? `from ${atLeast}` : `above ${above}`;
   const high = atMost === undefined ? '' : ` to ${atMost}`;
-  return `${low}${high}${type === 'integer' ? ', whole' : ''}`;
+  return `${type === 'integer' ? 'a whole number ' : ''}${low}${high}`;
 }
 
 /** Why what was typed was not taken; `kept` is used still. */
 export function refusal(name: string, typed: string, range: string, kept: string): string {
-  const unused = typed === '' ? '' : `${typed} was not used: `;
+  const unused = typed === '' ? '' : `${typed} was ignored: `;
   return `${unused}${name} must be ${range}. It is still ${kept}.`;
 }

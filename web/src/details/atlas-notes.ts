@@ -20,7 +20,7 @@ function problems({ charts }: UnwrapReport): string[] {
   const bad = charts.filter(({ valid }) => !valid);
   const named = bad
     .slice(0, NAMED)
-    .map(({ firstFace, problem }) => `chart with face ${firstFace}: ${problem}`);
+    .map(({ firstFace, problem }) => `chart containing face ${firstFace}: ${problem}`);
   const more = bad.length - named.length;
   return more > 0
     ? [...named, `${counted(more, 'more chart is', 'more charts are')} not valid`]
@@ -46,7 +46,7 @@ function repairs(repair: RepairReport): string[] {
     [
       collapsedFaces.length,
       () =>
-        `${counted(collapsedFaces.length, 'face has', 'faces have')} fewer than three corners and took the UVs of the neighbours: ${faces(collapsedFaces)}`,
+        `${counted(collapsedFaces.length, 'degenerate face uses', 'degenerate faces use')} the UVs of neighbouring faces: ${faces(collapsedFaces)}`,
     ],
     [
       splitFaces.length,
@@ -56,7 +56,7 @@ function repairs(repair: RepairReport): string[] {
     [
       duplicateFaces.length,
       () =>
-        `${counted(duplicateFaces.length, 'face repeats another and has a chart of its own', 'faces repeat others and have charts of their own')}: ${faces(duplicateFaces.map(([face]) => face))}`,
+        `${counted(duplicateFaces.length, 'duplicate face has its own chart', 'duplicate faces have their own charts')}: ${faces(duplicateFaces.map(([face]) => face))}`,
     ],
     [
       nonManifoldEdges.length,
@@ -71,7 +71,7 @@ function repairs(repair: RepairReport): string[] {
     [
       degenerateTriangles,
       () =>
-        `${counted(degenerateTriangles, 'triangle has', 'triangles have')} no area and got made-up angles`,
+        `${counted(degenerateTriangles, 'triangle has', 'triangles have')} no area and got artificial angles`,
     ],
   ];
   return kinds.filter(([size]) => size > 0).map(([, text]) => text());

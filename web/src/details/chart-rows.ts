@@ -27,13 +27,13 @@ export interface Order {
 export const COLUMNS: ChartColumn[] = [
   {
     name: 'Chart',
-    title: 'By number; those of one colour do not touch',
+    title: 'Sort by number. Charts of the same colour never touch',
     key: ({ index }) => index,
     text: ({ index }) => count(index),
   },
   {
     name: 'Faces',
-    title: 'Triangles',
+    title: 'Number of triangles',
     key: ({ chart }) => chart.faces,
     text: ({ chart }) => count(chart.faces),
   },
@@ -58,7 +58,7 @@ export const COLUMNS: ChartColumn[] = [
   },
   {
     name: 'Valid',
-    title: 'No flipped triangle, no crossing',
+    title: 'No flipped triangles, no crossings',
     key: ({ chart }) => Number(!chart.valid),
     text: ({ chart }) => (chart.valid ? '\u2713' : '\u2717'),
   },

@@ -61,7 +61,7 @@ export class ChartTable {
     });
     const left = sorted.length - MOST_ROWS;
     this.more.hidden = left <= 0;
-    this.more.textContent = `${counted(left, 'more chart')}: sort by another column to see what ends there.`;
+    this.more.textContent = `${counted(left, 'more chart')}: sort by another column to see others.`;
   }
 
   private headRow(): HTMLTableRowElement {
@@ -117,7 +117,7 @@ export class ChartTable {
     button.dataset.chart = String(index);
     button.ariaLabel = `Lock chart ${index}`;
     button.ariaPressed = String(this.locks.has(index));
-    button.title = 'Locked: the chart stays as it is and where it is, whatever is changed';
+    button.title = 'Locked: the chart keeps its shape and place, whatever else changes';
     const icon = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
     icon.append(
       svg('path', { class: 'lock-body', d: 'M3.500 7.500h9v6h-9z' }),
@@ -138,7 +138,7 @@ export class ChartTable {
     cell.scope = 'row';
     const button = create('button', 'chart-name');
     button.type = 'button';
-    button.setAttribute('aria-label', `Chart ${index}: show it`);
+    button.setAttribute('aria-label', `Show chart ${index}`);
     if (this.colors) {
       const swatch = create('span', 'swatch');
       swatch.style.background = `var(--chart-${this.colors[index]})`;

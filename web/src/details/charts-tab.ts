@@ -52,7 +52,7 @@ export class ChartsTab {
     const { charts } = this.locks;
     this.table.showLocks(charts);
     this.lockSummary.textContent =
-      charts.size > 0 ? `${counted(charts.size, 'chart')} locked` : 'A locked chart stays';
+      charts.size > 0 ? `${counted(charts.size, 'chart')} locked` : 'Locked charts stay in place';
   }
 }
 

@@ -12,7 +12,7 @@ export function residualChart(history: NewtonStep[]): ChartSpec {
   return {
     title: 'Residual',
     description:
-      'How far each step of the solver is from meeting the constraints and from the least distortion.',
+      'How far each solver step is from meeting the constraints and from the least distortion.',
     xName: '',
     x: stepScale(history.length),
     y: logScale(
@@ -32,12 +32,12 @@ export function residualChart(history: NewtonStep[]): ChartSpec {
 export function activeSetChart(history: NewtonStep[]): ChartSpec {
   const series = [line('Boundary vertices', 'first', history, ({ active }) => active)];
   if (history.some(({ activeEdges }) => activeEdges > 0))
-    series.push(line('Inner edges', 'second', history, ({ activeEdges }) => activeEdges));
+    series.push(line('Interior edges', 'second', history, ({ activeEdges }) => activeEdges));
   const values = series.map(({ marks }) => marks.map(({ y }) => y));
   const most = values.flat().reduce((high, value) => Math.max(high, value), 2);
   return {
     title: 'Active set',
-    description: 'How many boundary vertices and inner edges each step holds at their bound.',
+    description: 'How many boundary vertices and interior edges each step holds at their bounds.',
     xName: 'Step',
     x: stepScale(history.length),
     y: linearScale(most, 2),

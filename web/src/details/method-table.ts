@@ -10,7 +10,7 @@ interface ColumnOf {
 }
 
 const COLUMNS: ColumnOf[] = [
-  { name: 'Time', title: 'For the layout alone', value: ({ seconds }) => duration(seconds) },
+  { name: 'Time', title: 'Time for the layout only', value: ({ seconds }) => duration(seconds) },
   {
     name: 'Angle',
     title: 'Angular distortion: mean over corners of ((x - α)/α)²',
@@ -28,7 +28,7 @@ const COLUMNS: ColumnOf[] = [
   },
   {
     name: 'Flips',
-    title: 'Triangles that are flipped',
+    title: 'Flipped triangles',
     value: ({ flippedTriangles }) => count(flippedTriangles),
     isBad: ({ flippedTriangles }) => flippedTriangles > 0,
   },

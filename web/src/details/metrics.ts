@@ -16,7 +16,7 @@ interface Metric<S> {
 
 const STRETCH = 'Symmetric Dirichlet energy / 4, mean over the surface; 1 keeps all lengths';
 
-const AS_IN_FILE = 'Faces of the mesh as it came: triangles, quads and larger polygons';
+const AS_IN_FILE = 'Faces of the input: triangles, quads and larger polygons';
 
 const OF_DISK: Metric<Report>[] = [
   {
@@ -62,13 +62,14 @@ const OF_DISK: Metric<Report>[] = [
 const OF_ATLAS: Metric<UnwrapReport>[] = [
   {
     label: 'Charts',
-    title: 'Pieces of the atlas; red when one is not valid',
+    title: 'Charts in the atlas; red if one is not valid',
     value: ({ charts }) => count(charts.length),
     isBad: ({ valid }) => !valid,
   },
   {
     label: 'Seam length',
-    title: "Divided by the root of the surface's area: the same for every size of the mesh",
+    title:
+      'Divided by the square root of the surface area, so it does not depend on the size of the mesh',
     value: ({ seams }) => measure(seams.relativeLength),
   },
   {
@@ -84,12 +85,12 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
   },
   {
     label: 'Utilisation',
-    title: 'Share of the square, or of all tiles, that charts cover',
+    title: 'Share of the square, or of all tiles, that the charts cover',
     value: ({ atlas }) => `${(100 * atlas.utilization).toFixed(1)}\u202f%`,
   },
   {
     label: 'Texel density',
-    title: 'Texels per unit of length of the mesh, at this resolution',
+    title: 'Texels per mesh unit at this resolution',
     value: ({ atlas }) => measure(atlas.texelDensity),
   },
   {
@@ -103,13 +104,13 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
 const REFINED: Metric<{ refined: Energies }> = {
   label: 'Energy',
   title:
-    'What the balance weighs, mean over the refined surface, before and after: (1 - b)·(σ₁/σ₂ + σ₂/σ₁)/2 + b·(σ₁² + σ₂² + 1/σ₁² + 1/σ₂²)/4, b the balance',
+    'Energy minimised for the balance b, averaged over the refined surface, before and after: (1 - b)·(σ₁/σ₂ + σ₂/σ₁)/2 + b·(σ₁² + σ₂² + 1/σ₁² + 1/σ₂²)/4',
   value: ({ refined: { before, after } }) => `${stretch(before)} \u2192 ${stretch(after)}`,
 };
 
 const TIME: Metric<{ timings: { total: number } }> = {
   label: 'Time',
-  title: 'From the first byte to the last, in the worker',
+  title: 'Total time in the worker, including reading and writing',
   value: ({ timings }) => duration(timings.total),
 };
 
@@ -124,7 +125,7 @@ const REMEDIES: Record<Remedy, { label: string; title: string }> = {
     label: 'Cut further',
     title: 'Keep these seams and add automatic ones until every chart is within the limit',
   },
-  unwrap: { label: 'Unwrap', title: 'Cut the mesh where that keeps lengths' },
+  unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
 };
 
 /** The numbers of a result, and how good it is. */

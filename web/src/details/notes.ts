@@ -13,13 +13,13 @@ function delaunayNote(
   { angularDistortion }: ChartReport,
   { edges, violated, violatedBefore, angularDistortionBefore }: DelaunayReport,
 ): string {
-  const before = `${count(violatedBefore)} of ${counted(edges, 'inner edge')} before`;
+  const before = `${count(violatedBefore)} of ${counted(edges, 'interior edge')} before`;
   const change = `angular distortion ${measure(angularDistortionBefore)} before, ${measure(angularDistortion)} now`;
   return `edges that are not Delaunay: ${before}, ${count(violated)} now; ${change}`;
 }
 
 function tightening({ bounds }: ChartReport): string {
   const least = bounds.reduce((low, { t }) => Math.min(low, t), Infinity);
-  const vertices = counted(bounds.length, 'boundary vertex is', 'boundary vertices are');
+  const vertices = counted(bounds.length, 'boundary vertex was', 'boundary vertices were');
   return `${vertices} tightened, ${bounds.length === 1 ? '' : 'down '}to t\u00a0=\u00a0${bound(least)}`;
 }

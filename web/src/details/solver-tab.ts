@@ -22,7 +22,7 @@ export class SolverTab {
 
   constructor() {
     const read = (text: string | null) => {
-      this.readout.textContent = text ?? 'Point at a step for its numbers.';
+      this.readout.textContent = text ?? 'Point at a step to see its numbers.';
     };
     read(null);
     this.residuals = new Chart(element('residual-chart', HTMLElement), 132, read);

@@ -74,7 +74,8 @@ export class SweepTab {
       this.draw();
     }
     const skipped = this.points.filter(({ chart }) => !chart).map(({ t }) => t);
-    this.text.textContent = skipped.length > 0 ? `${skipped.join(', ')}: not possible here` : '';
+    this.text.textContent =
+      skipped.length > 0 ? `${skipped.join(', ')}: not possible for this mesh` : '';
   }
 
   private draw(): void {

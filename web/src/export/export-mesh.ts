@@ -26,7 +26,7 @@ export async function exportMesh(
 function setText(texcoord: number): string {
   return texcoord === 0
     ? 'New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.'
-    : `New UVs are in TEXCOORD_${texcoord}, textures keep theirs.`;
+    : `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`;
 }
 
 const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };

@@ -13,7 +13,7 @@ export function pictureSize({ resolution, tiles }: AtlasDrawing): {
   const [width, height] = [resolution * columns, resolution * rows];
   if (Math.max(width, height) > MOST_PIXELS)
     throw new Error(
-      `pictures have at most ${MOST_PIXELS} pixels along a side; lower the resolution, or save SVG`,
+      `pictures have at most ${MOST_PIXELS} pixels along a side. Lower the resolution, or save SVG`,
     );
   return { width, height };
 }

@@ -131,5 +131,5 @@ class Painter {
 
 const noMemory = () =>
   new Error(
-    'the browser has no memory for a picture of this size; lower the resolution, or save SVG',
+    'the browser has not enough memory for a picture of this size. Lower the resolution, or save SVG',
   );

@@ -49,7 +49,7 @@ export function changedOptions(options: MoreOptions): string[] {
     if (typeof value === 'boolean') return value ? label : `no ${label}`;
     return `${label} ${value}`;
   });
-  return options.fixedFaces ? ['uv of the file kept', ...changed] : changed;
+  return options.fixedFaces ? ['UVs of the file kept', ...changed] : changed;
 }
 
 /** Without its capital, unless it begins with an acronym. */

@@ -21,7 +21,7 @@ const NO_POINTS = new Float32Array();
 const PLACES_PER_FRAME = 1 << 14;
 
 const INVITATIONS: Record<Tool, string> = {
-  cut: 'Click a vertex to begin a cut',
+  cut: 'Click a vertex to start a cut',
   join: 'Click a seam to join its sides',
 };
 
@@ -115,7 +115,7 @@ export class SeamEditor {
     const place = this.placeAt(model, at);
     const { paths } = this;
     if (!paths) {
-      const text = place < 0 ? INVITATIONS.cut : `Vertex ${place}: begin a cut`;
+      const text = place < 0 ? INVITATIONS.cut : `Vertex ${place}: start a cut`;
       this.mark({ ...NO_MARKS, vertices: listed(place) }, text);
       return;
     }
@@ -126,7 +126,7 @@ export class SeamEditor {
     const text =
       path.length > 0
         ? `Vertex ${paths.start} to ${place}: cut ${counted(path.length, 'edge')}, ${length} long`
-        : `From vertex ${paths.start}: click where the cut ends, Esc cancels`;
+        : `From vertex ${paths.start}: click the end of the cut, Esc cancels`;
     this.mark({ ...NO_MARKS, cut: this.pairs(model, path), vertices }, text);
   }
 
@@ -146,20 +146,20 @@ export class SeamEditor {
     if (place < 0) return;
     if (!this.paths) {
       this.begin(model, place);
-      this.events.say(`A cut begins at vertex ${place}`);
+      this.events.say(`Cut started at vertex ${place}`);
       return;
     }
     const path = this.paths.to(place);
     const isSame = place === this.paths.start;
     if (path.length === 0 && !isSame) {
-      this.events.say(`No edges lead from vertex ${this.paths.start} to vertex ${place}`);
+      this.events.say(`No edges connect vertex ${this.paths.start} to vertex ${place}`);
       return;
     }
     this.paths = null;
     if (goesOn && !isSame) this.begin(model, place);
     if (isSame) return;
     const count = model.cut(path);
-    this.events.say(count > 0 ? `Cut ${counted(count, 'edge')}` : 'There are seams already');
+    this.events.say(count > 0 ? `Cut ${counted(count, 'edge')}` : 'Already cut');
     if (count > 0) this.events.changed();
   }
 
@@ -229,7 +229,7 @@ export class SeamEditor {
     if (event.key !== 'Escape' || !this.paths) return;
     event.stopPropagation();
     this.clear();
-    this.events.say('No cut was made');
+    this.events.say('Cut cancelled');
   }
 }
 

@@ -23,10 +23,10 @@ export function readSeams(graph: SurfaceGraph, text: string, name: string): Uint
     const missing = [from, to].find((v) => v >= graph.places.length);
     if (missing !== undefined)
       throw new BadSeamFile(
-        `${where}: there is no vertex ${missing}, the last one is ${graph.places.length - 1}.`,
+        `${where}: there is no vertex ${missing}; the last one is ${graph.places.length - 1}.`,
       );
     if (edgeBetween(graph, from, to) < 0)
-      throw new BadSeamFile(`${where}: ${from}-${to} is no edge of a face.`);
+      throw new BadSeamFile(`${where}: ${from}-${to} is not an edge of any face.`);
     pairs.push(from, to);
   });
   return Uint32Array.from(pairs);

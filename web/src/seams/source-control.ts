@@ -40,7 +40,14 @@ export class SourceControl {
     this.degrees.addEventListener('input', () => this.readDegrees());
     this.degrees.addEventListener('change', () => {
       if (this.degrees.ariaInvalid === 'true')
-        say(refusal('Sharp', this.degrees.value, 'above 0 to 180 degrees', `${this.angle}°`));
+        say(
+          refusal(
+            'Sharp angle',
+            this.degrees.value,
+            'above 0 and at most 180 degrees',
+            `${this.angle}°`,
+          ),
+        );
       this.degrees.valueAsNumber = this.angle;
       this.degrees.setAttribute('aria-invalid', 'false');
     });

@@ -26,6 +26,6 @@ export function sourcesOf(files: File[]): FileSource[] {
 export function noMesh(files: File[]): string {
   const [{ name }] = files;
   const what =
-    files.length === 1 ? `${name} is no mesh` : `None of these ${files.length} files is a mesh`;
-  return `${what}. Open an OBJ, PLY, STL, OFF, glTF or GLB file; what belongs to it may come along.`;
+    files.length === 1 ? `${name} is not a mesh` : `None of these ${files.length} files is a mesh`;
+  return `${what}. Open an OBJ, PLY, STL, OFF, glTF or GLB file, along with any files it needs.`;
 }

@@ -10,7 +10,7 @@ export async function filesOf(dropped: DataTransfer): Promise<File[]> {
   const files: File[] = [];
   for (const entry of entries) if (entry) await gather(entry, files);
   if (files.length === 0)
-    throw new Error('The folder is empty. Drop a mesh, or a folder with one.');
+    throw new Error('The folder is empty. Drop a mesh, or a folder that contains one.');
   return files;
 }
 
@@ -21,7 +21,7 @@ async function gather(entry: FileSystemEntry, files: File[]): Promise<void> {
   else if (isFolder(entry)) for (const inner of await entriesOf(entry)) await gather(inner, files);
   if (files.length > MOST_FILES)
     throw new Error(
-      `The folder holds more than ${MOST_FILES} files. Drop only the mesh and what belongs to it.`,
+      `The folder holds more than ${MOST_FILES} files. Drop only the mesh and the files it needs.`,
     );
 }
 

@@ -1,5 +1,5 @@
 import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
-import { bound, count, counted } from '../base/format';
+import { bound, count, counted, inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import type { Flattened, Outcome, Source } from '../model/model';
 import { changedOptions } from '../model/more-options';
@@ -44,7 +44,7 @@ export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): str
 
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
-  const text = message.replace(/\.$/, '');
+  const text = inPageWords(message).replace(/\.$/, '');
   if (text.includes(source.name)) return `${text}.`;
   const what = settings === null ? 'opened' : WORDS[settings.mode].done.toLowerCase();
   return `${titleOf(source)} was not ${what}: ${text}.`;
@@ -62,7 +62,7 @@ function boundInfo({ settings, result }: Flattened): string {
   if (settings.t !== 'auto') return `t = ${bound(settings.t)}`;
   const [chart] = result.report.charts;
   const tightened = chart.bounds.length;
-  const but = tightened > 0 ? ` but for ${counted(tightened, 'vertex', 'vertices')}` : '';
+  const but = tightened > 0 ? ` except at ${counted(tightened, 'vertex', 'vertices')}` : '';
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 

@@ -40,7 +40,7 @@ function delaunayLine(
   { resisting, angularDistortionBefore }: DelaunayReport,
 ): [string, string] {
   if (resisting.length > 0)
-    return ['line', `${counted(resisting.length, 'edge resists', 'edges resist')} Delaunay`];
+    return ['line', `${counted(resisting.length, 'edge')} cannot become Delaunay`];
   const change = `${measure(angularDistortionBefore)} \u2192 ${measure(angularDistortion)}`;
   return ['edge', `Delaunay: distortion ${change}`];
 }

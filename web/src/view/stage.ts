@@ -22,7 +22,7 @@ export class Stage {
       antialias: true,
       powerPreference: 'high-performance',
     });
-    if (!context) throw new NoWebGl('The browser offers no WebGL 2.');
+    if (!context) throw new NoWebGl('This browser has no WebGL 2.');
     this.renderer = new WebGLRenderer({ canvas, context });
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
   }
