@@ -3,9 +3,9 @@
 #include <new>
 #include <string>
 
-#include "commands.h"
-#include "out_of_memory.h"
-#include "terminal.h"
+#include "commands/commands.h"
+#include "files/out_of_memory.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,7 +1,7 @@
 #include <sstream>
 
-#include "options.h"
-#include "subcommands.h"
+#include "arguments/options.h"
+#include "arguments/subcommands.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include "../paths.h"
-#include "options.h"
-#include "subcommands.h"
+#include "arguments/options.h"
+#include "arguments/subcommands.h"
+#include "files/paths.h"
 
 namespace abflat::cli {
 

@@ -1,5 +1,5 @@
-#include "options.h"
-#include "subcommands.h"
+#include "arguments/options.h"
+#include "arguments/subcommands.h"
 
 namespace abflat::cli {
 

@@ -1,14 +1,14 @@
-#include "options.h"
+#include "arguments/options.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
 
-#include "../arguments.h"
-#include "../mesh_format.h"
-#include "../paths.h"
 #include "abflat/generated/status_code.h"
+#include "arguments/arguments.h"
+#include "files/mesh_format.h"
+#include "files/paths.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,8 +1,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "options.h"
-#include "subcommands.h"
+#include "arguments/options.h"
+#include "arguments/subcommands.h"
 
 namespace abflat::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "../arguments.h"
+#include "arguments/arguments.h"
 
 namespace abflat::cli {
 

@@ -1,9 +1,9 @@
 #include <sstream>
 
-#include "../paths.h"
 #include "abflat/draw.h"
-#include "options.h"
-#include "subcommands.h"
+#include "arguments/options.h"
+#include "arguments/subcommands.h"
+#include "files/paths.h"
 
 namespace abflat::cli {
 namespace {

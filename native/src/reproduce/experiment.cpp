@@ -6,9 +6,9 @@
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "abflat/samples.h"
-#include "input_file.h"
-#include "out_of_memory.h"
-#include "paths.h"
+#include "files/input_file.h"
+#include "files/out_of_memory.h"
+#include "files/paths.h"
 
 namespace abflat::cli {
 namespace {

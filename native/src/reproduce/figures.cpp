@@ -4,7 +4,7 @@
 
 #include "abflat/draw.h"
 #include "abflat/flatten.h"
-#include "out_of_memory.h"
+#include "files/out_of_memory.h"
 
 namespace abflat::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "output_file.h"
+#include "files/output_file.h"
 
 namespace abflat::cli {
 

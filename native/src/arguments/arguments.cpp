@@ -1,11 +1,11 @@
-#include "arguments.h"
+#include "arguments/arguments.h"
 
 #include <iostream>
 
 #include "abflat/generated/status_code.h"
 #include "arguments/options.h"
 #include "arguments/subcommands.h"
-#include "terminal.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 namespace {

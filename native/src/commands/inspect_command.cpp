@@ -1,11 +1,11 @@
 #include "abflat/inspect.h"
-#include "commands.h"
-#include "input_file.h"
-#include "out_of_memory.h"
-#include "output_file.h"
-#include "paths.h"
-#include "terminal.h"
-#include "texts.h"
+#include "commands/commands.h"
+#include "files/input_file.h"
+#include "files/out_of_memory.h"
+#include "files/output_file.h"
+#include "files/paths.h"
+#include "terminal/terminal.h"
+#include "terminal/texts.h"
 
 namespace abflat::cli {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "abflat/io.h"
-#include "input_file.h"
+#include "files/input_file.h"
 
 namespace abflat::cli {
 

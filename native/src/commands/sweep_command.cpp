@@ -2,12 +2,12 @@
 #include <sstream>
 
 #include "abflat/flatten.h"
-#include "commands.h"
-#include "input_file.h"
-#include "out_of_memory.h"
-#include "output_file.h"
-#include "paths.h"
-#include "terminal.h"
+#include "commands/commands.h"
+#include "files/input_file.h"
+#include "files/out_of_memory.h"
+#include "files/output_file.h"
+#include "files/paths.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 namespace {

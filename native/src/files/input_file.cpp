@@ -1,11 +1,11 @@
-#include "input_file.h"
+#include "files/input_file.h"
 
 #include <utility>
 
-#include "out_of_memory.h"
-#include "paths.h"
-#include "read_file.h"
-#include "resources.h"
+#include "files/out_of_memory.h"
+#include "files/paths.h"
+#include "files/read_file.h"
+#include "files/resources.h"
 
 namespace abflat::cli {
 namespace {

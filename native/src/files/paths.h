@@ -4,6 +4,9 @@
 
 namespace abflat::cli {
 
+/// Stands for standard input or standard output where a path is expected.
+constexpr const char* kStandardStream = "-";
+
 /// Ending of a file name with its dot, in lower case; empty when there is none.
 std::string endingOf(const std::string& path);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "arguments.h"
+#include "arguments/arguments.h"
 
 namespace abflat::cli {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "abflat/status.h"
-#include "paths.h"
-#include "read_file.h"
+#include "files/paths.h"
+#include "files/read_file.h"
 
 namespace abflat::cli {
 

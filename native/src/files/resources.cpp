@@ -1,11 +1,11 @@
-#include "resources.h"
+#include "files/resources.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 
-#include "read_file.h"
+#include "files/read_file.h"
 
 namespace abflat::cli {
 namespace {

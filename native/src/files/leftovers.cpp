@@ -1,4 +1,4 @@
-#include "leftovers.h"
+#include "files/leftovers.h"
 
 #include <unistd.h>
 

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "commands.h"
+#include "commands/commands.h"
 #include "reproduce/convergence.h"
 #include "reproduce/experiment.h"
 #include "reproduce/figures.h"
 #include "reproduce/output_folder.h"
 #include "reproduce/page.h"
 #include "reproduce/tables.h"
-#include "terminal.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "output_file.h"
+#include "files/output_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,10 +11,9 @@
 #include <string_view>
 #include <utility>
 
-#include "arguments.h"
-#include "leftovers.h"
-#include "paths.h"
-#include "system_call.h"
+#include "files/leftovers.h"
+#include "files/paths.h"
+#include "files/system_call.h"
 
 namespace abflat::cli {
 namespace {

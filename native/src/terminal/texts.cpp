@@ -1,11 +1,11 @@
-#include "texts.h"
+#include "terminal/texts.h"
 
 #include <iomanip>
 #include <sstream>
 #include <vector>
 
 #include "abflat/flatten.h"
-#include "terminal.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 namespace {

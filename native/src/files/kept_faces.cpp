@@ -1,10 +1,10 @@
-#include "kept_faces.h"
+#include "files/kept_faces.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "abflat/texcoord_faces.h"
-#include "rows_file.h"
+#include "files/rows_file.h"
 
 namespace abflat::cli {
 namespace {

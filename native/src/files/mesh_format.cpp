@@ -1,9 +1,8 @@
-#include "mesh_format.h"
+#include "files/mesh_format.h"
 
 #include <filesystem>
 
-#include "arguments.h"
-#include "paths.h"
+#include "files/paths.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include "seam_file.h"
+#include "files/seam_file.h"
 
-#include "rows_file.h"
+#include "files/rows_file.h"
 
 namespace abflat::cli {
 

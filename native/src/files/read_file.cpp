@@ -1,4 +1,4 @@
-#include "read_file.h"
+#include "files/read_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -6,9 +6,8 @@
 
 #include <cstring>
 
-#include "arguments.h"
-#include "paths.h"
-#include "system_call.h"
+#include "files/paths.h"
+#include "files/system_call.h"
 
 namespace abflat::cli {
 namespace {

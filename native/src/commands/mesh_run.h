@@ -10,12 +10,12 @@
 
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
-#include "input_file.h"
-#include "mesh_format.h"
-#include "out_of_memory.h"
-#include "output_file.h"
-#include "paths.h"
-#include "terminal.h"
+#include "files/input_file.h"
+#include "files/mesh_format.h"
+#include "files/out_of_memory.h"
+#include "files/output_file.h"
+#include "files/paths.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 

@@ -1,6 +1,6 @@
-#include "pins_file.h"
+#include "files/pins_file.h"
 
-#include "rows_file.h"
+#include "files/rows_file.h"
 
 namespace abflat::cli {
 

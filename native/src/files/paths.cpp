@@ -1,8 +1,6 @@
-#include "paths.h"
+#include "files/paths.h"
 
 #include <filesystem>
-
-#include "arguments.h"
 
 namespace abflat::cli {
 

@@ -8,12 +8,9 @@
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
 #include "abflat/unwrap.h"
-#include "kept_faces.h"
+#include "files/kept_faces.h"
 
 namespace abflat::cli {
-
-/// Stands for standard input or standard output where a path is expected.
-constexpr const char* kStandardStream = "-";
 
 struct UnwrapCommand {
   std::string input, output;

@@ -1,12 +1,12 @@
 #include "abflat/draw.h"
 #include "abflat/peak_memory.h"
 #include "abflat/unwrap.h"
-#include "commands.h"
-#include "mesh_run.h"
-#include "paths.h"
-#include "pins_file.h"
-#include "seam_file.h"
-#include "texts.h"
+#include "commands/commands.h"
+#include "commands/mesh_run.h"
+#include "files/paths.h"
+#include "files/pins_file.h"
+#include "files/seam_file.h"
+#include "terminal/texts.h"
 
 namespace abflat::cli {
 namespace {

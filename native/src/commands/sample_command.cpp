@@ -1,10 +1,10 @@
 #include "abflat/io.h"
 #include "abflat/samples.h"
-#include "commands.h"
-#include "mesh_format.h"
-#include "out_of_memory.h"
-#include "output_file.h"
-#include "terminal.h"
+#include "commands/commands.h"
+#include "files/mesh_format.h"
+#include "files/out_of_memory.h"
+#include "files/output_file.h"
+#include "terminal/terminal.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include "straight_file.h"
+#include "files/straight_file.h"
 
-#include "rows_file.h"
+#include "files/rows_file.h"
 
 namespace abflat::cli {
 

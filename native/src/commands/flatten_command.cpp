@@ -1,10 +1,10 @@
 #include "abflat/flatten.h"
-#include "bounds_file.h"
-#include "commands.h"
-#include "mesh_run.h"
-#include "pins_file.h"
-#include "straight_file.h"
-#include "texts.h"
+#include "commands/commands.h"
+#include "commands/mesh_run.h"
+#include "files/bounds_file.h"
+#include "files/pins_file.h"
+#include "files/straight_file.h"
+#include "terminal/texts.h"
 
 namespace abflat::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include "bounds_file.h"
+#include "files/bounds_file.h"
 
-#include "rows_file.h"
+#include "files/rows_file.h"
 
 namespace abflat::cli {
 
