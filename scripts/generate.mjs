@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Turns core/schema/abflat.json into C++, TypeScript and the marked tables of the documentation.
+// Turns core/schema into C++, TypeScript and the marked tables of the documentation.
 // With --check nothing is written: exit 1 and the names of the files that differ.
 
 import {
@@ -13,20 +13,22 @@ import {
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
+import { renderNames, renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
 import { fillRegions } from './lib/generate-docs.mjs';
 import { renderTypeScript } from './lib/generate-ts.mjs';
-import { checkSchema, optionSets } from './lib/schema.mjs';
+import { readSchema } from './lib/read-schema.mjs';
+import { optionSets } from './lib/schema.mjs';
 
 const REPO = resolve(dirname(fileURLToPath(import.meta.url)), '..');
-const SCHEMA = 'core/schema/abflat.json';
+const SCHEMA = 'core/schema';
 const DOC_FOLDERS = ['.', 'docs', 'native', 'wasm', 'web'];
 
 /** Every file that the schema decides, as a map from path to its whole text. */
 export function renderAll(root) {
-  const schema = checkSchema(JSON.parse(readFileSync(join(root, SCHEMA), 'utf8')));
+  const schema = readSchema(root);
   const files = new Map([
     ['core/include/abflat/generated/status_code.h', renderStatusCode(schema)],
+    ['core/include/abflat/generated/names.h', renderNames(schema)],
     ...optionSets(schema).map((set, i, sets) => [
       `core/include/abflat/generated/${set.verb}_options.h`,
       renderOptions(set, i > 0 ? sets[0].verb : undefined),

@@ -1,8 +1,8 @@
 // The C++ side of the schema: headers that are excluded from clang-format.
 
-import { BOUNDS, flagOf, fullText, pascalCase, rangeText, UNITS } from './schema.mjs';
+import { BOUNDS, flagOf, fullText, pascalCase, rangeText, sentence, UNITS } from './schema.mjs';
 
-const HEADER = `// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+export const HEADER = `// Generated from core/schema by scripts/generate.mjs, do not edit.
 // clang-format off
 #pragma once
 `;
@@ -15,9 +15,9 @@ const cppType = (option) =>
 /** What JSON escapes, C++ reads the same way. */
 const literal = (text) => JSON.stringify(text);
 
-function enumClass(name, comment, entries) {
+function enumClass(name, comment, entries, type = 'int') {
   const lines = entries.map(([id, value, text]) => `  ${id} = ${value},  ///< ${text}`);
-  return `/// ${comment}\nenum class ${name} : int {\n${lines.join('\n')}\n};\n`;
+  return `/// ${comment}\nenum class ${name} : ${type} {\n${lines.join('\n')}\n};\n`;
 }
 
 /** Cases with the same value share one return. */
@@ -86,16 +86,40 @@ function choiceParts({ name, text, choices }) {
   return [
     enumClass(
       id,
-      `${pascalCase(text)}.`,
+      sentence(text),
       choices.map((choice, i) => [pascalCase(choice.name), i, choice.text]),
     ),
     switchFunction(
-      `inline const char* ${name}Name(${id} code)`,
+      `inline const char* nameOf(${id} code)`,
       id,
       choices.map((choice) => [pascalCase(choice.name), literal(choice.name)]),
       literal(''),
     ),
   ];
+}
+
+/** GCC up to 12 takes a name of a scoped enum for one of the namespace around it. */
+const NO_SHADOW = '#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "-Wshadow"\n';
+
+/** Enums of reports and progress; a byte each, as there may be as many charts as triangles. */
+export function renderNames({ enums }) {
+  const parts = enums.flatMap(({ name, text, values }) => [
+    enumClass(
+      name,
+      sentence(text),
+      values.map((value, i) => [pascalCase(value.name), i, value.text]),
+      'std::uint8_t',
+    ),
+    switchFunction(
+      `inline const char* nameOf(${name} code)`,
+      name,
+      values.map((value) => [pascalCase(value.name), literal(value.name)]),
+      literal(''),
+    ),
+  ]);
+  const head = [HEADER, '#include <cstdint>\n', NO_SHADOW, 'namespace abflat {\n'];
+  const tail = ['}  // namespace abflat\n', '#pragma GCC diagnostic pop'];
+  return `${[...head, ...parts, ...tail].join('\n')}\n`;
 }
 
 function numberOf(option, value) {
@@ -189,9 +213,7 @@ function condition(option) {
 
 function visitLine(option) {
   const value =
-    option.type === 'choice'
-      ? `${option.name}Name(options.${option.name})`
-      : `options.${option.name}`;
+    option.type === 'choice' ? `nameOf(options.${option.name})` : `options.${option.name}`;
   const words = Object.entries(option.words ?? {}).map(
     ([word, number]) =>
       `  if (options.${option.name} == ${number})\n    visit("${option.name}", ${literal(word)});\n  else\n  `,

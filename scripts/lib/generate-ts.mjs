@@ -7,10 +7,11 @@ import {
   optionSets,
   pascalCase,
   rangeText,
+  sentence,
   withoutResearch,
 } from './schema.mjs';
 
-const HEADER = '// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.\n';
+export const TS_HEADER = '// Generated from core/schema by scripts/generate.mjs, do not edit.\n';
 
 function literal(value) {
   if (typeof value !== 'string') return String(value);
@@ -52,7 +53,7 @@ function exitParts(exitCodes) {
   ];
 }
 
-const union = (names) => names.map((name) => literal(name)).join(' | ');
+export const union = (names) => names.map((name) => literal(name)).join(' | ');
 
 function tsType(option) {
   if (option.type === 'choice') return pascalCase(option.name);
@@ -91,12 +92,36 @@ function optionParts({ verb, text, options, shared }) {
   ];
 }
 
+const unionType = (name, text, names) =>
+  `/** ${sentence(text)} */\nexport type ${name} = ${union(names)};\n`;
+
+/** A union of all names, and of the stages of each call. */
+function enumParts(enums) {
+  return enums.flatMap(({ name, text, values }) => {
+    const calls = [...new Set(values.flatMap((value) => value.of ?? []))];
+    if (calls.length === 0)
+      return unionType(
+        name,
+        text,
+        values.map((value) => value.name),
+      );
+    return calls.map((call) =>
+      unionType(
+        `${pascalCase(call)}${name}`,
+        `${text} of ${call}`,
+        values.filter((value) => value.of.includes(call)).map((value) => value.name),
+      ),
+    );
+  });
+}
+
 export function renderTypeScript(schema) {
   const parts = [
-    HEADER,
+    TS_HEADER,
     ...statusParts(schema.statuses),
     ...exitParts(schema.exitCodes),
     ...optionSets(withoutResearch(schema)).flatMap(optionParts),
+    ...enumParts(schema.enums),
   ];
   return `${parts.join('\n').trimEnd()}\n`;
 }

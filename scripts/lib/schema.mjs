@@ -1,4 +1,4 @@
-// What core/schema/abflat.json may contain. Everything generated relies on these checks.
+// What core/schema may contain. Everything generated relies on these checks.
 
 export const OPTION_TYPES = {
   number: 'number',
@@ -25,6 +25,8 @@ export function checkSchema(schema) {
   const unwrapOptions = schema.unwrapOptions.map((option) => resolved(option, schema));
   checkUnique(unwrapOptions, 'unwrapOptions');
   for (const option of unwrapOptions) checkOption(option);
+  for (const { name, values } of schema.enums) checkUnique(values, `enum ${name}`);
+  checkUnique(schema.enums, 'enums');
   return { ...schema, unwrapOptions };
 }
 
@@ -135,6 +137,11 @@ export function fullText(option) {
 /** The option on a command line; a boolean is named after what giving it does. */
 export function flagOf({ name, default: value }) {
   return `--${value === true ? 'no-' : ''}${kebabCase(name)}`;
+}
+
+/** A text as a whole sentence. */
+export function sentence(text) {
+  return `${pascalCase(text)}.`;
 }
 
 export function pascalCase(name) {

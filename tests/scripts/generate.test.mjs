@@ -52,8 +52,8 @@ describe('in a copy', () => {
 
   function fresh() {
     rmSync(copy, { recursive: true });
-    mkdirSync(join(copy, 'core/schema'), { recursive: true });
-    cpSync(join(REPO, SCHEMA), join(copy, SCHEMA));
+    mkdirSync(join(copy, 'core'), { recursive: true });
+    cpSync(join(REPO, 'core/schema'), join(copy, 'core/schema'), { recursive: true });
     write(
       'README.md',
       'Before\n\n<!-- generated:exit-codes -->\nold\n<!-- /generated -->\n\nAfter\n',

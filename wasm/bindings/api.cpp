@@ -33,7 +33,7 @@ void outOfMemory() {
 }
 
 bool reportProgress(const abflat::Progress& p) {
-  abflatReportProgress(p.stage, p.newtonStep, p.constraintResidual, p.fraction);
+  abflatReportProgress(nameOf(p), p.newtonStep, p.constraintResidual, p.fraction);
   return true;
 }
 

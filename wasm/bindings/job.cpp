@@ -116,7 +116,7 @@ template <class Compute, class Arrays, class Json>
 Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
                  const Compute& compute, const Arrays& arrays, const Json& json) {
   const Clock::time_point started = Clock::now();
-  progress({"read", 0, 0, 0});
+  progress({Stage::Read, 0, 0, 0});
   if (Status s = readInput(job); !s.ok()) return s;
   const double read = secondsSince(started);
 
@@ -128,7 +128,7 @@ Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
   if (!computed.ok()) return computed.status;
   auto& result = computed.value;
 
-  progress({"write", 0, 0, 0.98});
+  progress({Stage::Write, 0, 0, 0.98});
   const Clock::time_point writing = Clock::now();
   const auto source = [&](bool isKept) { return isKept ? job.source : std::string_view(); };
   if (wanted.obj) job.obj = writeObj(job.mesh, result.uv, result.cornerUv, source(isObj));
@@ -140,7 +140,7 @@ Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
   result.report.timings.write = secondsSince(writing);
   result.report.timings.total = secondsSince(started);
   job.text = json(result.report);
-  progress({"write", 0, 0, 1});
+  progress({Stage::Write, 0, 0, 1});
   return {};
 }
 
@@ -207,7 +207,7 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
 }
 
 Status compareJob(Job& job, const ProgressCallback& progress) {
-  progress({"read", 0, 0, 0});
+  progress({Stage::Read, 0, 0, 0});
   if (Status s = readInput(job); !s.ok()) return s;
   std::string().swap(job.source);
   Result<Comparison> compared = compare(job.mesh, {progress});
@@ -218,7 +218,7 @@ Status compareJob(Job& job, const ProgressCallback& progress) {
   job.methods = std::move(comparison.methods);
   job.layout.triangles = std::move(comparison.triangles);
   job.layout.vertexMap = std::move(comparison.vertexMap);
-  progress({job.methods.back().method.c_str(), 0, 0, 1});
+  progress({Stage::Check, 0, 0, 1, job.methods.back().method});
   return {};
 }
 

@@ -82,7 +82,7 @@ struct WantedFiles {
 };
 
 /// Fills everything that resultOf() returns of a layout, normalized and rounded as the job says.
-/// `progress` as in FlattenOptions, with the stages "read" and "write" added.
+/// `progress` as in FlattenOptions, with the stages Read and Write added.
 Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// The same, `progress` as in UnwrapOptions. Texcoords are rounded to single precision, which is
@@ -91,7 +91,7 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// Fills what resultOf() returns but uv, and job.methods. `progress` as in CompareOptions, with the
-/// stage "read" added.
+/// stage Read added.
 Status compareJob(Job& job, const ProgressCallback& progress);
 
 Status inspectJob(Job& job);

@@ -1,4 +1,4 @@
-// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+// Generated from core/schema by scripts/generate.mjs, do not edit.
 
 /** In the order of the C++ enum: index = number of the code. */
 export const STATUS_NAMES = [
@@ -153,3 +153,18 @@ export const UNWRAP_OPTIONS = {
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;
+
+/** What laid a chart out. */
+export type Solver = 'activeSet' | 'interiorPoint' | 'tutte' | 'known' | 'given';
+
+/** A stage of a run of flatten. */
+export type FlattenStage = 'read' | 'connectivity' | 'solve' | 'layout' | 'refine' | 'check' | 'write';
+
+/** A stage of a run of unwrap. */
+export type UnwrapStage = 'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write';
+
+/** A stage of a run of compare. */
+export type CompareStage = 'read';
+
+/** A method of compare. */
+export type MethodKey = 'abflatAuto' | 'abflatConvex' | 'abflatFree' | 'abflatBalanced' | 'symmetricDirichlet' | 'mips' | 'tutte' | 'meanValue' | 'harmonic' | 'lscm';

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abflat/flatten_options.h"
+#include "abflat/generated/names.h"
 #include "abflat/newton_step.h"
 
 namespace abflat {
@@ -55,9 +56,9 @@ struct ChartReport {
   std::size_t boundaryVertices = 0;
   double t = 0;
   std::vector<VertexBound> bounds;  ///< boundary vertices with a bound below t, as used
-  std::string solver;               ///< "activeSet", "interiorPoint" or "tutte"
-  std::string linearSolver;         ///< "schur", "minres", "symmlq", "gmres" or "bicgstab"
-  std::string formulation;          ///< "log" or "product"
+  Solver solver = Solver::ActiveSet;
+  LinearSolver linearSolver = LinearSolver::Schur;
+  Formulation formulation = Formulation::Log;
   int iterations = 0;
   std::vector<NewtonStep> history;
   double constraintResidual = 0;

@@ -13,26 +13,13 @@
 namespace abflat {
 
 /// How one method flattens a mesh. Measures are NaN where there is no layout; those that divide by
-/// an area are infinite where a triangle has none in uv.
-///
-/// Methods, in the order of their rows:
-///   "abflatAuto", "abflatConvex", "abflatFree": flatten() with t = auto, 1 and 2.
-///   "abflatBalanced", "symmetricDirichlet": flatten() with t = auto and balance = 0.5 and 1; the
-///     symmetric Dirichlet energy is that of Smith and Schaefer, "Bijective parameterization with
-///     free boundaries", 2015.
-///   "mips": Hormann and Greiner, "MIPS: an efficient global parametrization method", 2000; the
-///     balance is so near 0 that the other term moves nothing.
-///   "tutte": Tutte, "How to draw a graph", 1963.
-///   "meanValue": Floater, "Mean value coordinates", 2003.
-///   "harmonic": Pinkall and Polthier 1993, Eck et al. 1995; with a fixed boundary the same as the
-///     discrete conformal parameterization of Desbrun, Meyer and Alliez 2002.
-///   "lscm": Lévy, Petitjean, Ray and Maillot, "Least squares conformal maps", 2002; two boundary
-///     vertices far apart are pinned.
-/// Tutte, mean value and harmonic have the boundary on a circle, spaced by 3D edge length.
+/// an area are infinite where a triangle has none in uv. Tutte, mean
+/// value and harmonic have the boundary on a circle, spaced by 3D edge length; with a fixed
+/// boundary harmonic is the discrete conformal parameterization of Desbrun, Meyer and Alliez 2002.
 struct MethodResult {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-  std::string method;  ///< key, see above
+  MethodKey method = MethodKey::AbflatAuto;
   std::string title;   ///< for people
   double seconds = 0;  ///< to lay out, check and measure, without building the connectivity
   double angularDistortion = kUnknown;  ///< mean over corners of ((x - alpha)/alpha)^2
@@ -53,13 +40,13 @@ struct MethodResult {
 
 struct Comparison {
   MeshSummary input;
-  std::vector<MethodResult> methods;
+  std::vector<MethodResult> methods;     ///< in the order of MethodKey
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
   std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle
 };
 
 struct CompareOptions {
-  /// As in FlattenOptions; the stage is the key of the method at work, `fraction` that of all.
+  /// As in FlattenOptions, with the method at work; `fraction` is that of all.
   ProgressCallback progress;
 };
 

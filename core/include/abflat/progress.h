@@ -1,17 +1,26 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+
+#include "abflat/generated/names.h"
 
 namespace abflat {
 
 /// Where a run is. `fraction` is a rough 0..1 for progress bars; Newton fields are 0 outside the
 /// solve stage.
 struct Progress {
-  const char* stage = "";  ///< "connectivity", "solve", "layout", "check"
+  Stage stage = Stage::Read;
   int newtonStep = 0;
   double constraintResidual = 0;
   double fraction = 0;
+  std::optional<MethodKey> method{};  ///< at work, in a comparison
 };
+
+/// The method at work, or else the stage.
+inline const char* nameOf(const Progress& now) {
+  return now.method ? nameOf(*now.method) : nameOf(now.stage);
+}
 
 /// Called often from the calling thread; return false to cancel (the run ends with
 /// StatusCode::Aborted).

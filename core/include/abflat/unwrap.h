@@ -47,7 +47,7 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// with v from the top.
   bool roundsForGltf = false;
 
-  /// Stages: "surface", "seams", "solve", "pack", "check". Newton steps are not told.
+  /// Newton steps are not told.
   ProgressCallback progress;
 };
 
@@ -85,8 +85,7 @@ struct UnwrapChart {
   std::size_t boundaryVertices = 0;  ///< of the outer boundary
   std::size_t filledHoles = 0;
   double area = 0;  ///< 3D
-  /// "known": its layout is that of an earlier run; "given": that of the input.
-  std::string solver;
+  Solver solver = Solver::ActiveSet;
   bool fixed = false;  ///< stays where the input or pins put it
   int iterations = 0;
   double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,

@@ -127,11 +127,11 @@ std::string withoutFactorNote(const FactorMemory& memory) {
 }
 
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
-                               std::function<void(const char*)> onStage, const SolverChoice& choice)
+                               std::function<void(Stage)> onStage, const SolverChoice& choice)
     : chart_(chart),
       problem_(buildAngleProblem(chart, options.pool)),
       solver_(std::make_unique<AngleSolver>(problem_, counting(std::move(options)), choice)),
-      onStage_(onStage ? std::move(onStage) : [](const char*) {}) {}
+      onStage_(onStage ? std::move(onStage) : [](Stage) {}) {}
 
 ChartFlattener::~ChartFlattener() = default;
 
@@ -250,7 +250,7 @@ Attempt ChartFlattener::tutte(const std::vector<double>& t, const std::string& r
   Attempt a;
   a.t = t;
   for (double& x : a.t) x = std::min(x, 1.0);
-  a.solver = "tutte";
+  a.solver = Solver::Tutte;
   a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
   a.solution.converged = true;
@@ -262,8 +262,8 @@ Attempt ChartFlattener::tutte(const std::vector<double>& t, const std::string& r
 
 void ChartFlattener::layOutAndCheck(Attempt& a) {
   Stopwatch watch;
-  onStage_("layout");
-  a.solver = a.solution.barrierFloor > 0 ? "interiorPoint" : "activeSet";
+  onStage_(Stage::Layout);
+  a.solver = a.solution.barrierFloor > 0 ? Solver::InteriorPoint : Solver::ActiveSet;
   a.uv = layOut(chart_, a.solution.angles);
   timings_.layout += watch.lap();
   measure(a);
@@ -271,7 +271,7 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
 
 void ChartFlattener::measure(Attempt& a) {
   Stopwatch watch;
-  onStage_("check");
+  onStage_(Stage::Check);
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
   if (!straight_.empty()) a.straight = reportStraight(chart_, straight_, a.uv);

@@ -37,7 +37,7 @@ struct Attempt {
   std::vector<double> uv;  ///< in chart units
   Validity validity;
   Distortion distortion;
-  std::string_view solver;             ///< "activeSet", "interiorPoint" or "tutte"
+  Solver solver = Solver::ActiveSet;
   std::vector<std::string> fallbacks;  ///< one sentence each
   std::optional<DelaunayReport> delaunay;
   std::optional<RefineReport> refined;
@@ -60,9 +60,9 @@ std::string withoutFactorNote(const FactorMemory& memory);
 /// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
 class ChartFlattener {
  public:
-  /// Keeps a reference to the chart. `onStage` hears "layout" and "check" as they begin.
+  /// Keeps a reference to the chart. `onStage` hears of Layout and Check as they begin.
   ChartFlattener(const DiskChart& chart, SolverOptions options,
-                 std::function<void(const char*)> onStage = {}, const SolverChoice& choice = {});
+                 std::function<void(Stage)> onStage = {}, const SolverChoice& choice = {});
   ~ChartFlattener();
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;
@@ -142,7 +142,7 @@ class ChartFlattener {
   const DiskChart& chart_;
   AngleProblem problem_;
   std::unique_ptr<AngleSolver> solver_;  ///< until solving has ended
-  std::function<void(const char*)> onStage_;
+  std::function<void(Stage)> onStage_;
   Timings timings_;
   bool requiresSeparation_ = false;
   bool isStopped_ = false;  ///< by the caller

@@ -44,7 +44,7 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
     return std::move(attempt);
   };
   if (before.violated.empty()) return keep({});
-  if (attempt.solver == "tutte") return keep("there are no angles to start from");
+  if (attempt.solver == Solver::Tutte) return keep("there are no angles to start from");
   if (const std::string note = flattener.memoryNote(); !note.empty())
     return keep(note + ", and the Delaunay condition needs that factor");
 

@@ -98,8 +98,8 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
       r.bounds.push_back(
           {chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]], attempt.t[i]});
   r.solver = attempt.solver;
-  r.linearSolver = linearSolverName(s.linearSolver);
-  r.formulation = formulationName(s.formulation);
+  r.linearSolver = s.linearSolver;
+  r.formulation = s.formulation;
   r.iterations = static_cast<int>(s.history.size());
   r.history = s.history;
   r.constraintResidual = s.constraintResidual;

@@ -22,7 +22,7 @@ Result<SolverChoice> iterativeSolver(const FlattenOptionValues& options) {
 #else
 Result<SolverChoice> iterativeSolver(const FlattenOptionValues& options) {
   return Status{StatusCode::InvalidOption,
-                std::string("the linear solver ") + linearSolverName(options.linearSolver) +
+                std::string("the linear solver ") + nameOf(options.linearSolver) +
                     " is available only in the command line program. Choose schur or eigen"};
 }
 #endif

@@ -23,7 +23,7 @@ class Monitor {
  public:
   explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
 
-  bool tell(const char* stage, double fraction) {
+  bool tell(Stage stage, double fraction) {
     last_.stage = stage;
     last_.fraction = std::max(last_.fraction, fraction);
     if (callback_ && !stopped_ && !callback_(last_)) stopped_ = true;
@@ -35,10 +35,10 @@ class Monitor {
   bool tellStep(const NewtonStep& now) {
     last_.constraintResidual = now.constraint;
     ++last_.newtonStep;
-    return tell("solve", share());
+    return tell(Stage::Solve, share());
   }
 
-  bool tellStage(const char* stage) { return tell(stage, share()); }
+  bool tellStage(Stage stage) { return tell(stage, share()); }
   bool stopped() const { return stopped_; }
 
  private:
@@ -96,9 +96,10 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
         "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
         "them"};
   if (Status s = validateArrays(mesh); !s.ok()) return s;
-  if (!monitor.tell("connectivity", 0)) return aborted;
+  if (!monitor.tell(Stage::Connectivity, 0)) return aborted;
 
-  Result<Prepared> prepared = prepare(mesh, Pulse([&] { return monitor.tell("connectivity", 0); }));
+  Result<Prepared> prepared =
+      prepare(mesh, Pulse([&] { return monitor.tell(Stage::Connectivity, 0); }));
   if (!prepared.ok()) return prepared.status;
   const DiskChart& chart = prepared.value.chart;
   Result<StraightPlaces> straight = straightPlaces(chart, options.straight);
@@ -112,19 +113,19 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   Timings& timings = out.report.timings;
   const double connectivity = watch.lap();
 
-  if (!monitor.tellStage("solve")) return aborted;
+  if (!monitor.tellStage(Stage::Solve)) return aborted;
   ThreadPool pool(usefulThreads(options.threads, chart.triangleCount()));
   SolverOptions solver;
   solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
   solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(
-      chart, solver, [&](const char* stage) { monitor.tellStage(stage); }, chosen.value);
+      chart, solver, [&](Stage stage) { monitor.tellStage(stage); }, chosen.value);
   flattener.requireStraight(std::move(straight.value));
   const double setUp = watch.lap();
   const RefineWishes refining{
       options.balance,     t.value, pins.value.front(),
-      solver.allowedBytes, &pool,   [&] { return monitor.tellStage("refine"); }};
+      solver.allowedBytes, &pool,   [&] { return monitor.tellStage(Stage::Refine); }};
   Attempt best = refining.pins.empty() ? flattenAndRefine(flattener, t.value, options, {}, refining)
                                        : flattenChart(flattener, t.value, options);
   if (!refining.pins.empty()) {
@@ -139,7 +140,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   timings.solve += setUp;
   timings.connectivity = connectivity;
 
-  if (!monitor.tell("check", 0.92)) return aborted;
+  if (!monitor.tell(Stage::Check, 0.92)) return aborted;
   watch.lap();
   out.uv = inMeshUnit(chart, best);
   const double common = *std::max_element(best.t.begin(), best.t.end());

@@ -125,7 +125,7 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
                                 const Attempt& attempt) {
   constexpr double kLeast = 1e-6;
   constexpr int kSteps = 40;
-  if (!wishes.pins.empty() || attempt.solver == "tutte") return std::nullopt;
+  if (!wishes.pins.empty() || attempt.solver == Solver::Tutte) return std::nullopt;
   const DiskChart& chart = flattener.chart();
   OutlineRules rules{flattener.straight(), {}, 0};
   Attempt start = attempt;

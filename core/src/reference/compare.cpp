@@ -24,7 +24,7 @@ Embedding embedHarmonic(const DiskChart& chart) {
 }
 
 struct Method {
-  const char* key;
+  MethodKey key;
   const char* title;
   double work;                           ///< rough share of the time
   double t, balance;                     ///< of abflat
@@ -36,16 +36,16 @@ struct Method {
 constexpr double kMips = 1e-6;
 
 constexpr Method kMethods[] = {
-    {"abflatAuto", "abflat, t = auto", 4, kAutoT, 0, nullptr},
-    {"abflatConvex", "abflat, t = 1 (convex)", 2, 1, 0, nullptr},
-    {"abflatFree", "abflat, t = 2 (free)", 2, 2, 0, nullptr},
-    {"abflatBalanced", "abflat, balance 0.5", 4, kAutoT, 0.5, nullptr},
-    {"symmetricDirichlet", "symmetric Dirichlet, free", 4, kAutoT, 1, nullptr},
-    {"mips", "MIPS, free", 4, kAutoT, kMips, nullptr},
-    {"tutte", "Tutte, circle", 1, 0, 0, embedTutte},
-    {"meanValue", "mean value, circle", 1, 0, 0, embedMeanValue},
-    {"harmonic", "harmonic, circle", 1, 0, 0, embedHarmonic},
-    {"lscm", "LSCM, free", 1, 0, 0, embedLscm},
+    {MethodKey::AbflatAuto, "abflat, t = auto", 4, kAutoT, 0, nullptr},
+    {MethodKey::AbflatConvex, "abflat, t = 1 (convex)", 2, 1, 0, nullptr},
+    {MethodKey::AbflatFree, "abflat, t = 2 (free)", 2, 2, 0, nullptr},
+    {MethodKey::AbflatBalanced, "abflat, balance 0.5", 4, kAutoT, 0.5, nullptr},
+    {MethodKey::SymmetricDirichlet, "symmetric Dirichlet, free", 4, kAutoT, 1, nullptr},
+    {MethodKey::Mips, "MIPS, free", 4, kAutoT, kMips, nullptr},
+    {MethodKey::Tutte, "Tutte, circle", 1, 0, 0, embedTutte},
+    {MethodKey::MeanValue, "mean value, circle", 1, 0, 0, embedMeanValue},
+    {MethodKey::Harmonic, "harmonic, circle", 1, 0, 0, embedHarmonic},
+    {MethodKey::Lscm, "LSCM, free", 1, 0, 0, embedLscm},
 };
 
 std::string count(std::size_t n, const char* one, const char* many) {
@@ -86,7 +86,7 @@ class Comparer {
     for (const Method& method : kMethods) total_ += method.work;
     std::vector<MethodResult> rows;
     for (const Method& method : kMethods) {
-      if (!tell(method, {})) return aborted();
+      if (!tell(method, {Stage::Solve})) return aborted();
       MethodResult row;
       row.method = method.key;
       row.title = method.title;
@@ -104,7 +104,7 @@ class Comparer {
 
   /// `inside`: progress of the method itself.
   bool tell(const Method& method, Progress inside) const {
-    inside.stage = method.key;
+    inside.method = method.key;
     inside.fraction = (done_ + method.work * inside.fraction) / total_;
     return !options_.progress || options_.progress(inside);
   }

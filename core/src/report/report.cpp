@@ -74,9 +74,9 @@ void writeChart(JsonWriter& json, const ChartReport& c) {
   json.field("boundaryVertices", c.boundaryVertices);
   json.field("t", c.t);
   writeBounds(json, c.bounds);
-  json.field("solver", c.solver);
-  json.field("linearSolver", c.linearSolver);
-  json.field("formulation", c.formulation);
+  json.field("solver", nameOf(c.solver));
+  json.field("linearSolver", nameOf(c.linearSolver));
+  json.field("formulation", nameOf(c.formulation));
   json.field("iterations", c.iterations);
   writeHistory(json, c.history);
   json.field("constraintResidual", c.constraintResidual);
@@ -130,7 +130,7 @@ void writeSummary(JsonWriter& json, const MeshSummary& s, const std::string& pat
 
 void writeMethod(JsonWriter& json, const MethodResult& m) {
   json.object();
-  json.field("method", m.method);
+  json.field("method", nameOf(m.method));
   json.field("title", m.title);
   json.field("seconds", m.seconds);
   json.field("angularDistortion", m.angularDistortion);

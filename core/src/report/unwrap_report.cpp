@@ -37,7 +37,7 @@ void writeChart(JsonWriter& json, const UnwrapChart& c) {
   json.field("boundaryVertices", c.boundaryVertices);
   json.field("filledHoles", c.filledHoles);
   json.field("area", c.area);
-  json.field("solver", c.solver);
+  json.field("solver", nameOf(c.solver));
   json.field("fixed", c.fixed);
   json.field("iterations", c.iterations);
   json.field("angularDistortion", c.angularDistortion);

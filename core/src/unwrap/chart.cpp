@@ -46,7 +46,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
   solver.allowedBytes = allowedBytes(options.memory);
-  ChartFlattener flattener(chart, solver, [&](const char*) { goesOn(); });
+  ChartFlattener flattener(chart, solver, [&](Stage) { goesOn(); });
   flattener.requireSeparation();
   flattener.requireStraight(wishes.straight);
   FlattenOptions wanted;

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
@@ -40,7 +39,6 @@ struct FlatChart {
   std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
   std::vector<double> uv;        ///< in the atlas
   double area = 0;               ///< of the surface, in the mesh's unit
-  std::string_view solver;       ///< as in Attempt; "known", "given"
   ChartDistortion distortion;    ///< before rounding
   std::unique_ptr<UncommonParts> uncommon;
   std::string problem;  ///< why it is not valid, one sentence; empty when it is
@@ -48,6 +46,7 @@ struct FlatChart {
   double movedBy = 0;   ///< the farthest of the moved vertices, along an axis
   std::uint32_t movedVertices = 0;  ///< for the same reason as it is enlarged
   int iterations = 0;               ///< of the solver
+  Solver solver = Solver::ActiveSet;
   bool isFixed = false;      ///< uv are those in the atlas from the start: packing leaves them
   bool isGiven = false;      ///< those of the input, which have been checked
   bool isCutEnough = false;  ///< no seam was found that would stretch it less

@@ -199,7 +199,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
                        }};
     if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
-    out.solver = "given";
+    out.solver = Solver::Given;
     out.area = areaOf(chart);
     out.distortion = ChartDistortion(measureDistortion(chart, out.uv));
     for (const SurfaceTriangle f : topology.triangles) faces.push_back(mesh.map.face(f));

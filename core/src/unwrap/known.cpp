@@ -87,7 +87,7 @@ Outlines knownOutlines(const Known& known, const Surface& surface) {
 FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
                    std::vector<double> unpacked) {
   FlatChart out;
-  out.solver = "known";
+  out.solver = Solver::Known;
   std::vector<double> uv = unpacked;
   for (double& x : uv) x /= chart.unit;
   if (!checkSeparated(chart, uv).valid()) return {};

@@ -7,25 +7,26 @@
 namespace abflat {
 
 /// Where the stages are in the progress bar.
-struct Stage {
-  const char* name;
+struct StageSpan {
+  Stage stage;
   double from, to;
   double UnwrapStages::*field;
 };
-inline constexpr Stage kSurface{"surface", 0, 0.05, &UnwrapStages::surface},
-    kSeams{"seams", 0.05, 0.2, &UnwrapStages::seams},
-    kSolve{"solve", 0.2, 0.85, &UnwrapStages::solve},
-    kPack{"pack", 0.85, 0.97, &UnwrapStages::pack}, kCheck{"check", 0.97, 1, &UnwrapStages::check};
+inline constexpr StageSpan kSurface{Stage::Surface, 0, 0.05, &UnwrapStages::surface},
+    kSeams{Stage::Seams, 0.05, 0.2, &UnwrapStages::seams},
+    kSolve{Stage::Solve, 0.2, 0.85, &UnwrapStages::solve},
+    kPack{Stage::Pack, 0.85, 0.97, &UnwrapStages::pack},
+    kCheck{Stage::Check, 0.97, 1, &UnwrapStages::check};
 
 class Monitor {
  public:
   explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
 
   /// False when the run is to end. `share` of the stage is done.
-  bool tell(const Stage& stage, double share = 0) {
+  bool tell(const StageSpan& span, double share = 0) {
     Progress now;
-    now.stage = stage.name;
-    now.fraction = stage.from + share * (stage.to - stage.from);
+    now.stage = span.stage;
+    now.fraction = span.from + share * (span.to - span.from);
     last_ = now;
     return tellAgain();
   }

@@ -25,7 +25,7 @@ double signedArea(const DiskChart& chart, const std::vector<double>& uv) {
 }
 
 /// `uv` in the mesh's unit.
-FlatChart pieceAsItLies(const DiskChart& chart, std::vector<double> uv, std::string_view solver) {
+FlatChart pieceAsItLies(const DiskChart& chart, std::vector<double> uv, Solver solver) {
   FlatChart out;
   out.area = areaOf(chart);
   const double factor = std::sqrt(out.area / signedArea(chart, uv));

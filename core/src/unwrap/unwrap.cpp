@@ -54,7 +54,7 @@ class Unwrapping {
   Result<UnwrapResult> run() {
     if (Status s = checkInput(); !s.ok()) return s;
     report_.options = options_;
-    const std::pair<const Stage&, Status (Unwrapping::*)()> stages[] = {
+    const std::pair<const StageSpan&, Status (Unwrapping::*)()> stages[] = {
         {kSurface, &Unwrapping::seeSurface}, {kSeams, &Unwrapping::cut},
         {kSolve, &Unwrapping::flatten},      {kPack, &Unwrapping::packCharts},
         {kCheck, &Unwrapping::finish},

@@ -100,7 +100,7 @@ class MeshRun {
 
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
-    progress_.show({"read", 0, 0, 0});
+    progress_.show({Stage::Read, 0, 0, 0});
     Result<InputMesh> input = readInput(command_.input, {Job::kRepeated, command_.allowsOutside});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
@@ -144,7 +144,7 @@ class MeshRun {
 
   /// All files are complete before any gets its name, and all get theirs or none.
   Status writeAll(Outcome& result) {
-    progress_.show({"write", 0, 0, 0.98});
+    progress_.show({Stage::Write, 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
     const std::string name = inputName(command_.input);
     Result<std::string> layout = placed(name, [&] {

@@ -46,9 +46,9 @@ std::string csvText(const std::vector<Row>& rows) {
     }
     const ChartReport& c = row.result.value.report.charts.front();
     const Timings& s = row.result.value.report.timings;
-    out << c.t << ',' << c.solver << ',' << c.iterations << ',' << c.angularDistortion << ','
-        << c.lengthDistortion << ',' << c.symmetricDirichlet << ',' << c.boundaryCrossings << ','
-        << c.flippedTriangles << ',' << (c.valid ? "true" : "false") << ','
+    out << c.t << ',' << nameOf(c.solver) << ',' << c.iterations << ',' << c.angularDistortion
+        << ',' << c.lengthDistortion << ',' << c.symmetricDirichlet << ',' << c.boundaryCrossings
+        << ',' << c.flippedTriangles << ',' << (c.valid ? "true" : "false") << ','
         << s.connectivity + s.solve + s.layout + s.refine + s.check << ',' << quoted(c.problem)
         << '\n';
   }

@@ -34,7 +34,7 @@ std::size_t mostFaces(const Method& m, bool precondition) {
 }
 
 std::string nameOf(const Method& m) {
-  return std::string(linearSolverName(m.solver)) + ", " + formulationName(m.formulation);
+  return std::string(nameOf(m.solver)) + ", " + nameOf(m.formulation);
 }
 
 std::string shortNumber(double value) {
@@ -45,8 +45,7 @@ std::string shortNumber(double value) {
 }
 
 std::vector<Cell> commonCells(const Experiment& e, const Method& m, bool precondition) {
-  return {e.model().name, e.summary().triangles, linearSolverName(m.solver),
-          formulationName(m.formulation),
+  return {e.model().name, e.summary().triangles, nameOf(m.solver), nameOf(m.formulation),
           !isIterative(m) ? ""
           : precondition  ? "yes"
                           : "no"};
@@ -61,10 +60,9 @@ int totalIterations(const ChartReport& c) {
 
 /// Empty, or why the history does not belong to the method.
 std::string strayed(const ChartReport& c, const Method& m) {
-  if (c.linearSolver == linearSolverName(m.solver) &&
-      c.formulation == formulationName(m.formulation))
-    return "";
-  return "did not converge; fell back to " + c.solver + " with " + c.linearSolver;
+  if (c.linearSolver == m.solver && c.formulation == m.formulation) return "";
+  return std::string("did not converge; fell back to ") + nameOf(c.solver) + " with " +
+         nameOf(c.linearSolver);
 }
 
 /// Curves of one mesh, with a line of the legend each.
@@ -110,7 +108,7 @@ class Runs {
     if (!result.ok()) return leaveOut(m, result.status.message);
     const ChartReport& c = result.value.report.charts.front();
     if (const std::string why = strayed(c, m); !why.empty()) return leaveOut(m, why);
-    if (!isIterative(m)) stalls_ = c.solver != "activeSet";
+    if (!isIterative(m)) stalls_ = c.solver != Solver::ActiveSet;
     addSteps(m, c, secondsOf(result.value.report));
   }
 
@@ -130,7 +128,7 @@ class Runs {
       const NewtonStep& s = c.history[i];
       std::vector<Cell> row = commonCells(experiment_, m, precondition_);
       for (const Cell& cell :
-           std::initializer_list<Cell>{c.solver,
+           std::initializer_list<Cell>{nameOf(c.solver),
                                        i + 1,
                                        {s.objective, 6},
                                        Cell(s.constraint, 12),
@@ -149,7 +147,7 @@ class Runs {
               std::to_string(c.history.size()) + " steps" +
                   (isIterative(m) ? ", " + std::to_string(iterations) + " iterations" : "") + ", " +
                   shortNumber(seconds) + " s" +
-                  (c.solver == "activeSet" ? "" : ", by the interior point"));
+                  (c.solver == Solver::ActiveSet ? "" : ", by the interior point"));
   }
 
   Table& table_;

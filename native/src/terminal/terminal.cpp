@@ -36,7 +36,7 @@ bool isErrorTerminal() {
 
 void ProgressLine::show(const Progress& p) {
   if (!isEnabled_) return;
-  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * p.fraction, p.stage);
+  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * p.fraction, nameOf(p));
   if (p.newtonStep > 0)
     std::fprintf(stderr, ": Newton step %d, residual %.1e", p.newtonStep, p.constraintResidual);
   std::fflush(stderr);

@@ -1,7 +1,6 @@
 #include "base/pulse.h"
 
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <random>
 #include <string>
@@ -44,8 +43,6 @@ PolygonMesh zigzag(unsigned n) {
   return out;
 }
 
-bool isBefore(const Progress& p, const char* stage) { return std::strcmp(p.stage, stage) == 0; }
-
 }  // namespace
 
 TEST_CASE("a pulse is asked after a number of steps, and no more once it has stopped") {
@@ -86,7 +83,7 @@ TEST_CASE("a run that is cancelled while it sees the surface ends there") {
   for (const int most : {1, 2, 4}) {
     int calls = 0;
     const ProgressCallback stop = [&](const Progress& p) {
-      CHECK((isBefore(p, "surface") || isBefore(p, "connectivity")));
+      CHECK((p.stage == Stage::Surface || p.stage == Stage::Connectivity));
       return ++calls != most;
     };
     UnwrapOptions options;
@@ -104,7 +101,7 @@ TEST_CASE("a run that is cancelled while it sees the surface ends there") {
 
 TEST_CASE("calls become more with the mesh while seams are sought and charts flattened") {
   const auto calls = [](unsigned n, int threads) {
-    std::map<std::string, int> out;
+    std::map<Stage, int> out;
     double fraction = 0;
     bool isMonotone = true;
     UnwrapOptions options;
@@ -121,9 +118,9 @@ TEST_CASE("calls become more with the mesh while seams are sought and charts fla
     CHECK(isMonotone);
     return out;
   };
-  std::map<std::string, int> few = calls(cases(60u, 30u), 1), many = calls(cases(240u, 120u), 1);
+  std::map<Stage, int> few = calls(cases(60u, 30u), 1), many = calls(cases(240u, 120u), 1);
   // 16 times the triangles.
-  CHECK(many["seams"] > cases(4, 3) * few["seams"]);
-  CHECK(many["solve"] > 3 * few["solve"]);
-  CHECK(calls(cases(120u, 60u), 2)["seams"] > few["seams"]);
+  CHECK(many[Stage::Seams] > cases(4, 3) * few[Stage::Seams]);
+  CHECK(many[Stage::Solve] > 3 * few[Stage::Solve]);
+  CHECK(calls(cases(120u, 60u), 2)[Stage::Seams] > few[Stage::Seams]);
 }

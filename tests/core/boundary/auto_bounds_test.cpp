@@ -127,9 +127,9 @@ TEST_CASE("bounds asked for are upper limits, however crossings are removed") {
       INFO(r.status.message);
       REQUIRE(r.ok());
       const ChartReport& report = r.value.report.charts.front();
-      INFO("t " << t << ", untangle " << untangleName(u) << ", " << report.problem);
+      INFO("t " << t << ", untangle " << nameOf(u) << ", " << report.problem);
       const bool isKept = exceededBounds(chart, r.value.uv, asked).count == 0;
-      if (report.solver == "tutte")
+      if (report.solver == Solver::Tutte)
         CHECK(report.valid == isKept);
       else
         CHECK(isKept);
@@ -192,7 +192,7 @@ TEST_CASE("Tutte's embedding is valid and labelled") {
     const Attempt a =
         ChartFlattener(chart, {}).tutte(std::vector<double>(chart.boundary.size(), 2), "asked for");
     CHECK(a.valid());
-    CHECK(a.solver == "tutte");
+    CHECK(a.solver == Solver::Tutte);
     CHECK(a.fallbacks.size() == 1);
     CHECK(a.validity.maxBoundaryAngle < kPi);
   }

@@ -85,7 +85,7 @@ Counted unwrapped(const PolygonMesh& mesh) {
   options.maxStretch = 1.04;
   options.minUtilization = 0;
   options.progress = [&](const Progress& now) {
-    if (std::string(now.stage) != "solve") return true;
+    if (now.stage != Stage::Solve) return true;
     if (out.steps++ == 0) begin = now.fraction;
     out.firstSteps += now.fraction == begin;
     return true;
@@ -174,7 +174,7 @@ TEST_CASE("what is stretched too much is cut before it is untangled") {
   CHECK(towers.steps <= 8 * charts);
   int newtonSteps = 0;
   for (const UnwrapChart& chart : towers.report.charts) {
-    CHECK(chart.solver == "activeSet");
+    CHECK(chart.solver == Solver::ActiveSet);
     newtonSteps += chart.iterations;
   }
   CHECK(newtonSteps <= 4 * charts);

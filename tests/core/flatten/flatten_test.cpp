@@ -212,7 +212,7 @@ TEST_CASE("options and bounds out of range are refused with the least possible t
 
 TEST_CASE("progress is called through all stages and can cancel in each") {
   const PolygonMesh mesh = bumpyGrid(8, 8, 0.3, 1);
-  std::vector<std::string> stages;
+  std::vector<Stage> stages;
   double last = -1;
   FlattenOptions options;
   options.progress = [&](const Progress& p) {
@@ -223,8 +223,8 @@ TEST_CASE("progress is called through all stages and can cancel in each") {
     return true;
   };
   CHECK(flatten(mesh, options).ok());
-  CHECK(stages.front() == "connectivity");
-  CHECK(stages.back() == "check");
+  CHECK(stages.front() == Stage::Connectivity);
+  CHECK(stages.back() == Stage::Check);
   for (std::size_t stop = 0; stop < stages.size(); ++stop) {
     std::size_t calls = 0;
     options.progress = [&](const Progress&) { return calls++ != stop; };
@@ -247,8 +247,8 @@ TEST_CASE("every linear solver and formulation gives the same layout and is repo
       REQUIRE(r.ok());
       const ChartReport& chart = r.value.report.charts.front();
       CHECK(chart.valid);
-      CHECK(chart.linearSolver == linearSolverName(solver));
-      CHECK(chart.formulation == formulationName(formulation));
+      CHECK(chart.linearSolver == solver);
+      CHECK(chart.formulation == formulation);
       CHECK(chart.history.front().linearIterations > 0);
       for (std::size_t i = 0; i < wanted.uv.size(); ++i)
         CHECK(std::abs(r.value.uv[i] - wanted.uv[i]) < 1e-6);
@@ -258,7 +258,7 @@ TEST_CASE("every linear solver and formulation gives the same layout and is repo
   options.linearSolver = LinearSolver::Eigen;
   const Result<FlattenResult> eigen = flatten(mesh, options);
   REQUIRE(eigen.ok());
-  CHECK(eigen.value.report.charts.front().linearSolver == "eigen");
+  CHECK(eigen.value.report.charts.front().linearSolver == LinearSolver::Eigen);
   for (std::size_t i = 0; i < wanted.uv.size(); ++i)
     CHECK(std::abs(eigen.value.uv[i] - wanted.uv[i]) < 1e-9);
   options.formulation = Formulation::Product;

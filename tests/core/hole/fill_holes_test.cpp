@@ -125,7 +125,7 @@ TEST_CASE("motheaten surfaces fall into disks, their holes filled or not", "[hol
   for (unsigned seed = 0; seed < cases(30u, 9u); ++seed)
     for (const PolygonMesh& whole : {torus(30, 20), bumpyGrid(20, 20, 0.5, seed), cylinder(30, 15)})
       for (const FillHoles mode : {FillHoles::Never, FillHoles::Auto, FillHoles::Always}) {
-        INFO("seed " << seed << ", mode " << fillHolesName(mode));
+        INFO("seed " << seed << ", mode " << nameOf(mode));
         const Filled filled(motheaten(whole, seed % 2 ? 8 : 40, seed), mode);
         const Seams seams = filled.find(seed % 3 > 0, mode);
         const ChartSet set = filled.charts(seams);

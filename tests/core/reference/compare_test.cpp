@@ -29,14 +29,14 @@ std::vector<double> measuresOf(const MethodResult& m) {
 void checkAlike(const Comparison& a, const Comparison& b) {
   REQUIRE(a.methods.size() == b.methods.size());
   for (std::size_t i = 0; i < a.methods.size(); ++i) {
-    INFO(a.methods[i].method);
+    INFO(nameOf(a.methods[i].method));
     CHECK(a.methods[i].method == b.methods[i].method);
     CHECK(a.methods[i].valid == b.methods[i].valid);
     const std::vector<double> p = measuresOf(a.methods[i]), q = measuresOf(b.methods[i]);
     // An energy is flat around its least value: refining ends anywhere there.
-    const std::string& method = a.methods[i].method;
-    const bool isRefined =
-        method == "abflatBalanced" || method == "symmetricDirichlet" || method == "mips";
+    const MethodKey method = a.methods[i].method;
+    const bool isRefined = method == MethodKey::AbflatBalanced ||
+                           method == MethodKey::SymmetricDirichlet || method == MethodKey::Mips;
     const double tolerance = isRefined ? 1e-3 : 1e-6;
     for (std::size_t k = 0; k < p.size(); ++k) CHECK(p[k] == Approx(q[k]).epsilon(tolerance));
   }
@@ -50,7 +50,7 @@ TEST_CASE("every method gives a layout of the surface's area in the corner of th
   REQUIRE(c.methods.size() == 10);
   std::vector<double> areas;
   for (const MethodResult& m : c.methods) {
-    INFO(m.method);
+    INFO(nameOf(m.method));
     CHECK(m.valid);
     CHECK(m.problem.empty());
     REQUIRE(m.uv.size() == 2 * c.vertexMap.size());
@@ -100,9 +100,9 @@ TEST_CASE("a free abflat layout keeps angles better than every other one") {
   for (const Sample& sample : samples()) {
     const Comparison c = compared(sample.make(1));
     const MethodResult& free = c.methods[2];
-    REQUIRE(free.method == "abflatFree");
+    REQUIRE(free.method == MethodKey::AbflatFree);
     for (const MethodResult& m : c.methods) {
-      INFO(sample.name << " " << m.method);
+      INFO(sample.name << " " << nameOf(m.method));
       CHECK(free.angularDistortion <= m.angularDistortion * (1 + 1e-9));
     }
   }
@@ -113,18 +113,21 @@ TEST_CASE("every energy is least in the row that minimises it") {
     const auto sample = std::find_if(samples().begin(), samples().end(),
                                      [&](const Sample& s) { return s.name == name; });
     const Comparison c = compared(sample->make(1));
-    const auto row = [&](const std::string& key) -> const MethodResult& {
+    const auto row = [&](MethodKey key) -> const MethodResult& {
       return *std::find_if(c.methods.begin(), c.methods.end(),
                            [&](const MethodResult& m) { return m.method == key; });
     };
     INFO(name);
     for (const MethodResult& m : c.methods)
-      if (m.valid) CHECK(row("symmetricDirichlet").symmetricDirichlet <= m.symmetricDirichlet);
+      if (m.valid)
+        CHECK(row(MethodKey::SymmetricDirichlet).symmetricDirichlet <= m.symmetricDirichlet);
     // Between them in both: a balance trades one for the other.
-    const double balanced = row("abflatBalanced").symmetricDirichlet;
-    CHECK(balanced <= row("abflatAuto").symmetricDirichlet);
-    CHECK(row("abflatBalanced").quasiConformalMean <= row("symmetricDirichlet").quasiConformalMean);
-    CHECK(row("mips").quasiConformalMean <= row("abflatAuto").quasiConformalMean * (1 + 1e-9));
+    const double balanced = row(MethodKey::AbflatBalanced).symmetricDirichlet;
+    CHECK(balanced <= row(MethodKey::AbflatAuto).symmetricDirichlet);
+    CHECK(row(MethodKey::AbflatBalanced).quasiConformalMean <=
+          row(MethodKey::SymmetricDirichlet).quasiConformalMean);
+    CHECK(row(MethodKey::Mips).quasiConformalMean <=
+          row(MethodKey::AbflatAuto).quasiConformalMean * (1 + 1e-9));
   }
 }
 
@@ -145,11 +148,12 @@ TEST_CASE("a comparison is refused or cancelled as flattening is") {
   CHECK(compare(torus(5, 4), {}).status.code == StatusCode::ClosedSurface);
   CHECK(compare({}, {}).status.code == StatusCode::EmptyMesh);
   const PolygonMesh mesh = bumpyGrid(4, 4, 0.3, 4);
-  std::vector<std::string> stages;
+  std::vector<MethodKey> stages;
   double last = 0;
   CompareOptions options;
   options.progress = [&](const Progress& p) {
-    if (stages.empty() || stages.back() != p.stage) stages.emplace_back(p.stage);
+    REQUIRE(p.method.has_value());
+    if (stages.empty() || stages.back() != *p.method) stages.push_back(*p.method);
     CHECK(p.fraction >= last);
     CHECK(p.fraction <= 1);
     last = p.fraction;
@@ -159,8 +163,8 @@ TEST_CASE("a comparison is refused or cancelled as flattening is") {
   REQUIRE(whole.ok());
   REQUIRE(stages.size() == whole.value.methods.size());
   for (std::size_t i = 0; i < stages.size(); ++i) CHECK(stages[i] == whole.value.methods[i].method);
-  for (const std::string& stop : stages) {
-    options.progress = [&](const Progress& p) { return p.stage != stop; };
+  for (const MethodKey stop : stages) {
+    options.progress = [&](const Progress& p) { return p.method != stop; };
     CHECK(compare(mesh, options).status.code == StatusCode::Aborted);
   }
 }
@@ -174,7 +178,7 @@ TEST_CASE("the JSON has a row for every method, null for what is not finite") {
   CHECK(json["input"]["triangles"] == 18);
   REQUIRE(json["methods"].size() == c.methods.size());
   for (std::size_t i = 0; i + 1 < c.methods.size(); ++i) {
-    CHECK(json["methods"][i]["method"] == c.methods[i].method);
+    CHECK(json["methods"][i]["method"] == nameOf(c.methods[i].method));
     CHECK(json["methods"][i]["angularDistortion"] == c.methods[i].angularDistortion);
     CHECK(json["methods"][i]["areaRatio"]["min"] == c.methods[i].areaRatioMin);
     CHECK_FALSE(json["methods"][i].contains("uv"));

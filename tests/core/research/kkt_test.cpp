@@ -52,7 +52,7 @@ void compareAll(const char* name, const PolygonMesh& mesh, double t) {
       double worst = 0;
       for (std::size_t c = 0; c < s.angles.size(); ++c)
         worst = std::max(worst, std::abs(s.angles[c] - wanted.angles[c]));
-      printRow(name, linearSolverName(solver), form, true, s, worst);
+      printRow(name, nameOf(solver), form, true, s, worst);
       CHECK(s.converged);
       CHECK(worst <= 1e-8);
     }
@@ -116,7 +116,7 @@ TEST_CASE("iterative solvers do not go on for longer than the number of rows cal
       for (const LinearSolver solver : kIterative) {
         KktStepSolver system(problem, {solver, form, precondition});
         const AngleSolution s = solveActiveSet(problem, system, options);
-        INFO(linearSolverName(solver) << " " << precondition);
+        INFO(nameOf(solver) << " " << precondition);
         for (const NewtonStep& step : s.history)
           CHECK(step.linearIterations <= (precondition ? 100 + rows : 8 * rows));
       }

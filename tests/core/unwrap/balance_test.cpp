@@ -89,7 +89,7 @@ TEST_CASE("layouts for another balance are not taken over", "[balance]") {
     options.known = knownLayout(first);
     const UnwrapResult r = unwrapped(mesh, options);
     return std::count_if(r.report.charts.begin(), r.report.charts.end(),
-                         [](const UnwrapChart& c) { return c.solver == "known"; });
+                         [](const UnwrapChart& c) { return c.solver == Solver::Known; });
   };
   CHECK(solvers(0.3) == static_cast<std::ptrdiff_t>(first.report.charts.size()));
   CHECK(solvers(0.4) == 0);

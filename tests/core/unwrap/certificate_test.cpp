@@ -107,7 +107,7 @@ TEST_CASE("a layout that is known is known in any unit", "[certificate]") {
   options.known = knownLayout(first);
   const UnwrapResult again = unwrapped(mesh, options);
   CHECK(again.uv == first.uv);
-  for (const UnwrapChart& chart : again.report.charts) CHECK(chart.solver == "known");
+  for (const UnwrapChart& chart : again.report.charts) CHECK(chart.solver == Solver::Known);
 }
 
 TEST_CASE("needles in a chart are valid in single precision", "[certificate]") {

@@ -54,7 +54,7 @@ void checkKept(const PolygonMesh& mesh, const UnwrapResult& r, std::size_t count
   std::size_t fixed = 0;
   for (const UnwrapChart& c : r.report.charts) {
     fixed += c.fixed;
-    CHECK(c.fixed == (c.solver == "given"));
+    CHECK(c.fixed == (c.solver == Solver::Given));
   }
   CHECK(fixed == count);
   for (std::uint32_t c = 0; c < mesh.faceVertices.size(); ++c) {

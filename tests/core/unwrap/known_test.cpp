@@ -33,7 +33,7 @@ UnwrapOptions alongSeams(std::vector<EdgeVertices> edges) {
 std::size_t known(const UnwrapResult& r) {
   return static_cast<std::size_t>(
       std::count_if(r.report.charts.begin(), r.report.charts.end(),
-                    [](const UnwrapChart& c) { return c.solver == "known"; }));
+                    [](const UnwrapChart& c) { return c.solver == Solver::Known; }));
 }
 
 void checkSameLayout(const UnwrapResult& a, const UnwrapResult& b) {

@@ -72,7 +72,7 @@ TEST_CASE("cutting further does not depend on threads, and known charts give the
   CHECK(one.uv == again.uv);
   CHECK(one.report.symmetricDirichlet == again.report.symmetricDirichlet);
   CHECK(std::all_of(again.report.charts.begin(), again.report.charts.end(),
-                    [](const UnwrapChart& c) { return c.solver == "known"; }));
+                    [](const UnwrapChart& c) { return c.solver == Solver::Known; }));
 }
 
 TEST_CASE("what the user's own bounds stretch is said, and not cut for", "[unwrap]") {

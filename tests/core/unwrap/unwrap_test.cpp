@@ -81,15 +81,16 @@ TEST_CASE("seams that are asked for are cut") {
 
 TEST_CASE("a run can be cancelled at each stage") {
   const PolygonMesh mesh = torus(40, 30);
-  std::vector<std::string> stages;
+  std::vector<Stage> stages;
   UnwrapOptions options;
   options.progress = [&](const Progress& p) {
-    if (stages.empty() || stages.back() != p.stage) stages.emplace_back(p.stage);
+    if (stages.empty() || stages.back() != p.stage) stages.push_back(p.stage);
     return true;
   };
   REQUIRE(unwrap(mesh, options).ok());
-  CHECK(stages == std::vector<std::string>{"surface", "seams", "solve", "pack", "check"});
-  for (const std::string& last : stages) {
+  CHECK(stages ==
+        std::vector<Stage>{Stage::Surface, Stage::Seams, Stage::Solve, Stage::Pack, Stage::Check});
+  for (const Stage last : stages) {
     options.progress = [&](const Progress& p) { return p.stage != last; };
     CHECK(unwrap(mesh, options).status.code == StatusCode::Aborted);
   }

@@ -1,24 +1,14 @@
 // `compare`: the same mesh by several methods.
 
+import type { CompareStage, MethodKey } from '../generated.js';
 import type { CallOptions, Progress } from './layout.js';
 import type { MeshSummary } from './mesh.js';
 
-/** `abflat*` are this package's own layouts, with t = auto, 1 and 2, and with t = auto and balance = 0.5; the others are references from the literature. */
-export type MethodKey =
-  | 'abflatAuto'
-  | 'abflatConvex'
-  | 'abflatFree'
-  | 'abflatBalanced'
-  | 'symmetricDirichlet'
-  | 'mips'
-  | 'tutte'
-  | 'meanValue'
-  | 'harmonic'
-  | 'lscm';
+export type { MethodKey };
 
 /** `stage` is the method at work; numbers of Newton's method are 0 for the references. */
 export interface CompareProgress extends Omit<Progress, 'stage'> {
-  stage: 'read' | MethodKey;
+  stage: CompareStage | MethodKey;
 }
 
 export interface CompareOptions extends CallOptions {

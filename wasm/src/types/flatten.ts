@@ -1,6 +1,6 @@
 // `flatten`: one layout of a disk.
 
-import type { FlattenOptionValues } from '../generated.js';
+import type { FlattenOptionValues, LinearSolver, Solver } from '../generated.js';
 import type {
   Layout,
   LayoutOptions,
@@ -83,9 +83,8 @@ export interface ChartReport {
   t: number;
   /** Boundary vertices with a bound below t. */
   bounds: VertexBound[];
-  /** `activeSet`, `interiorPoint` or `tutte`. */
-  solver: string;
-  linearSolver: string;
+  solver: Solver;
+  linearSolver: LinearSolver;
   formulation: string;
   iterations: number;
   history: NewtonStep[];

@@ -1,5 +1,7 @@
 // What calls that give a layout have in common.
 
+import type { FlattenStage } from '../generated.js';
+
 /** What calls need of an AbortSignal, whichever library declares it. */
 export interface AbortSignalLike {
   readonly aborted: boolean;
@@ -16,7 +18,7 @@ export interface CallOptions {
 }
 
 export interface Progress {
-  stage: 'read' | 'connectivity' | 'solve' | 'layout' | 'refine' | 'check' | 'write';
+  stage: FlattenStage;
   /** 0 outside the solve stage. */
   newtonStep: number;
   constraintResidual: number;

@@ -1,6 +1,6 @@
 // `unwrap`: an atlas of any mesh.
 
-import type { UnwrapOptionValues } from '../generated.js';
+import type { Solver, UnwrapOptionValues, UnwrapStage } from '../generated.js';
 import type { RefineReport } from './flatten.js';
 import type {
   Layout,
@@ -14,7 +14,7 @@ import type { InputSummary } from './mesh.js';
 
 /** `stage` and `fraction` tell where the run is; numbers of Newton's method are 0. */
 export interface UnwrapProgress extends Omit<Progress, 'stage'> {
-  stage: 'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write';
+  stage: UnwrapStage;
 }
 
 /** What an earlier call gave for the same mesh: its result, or this much of it. */
@@ -75,8 +75,7 @@ export interface UnwrapChart {
   filledHoles: number;
   /** In 3D. */
   area: number;
-  /** As in ChartReport, or `known`: the layout is that of an earlier call, or `given`: that of the input. */
-  solver: string;
+  solver: Solver;
   /** Stays where it was. */
   fixed: boolean;
   iterations: number;
@@ -151,10 +150,7 @@ export interface UnwrapReport {
     check: number;
   };
   /** MB that were held at most by the end of each stage: of the module's heap, which never shrinks; natively of the process. */
-  peakMemory: Record<
-    'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write',
-    number | null
-  >;
+  peakMemory: Record<UnwrapStage, number | null>;
 }
 
 /**

@@ -1,4 +1,4 @@
-// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+// Generated from core/schema by scripts/generate.mjs, do not edit.
 // clang-format off
 #pragma once
 
@@ -17,7 +17,7 @@ enum class Untangle : int {
   Best = 4,  ///< local or global, whichever distorts less
 };
 
-inline const char* untangleName(Untangle code) {
+inline const char* nameOf(Untangle code) {
   switch (code) {
     case Untangle::Auto:
       return "auto";
@@ -43,7 +43,7 @@ enum class LinearSolver : int {
   Bicgstab = 5,  ///< BiCGSTAB, as in classic ABF
 };
 
-inline const char* linearSolverName(LinearSolver code) {
+inline const char* nameOf(LinearSolver code) {
   switch (code) {
     case LinearSolver::Schur:
       return "schur";
@@ -67,7 +67,7 @@ enum class Formulation : int {
   Product = 1,  ///< as a product, eq. (3), as in classic ABF; not with schur or eigen
 };
 
-inline const char* formulationName(Formulation code) {
+inline const char* nameOf(Formulation code) {
   switch (code) {
     case Formulation::Log:
       return "log";
@@ -226,8 +226,8 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   else
     visit("t", options.t);
   visit("balance", options.balance);
-  visit("untangle", untangleName(options.untangle));
-  visit("linearSolver", linearSolverName(options.linearSolver));
+  visit("untangle", nameOf(options.untangle));
+  visit("linearSolver", nameOf(options.linearSolver));
   if (options.memory == 0)
     visit("memory", "auto");
   else
@@ -235,7 +235,7 @@ void forEachOption(const FlattenOptionValues& options, Visit&& visit) {
   visit("adjacent", options.adjacent);
   visit("delaunay", options.delaunay);
   visit("threads", options.threads);
-  visit("formulation", formulationName(options.formulation));
+  visit("formulation", nameOf(options.formulation));
   visit("precondition", options.precondition);
 }
 

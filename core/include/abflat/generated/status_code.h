@@ -1,4 +1,4 @@
-// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+// Generated from core/schema by scripts/generate.mjs, do not edit.
 // clang-format off
 #pragma once
 

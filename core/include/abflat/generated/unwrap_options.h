@@ -1,4 +1,4 @@
-// Generated from core/schema/abflat.json by scripts/generate.mjs, do not edit.
+// Generated from core/schema by scripts/generate.mjs, do not edit.
 // clang-format off
 #pragma once
 
@@ -17,7 +17,7 @@ enum class FillHoles : int {
   Always = 2,  ///< fill them, however much that stretches
 };
 
-inline const char* fillHolesName(FillHoles code) {
+inline const char* nameOf(FillHoles code) {
   switch (code) {
     case FillHoles::Auto:
       return "auto";
@@ -36,7 +36,7 @@ enum class SymmetricSeams : int {
   Always = 2,  ///< symmetric even if that makes seams longer
 };
 
-inline const char* symmetricSeamsName(SymmetricSeams code) {
+inline const char* nameOf(SymmetricSeams code) {
   switch (code) {
     case SymmetricSeams::Auto:
       return "auto";
@@ -198,8 +198,8 @@ template <class Visit>
 void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("maxStretch", options.maxStretch);
   visit("balance", options.balance);
-  visit("fillHoles", fillHolesName(options.fillHoles));
-  visit("symmetricSeams", symmetricSeamsName(options.symmetricSeams));
+  visit("fillHoles", nameOf(options.fillHoles));
+  visit("symmetricSeams", nameOf(options.symmetricSeams));
   if (options.t == 0)
     visit("t", "auto");
   else

@@ -1,0 +1,119 @@
+// Generated from core/schema by scripts/generate.mjs, do not edit.
+// clang-format off
+#pragma once
+
+#include <cstdint>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+
+namespace abflat {
+
+/// What laid a chart out.
+enum class Solver : std::uint8_t {
+  ActiveSet = 0,  ///< Newton's method with an active set
+  InteriorPoint = 1,  ///< an interior point method, where the layout of the active set cannot be drawn
+  Tutte = 2,  ///< Tutte's embedding on a circle, where nothing else is valid
+  Known = 3,  ///< the layout of an earlier run
+  Given = 4,  ///< the texcoords of the input
+};
+
+inline const char* nameOf(Solver code) {
+  switch (code) {
+    case Solver::ActiveSet:
+      return "activeSet";
+    case Solver::InteriorPoint:
+      return "interiorPoint";
+    case Solver::Tutte:
+      return "tutte";
+    case Solver::Known:
+      return "known";
+    case Solver::Given:
+      return "given";
+  }
+  return "";
+}
+
+/// A stage of a run.
+enum class Stage : std::uint8_t {
+  Read = 0,  ///< reading the input
+  Connectivity = 1,  ///< finding the surface and its boundary
+  Surface = 2,  ///< finding the surface in the mesh
+  Seams = 3,  ///< choosing seams
+  Solve = 4,  ///< solving for angles; in unwrap, flattening the charts altogether
+  Layout = 5,  ///< turning angles into positions
+  Refine = 6,  ///< trading angles for lengths
+  Pack = 7,  ///< packing the charts
+  Check = 8,  ///< checking and measuring the result
+  Write = 9,  ///< writing the result
+};
+
+inline const char* nameOf(Stage code) {
+  switch (code) {
+    case Stage::Read:
+      return "read";
+    case Stage::Connectivity:
+      return "connectivity";
+    case Stage::Surface:
+      return "surface";
+    case Stage::Seams:
+      return "seams";
+    case Stage::Solve:
+      return "solve";
+    case Stage::Layout:
+      return "layout";
+    case Stage::Refine:
+      return "refine";
+    case Stage::Pack:
+      return "pack";
+    case Stage::Check:
+      return "check";
+    case Stage::Write:
+      return "write";
+  }
+  return "";
+}
+
+/// A method of compare.
+enum class MethodKey : std::uint8_t {
+  AbflatAuto = 0,  ///< flatten with t = auto
+  AbflatConvex = 1,  ///< flatten with t = 1
+  AbflatFree = 2,  ///< flatten with t = 2
+  AbflatBalanced = 3,  ///< flatten with t = auto and balance = 0.5
+  SymmetricDirichlet = 4,  ///< least symmetric Dirichlet energy (Smith and Schaefer 2015): flatten with t = auto and balance = 1
+  Mips = 5,  ///< least MIPS energy (Hormann and Greiner 2000): flatten with t = auto and balance = 10⁻⁶, where the other term moves nothing
+  Tutte = 6,  ///< on a circle, every interior vertex at the mean of its neighbours (Tutte 1963); valid except for rounding
+  MeanValue = 7,  ///< on a circle, mean value coordinates (Floater 2003); valid except for rounding
+  Harmonic = 8,  ///< on a circle, cotangent weights for the least Dirichlet energy (Pinkall and Polthier 1993, Eck et al. 1995); triangles may flip
+  Lscm = 9,  ///< least squares conformal map with two pinned boundary vertices (Lévy et al. 2002); triangles may flip, the boundary may cross itself
+};
+
+inline const char* nameOf(MethodKey code) {
+  switch (code) {
+    case MethodKey::AbflatAuto:
+      return "abflatAuto";
+    case MethodKey::AbflatConvex:
+      return "abflatConvex";
+    case MethodKey::AbflatFree:
+      return "abflatFree";
+    case MethodKey::AbflatBalanced:
+      return "abflatBalanced";
+    case MethodKey::SymmetricDirichlet:
+      return "symmetricDirichlet";
+    case MethodKey::Mips:
+      return "mips";
+    case MethodKey::Tutte:
+      return "tutte";
+    case MethodKey::MeanValue:
+      return "meanValue";
+    case MethodKey::Harmonic:
+      return "harmonic";
+    case MethodKey::Lscm:
+      return "lscm";
+  }
+  return "";
+}
+
+}  // namespace abflat
+
+#pragma GCC diagnostic pop

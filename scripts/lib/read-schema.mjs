@@ -1,0 +1,13 @@
+// The whole schema of a repository, checked.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { checkSchema } from './schema.mjs';
+
+const FILES = ['core/schema/abflat.json', 'core/schema/report.json'];
+
+/** Of the repository in the folder `root`. */
+export function readSchema(root) {
+  const parts = FILES.map((path) => JSON.parse(readFileSync(join(root, path), 'utf8')));
+  return checkSchema(Object.assign({}, ...parts));
+}
