@@ -153,6 +153,27 @@ export const REQUIREMENTS = [
     brew: ['cli11'],
   },
   {
+    name: 'Draco',
+    purpose: 'build',
+    why: 'decodes compressed glTF',
+    present: () => header('draco/compression/decode.h'),
+    apt: ['libdraco-dev'],
+    dnf: ['draco-devel'],
+    pacman: ['draco'],
+    brew: ['draco'],
+  },
+  {
+    name: 'meshoptimizer',
+    purpose: 'build',
+    why: 'decodes compressed glTF',
+    present: () => header('meshoptimizer.h'),
+    apt: ['libmeshoptimizer-dev'],
+    dnf: ['meshoptimizer-devel'],
+    brew: ['meshoptimizer'],
+    other:
+      'https://github.com/zeux/meshoptimizer (its header and library where the compiler looks)',
+  },
+  {
     name: 'Catch2',
     purpose: 'test',
     why: 'runs the tests of the core',

@@ -23,6 +23,19 @@ const LIBRARIES = {
     license: 'MIT',
     files: ['share/cmake/nlohmann_json/nlohmann_jsonConfigVersion.cmake'],
   },
+  draco: {
+    license: 'Apache-2.0',
+    versionOf: () => versionInHeader('draco/core/draco_version.h', /kDracoVersion\[\] = "([^"]+)"/),
+  },
+  // 180 is 0.18.
+  meshoptimizer: {
+    license: 'MIT',
+    versionOf: () =>
+      versionInHeader('meshoptimizer.h', /MESHOPTIMIZER_VERSION (\d+)/)?.replace(
+        /^(\d*)(\d\d)\d$/,
+        (_, major, minor) => `${major || 0}.${Number(minor)}`,
+      ),
+  },
   cli11: { license: 'BSD-3-Clause', files: ['share/cmake/CLI11/CLI11ConfigVersion.cmake'] },
   emscripten: { license: 'MIT', versionOf: emscriptenVersion },
   // Parts of Emscripten, which has its own copies.
@@ -42,6 +55,13 @@ function versionIn(files) {
   const paths = PREFIXES.flatMap((prefix) => files.map((file) => join(prefix, file)));
   const found = paths.find((path) => existsSync(path));
   return found && readFileSync(found, 'utf8').match(/set\(PACKAGE_VERSION "([^"]+)"\)/)?.[1];
+}
+
+function versionInHeader(file, pattern) {
+  const found = PREFIXES.map((prefix) => join(prefix, 'include', file)).find((path) =>
+    existsSync(path),
+  );
+  return found && readFileSync(found, 'utf8').match(pattern)?.[1];
 }
 
 function libraryOf(entry) {

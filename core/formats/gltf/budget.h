@@ -9,7 +9,9 @@ namespace abflat::gltf {
 /// bytes, so that a small file could ask for any number of vertices; honest ones share a few times.
 class Budget {
  public:
-  explicit Budget(std::size_t fileSize) : left_(std::max(kLeast, kPerByte * fileSize)) {}
+  explicit Budget(std::size_t fileSize) : Budget(fileSize, kLeast, kPerByte) {}
+  Budget(std::size_t fileSize, std::size_t least, std::size_t perByte)
+      : left_(std::max(least, perByte * fileSize)) {}
 
   /// False where there is no room for so many more.
   bool take(std::size_t elements) {

@@ -2,42 +2,23 @@
 
 #include <algorithm>
 
+#include "gltf/boxes.h"
 #include "gltf/container.h"
+#include "gltf/decompress.h"
 #include "gltf/read_json.h"
-#include "gltf/uri.h"
 
 namespace abflat::gltf {
 namespace {
 
-constexpr std::size_t kMostStride = 252;
-
-std::size_t componentSize(ComponentType type) {
-  switch (type) {
-    case ComponentType::Int8:
-    case ComponentType::Uint8:
-      return 1;
-    case ComponentType::Int16:
-    case ComponentType::Uint16:
-      return 2;
-    case ComponentType::Uint32:
-    case ComponentType::Float:
-      return 4;
-  }
-  return 0;
-}
-
 /// Reads the lists one after the other; each refers to those before it.
 class DocumentReader {
  public:
-  DocumentReader(Document& out, const ReadResource& readResource)
-      : out_(out), readResource_(readResource), complaints_(out.fileName) {}
+  DocumentReader(Document& out, Complaints& complaints) : out_(out), complaints_(complaints) {}
 
-  Status read(std::string_view ownBuffer, bool hasOwnBuffer) {
+  void read() {
     const Field root(&out_.json, "", complaints_);
-    readBuffers(root, ownBuffer, hasOwnBuffer);
-    if (!resourceError_.ok()) return resourceError_;
-    for (const std::string& buffer : out_.buffers) out_.size += buffer.size();
-    for (const Field& view : root["bufferViews"].items()) out_.views.push_back(readView(view));
+    for (const Field& view : root["bufferViews"].items())
+      out_.views.push_back(readView(view, out_.buffers));
     for (const Field& a : root["accessors"].items()) out_.accessors.push_back(readAccessor(a));
     const std::size_t materials = root["materials"].items().size();
     for (const Field& mesh : root["meshes"].items()) {
@@ -46,114 +27,9 @@ class DocumentReader {
         out_.meshes.back().push_back(readPrimitive(primitive, materials));
     }
     readScene(root);
-    return complaints_.status();
   }
 
  private:
-  /// Which buffers any view refers to. Others are not read: nothing of them would be used.
-  static std::vector<bool> usedBuffers(const Field& root, std::size_t buffers) {
-    std::vector<bool> out(buffers);
-    for (const Field& view : root["bufferViews"].items()) {
-      const std::size_t buffer = view["buffer"].requiredIndex(buffers, "buffers");
-      if (buffer != kNone) out[buffer] = true;
-    }
-    return out;
-  }
-
-  void readBuffers(const Field& root, std::string_view ownBuffer, bool hasOwnBuffer) {
-    const std::vector<Field> buffers = root["buffers"].items();
-    const std::vector<bool> isUsed = usedBuffers(root, buffers.size());
-    for (const Field& buffer : buffers) {
-      if (!complaints_.none()) return;
-      if (!isUsed[out_.buffers.size()]) {
-        out_.buffers.emplace_back();
-        continue;
-      }
-      const std::size_t length = buffer["byteLength"].count();
-      const std::string uri = buffer["uri"].text();
-      std::string bytes;
-      const bool isFirst = out_.buffers.empty();
-      if (!buffer["uri"].isPresent() && hasOwnBuffer && isFirst)
-        bytes = std::string(ownBuffer);
-      else if (!buffer["uri"].isPresent())
-        buffer.complain("has no uri, and the file has no binary chunk for it");
-      else
-        bytes = resource(buffer["uri"], uri);
-      if (!resourceError_.ok()) return;
-      if (length > bytes.size())
-        buffer.complain("declares " + std::to_string(length) + " bytes, but has only " +
-                        std::to_string(bytes.size()) + ": it is truncated");
-      bytes.resize(std::min(length, bytes.size()));
-      out_.buffers.push_back(std::move(bytes));
-    }
-  }
-
-  std::string resource(const Field& place, const std::string& uri) {
-    if (isDataUri(uri)) {
-      Result<std::string> data = dataOf(uri);
-      if (!data.ok()) place.complain(data.status.message);
-      return std::move(data.value);
-    }
-    if (hasScheme(uri)) {
-      place.complain("is " + uri + ", which is not a local file. Download it first");
-      return {};
-    }
-    Result<std::string> bytes = readResource_(pathOfUri(uri));
-    if (!bytes.ok())
-      resourceError_ = {bytes.status.code,
-                        out_.fileName + ": " + place.place() + ": " + bytes.status.message};
-    return std::move(bytes.value);
-  }
-
-  BufferView readView(const Field& view) const {
-    BufferView out;
-    out.buffer = view["buffer"].requiredIndex(out_.buffers.size(), "buffers");
-    out.offset = view["byteOffset"].count(0);
-    out.length = view["byteLength"].count();
-    out.stride = view["byteStride"].count(0);
-    if (out.stride > kMostStride) view["byteStride"].complain("exceeds 252");
-    if (out.buffer == kNone) return out;
-    const std::size_t size = out_.buffers[out.buffer].size();
-    if (out.offset > size || out.length > size - out.offset)
-      view.complain("ends at byte " + std::to_string(out.offset + out.length) + " of buffer " +
-                    std::to_string(out.buffer) + ", which has " + std::to_string(size));
-    return out;
-  }
-
-  ComponentType componentType(const Field& type) const {
-    switch (type.count()) {
-      case 5120:
-        return ComponentType::Int8;
-      case 5121:
-        return ComponentType::Uint8;
-      case 5122:
-        return ComponentType::Int16;
-      case 5123:
-        return ComponentType::Uint16;
-      case 5125:
-        return ComponentType::Uint32;
-      case 5126:
-        return ComponentType::Float;
-      default:
-        type.complain("must be 5120, 5121, 5122, 5123, 5125 or 5126");
-        return ComponentType::Float;
-    }
-  }
-
-  ElementShape shape(const Field& accessor) const {
-    const ComponentType type = componentType(accessor["componentType"]);
-    const std::string name = accessor["type"].text();
-    if (name == "SCALAR") return {type, 1, 1};
-    const bool isVector = name.substr(0, 3) == "VEC", isMatrix = name.substr(0, 3) == "MAT";
-    const bool isKnown = name.size() == 4 && name[3] >= '2' && name[3] <= '4';
-    if (!isKnown || !(isVector || isMatrix)) {
-      accessor["type"].complain("must be SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4");
-      return {};
-    }
-    const std::size_t n = static_cast<std::size_t>(name[3] - '0');
-    return {type, isMatrix ? n : 1, n};
-  }
-
   /// That `count` elements of `size` bytes, every `stride` bytes, lie within a view.
   void checkRange(const Field& place, std::size_t view, std::size_t offset, std::size_t count,
                   std::size_t size, std::size_t stride) const {
@@ -176,7 +52,7 @@ class DocumentReader {
       accessor.complain("declares " + std::to_string(out.count) +
                         " elements without a bufferView, but the file has only " +
                         std::to_string(out_.size) + " bytes");
-    out.shape = shape(accessor);
+    out.shape = shapeOf(accessor);
     out.isNormalized = accessor["normalized"].flag();
     const std::size_t size = out.shape.size();
     if (out.view != kNone) {
@@ -241,9 +117,7 @@ class DocumentReader {
   Node readNode(const Field& node, std::size_t nodes, std::size_t skins) const;
 
   Document& out_;
-  const ReadResource& readResource_;
-  Complaints complaints_;
-  Status resourceError_;
+  Complaints& complaints_;
 };
 
 /// Translation, rotation (a quaternion) and scale as a matrix.
@@ -287,17 +161,6 @@ Node DocumentReader::readNode(const Field& node, std::size_t nodes, std::size_t 
 
 }  // namespace
 
-bool isUnsigned(ComponentType type) {
-  return type == ComponentType::Uint8 || type == ComponentType::Uint16 ||
-         type == ComponentType::Uint32;
-}
-
-std::size_t ElementShape::columnSize() const {
-  constexpr std::size_t kAlignment = 4;
-  const std::size_t size = rows * componentSize(type);
-  return columns == 1 ? size : (size + kAlignment - 1) / kAlignment * kAlignment;
-}
-
 std::size_t accessorNamed(const Attributes& attributes, const std::string& name) {
   for (const auto& [key, accessor] : attributes)
     if (key == name) return accessor;
@@ -320,9 +183,14 @@ Result<Document> readDocument(std::string_view bytes, const std::string& fileNam
   out.json = std::move(json.value);
   out.otherChunks = container.value.others;
   out.size = bytes.size();
-  const Status status =
-      DocumentReader(out, readResource).read(container.value.buffer, container.value.hasBuffer);
-  if (!status.ok()) return status;
+  Complaints complaints(fileName);
+  out.buffers = loadBuffers(Field(&out.json, "", complaints), container.value, fileName,
+                            readResource, complaints);
+  for (const std::string& buffer : out.buffers) out.size += buffer.size();
+  if (complaints.none()) decompress(out, complaints);
+  if (complaints.none()) DocumentReader(out, complaints).read();
+  if (complaints.none()) refreshBoxes(out, complaints);
+  if (!complaints.none()) return complaints.status();
   return out;
 }
 

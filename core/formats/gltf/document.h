@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "abflat/gltf.h"
+#include "gltf/buffers.h"
+#include "gltf/element_shape.h"
 #include "gltf/field.h"
 #include "gltf/json.h"
 
@@ -16,26 +18,6 @@ namespace abflat::gltf {
 
 // Entries of the lists of a glTF file as far as geometry needs them. Indices are within their
 // lists, or kNone.
-
-struct BufferView {
-  std::size_t buffer = kNone, offset = 0, length = 0;
-  std::size_t stride = 0;  ///< bytes from element to element; 0: as they follow each other
-};
-
-enum class ComponentType { Int8, Uint8, Int16, Uint16, Uint32, Float };
-
-bool isUnsigned(ComponentType type);
-
-/// Elements in a view, one after the other; those of a type of several columns (matrices) begin
-/// each column at a multiple of 4 bytes.
-struct ElementShape {
-  ComponentType type = ComponentType::Float;
-  std::size_t columns = 1, rows = 1;
-
-  std::size_t components() const { return columns * rows; }
-  std::size_t columnSize() const;
-  std::size_t size() const { return columns * columnSize(); }
-};
 
 /// Values in place of some of the elements.
 struct SparseElements {
@@ -82,7 +64,7 @@ struct Document {
   std::string fileName;
   bool isBinary = false;
   Json json;
-  std::size_t size = 0;              ///< in bytes, with all buffers
+  std::size_t size = 0;              ///< in bytes, with all buffers; what it may ask for
   std::vector<std::string> buffers;  ///< those that no view refers to are empty
   std::string otherChunks;           ///< of a .glb, as they are in the file
   std::vector<BufferView> views;
@@ -90,11 +72,10 @@ struct Document {
   std::vector<std::vector<Primitive>> meshes;
   std::vector<Node> nodes;
   std::optional<std::vector<std::size_t>> roots;  ///< nodes of the scene; none: there is no scene
+  std::vector<std::string> packings;              ///< what the file was compressed with: "Draco"
+  std::vector<std::size_t> decodedViews;          ///< whose bytes were compressed
 
-  std::string_view viewBytes(std::size_t view) const {
-    const BufferView& v = views[view];
-    return std::string_view(buffers[v.buffer]).substr(v.offset, v.length);
-  }
+  std::string_view viewBytes(std::size_t view) const { return bytesOf(views[view], buffers); }
 };
 
 /// "meshes[2].primitives[0]"

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "gltf/document.h"
+#include "gltf/target.h"
 #include "gltf/usage.h"
 
 namespace abflat::gltf {
-
-/// What a view is for: values of `bufferView.target`.
-enum class Target { Other = 0, Vertices = 34962, Indices = 34963 };
 
 /// New content for a file: accessors are added or replaced, and their bytes added to the file's. No
 /// number of an accessor or view changes. Views that nothing uses any more are used again, and what

@@ -18,7 +18,10 @@ class Complaints {
   explicit Complaints(std::string fileName) : fileName_(std::move(fileName)) {}
 
   void add(const std::string& sentence) {
-    if (status_.ok()) status_ = {StatusCode::ParseError, fileName_ + ": " + sentence};
+    fail({StatusCode::ParseError, fileName_ + ": " + sentence});
+  }
+  void fail(Status status) {
+    if (status_.ok()) status_ = std::move(status);
   }
   bool none() const { return status_.ok(); }
   const Status& status() const { return status_; }

@@ -2,49 +2,14 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "gltf/elements.h"
+#include "gltf/packed_indices.h"
 
 namespace abflat::gltf {
 namespace {
 
 constexpr std::size_t kAlignment = 4;
-
-int typeCode(ComponentType type) {
-  switch (type) {
-    case ComponentType::Int8:
-      return 5120;
-    case ComponentType::Uint8:
-      return 5121;
-    case ComponentType::Int16:
-      return 5122;
-    case ComponentType::Uint16:
-      return 5123;
-    case ComponentType::Uint32:
-      return 5125;
-    case ComponentType::Float:
-      return 5126;
-  }
-  return 0;
-}
-
-/// The least unsigned type from `type` on that holds `highest`, which is not the highest number of
-/// the type: that one is reserved.
-ComponentType typeFor(ComponentType type, std::uint32_t highest) {
-  if (type == ComponentType::Uint8 && highest < std::numeric_limits<std::uint8_t>::max())
-    return type;
-  if (type != ComponentType::Uint32 && highest < std::numeric_limits<std::uint16_t>::max())
-    return ComponentType::Uint16;
-  return ComponentType::Uint32;
-}
-
-std::string packed(const std::vector<std::uint32_t>& numbers, ComponentType type) {
-  const std::size_t size = ElementShape{type, 1, 1}.size();
-  std::string out(numbers.size() * size, '\0');
-  for (std::size_t i = 0; i < numbers.size(); ++i) std::memcpy(&out[i * size], &numbers[i], size);
-  return out;
-}
 
 /// Elements of `size` bytes at multiples of `stride`.
 std::string spread(const std::string& bytes, std::size_t size, std::size_t stride) {

@@ -1,7 +1,6 @@
 #include "gltf/read_json.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "gltf/field.h"
@@ -42,27 +41,12 @@ Nesting nestingOf(std::string_view text) {
   return most;
 }
 
-/// Extensions that pack geometry in a way of their own.
-constexpr std::array<const char*, 3> kPackings = {
-    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
-
 void checkVersion(const Field& root, Complaints& complaints) {
   const Field asset = root["asset"];
   if (!asset.isPresent()) return complaints.add("this is not a glTF file: its JSON has no 'asset'");
   const std::string version = asset["version"].text();
   if (version.substr(0, 2) != "2.")
     complaints.add("glTF version '" + version + "' is not supported. Convert it to version 2.0");
-}
-
-void checkExtensions(const Field& root, Complaints& complaints) {
-  std::vector<std::string> used;
-  for (const char* list : {"extensionsRequired", "extensionsUsed"})
-    for (const Field& name : root[list].items()) used.push_back(name.text());
-  for (const char* packing : kPackings)
-    if (std::find(used.begin(), used.end(), packing) != used.end())
-      complaints.add(std::string("the meshes are compressed (") + packing +
-                     "); decompress them first, for example with: npx @gltf-transform/cli cp IN "
-                     "OUT");
 }
 
 }  // namespace
@@ -83,7 +67,6 @@ Result<Json> readJson(std::string_view text, const std::string& fileName) {
   }
   const Field root(&json, "", complaints);
   checkVersion(root, complaints);
-  checkExtensions(root, complaints);
   if (!complaints.none()) return complaints.status();
   return json;
 }

@@ -185,6 +185,13 @@ Result<std::string> writeGltf(const gltf::Source& source, const std::vector<doub
   return json.dump(2) + "\n";
 }
 
+std::string compressionNote(const gltf::Source& source) {
+  const std::vector<std::string>& packings = source.document.packings;
+  if (packings.empty()) return {};
+  return source.document.fileName + " was compressed with " + packings.front() +
+         (packings.size() > 1 ? " and " + packings[1] : "") + "; the output is uncompressed";
+}
+
 std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord) {
   std::size_t count = 0;
   for (const gltf::Part& part : source.parts) {

@@ -16,9 +16,9 @@ namespace gltf {
 struct Source;  // the file, and how the mesh was made from it
 }
 
-/// A glTF 2.0 file as one mesh: the triangles of all primitives of the scene, in the order of the
-/// file, each mesh where the first node that uses it puts it. Texcoords are those of TEXCOORD_0,
-/// with v upwards; materials are those of the file.
+/// A glTF 2.0 file, compressed by Draco or meshopt or plain, as one mesh: the triangles of all
+/// primitives of the scene, in the order of the file, each mesh where the first node that uses it
+/// puts it. Texcoords are those of TEXCOORD_0, with v upwards; materials are those of the file.
 struct GltfModel {
   PolygonMesh mesh;
   std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
@@ -48,10 +48,10 @@ struct GltfWriteOptions {
 
 /// The file with texcoords `uv` (v upwards) for the triangles of its mesh; `cornerUv` has the
 /// texcoord of each face corner. Vertices with several texcoords are repeated behind the
-/// others with all of their attributes and morph targets. Everything else stays: bytes that nothing
-/// refers to any more are left out, and all buffers become one. TEXCOORD sets below the one that is
-/// written, where they are missing, are the same.
-/// Errors: CannotWrite (a .glb of 4 GB).
+/// others with all of their attributes and morph targets. Everything else stays, but uncompressed:
+/// bytes that nothing refers to any more are left out, and all buffers become one. TEXCOORD sets
+/// below the one that is written, where they are missing, are the same. Errors: CannotWrite (a .glb
+/// of 4 GB).
 Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options);
@@ -79,6 +79,10 @@ std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
 /// N of a TEXCOORD_N that takes nothing from any texture: 0 where no texture of the triangles
 /// samples that, otherwise the first set that no primitive has and no texture samples.
 std::size_t freeTexcoord(const gltf::Source& source);
+
+/// That the file was compressed with Draco or meshopt, which what is written is not; empty where it
+/// was not.
+std::string compressionNote(const gltf::Source& source);
 
 /// What new texcoords make stale, one sentence each.
 std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);

@@ -106,7 +106,10 @@ class MeshRun {
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
     notes_ = input_.notes;
-    if (input_.gltf && writtenFormat(command_.output) == FileFormat::Gltf) chooseTexcoords();
+    if (input_.gltf && writtenFormat(command_.output) == FileFormat::Gltf) {
+      noteCompression();
+      chooseTexcoords();
+    }
     // The names cannot tell when one of them has no ending or is a link.
     const FileFormat written = writtenFormat(command_.output);
     if (input_.format != written && command_.output != kStandardStream &&
@@ -118,6 +121,13 @@ class MeshRun {
       progress_.show(p);
       return true;
     });
+  }
+
+  void noteCompression() {
+    const std::string note = compressionNote(*input_.gltf);
+    if (note.empty()) return;
+    notes_.push_back(note);
+    if (!command_.quiet) complainCleared({{}, note});
   }
 
   /// Textures of a glTF stay right unless the user says otherwise.

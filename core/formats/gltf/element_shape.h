@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+
+#include "gltf/field.h"
+
+namespace abflat::gltf {
+
+enum class ComponentType { Int8, Uint8, Int16, Uint16, Uint32, Float };
+
+bool isUnsigned(ComponentType type);
+
+/// In bytes.
+std::size_t componentSize(ComponentType type);
+
+/// 5120 to 5126.
+int typeCode(ComponentType type);
+
+ComponentType componentType(const Field& code);
+
+/// Elements in a view, one after the other; those of a type of several columns (matrices) begin
+/// each column at a multiple of 4 bytes.
+struct ElementShape {
+  ComponentType type = ComponentType::Float;
+  std::size_t columns = 1, rows = 1;
+
+  std::size_t components() const { return columns * rows; }
+  std::size_t columnSize() const;
+  std::size_t size() const { return columns * columnSize(); }
+};
+
+/// Of an accessor, by its componentType and type.
+ElementShape shapeOf(const Field& accessor);
+
+}  // namespace abflat::gltf

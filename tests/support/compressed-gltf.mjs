@@ -1,0 +1,72 @@
+// glTF files compressed by Draco and meshopt, by the libraries that pipelines use.
+
+import { Logger, NodeIO } from '@gltf-transform/core';
+import {
+  ALL_EXTENSIONS,
+  EXTMeshoptCompression,
+  KHRDracoMeshCompression,
+} from '@gltf-transform/extensions';
+import { meshopt, weld } from '@gltf-transform/functions';
+import draco3d from 'draco3d';
+import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer';
+import { parseGltf } from './glb.mjs';
+import { primitivesOf, trianglesOf } from './gltf.mjs';
+
+await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready]);
+
+/** Reads and writes either compression: what its decoder says is what a file means. */
+export const io = new NodeIO()
+  .setLogger(new Logger(Logger.Verbosity.SILENT))
+  .registerExtensions(ALL_EXTENSIONS)
+  .registerDependencies({
+    'draco3d.decoder': await draco3d.createDecoderModule(),
+    'draco3d.encoder': await draco3d.createEncoderModule(),
+    'meshopt.decoder': MeshoptDecoder,
+    'meshopt.encoder': MeshoptEncoder,
+  });
+
+const draco = (method) => async (document) => {
+  await document.transform(weld());
+  document
+    .createExtension(KHRDracoMeshCompression)
+    .setRequired(true)
+    .setEncoderOptions({ method: KHRDracoMeshCompression.EncoderMethod[method] });
+};
+
+/** Ways to compress a document of glTF-Transform. */
+export const COMPRESSIONS = {
+  'Draco, edgebreaker': draco('EDGEBREAKER'),
+  'Draco, sequential': draco('SEQUENTIAL'),
+  'meshopt, without loss': async (document) => {
+    document.createExtension(EXTMeshoptCompression).setRequired(true);
+  },
+  'meshopt, quantized': (document) =>
+    document.transform(meshopt({ encoder: MeshoptEncoder, level: 'medium' })),
+  'meshopt, filtered': (document) =>
+    document.transform(meshopt({ encoder: MeshoptEncoder, level: 'high' })),
+};
+
+/** Neither compression has strips, nor indices of one byte. */
+function asList(primitive) {
+  if (primitive.getMode() < 4) return;
+  primitive.getIndices()?.setArray(Uint16Array.from(trianglesOf(primitive).flat()));
+  primitive.setMode(4);
+}
+
+/** A .glb compressed in one of these ways. */
+export async function compressed(glb, how) {
+  const document = await io.readBinary(new Uint8Array(glb));
+  primitivesOf(document).forEach(asList);
+  await COMPRESSIONS[how](document);
+  return Buffer.from(await io.writeBinary(document));
+}
+
+/** Names of compressions that anything in a file still speaks of. */
+export function compressionsIn(bytes) {
+  const text = JSON.stringify(parseGltf(bytes).json);
+  return text.match(/\w+_(draco_mesh|meshopt)_compression/g) ?? [];
+}
+
+/** What the compressed views of a file say of themselves. */
+export const meshoptViews = (json) =>
+  json.bufferViews.flatMap(({ extensions }) => extensions?.EXT_meshopt_compression ?? []);
