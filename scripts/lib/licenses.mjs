@@ -10,7 +10,7 @@ const FOLDER = join(ROOT, 'scripts/licenses');
 const CORE = ['eigen', 'fast_float', 'nlohmann-json'];
 const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
-  native: [...CORE, 'cli11', 'draco', 'meshoptimizer'],
+  native: [...CORE, 'cli11', 'draco', 'meshoptimizer', 'zlib'],
   wasm: WASM,
   web: [
     ...WASM,

@@ -153,6 +153,16 @@ export const REQUIREMENTS = [
     brew: ['cli11'],
   },
   {
+    name: 'zlib',
+    purpose: 'build',
+    why: 'compresses pictures',
+    present: () => header('zlib.h'),
+    apt: ['zlib1g-dev'],
+    dnf: ['zlib-devel'],
+    pacman: ['zlib'],
+    brew: ['zlib'],
+  },
+  {
     name: 'Draco',
     purpose: 'build',
     why: 'decodes compressed glTF',

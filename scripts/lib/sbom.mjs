@@ -36,6 +36,7 @@ const LIBRARIES = {
         (_, major, minor) => `${major || 0}.${Number(minor)}`,
       ),
   },
+  zlib: { license: 'Zlib', versionOf: () => versionInHeader('zlib.h', /ZLIB_VERSION "([^"]+)"/) },
   cli11: { license: 'BSD-3-Clause', files: ['share/cmake/CLI11/CLI11ConfigVersion.cmake'] },
   emscripten: { license: 'MIT', versionOf: emscriptenVersion },
   // Parts of Emscripten, which has its own copies.

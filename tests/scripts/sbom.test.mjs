@@ -9,7 +9,7 @@ import { ROOT } from '../../scripts/lib/paths.mjs';
 import { which } from '../../scripts/lib/run.mjs';
 import { billOfMaterials } from '../../scripts/lib/sbom.mjs';
 
-const SPDX = /^(MIT|MPL-2\.0|BSD-3-Clause|Apache-2\.0( WITH LLVM-exception)?)$/;
+const SPDX = /^(MIT|Zlib|MPL-2\.0|BSD-3-Clause|Apache-2\.0( WITH LLVM-exception)?)$/;
 
 for (const product of PRODUCTS)
   test(`${product}: every part has a version and a licence`, (t) => {

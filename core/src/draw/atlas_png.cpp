@@ -30,7 +30,8 @@ class AtlasPainter {
         edges_(atlasEdges(polygons_, result)) {}
 
   /// `colourOf` a face. Outlines are always drawn.
-  std::string png(const std::function<Rgb(std::uint32_t)>& colourOf, bool hasInnerEdges) const {
+  Result<std::string> png(const std::function<Rgb(std::uint32_t)>& colourOf,
+                          bool hasInnerEdges) const {
     const auto areas = byBand(polygons_.count(), 0, [&](std::uint32_t i) { return pointsOf(i); });
     const auto inner = linesByBand(hasInnerEdges, edges_.inner);
     const auto outline = linesByBand(true, edges_.outline);

@@ -3,28 +3,16 @@
 #include <array>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 namespace abflat {
 namespace {
 
+constexpr int kLevel = Z_DEFAULT_COMPRESSION;
+constexpr uInt kRoom = 1u << 16;
+
 void put32(std::string& out, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xff);
-}
-
-/// The CRC-32 of PNG and zip.
-std::uint32_t crcOf(std::string_view bytes) {
-  static const std::array<std::uint32_t, 256> kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      table[n] = n;
-      for (int k = 0; k < 8; ++k)
-        table[n] = (table[n] & 1) ? 0xedb88320u ^ table[n] >> 1 : table[n] >> 1;
-    }
-    return table;
-  }();
-  std::uint32_t crc = 0xffffffffu;
-  for (const char c : bytes) crc = kTable[(crc ^ static_cast<std::uint8_t>(c)) & 0xff] ^ crc >> 8;
-  return ~crc;
 }
 
 std::string chunk(std::string_view type, std::string_view data) {
@@ -32,7 +20,8 @@ std::string chunk(std::string_view type, std::string_view data) {
   put32(out, static_cast<std::uint32_t>(data.size()));
   out += type;
   out += data;
-  put32(out, crcOf(std::string_view(out).substr(4)));
+  const auto* typed = reinterpret_cast<const Bytef*>(out.data() + 4);
+  put32(out, static_cast<std::uint32_t>(crc32_z(0, typed, out.size() - 4)));
   return out;
 }
 
@@ -58,7 +47,9 @@ void appendFiltered(const std::uint8_t* row, const std::vector<std::uint8_t>& ab
 }  // namespace
 
 PngWriter::PngWriter(std::uint32_t width, std::uint32_t height)
-    : rowBytes_(4 * static_cast<std::size_t>(width)), above_(rowBytes_, 0) {
+    : rowBytes_(4 * static_cast<std::size_t>(width)),
+      above_(rowBytes_, 0),
+      isReady_(deflateInit(&stream_, kLevel) == Z_OK) {
   put32(header_, width);
   put32(header_, height);
   constexpr char kEightBits = 8, kRgba = 6;
@@ -73,12 +64,27 @@ void PngWriter::addRows(const std::vector<std::uint8_t>& rgba) {
     above_.assign(rgba.begin() + static_cast<std::ptrdiff_t>(at),
                   rgba.begin() + static_cast<std::ptrdiff_t>(at + rowBytes_));
   }
-  data_.add(filtered);
+  compress(std::move(filtered), Z_NO_FLUSH);
 }
 
-std::string PngWriter::finish() {
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header_) + chunk("IDAT", data_.finish()) +
-         chunk("IEND", {});
+Result<std::string> PngWriter::finish() {
+  compress({}, Z_FINISH);
+  if (!isReady_)
+    return Status{StatusCode::OutOfMemory, "there is not enough memory to compress the picture"};
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header_) + chunk("IDAT", data_) + chunk("IEND", {});
+}
+
+void PngWriter::compress(std::vector<std::uint8_t> bytes, int flush) {
+  if (!isReady_) return;
+  stream_.next_in = bytes.data();
+  stream_.avail_in = static_cast<uInt>(bytes.size());
+  std::array<Bytef, kRoom> room{};
+  do {
+    stream_.next_out = room.data();
+    stream_.avail_out = kRoom;
+    deflate(&stream_, flush);
+    data_.append(reinterpret_cast<const char*>(room.data()), kRoom - stream_.avail_out);
+  } while (stream_.avail_out == 0);
 }
 
 }  // namespace abflat
