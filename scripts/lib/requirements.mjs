@@ -194,6 +194,16 @@ export const REQUIREMENTS = [
     brew: ['catch2'],
   },
   {
+    name: 'tinyobjloader',
+    purpose: 'test',
+    why: 'reads OBJ and MTL a second time in the tests of the core',
+    present: () => header('tiny_obj_loader.h'),
+    apt: ['libtinyobjloader-dev'],
+    dnf: ['tinyobjloader-devel'],
+    brew: ['tinyobjloader'],
+    other: 'https://github.com/tinyobjloader/tinyobjloader (its header where the compiler looks)',
+  },
+  {
     name: 'Chromium',
     purpose: 'test',
     why: 'runs the tests of the page (or set CHROME_PATH to a Chrome you have)',
