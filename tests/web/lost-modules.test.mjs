@@ -67,7 +67,7 @@ test('an error of abflat that it was not loaded is told from that of a mesh', as
   assert.deepEqual(say('worker', 'b.js. Bundlers!'), [notLoaded, 'A worker could not be loaded.']);
   const [stopped, why] = say('stopped', 'memory');
   assert.match(stopped, /stopped/);
-  assert.equal(why, 'memory');
+  assert.equal(why, 'memory.');
   // Whatever the words are.
   assert.equal(say(null, 'Cannot load the worker of abflat'), null);
   assert.equal(say(undefined, 'mesh.xyz: unknown format. Use OBJ.'), null);

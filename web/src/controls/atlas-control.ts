@@ -87,13 +87,13 @@ export class AtlasControl {
 
   private showStretch(): void {
     const { maxStretch } = this.settings;
-    const lengths = `lengths within about ${lengthChange(maxStretch)}\u202f%`;
-    const hint = this.isCutting ? lengths : 'not enforced: Auto is off';
+    const lengths = `lengths \u00b1${lengthChange(maxStretch)}\u202f%`;
+    const hint = this.isCutting ? lengths : 'not enforced';
     this.value.value = String(maxStretch);
     this.hint.textContent = hint;
     this.hint.title = this.isCutting
       ? 'Limit for the average stretch of each chart. A lower limit gives more seams and charts'
-      : `${lengths}. No cuts enforce this: press Auto, or Cut further next to the result`;
+      : `Auto is off, so no cuts enforce ${lengths}. Press Auto, or Cut further next to the result`;
     this.slider.setAttribute('aria-valuetext', `${maxStretch}: ${hint}`);
     this.slider.style.setProperty('--value', String(share(maxStretch)));
   }

@@ -36,7 +36,7 @@ function ofAtlas({ result, settings }: Unwrapped): Verdict {
   if (!valid) return { badge: 'Not valid', reason: defects(result.report), remedy: null };
   const stretched = stretchedCharts(result.report, settings.maxStretch);
   if (stretched.length === 0)
-    return { badge: 'Valid', reason: 'No flipped triangles, no overlapping charts', remedy: null };
+    return { badge: 'Valid', reason: 'No flipped triangles, no overlaps', remedy: null };
   const most = Math.max(...stretched.map(({ symmetricDirichlet }) => symmetricDirichlet));
   const where =
     charts.length > 1 ? ` in ${count(stretched.length)} of ${count(charts.length)} charts` : '';
