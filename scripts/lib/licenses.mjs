@@ -6,7 +6,7 @@ import { ROOT } from './paths.mjs';
 
 const FOLDER = join(ROOT, 'scripts/licenses');
 
-/** What each product contains. Names with a slash are npm packages, whose own LICENSE is used. */
+/** What each product contains. Names with a slash are npm packages, with their own LICENSE or, where they come without, the one in FOLDER. */
 const CORE = ['eigen', 'fast_float', 'nlohmann-json'];
 const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
@@ -21,6 +21,8 @@ const CONTENTS = {
     'node_modules/@gltf-transform/extensions',
     'node_modules/property-graph',
     'node_modules/ktx-parse',
+    'node_modules/draco3d',
+    'node_modules/meshoptimizer',
   ],
 };
 
@@ -35,8 +37,8 @@ function licenseText(entry) {
   const json = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
   const { name, version, homepage = `https://www.npmjs.com/package/${name}` } = json;
   const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
-  if (!file) throw new Error(`${entry} has no licence file`);
-  return `${name} ${version}\n${homepage}\n\n${readFileSync(join(folder, file), 'utf8')}`;
+  const path = file ? join(folder, file) : join(FOLDER, `${name}.txt`);
+  return `${name} ${version}\n${homepage}\n\n${readFileSync(path, 'utf8')}`;
 }
 
 export function thirdPartyLicenses(product) {

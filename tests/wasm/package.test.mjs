@@ -16,7 +16,16 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
-import { addMesh, emptyDocument, io, primitiveOf, primitivesOf } from '../support/gltf.mjs';
+import { withDraco, withMeshopt } from '../support/compressed-by-exporters.mjs';
+import {
+  addMesh,
+  atlasOf,
+  emptyDocument,
+  flaws,
+  io,
+  primitiveOf,
+  primitivesOf,
+} from '../support/gltf.mjs';
 import { sphere } from '../support/surfaces.mjs';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
@@ -224,6 +233,18 @@ test('the example of glTF in the README runs', async () => {
     assert.ok(primitivesOf(written)[0].getAttribute('TEXCOORD_0'));
   };
   await runExample('gltf-unwrap', check, { 'mesh.glb': await io.writeBinary(document) });
+});
+
+test('the example of compressed glTF in the README runs: the result is uncompressed', async () => {
+  for (const compress of [withDraco, withMeshopt]) {
+    const document = emptyDocument();
+    addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+    const check = async (_, folder) => {
+      const written = await io.read(join(folder, 'mesh-uv.glb'));
+      assert.deepEqual(flaws(atlasOf(primitivesOf(written))), []);
+    };
+    await runExample('gltf-compressed', check, { 'mesh.glb': await compress(document) });
+  }
 });
 
 test('the README names every option of unwrapping documents', () => {

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { withDraco, withMeshopt } from '../support/compressed-by-exporters.mjs';
 import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, torus } from '../support/surfaces.mjs';
@@ -14,10 +15,10 @@ const ISOLATED = {
   'Cross-Origin-Embedder-Policy': 'require-corp',
 };
 
-async function glb() {
+function ball() {
   const document = emptyDocument();
   addMesh(document, 'ball', primitiveOf(document, sphere(5)));
-  return io.writeBinary(document);
+  return document;
 }
 
 /** A document with its buffer in a data URI. */
@@ -34,7 +35,7 @@ async function gltf() {
 
 /** All that the page can do, once. */
 async function doEverything(page) {
-  await dropAndWait(page, 'ball.glb', await glb());
+  await dropAndWait(page, 'ball.glb', await io.writeBinary(ball()));
   await exportMesh(page);
   await dropAndWait(page, 'ring.gltf', await gltf());
   assert.equal(await textOf(page, '#alert'), '');
@@ -75,6 +76,14 @@ for (const [name, headers] of [
         }),
     });
     await doEverything(page);
+    for (const [name, compress] of [
+      ['draco.glb', withDraco],
+      ['meshopt.glb', withMeshopt],
+    ]) {
+      await dropAndWait(page, name, await compress(ball()));
+      assert.equal(await textOf(page, '#alert'), '');
+      assert.match(await textOf(page, '#notice'), /compressed/);
+    }
     assert.deepEqual(await page.evaluate(() => globalThis.violations), []);
   });
 

@@ -202,7 +202,7 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened({ source, mesh, summary, drawing }: Opened): void {
+  opened({ source, mesh, summary, drawing, gltf }: Opened): void {
     hideAlert();
     this.atlas.open(summary);
     this.mode.setDisk(summary.disk);
@@ -210,7 +210,7 @@ export class App implements SessionEvents {
     this.showCutting();
     this.locks.clear();
     this.shown = source;
-    if (source.kind === 'file') this.notice.show(source);
+    if (source.kind === 'file') this.notice.show(source, gltf?.compressions ?? []);
     else this.notice.hide();
     this.views?.showMesh(drawing);
     this.sweep.clear();

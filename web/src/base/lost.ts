@@ -22,6 +22,9 @@ export const stopped = (detail: string) =>
     detail,
   );
 
+/** The name of such an error of a worker: that is all that is left of its class. */
+export const NOT_LOADED = 'NotLoaded';
+
 export const NO_WORKER = 'A worker could not be loaded.';
 
 const OF_PART: Record<LostPart, (sentence: string) => Lost> = {

@@ -1,42 +1,56 @@
 import { create, element } from '../base/dom';
 import type { FileSource } from '../model/model';
 
-/** Buttons that fit beside the text. */
+/** Buttons below the text. */
 const OFFERED = 3;
 
-/** Of several meshes that were chosen at once, which one was opened, with buttons for the others. */
+/** What there is to know about the file that was opened. Of several that were chosen at once there are buttons for the others. */
 export class Notice {
   private readonly box = element('notice', HTMLElement);
 
   constructor(private readonly open: (source: FileSource) => void) {}
 
-  show(opened: FileSource): void {
+  /** `compressions`: those of the file. */
+  show(opened: FileSource, compressions: string[]): void {
     const others = opened.together.filter((source) => source !== opened);
+    const sentences = [...compressed(opened, compressions), ...oneOfMany(opened, others)];
     this.hide();
-    if (others.length === 0) return;
-    const text = create('p', '', sentence(opened, others));
-    text.title = opened.name;
-    const buttons = others.slice(0, OFFERED).map((source) => {
-      const button = create('button', 'tool', `Open ${source.name}`);
-      button.type = 'button';
-      button.title = source.name;
-      button.addEventListener('click', () => this.open(source));
-      return button;
-    });
+    if (sentences.length === 0) return;
+    const text = create('p', '', sentences.join(' '));
     const close = create('button', 'alert-close', '×');
     close.type = 'button';
     close.ariaLabel = 'Close this notice';
     close.addEventListener('click', () => this.hide());
-    this.box.replaceChildren(text, ...buttons, close);
+    this.box.replaceChildren(text, ...this.choices(others), close);
   }
 
   hide(): void {
     this.box.replaceChildren();
   }
+
+  private choices(others: FileSource[]): HTMLElement[] {
+    if (others.length === 0) return [];
+    const row = create('div', 'notice-choices');
+    for (const source of others.slice(0, OFFERED)) {
+      const button = create('button', 'tool', `Open ${source.name}`);
+      button.type = 'button';
+      button.title = source.name;
+      button.addEventListener('click', () => this.open(source));
+      row.append(button);
+    }
+    return [row];
+  }
 }
 
-function sentence({ name }: FileSource, others: FileSource[]): string {
+function compressed({ name }: FileSource, compressions: string[]): string[] {
+  if (compressions.length === 0) return [];
+  const by = compressions.join(' and ');
+  return [`${name} was compressed with ${by}. The export is uncompressed.`];
+}
+
+function oneOfMany({ name }: FileSource, others: FileSource[]): string[] {
+  if (others.length === 0) return [];
   const more = others.length - OFFERED;
   const rest = more > 0 ? `, one of ${others.length + 1} meshes` : '';
-  return `Opened ${name}${rest}. Only one mesh can be open at a time.`;
+  return [`Opened ${name}${rest}. Only one mesh can be open at a time.`];
 }

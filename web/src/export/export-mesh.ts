@@ -19,7 +19,8 @@ export async function exportMesh(
   const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
   download(name, TYPES[format], file);
   const size = file instanceof Blob ? file.size : file.length;
-  const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`;
+  const uncompressed = outcome.gltf?.compressions.length ? ', uncompressed' : '';
+  const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB${uncompressed}`;
   return outcome.gltf?.freeTexcoord ? `${setText(texcoord)} ${exported}` : exported;
 }
 

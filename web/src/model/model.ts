@@ -45,6 +45,8 @@ export interface GltfFile {
   /** The first set of coordinates that no texture needs as it is: 0 where no texture uses that. */
   freeTexcoord: number;
   files: GltfFiles;
+  /** By what its triangles were compressed, for people. */
+  compressions: string[];
 }
 
 export interface Opened {
@@ -86,7 +88,7 @@ export type AnyProgress = Progress | UnwrapProgress;
 export interface Helpers {
   mesh(mesh: DisplayMesh): Promise<Drawing>;
   outcome(outcome: Outcome): Promise<FlatDrawing>;
-  gltf(source: FileSource): Promise<GltfFile>;
+  gltf(source: FileSource, signal: AbortSignal): Promise<GltfFile>;
   joined(mesh: ArrayMesh): Promise<ArrayMesh>;
 }
 

@@ -181,7 +181,7 @@ export class Session {
       return { source, input: mesh, mesh, summary, drawing };
     }
     if (isGltf(source)) {
-      const gltf = await this.helpers.gltf(source);
+      const gltf = await this.helpers.gltf(source, signal);
       const { mesh, summary } = await asDisk(abflat, gltf.mesh, signal, (mesh) =>
         this.helpers.joined(mesh),
       );

@@ -12,7 +12,7 @@ import {
   meshPicture,
   positionsOf,
 } from '../drawing/picture';
-import { readGltf, writeGltf } from '../files/gltf-file';
+import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
 import { atlasPng, heatMapPng } from '../files/png-file';
 import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
@@ -46,6 +46,11 @@ const tasks = {
 
   gltf: async (file: File, others: File[]) => {
     const read = await readGltf(file, others);
+    return read && transfer(read, buffersOf(read.mesh));
+  },
+
+  compressed: async (file: File, others: File[]) => {
+    const read = await readCompressed(file, others);
     return transfer(read, buffersOf(read.mesh));
   },
 

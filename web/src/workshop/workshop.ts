@@ -1,6 +1,6 @@
 import { type Remote, transfer, wrap } from 'comlink';
 import { buffersOf, copied } from '../base/buffers';
-import { NO_WORKER, notLoaded, stopped } from '../base/lost';
+import { NO_WORKER, NOT_LOADED, notLoaded, stopped } from '../base/lost';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from '../model/drawing';
@@ -19,6 +19,7 @@ interface Running {
   tasks: Remote<Tasks>;
   /** Rejects when the worker cannot be loaded, or stops. */
   lost: Promise<never>;
+  end: () => void;
 }
 
 /** A worker for what takes long with large meshes, so that the page always answers. It is started with the page, and again where it was lost. */
@@ -29,6 +30,12 @@ export class Workshop implements Helpers {
 
   constructor() {
     this.running = this.start();
+  }
+
+  private start(): Running {
+    return startWorker('workshop', () => {
+      this.running = null;
+    });
   }
 
   /** A mesh that is not flattened yet. */
@@ -80,8 +87,9 @@ export class Workshop implements Helpers {
     return this.send([drawing], (tasks, own) => tasks.svg(own, millimetres));
   }
 
-  gltf({ file, others }: FileSource): Promise<GltfFile> {
-    return this.send([], (tasks) => tasks.gltf(file, others));
+  async gltf({ file, others }: FileSource, signal: AbortSignal): Promise<GltfFile> {
+    const read = await this.send([], (tasks) => tasks.gltf(file, others));
+    return read ?? compressed(file, others, signal);
   }
 
   /** The document that the mesh came from as GLB, with the coordinates of the layout as TEXCOORD_`texcoord`. */
@@ -121,23 +129,37 @@ export class Workshop implements Helpers {
       return Promise.race([post(tasks, ...given), lost]);
     });
   }
+}
 
-  private start(): Running {
-    const worker = new Worker(new URL('./worker.ts', import.meta.url), {
-      type: 'module',
-      name: 'workshop',
-    });
-    const lost = new Promise<never>((_, reject) => {
-      worker.onerror = (event) => {
-        event.preventDefault();
-        worker.terminate();
-        this.running = null;
-        // A script that cannot be loaded has no message.
-        reject(event.message ? stopped(event.message) : notLoaded(NO_WORKER));
-      };
-    });
-    lost.catch(() => undefined); // whoever waits for the worker hears of it
-    return { tasks: wrap<Tasks>(worker), lost };
+function startWorker(name: string, onLost: () => void): Running {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name });
+  const lost = new Promise<never>((_, reject) => {
+    worker.onerror = (event) => {
+      event.preventDefault();
+      worker.terminate();
+      onLost();
+      // A script that cannot be loaded has no message.
+      reject(event.message ? stopped(event.message) : notLoaded(NO_WORKER));
+    };
+  });
+  lost.catch(() => undefined); // whoever waits for the worker hears of it
+  return { tasks: wrap<Tasks>(worker), lost, end: () => worker.terminate() };
+}
+
+/** In a worker of its own: the memory of a decoder ends with it, and data that would keep it busy for ever can be cancelled. */
+async function compressed(file: File, others: File[], signal: AbortSignal): Promise<GltfFile> {
+  signal.throwIfAborted();
+  const { tasks, lost, end } = startWorker('decoder', () => undefined);
+  const aborted = new Promise<never>((_, reject) => {
+    signal.addEventListener('abort', () => reject(signal.reason));
+  });
+  try {
+    return await Promise.race([tasks.compressed(file, others), lost, aborted]);
+  } catch (error) {
+    const { name, message } = error as Error;
+    throw name === NOT_LOADED ? notLoaded(message) : error;
+  } finally {
+    end();
   }
 }
 

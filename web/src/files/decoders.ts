@@ -1,0 +1,42 @@
+// What compressed glTF files are decoded by. None of it is loaded with the page.
+
+import dracoWasm from 'draco3d/draco_decoder.wasm?url';
+import { NOT_LOADED } from '../base/lost';
+
+export type Compression = 'Draco' | 'meshopt';
+
+/** By the names under which glTF-Transform asks for them. */
+const LOADERS: Record<Compression, () => Promise<Record<string, unknown>>> = {
+  Draco: async () => ({ 'draco3d.decoder': await loadDraco() }),
+  meshopt: async () => ({ 'meshopt.decoder': await loadMeshopt() }),
+};
+
+export async function loadDecoders(kinds: Compression[]): Promise<Record<string, unknown>> {
+  try {
+    return Object.assign({}, ...(await Promise.all(kinds.map((kind) => LOADERS[kind]()))));
+  } catch (error) {
+    const { message } = error as Error;
+    throw Object.assign(new Error(message), { name: NOT_LOADED });
+  }
+}
+
+/** Draco's own loader would look for the module beside the worker, and fall back on requests that block. */
+async function loadDraco(): Promise<unknown> {
+  const [{ default: createDecoder }, wasmBinary] = await Promise.all([
+    import('draco3d/draco_decoder_nodejs.js'),
+    fetched(dracoWasm),
+  ]);
+  return createDecoder({ wasmBinary, printErr: () => undefined });
+}
+
+async function loadMeshopt(): Promise<unknown> {
+  const { MeshoptDecoder } = await import('meshoptimizer/decoder');
+  await MeshoptDecoder.ready;
+  return MeshoptDecoder;
+}
+
+async function fetched(url: string): Promise<ArrayBuffer> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${response.url}: ${response.status}`);
+  return response.arrayBuffer();
+}

@@ -1,0 +1,88 @@
+// glTF files as they are stored: JSON and the bytes that belong to it.
+
+import { type JSONDocument, WebIO } from '@gltf-transform/core';
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { count } from '../base/format';
+import { NEWER } from './meshopt-views';
+
+const KNOWN = new Set<string>([...ALL_EXTENSIONS.map((each) => each.EXTENSION_NAME), NEWER]);
+
+/** What was read of which file. */
+interface Used {
+  name: string;
+  bytes: Uint8Array;
+}
+
+interface Opened {
+  source: JSONDocument;
+  used: Used[];
+}
+
+export const gltfIo = () => new WebIO().registerExtensions(ALL_EXTENSIONS);
+
+/** A file, and those of `others` that it refers to. */
+export async function openGltf(file: File, others: File[]): Promise<Opened> {
+  const { name } = file;
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const isBinary = new TextDecoder().decode(bytes.subarray(0, 4)) === 'glTF';
+  const opened = isBinary ? await openBinary(name, bytes) : await openText(name, bytes, others);
+  checkExtensions(name, opened.source);
+  return opened;
+}
+
+async function openBinary(name: string, bytes: Uint8Array): Promise<Opened> {
+  checkLength(name, bytes);
+  return { source: await gltfIo().binaryToJSON(bytes), used: [{ name, bytes }] };
+}
+
+async function openText(name: string, bytes: Uint8Array, others: File[]): Promise<Opened> {
+  const json = parse(name, new TextDecoder().decode(bytes));
+  const found = await resources(name, json, others);
+  const byUri = [...found].map(([uri, { bytes }]) => [uri, bytes]);
+  return {
+    source: { json, resources: Object.fromEntries(byUri) },
+    used: [{ name, bytes }, ...found.values()],
+  };
+}
+
+function checkExtensions(name: string, { json }: JSONDocument): void {
+  const unknown = json.extensionsRequired?.find((each) => !KNOWN.has(each));
+  if (unknown !== undefined)
+    throw new Error(
+      `${name} requires ${unknown}, which this page cannot read. Save it without that extension.`,
+    );
+}
+
+/** A GLB says how long it is. */
+function checkLength(name: string, bytes: Uint8Array): void {
+  const length = bytes.length < 12 ? 12 : new DataView(bytes.buffer).getUint32(8, true);
+  if (bytes.length < length)
+    throw new Error(
+      `${name} is truncated: ${count(bytes.length)} of ${count(length)} bytes are there. Copy or download it again.`,
+    );
+}
+
+function parse(name: string, text: string): JSONDocument['json'] {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error(`${name} is neither binary nor JSON: ${String(error)}`);
+  }
+}
+
+/** The files that a document names, by their names alone: a browser does not tell where they are. */
+async function resources(
+  name: string,
+  { buffers = [], images = [] }: JSONDocument['json'],
+  others: File[],
+): Promise<Map<string, Used>> {
+  const found = new Map<string, Used>();
+  for (const { uri } of [...buffers, ...images]) {
+    if (uri === undefined || uri.startsWith('data:')) continue;
+    const wanted = decodeURIComponent(uri).split('/').at(-1);
+    const file = others.find((other) => other.name === wanted);
+    if (!file) throw new Error(`${name} needs ${wanted}: open or drop both files together.`);
+    found.set(uri, { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
+  }
+  return found;
+}
