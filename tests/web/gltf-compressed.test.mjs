@@ -21,7 +21,7 @@ import {
   primitivesOf,
 } from '../support/gltf.mjs';
 import { character } from '../wasm/support/character.mjs';
-import { dropAndWait, exportMesh, openPage, textOf } from './page.mjs';
+import { drop, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
 
 /** The least WebP there is: images are no business of the page. */
 const WEBP = Buffer.from('UklGRhoAAABXRUJQVlA4TA0AAAAvAAAAEAcQERGIiP4HAA==', 'base64');
@@ -105,6 +105,7 @@ test('the newer name of meshopt, and buffers that are files of their own', async
 test('decoders are loaded for compressed files alone, and from where the page is from', async (t) => {
   const page = await openPage(t, { own: true });
   const { origin } = new URL(page.url());
+  const workers = page.workers().length;
   const plain = listen(page);
   await dropAndWait(page, 'plain.glb', await io.writeBinary(robot()));
   await exportMesh(page);
@@ -121,7 +122,7 @@ test('decoders are loaded for compressed files alone, and from where the page is
   await dropAndWait(page, 'meshopt.glb', await FILES['meshopt.glb'][1]());
   assert.ok(urls.some((url) => /meshopt/.test(url)));
   for (const url of urls) assert.equal(new URL(url).origin, origin, url);
-  assert.equal(page.workers().filter((worker) => /decod/.test(worker.url())).length, 0);
+  assert.equal(page.workers().length, workers, 'the decoders are gone');
 });
 
 /** A file of which something is changed. */
@@ -194,4 +195,24 @@ test('what could not be loaded is loaded by trying again', async (t) => {
   await page.click('#again');
   await page.waitForFunction(() => document.querySelector('#source').textContent === 'draco.glb');
   assert.equal(await textOf(page, '#alert'), '');
+});
+
+test('decoding that takes long can be cancelled', async (t) => {
+  const page = await openPage(t, { own: true });
+  const workers = page.workers().length;
+  let asked;
+  const isAsked = new Promise((resolve) => {
+    asked = resolve;
+  });
+  // Never answered.
+  await page.context().route(/draco_decoder.*wasm/, asked);
+  await drop(page, 'draco.glb', await FILES['draco.glb'][1]());
+  await isAsked;
+  assert.equal(page.workers().length, workers + 1);
+  await page.click('#cancel');
+  await settled(page);
+  assert.equal(await textOf(page, '#run-text'), 'Cancelled');
+  await dropAndWait(page, 'meshopt.glb', await FILES['meshopt.glb'][1]());
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(page.workers().length, workers);
 });

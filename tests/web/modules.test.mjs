@@ -65,7 +65,9 @@ test('crossings are found where they are, and only there', async () => {
 });
 
 test('numbers keep three digits and a bounded length', async () => {
-  const { measure, brief, duration, bound } = await load('base/format');
+  const { measure, brief, distortion, duration, bound } = await load('base/format');
+  assert.equal(distortion(3.77e-31), '0');
+  assert.equal(distortion(0.0025234, brief), '0.0025');
   assert.equal(measure(0.0025234), '0.00252');
   assert.equal(measure(1.6777), '1.68');
   assert.equal(measure(12345.6), '12346');

@@ -86,6 +86,13 @@ test('labels of numbers can be read in full, and the dock needs no scrolling, in
   }
 });
 
+test('with every source of seams the dock needs no scrolling', async (t) => {
+  const page = await openPage(t, { open: ['cube.obj', CUBE_OF_PARTS] });
+  for (const id of ['#seams-uv', '#seams-material', '#seams-sharp', '#more-toggle'])
+    assert.ok(await page.isVisible(id), id);
+  assert.ok(await page.locator('.ask').evaluate((e) => e.scrollHeight <= e.clientHeight));
+});
+
 test('a flattened mesh leaves nothing to scroll to in the dock of a narrow low window', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
   for (const balance of ['Home', 'End']) {

@@ -28,6 +28,11 @@ export function measure(x: number): string {
   return Number(x.toPrecision(3)) >= 100 ? x.toFixed(0) : x.toPrecision(3);
 }
 
+/** What is left of rounding is no distortion. */
+export function distortion(x: number, text = measure): string {
+  return text(x < 1e-12 ? 0 : x);
+}
+
 /** Two significant digits, for narrow tables. */
 export function brief(x: number): string {
   if (x === 0 || !Number.isFinite(x)) return measure(x);

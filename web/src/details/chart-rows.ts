@@ -1,5 +1,5 @@
 import type { UnwrapChart, UnwrapReport } from 'abflat';
-import { brief, count, measure } from '../base/format';
+import { brief, count, distortion, measure } from '../base/format';
 
 /** A chart as a row of a table. */
 export interface ChartRow {
@@ -54,7 +54,7 @@ export const COLUMNS: ChartColumn[] = [
     name: 'Angle',
     title: 'Angular distortion: mean over corners of ((x - α)/α)²',
     key: ({ chart }) => chart.angularDistortion,
-    text: ({ chart }) => brief(chart.angularDistortion),
+    text: ({ chart }) => distortion(chart.angularDistortion, brief),
   },
   {
     name: 'Valid',

@@ -1,6 +1,6 @@
 import type { Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { count, counted, duration, measure } from '../base/format';
+import { count, counted, distortion, duration, measure } from '../base/format';
 import type { Outcome } from '../model/model';
 import { atlasNotes } from './atlas-notes';
 import { notes } from './notes';
@@ -22,13 +22,13 @@ const OF_DISK: Metric<Report>[] = [
   {
     label: 'Angular distortion',
     title: 'Mean over all corners of ((x - α)/α)², x in the layout, α in 3D',
-    value: ({ charts: [chart] }) => measure(chart.angularDistortion),
+    value: ({ charts: [chart] }) => distortion(chart.angularDistortion),
   },
   {
     label: 'Length distortion',
     title:
       'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
-    value: ({ charts: [chart] }) => measure(chart.lengthDistortion),
+    value: ({ charts: [chart] }) => distortion(chart.lengthDistortion),
   },
   {
     label: 'Stretch',
@@ -81,7 +81,7 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
   {
     label: 'Angular distortion',
     title: 'Mean over the surface of ((x - α)/α)², x in the layout, α in 3D',
-    value: ({ angularDistortion }) => measure(angularDistortion),
+    value: ({ angularDistortion }) => distortion(angularDistortion),
   },
   {
     label: 'Utilisation',
