@@ -50,17 +50,17 @@ bool write(const std::string& path, const PolygonMesh& mesh) {
 }
 
 PolygonMesh chartMesh(const PolygonMesh& mesh, const Surface& surface, const CutSurface& s,
-                      std::uint32_t chart) {
+                      CutChartId chart) {
   std::vector<double> positions;
   std::vector<std::uint32_t> indices;
-  std::map<std::uint32_t, std::uint32_t> id;
-  for (std::uint32_t i = s.triangleBegin[chart]; i < s.triangleBegin[chart + 1]; ++i)
-    for (std::uint32_t c = 3 * s.triangleOrder[i]; c < 3 * s.triangleOrder[i] + 3; ++c) {
+  std::map<OpenVertex, std::uint32_t> id;
+  for (const SurfaceTriangle f : s.trianglesOf(chart))
+    for (const SurfaceCorner c : cornersOf(f)) {
       const auto [at, isNew] =
           id.emplace(s.vertexOfCorner[c], static_cast<std::uint32_t>(id.size()));
       if (isNew)
         for (std::size_t d = 0; d < 3; ++d)
-          positions.push_back(mesh.positions[3 * surface.table.vertex[SurfaceCorner(c)] + d]);
+          positions.push_back(mesh.positions[3 * surface.table.vertex[c] + d]);
       indices.push_back(at->second);
     }
   return makeTriangleMesh(std::move(positions), std::move(indices));
@@ -76,7 +76,7 @@ Flattened flattenCharts(const PolygonMesh& mesh, const Surface& surface, const C
                         double t) {
   Flattened out;
   Stopwatch watch;
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+  for (const CutChartId c : s.charts.ids()) {
     if (!s.charts[c].isDisk()) ++out.notDisks;
     FlattenOptions options;
     options.t = t;

@@ -169,8 +169,8 @@ DiskChart ChartSet::chart(ChartId i) const {
   out.inputVertex = copyOf(own.inputVertex);
   out.fillingTriangles = parts_[i].fillingTriangles;
   out.filledHoles = own.filledHoles;
-  if (!place.empty())
-    for (const InputVertex v : own.inputVertex) out.place.push_back(place[v]);
+  if (!eliminationRank.empty())
+    for (const InputVertex v : own.inputVertex) out.place.push_back(eliminationRank[v]);
   placeChart(*mesh_, out);
   return out;
 }

@@ -44,8 +44,8 @@ class ChartSet {
   TexcoordId texcoord(ChartId i, ChartVertex v) const { return TexcoordId(parts_[i].vertex + v); }
 
   IdVector<SurfaceTriangle, ChartId> ofTriangle;
-  /// Per vertex of the mesh, as in DiskChart; empty where none is known.
-  IdVector<InputVertex, std::uint32_t> place;
+  /// As in DiskChart, per vertex of the mesh; empty where none is known.
+  IdVector<InputVertex, std::uint32_t> eliminationRank;
 
  private:
   friend class ChartSetMaker;

@@ -8,56 +8,63 @@
 
 namespace abflat {
 
-/// Per half-edge, 1 on both sides of a seam. Boundaries are not marked.
-using Seams = std::vector<std::uint8_t>;
+/// 1 on both sides of a seam. Boundaries are not marked.
+using Seams = IdVector<SurfaceCorner, std::uint8_t>;
 
 /// Half-edges of a boundary loop, in order, the surface on their left; lives as long as its
 /// surface.
-class BoundaryLoop {
- public:
-  BoundaryLoop(const std::uint32_t* begin, const std::uint32_t* end) : begin_(begin), end_(end) {}
-  const std::uint32_t* begin() const { return begin_; }
-  const std::uint32_t* end() const { return end_; }
-  std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
-  std::uint32_t operator[](std::size_t i) const { return begin_[i]; }
+using BoundaryLoop = IdSpan<BoundaryIndex, SurfaceCorner>;
 
- private:
-  const std::uint32_t *begin_, *end_;
-};
+/// The next one of a loop of so many.
+constexpr BoundaryIndex nextAlong(BoundaryIndex i, std::size_t size) {
+  return BoundaryIndex((i + 1) % size);
+}
 
 /// The surface opened along its seams.
 struct CutSurface {
   struct Chart {
-    std::uint32_t firstTriangle = 0, triangles = 0;
-    std::uint32_t vertices = 0, edges = 0;
-    std::uint32_t loops = 0;      ///< of its boundary
-    std::uint32_t firstLoop = 0;  ///< loops of a chart follow each other
+    SurfaceTriangle firstTriangle;
+    std::uint32_t triangles = 0, vertices = 0, edges = 0;
+    std::uint32_t loops = 0;  ///< of its boundary
+    LoopId firstLoop;         ///< loops of a chart follow each other
     double area = 0;
 
     std::int64_t euler() const { return static_cast<std::int64_t>(vertices) - edges + triangles; }
     bool isDisk() const { return loops == 1 && euler() == 1; }
+    IdRange<LoopId> loopIds() const { return {firstLoop, LoopId(firstLoop + loops)}; }
   };
 
-  std::vector<std::uint32_t> twin;            ///< kNone on seams, too
-  std::vector<std::uint32_t> vertexOfCorner;  ///< vertex of the open surface
-  std::vector<std::uint32_t> outgoing;        ///< per vertex: the half-edge from which a
-                                              ///< counter-clockwise turn passes all of its corners
-  std::vector<std::uint8_t> isBoundary;       ///< per vertex
-  std::vector<std::uint32_t> meshVertex;      ///< per vertex, of the closed surface
-  std::vector<std::uint32_t> chartOfTriangle;
-  std::vector<std::uint32_t> triangleOrder;  ///< chart by chart
-  std::vector<std::uint32_t> triangleBegin;  ///< size charts + 1
-  std::vector<Chart> charts;
-  std::vector<std::uint32_t> loopOrder;  ///< half-edges, loop by loop
-  std::vector<std::uint32_t> loopBegin;  ///< size loops + 1
+  IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< none on seams, too
+  IdVector<SurfaceCorner, OpenVertex> vertexOfCorner;
+  /// The half-edge from which a counter-clockwise turn passes all corners of a vertex.
+  IdVector<OpenVertex, SurfaceCorner> outgoing;
+  IdVector<OpenVertex, std::uint8_t> isBoundary;
+  IdVector<OpenVertex, SurfaceVertex> meshVertex;
+  IdVector<SurfaceTriangle, CutChartId> chartOfTriangle;
+  std::vector<SurfaceTriangle> triangleOrder;         ///< chart by chart
+  IdVector<CutChartId, std::uint32_t> triangleBegin;  ///< size charts + 1
+  IdVector<CutChartId, Chart> charts;
+  std::vector<SurfaceCorner> loopOrder;       ///< loop by loop
+  IdVector<LoopId, std::uint32_t> loopBegin;  ///< size loops + 1
 
-  std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(outgoing.size()); }
-  BoundaryLoop loop(std::uint32_t i) const {
-    return {loopOrder.data() + loopBegin[i], loopOrder.data() + loopBegin[i + 1]};
+  IdRange<SurfaceCorner> corners() const { return twin.ids(); }
+  IdRange<OpenVertex> vertices() const { return outgoing.ids(); }
+  std::size_t vertexCount() const { return outgoing.size(); }
+  OpenVertex tail(SurfaceCorner h) const { return vertexOfCorner[h]; }
+  OpenVertex head(SurfaceCorner h) const { return vertexOfCorner[nextCorner(h)]; }
+  CutChartId chartOf(SurfaceCorner c) const { return chartOfTriangle[triangleOf(c)]; }
+  CutChartId chartOf(OpenVertex v) const { return chartOf(outgoing[v]); }
+  /// From the first one on.
+  IdSpan<std::size_t, SurfaceTriangle> trianglesOf(CutChartId i) const {
+    const std::uint32_t begin = triangleBegin[i];
+    return {triangleOrder.data() + begin, triangleBegin[CutChartId(i + 1)] - begin};
+  }
+  BoundaryLoop loop(LoopId i) const {
+    const std::uint32_t begin = loopBegin[i];
+    return {loopOrder.data() + begin, loopBegin[LoopId(i + 1)] - begin};
   }
   /// Of a disk: its only loop.
-  BoundaryLoop outline(std::uint32_t chart) const { return loop(charts[chart].firstLoop); }
-  std::uint32_t chartOfVertex(std::uint32_t v) const { return chartOfTriangle[outgoing[v] / 3]; }
+  BoundaryLoop outline(CutChartId i) const { return loop(charts[i].firstLoop); }
 };
 
 /// `pulse` beats, and is not asked whether to go on.

@@ -3,32 +3,42 @@
 #include <algorithm>
 
 namespace abflat {
+namespace {
+
+/// Whether seams go through what fills a hole.
+IdVector<HoleId, std::uint8_t> openHoles(const SeamMesh& mesh, const Seams& seams) {
+  IdVector<HoleId, std::uint8_t> out;
+  for (const SurfaceCorner h : mesh.fillingCorners()) {
+    const HoleId hole = mesh.hole[triangleOf(h)];
+    out.resize(std::max<std::size_t>(out.size(), hole + 1), 0);
+    if (seams[h]) out[hole] = 1;
+  }
+  return out;
+}
+
+}  // namespace
 
 FilledTable filledTable(const SeamMesh& mesh, const IdVector<SurfaceVertex, InputVertex>& vertices,
                         const Seams& seams) {
+  const IdVector<HoleId, std::uint8_t> isOpen = openHoles(mesh, seams);
   FilledTable out;
-  std::uint32_t surface = 0;
-  while (surface < mesh.triangleCount() && !mesh.isFilling(surface)) ++surface;
-  out.surfaceTriangles = surface;
-  std::vector<std::uint8_t> isOpen;
-  for (std::uint32_t h = 3 * surface; h < mesh.twin.size(); ++h) {
-    isOpen.resize(std::max<std::size_t>(isOpen.size(), mesh.hole[h / 3] + 1), 0);
-    if (seams[h]) isOpen[mesh.hole[h / 3]] = 1;
-  }
-  std::vector<std::uint32_t> number(mesh.triangleCount(), kNone);
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
-    if (mesh.isFilling(f) && isOpen[mesh.hole[f]]) continue;
-    number[f] = static_cast<std::uint32_t>(kept.size());
+  IdVector<SurfaceTriangle, SurfaceTriangle> number(mesh.triangleCount());
+  std::vector<SurfaceTriangle> kept;
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    const bool isFilling = mesh.isFilling(f);
+    if (isFilling && isOpen[mesh.hole[f]]) continue;
+    number[f] = SurfaceTriangle(kept.size());
     kept.push_back(f);
-    if (f >= surface) out.hole.push_back(mesh.hole[f]);
+    if (isFilling) out.hole.push_back(mesh.hole[f]);
   }
-  for (const std::uint32_t f : kept)
-    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      const std::uint32_t o = mesh.twin[h];
-      const bool isCut = o == kNone || seams[h] || number[o / 3] == kNone;
-      out.table.vertex.push_back(vertices[SurfaceVertex(mesh.vertexOfCorner[h])]);
-      out.table.twin.push_back(isCut ? SurfaceCorner() : SurfaceCorner(3 * number[o / 3] + o % 3));
+  out.surfaceTriangles = kept.size() - out.hole.size();
+  for (const SurfaceTriangle f : kept)
+    for (const SurfaceCorner h : cornersOf(f)) {
+      const SurfaceCorner o = mesh.twin[h];
+      const bool isCut = !o.exists() || seams[h] || !number[triangleOf(o)].exists();
+      out.table.vertex.push_back(vertices[mesh.vertexOfCorner[h]]);
+      out.table.twin.push_back(isCut ? SurfaceCorner()
+                                     : cornerOf(number[triangleOf(o)], placeInTriangle(o)));
     }
   return out;
 }

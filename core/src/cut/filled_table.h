@@ -9,7 +9,7 @@ namespace abflat {
 struct FilledTable {
   CornerTable table;  ///< no twins across seams
   std::size_t surfaceTriangles = 0;
-  std::vector<std::uint32_t> hole;  ///< that each triangle behind those fills
+  std::vector<HoleId> hole;  ///< that each triangle behind those fills
 };
 
 /// A hole stays filled where no edge of what fills it is a seam. `vertices` are those of the mesh

@@ -28,58 +28,60 @@ struct Extent {
 std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans,
                            const IdVector<SurfaceTriangle, std::uint8_t>& scale) {
   const std::size_t count = fans.inputVertex.size();
-  std::vector<std::uint8_t> ofFan(count, 0);
+  IdVector<SurfaceVertex, std::uint8_t> ofFan(count, 0);
   for (const SurfaceTriangle f : scale.ids())
     for (const SurfaceCorner c : cornersOf(f)) ofFan[fans.ofCorner[c]] = scale[f];
-  const auto at = [&](std::size_t i, std::size_t d) {
-    return positions[3 * std::size_t{fans.inputVertex[SurfaceVertex(i)]} + d] / 2;
+  const auto at = [&](SurfaceVertex v, std::size_t d) {
+    return positions[3 * std::size_t{fans.inputVertex[v]} + d] / 2;
   };
   std::vector<Extent> extents(256);
   for (std::size_t d = 0; d < 3; ++d) {
-    for (std::size_t i = 0; i < count; ++i) {
-      double& low = extents[ofFan[i]].low[d];
-      low = std::min(low, at(i, d));
+    for (const SurfaceVertex v : fans.inputVertex.ids()) {
+      double& low = extents[ofFan[v]].low[d];
+      low = std::min(low, at(v, d));
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      Extent& extent = extents[ofFan[i]];
-      extent.most = std::max(extent.most, at(i, d) - extent.low[d]);
+    for (const SurfaceVertex v : fans.inputVertex.ids()) {
+      Extent& extent = extents[ofFan[v]];
+      extent.most = std::max(extent.most, at(v, d) - extent.low[d]);
     }
   }
   double largest = 0;
   for (const Extent& extent : extents) largest = std::max(largest, extent.most);
   std::vector<double> out;
   out.reserve(3 * count);
-  for (std::size_t i = 0; i < count; ++i)
+  for (const SurfaceVertex v : fans.inputVertex.ids())
     for (std::size_t d = 0; d < 3; ++d) {
-      const Extent& extent = extents[ofFan[i]];
-      const double x = at(i, d) - extent.low[d];
+      const Extent& extent = extents[ofFan[v]];
+      const double x = at(v, d) - extent.low[d];
       const double rounded = std::floor(x / extent.most * kGrid + 0.5) / kGrid;
       out.push_back(extent.most > 0 ? rounded * std::max(extent.most / largest, kLeastScale) : 0);
     }
   return out;
 }
 
-void measureTriangle(SeamMesh& m, std::uint32_t f, std::vector<double>& cotangent) {
-  const std::uint32_t* v = &m.vertexOfCorner[3 * f];
+void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, double>& cotangent) {
+  const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, f);
   std::array<Vec3, 3> e;
   for (std::size_t k = 0; k < 3; ++k) e[k] = edgeVector(m.positions, v[k], v[(k + 1) % 3]);
   const double doubleArea = norm(cross(e[0], e[1]));
   m.area[f] = doubleArea / 2;
   double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, m.length[3 * f + k] = norm(e[k]));
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, m.length[cornerOf(f, k)] = norm(e[k]));
   constexpr double kFlat = 1e-9;  // of the longest side squared
   const bool isFlat = !(doubleArea > kFlat * longest * longest);
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = -dot(e[k], e[(k + 2) % 3]);
-    cotangent[3 * f + k] = isFlat ? 1 / std::sqrt(3.0) : along / doubleArea;
-    m.angle[3 * f + k] = isFlat ? kPi / 3 : portable::atan2(doubleArea, along);
+    cotangent[cornerOf(f, k)] = isFlat ? 1 / std::sqrt(3.0) : along / doubleArea;
+    m.angle[cornerOf(f, k)] = isFlat ? kPi / 3 : portable::atan2(doubleArea, along);
   }
 }
 
 /// 0 where the surface is flat or convex, 1 in a sharp crease that opens outwards.
-double creaseShare(const SeamMesh& m, std::uint32_t h) {
-  const std::uint32_t o = m.twin[h];
-  const std::uint32_t *v = &m.vertexOfCorner[3 * (h / 3)], *w = &m.vertexOfCorner[3 * (o / 3)];
+double creaseShare(const SeamMesh& m, SurfaceCorner h) {
+  const SurfaceCorner o = m.twin[h];
+  const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
+  const std::array<std::uint32_t, 3> w = verticesOf(m.vertexOfCorner, triangleOf(o));
   const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
   const Vec3 q = cross(edgeVector(m.positions, w[0], w[1]), edgeVector(m.positions, w[0], w[2]));
   const double scale = norm(n) * norm(q);
@@ -90,20 +92,20 @@ double creaseShare(const SeamMesh& m, std::uint32_t h) {
   return dot(across, n) > 0 ? share : share / 2;  // a convex ridge hides a seam less than a crease
 }
 
-void weighEdges(SeamMesh& m, const std::vector<double>& cotangent) {
+void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
   constexpr double kDiscount = 0.4;
-  for (std::uint32_t h = 0; h < m.twin.size(); ++h) {
-    const std::uint32_t o = m.twin[h];
-    if (o != kNone && o < h) continue;
+  for (const SurfaceCorner h : m.corners()) {
+    const SurfaceCorner o = m.twin[h];
+    if (o < h) continue;
     double w = cotangent[prevCorner(h)] / 2;
     m.cost[h] = m.length[h];
-    if (o != kNone) {
+    if (o.exists()) {
       w += cotangent[prevCorner(o)] / 2;
       m.length[o] = m.length[h];
       m.cost[h] = m.cost[o] = m.length[h] * (1 - kDiscount * creaseShare(m, h));
     }
     m.weight[h] = std::clamp(w, kLeastWeight, kMostWeight);
-    if (o != kNone) m.weight[o] = m.weight[h];
+    if (o.exists()) m.weight[o] = m.weight[h];
   }
 }
 
@@ -115,12 +117,19 @@ double SeamMesh::totalArea() const {
   return sum;
 }
 
+IdRange<SurfaceCorner> SeamMesh::fillingCorners() const {
+  const auto first = std::find_if(hole.begin(), hole.end(), [](HoleId i) { return i.exists(); });
+  const SurfaceTriangle begin(first - hole.begin());
+  const SurfaceTriangle end(hole.size());
+  return {cornerOf(begin, 0), cornerOf(end, 0)};
+}
+
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale, const Pulse& pulse) {
   SeamMesh m;
-  m.vertexOfCorner.assign(fans.ofCorner.begin(), fans.ofCorner.end());
-  m.twin.assign(table.twin.begin(), table.twin.end());
+  m.vertexOfCorner = fans.ofCorner;
+  m.twin = table.twin;
   m.positions = onGrid(positions, fans, scale);
   const std::size_t corners = m.vertexOfCorner.size();
   m.angle.resize(corners);
@@ -128,8 +137,8 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
   m.length.resize(corners);
   m.cost.resize(corners);
   m.weight.resize(corners);
-  std::vector<double> cotangent(corners);
-  for (std::uint32_t f = 0; f < m.triangleCount(); ++f) {
+  IdVector<SurfaceCorner, double> cotangent(corners);
+  for (const SurfaceTriangle f : m.triangles()) {
     measureTriangle(m, f, cotangent);
     pulse.beat();
   }
@@ -139,8 +148,8 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();
   m.vertexArea.assign(fans.inputVertex.size(), 0);
   m.angleSum.assign(fans.inputVertex.size(), 0);
-  for (std::uint32_t c = 0; c < corners; ++c) {
-    m.vertexArea[m.vertexOfCorner[c]] += m.area[c / 3] / 3;
+  for (const SurfaceCorner c : m.corners()) {
+    m.vertexArea[m.vertexOfCorner[c]] += m.area[triangleOf(c)] / 3;
     m.angleSum[m.vertexOfCorner[c]] += m.angle[c];
   }
   return m;

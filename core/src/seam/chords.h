@@ -9,7 +9,7 @@ namespace abflat {
 
 /// A seam that splits a disk in two: an edge and the paths from both of its ends to the boundary.
 struct Chord {
-  std::uint32_t h = kNone;
+  SurfaceCorner h;
   double length = 0;
   double left = 0, right = 0;  ///< area on the side of h, and on the other
   double resolved = 0;         ///< share of the pairs asked for that it separates
@@ -19,29 +19,26 @@ struct Chord {
 /// splits it in two, and one pass over the tree gives all areas.
 class ChordFinder {
  public:
-  ChordFinder(const SeamMesh& mesh, const CutSurface& surface, const PathForest& forest);
+  explicit ChordFinder(const CutPaths& paths);
 
   /// Of least length / sqrt(smaller area), where chords that do not separate pairs of boundary
-  /// half-edges which will lie on each other count as longer; h is kNone when there is none.
-  /// `pairs` are places along the chart's loop.
-  Chord best(std::uint32_t chart, const std::vector<std::array<std::uint32_t, 2>>& pairs);
+  /// half-edges which will lie on each other count as longer; h is none when there is none.
+  /// `pairs` are of the chart's loop.
+  Chord best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
 
  private:
-  Chord chordAt(std::uint32_t h, std::uint32_t chart) const;
-  void walk(std::uint32_t chart);
-  void numberLoop(std::uint32_t chart);
-  double resolvedShare(std::uint32_t h,
-                       const std::vector<std::array<std::uint32_t, 2>>& pairs) const;
+  Chord chordAt(SurfaceCorner h, CutChartId chart) const;
+  void walk(CutChartId chart);
+  void numberLoop(CutChartId chart);
+  double resolvedShare(SurfaceCorner h,
+                       const std::vector<std::array<BoundaryIndex, 2>>& pairs) const;
 
-  const SeamMesh& mesh_;
+  const CutPaths paths_;
   const CutSurface& surface_;
-  const PathForest& forest_;
-  std::vector<std::uint32_t> order_, parent_;  ///< half-edge of the triangle towards the root
-  std::vector<double> area_;                   ///< of the subtree
-  std::vector<std::uint32_t> place_;  ///< along its loop, per boundary vertex that was numbered
+  std::vector<SurfaceTriangle> order_;
+  IdVector<SurfaceTriangle, SurfaceCorner> parent_;  ///< of the triangle towards the root
+  IdVector<SurfaceTriangle, double> area_;           ///< of the subtree
+  IdVector<OpenVertex, BoundaryIndex> alongLoop_;    ///< of the boundary vertices seen so far
 };
-
-void markChord(const SeamMesh& mesh, const CutSurface& surface, const PathForest& forest,
-               const Chord& chord, Seams& seams);
 
 }  // namespace abflat

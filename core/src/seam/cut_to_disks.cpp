@@ -1,18 +1,19 @@
 #include "seam/cut_to_disks.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "seam/path_forest.h"
 
 namespace abflat {
 namespace {
 
-/// Disjoint sets with path halving.
+/// Disjoint sets of triangles, with path halving.
 class Sets {
  public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  bool join(std::uint32_t a, std::uint32_t b) {
+  explicit Sets(IdRange<SurfaceTriangle> triangles) : parent_(triangles.size()) {
+    for (const SurfaceTriangle f : triangles) parent_[f] = f;
+  }
+  bool join(SurfaceTriangle a, SurfaceTriangle b) {
     a = find(a);
     b = find(b);
     if (a == b) return false;
@@ -21,38 +22,36 @@ class Sets {
   }
 
  private:
-  std::uint32_t find(std::uint32_t a) {
+  SurfaceTriangle find(SurfaceTriangle a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;
   }
-  std::vector<std::uint32_t> parent_;
+  IdVector<SurfaceTriangle, SurfaceTriangle> parent_;
 };
 
 struct Loop {
   double cost;
-  std::uint32_t h;
+  SurfaceCorner h;
 };
 
 /// Edges that are in neither the forest of paths nor a spanning tree of the triangles: each closes
 /// one loop that topology needs cut (tree-cotree decomposition). The dearest loops are left to the
 /// spanning tree (Erickson and Whittlesey 2005).
-std::vector<std::uint32_t> neededEdges(const SeamMesh& mesh, const CutSurface& s,
-                                       const PathForest& forest) {
+std::vector<SurfaceCorner> neededEdges(const CutPaths& paths) {
+  const CutSurface& s = paths.surface;
   std::vector<Loop> loops;
-  for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
-    if (s.twin[h] == kNone || s.twin[h] < h) continue;
-    if (s.charts[s.chartOfTriangle[h / 3]].isDisk() || forest.isTreeEdge(s, h)) continue;
-    loops.push_back({forest.distance[s.vertexOfCorner[h]] + mesh.cost[h] +
-                         forest.distance[s.vertexOfCorner[nextCorner(h)]],
-                     h});
+  for (const SurfaceCorner h : s.corners()) {
+    if (!s.twin[h].exists() || s.twin[h] < h) continue;
+    if (s.charts[s.chartOf(h)].isDisk() || paths.forest.isTreeEdge(s, h)) continue;
+    loops.push_back({paths.costThrough(h), h});
   }
   std::sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.h < b.h;
   });
-  Sets triangles(mesh.triangleCount());
-  std::vector<std::uint32_t> needed;
+  Sets triangles(paths.mesh.triangles());
+  std::vector<SurfaceCorner> needed;
   for (const Loop& l : loops)
-    if (!triangles.join(l.h / 3, s.twin[l.h] / 3)) needed.push_back(l.h);
+    if (!triangles.join(triangleOf(l.h), triangleOf(s.twin[l.h]))) needed.push_back(l.h);
   return needed;
 }
 
@@ -63,19 +62,20 @@ bool isAlmostClosed(const CutSurface& s, const CutSurface::Chart& chart) {
 
 /// A sphere is opened along a path from its anchor, or from what is open of it, so that three edges
 /// or more are open.
-double openSphere(const SeamMesh& mesh, const CutSurface& s, const PathForest& forest,
-                  std::uint32_t chart, Seams& seams) {
-  std::uint32_t first = kNone, second = kNone;  // the farthest vertices
-  const auto isFarther = [&](std::uint32_t v, std::uint32_t than) {
-    if (than == kNone) return true;
+double openSphere(const CutPaths& paths, CutChartId chart, Seams& seams) {
+  const CutSurface& s = paths.surface;
+  const PathForest& forest = paths.forest;
+  OpenVertex first, second;  // the farthest vertices
+  const auto isFarther = [&](OpenVertex v, OpenVertex than) {
+    if (!than.exists()) return true;
     const bool isBarred = !(forest.distance[v] < kBarredCost);
     if (isBarred != !(forest.distance[than] < kBarredCost)) return !isBarred;
     return forest.distance[v] > forest.distance[than];
   };
-  for (std::uint32_t i = s.triangleBegin[chart]; i < s.triangleBegin[chart + 1]; ++i)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = s.vertexOfCorner[3 * s.triangleOrder[i] + k];
-      if (v == first || v == second || forest.towards[v] == kNone) continue;
+  for (const SurfaceTriangle f : s.trianglesOf(chart))
+    for (const SurfaceCorner c : cornersOf(f)) {
+      const OpenVertex v = s.vertexOfCorner[c];
+      if (v == first || v == second || !forest.towards[v].exists()) continue;
       if (isFarther(v, first)) {
         second = first;
         first = v;
@@ -83,41 +83,43 @@ double openSphere(const SeamMesh& mesh, const CutSurface& s, const PathForest& f
         second = v;
       }
     }
-  if (first == kNone) return 0;
-  double length = markPath(mesh, forest, first, seams);
-  const bool isOneEdge = forest.towards[forest.next[first]] == kNone;
-  if (isOneEdge && s.charts[chart].loops == 0 && second != kNone)
-    length += markPath(mesh, forest, second, seams);
+  if (!first.exists()) return 0;
+  double length = markPath(paths.mesh, forest, first, seams);
+  const bool isOneEdge = !forest.towards[forest.next[first]].exists();
+  if (isOneEdge && s.charts[chart].loops == 0 && second.exists())
+    length += markPath(paths.mesh, forest, second, seams);
   return length;
 }
 
 }  // namespace
 
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
-                       std::vector<std::uint32_t> anchors, Seams& seams, const Pulse& pulse) {
+                       const IdVector<CutChartId, OpenVertex>& anchors, Seams& seams,
+                       const Pulse& pulse) {
   TopologyCut cut;
   bool isAllDisks = true;
-  std::vector<std::uint32_t> roots;
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+  std::vector<OpenVertex> roots;
+  for (const CutChartId c : s.charts.ids()) {
     const CutSurface::Chart& chart = s.charts[c];
     isAllDisks = isAllDisks && chart.isDisk() && !isAlmostClosed(s, chart);
     if (chart.loops > 1) cut.joinedLoops += chart.loops - 1;
     if (chart.loops == 0)
-      roots.push_back(anchors.empty() ? s.vertexOfCorner[3 * chart.firstTriangle] : anchors[c]);
+      roots.push_back(anchors.empty() ? s.tail(cornerOf(chart.firstTriangle, 0)) : anchors[c]);
   }
   if (isAllDisks) return cut;
   const PathForest forest = findPaths(mesh, s, roots, {}, pulse);
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+  const CutPaths paths{mesh, s, forest};
+  for (const CutChartId c : s.charts.ids()) {
     const bool isSphere = s.charts[c].loops == 0 && s.charts[c].euler() == 2;
     if (!isSphere && !isAlmostClosed(s, s.charts[c])) continue;
-    cut.length += openSphere(mesh, s, forest, c, seams);
+    cut.length += openSphere(paths, c, seams);
     ++cut.openedSpheres;
   }
-  const std::vector<std::uint32_t> needed = neededEdges(mesh, s, forest);
-  for (const std::uint32_t h : needed) {
+  const std::vector<SurfaceCorner> needed = neededEdges(paths);
+  for (const SurfaceCorner h : needed) {
     cut.length += markEdge(mesh, h, seams);
-    cut.length += markPath(mesh, forest, s.vertexOfCorner[h], seams);
-    cut.length += markPath(mesh, forest, s.vertexOfCorner[nextCorner(h)], seams);
+    cut.length += markPath(mesh, forest, s.tail(h), seams);
+    cut.length += markPath(mesh, forest, s.head(h), seams);
   }
   cut.handleLoops = static_cast<std::uint32_t>(needed.size()) - cut.joinedLoops;
   return cut;

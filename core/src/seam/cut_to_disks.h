@@ -12,9 +12,10 @@ struct TopologyCut {
   double length = 0;  ///< of all these seams, in the mesh's unit
 };
 
-/// Adds the seams that make every chart a topological disk. `anchors`, where not empty, has for
-/// each chart of `surface` the vertex (of the cut surface) from which a closed one is opened.
+/// Adds the seams that make every chart a topological disk. `anchors`: the vertex of each chart
+/// from which it is opened if it is closed; empty: any.
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& surface,
-                       std::vector<std::uint32_t> anchors, Seams& seams, const Pulse& pulse = {});
+                       const IdVector<CutChartId, OpenVertex>& anchors, Seams& seams,
+                       const Pulse& pulse = {});
 
 }  // namespace abflat

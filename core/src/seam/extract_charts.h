@@ -6,13 +6,29 @@
 
 namespace abflat {
 
-/// Some charts of a cut surface as a surface of their own, open where it was cut.
+/// Some charts of a cut surface as a surface of their own, open where it was cut. Its mesh has
+/// numbers of its own.
 struct SeamPart {
   SeamMesh mesh;
-  std::vector<std::uint32_t> halfEdge;  ///< of the whole, per half-edge of the part
-  std::vector<std::uint32_t> vertex;    ///< of the whole, per vertex of the part
+  IdVector<SurfaceCorner, SurfaceCorner> wholeHalfEdge;  ///< what is one of the part in the whole
+  IdVector<SurfaceVertex, SurfaceVertex> wholeVertex;
+
+  /// Makes the whole that of `between`, which has been the whole.
+  void embedIn(const SeamPart& between) {
+    for (SurfaceCorner& h : wholeHalfEdge) h = between.wholeHalfEdge[h];
+    for (SurfaceVertex& v : wholeVertex) v = between.wholeVertex[v];
+  }
+
+  /// Of what the whole has per vertex, that of the part's.
+  template <class T>
+  IdVector<SurfaceVertex, T> ofVertices(const IdVector<SurfaceVertex, T>& whole) const {
+    IdVector<SurfaceVertex, T> out;
+    out.reserve(wholeVertex.size());
+    for (const SurfaceVertex v : wholeVertex) out.push_back(whole[v]);
+    return out;
+  }
 };
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& surface,
-                       const std::vector<std::uint8_t>& isWanted, const Pulse& pulse = {});
+                       const IdVector<CutChartId, std::uint8_t>& isWanted, const Pulse& pulse = {});
 
 }  // namespace abflat

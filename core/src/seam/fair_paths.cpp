@@ -12,7 +12,7 @@
 namespace abflat {
 namespace {
 
-using Path = std::vector<std::uint32_t>;
+using Path = std::vector<SurfaceCorner>;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -20,7 +20,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kFarthest = 0.15;
 
 /// Where a path goes on from one half-edge to another with the angle `side` on one of its sides.
-double turnCost(const SeamMesh& m, std::uint32_t from, std::uint32_t to, double side) {
+double turnCost(const SeamMesh& m, SurfaceCorner from, SurfaceCorner to, double side) {
   constexpr double kTurning = 2;  // of the edges' mean length, for a full turn
   const double all = m.angleSum[m.vertexOfCorner[to]];
   const double turn = all > 0 ? 2 * side / all - 1 : 0;
@@ -30,7 +30,7 @@ double turnCost(const SeamMesh& m, std::uint32_t from, std::uint32_t to, double 
 struct Entry {
   double expected;  ///< of all the path
   double passed;
-  std::uint32_t at;
+  SurfaceCorner at;
   bool operator<(const Entry& o) const {  // the queue's top is the greatest
     return expected != o.expected ? expected > o.expected : at > o.at;
   }
@@ -38,8 +38,8 @@ struct Entry {
 
 class Fairer {
  public:
-  Fairer(const SeamMesh& mesh, const std::vector<double>& cost, std::vector<float> width,
-         Seams& seams, const Pulse& pulse)
+  Fairer(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
+         IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse)
       : mesh_(mesh),
         cost_(cost),
         width_(std::move(width)),
@@ -55,11 +55,11 @@ class Fairer {
         isNear_(mesh.vertexCount(), 0),
         count_(mesh.vertexCount(), 0),
         passed_(mesh.vertexCount(), kFar),
-        before_(mesh.twin.size(), kNone) {
-    for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
-      if (mesh.twin[h] == kNone) isOpen_[tail(h)] = isOpen_[head(h)] = 1;
-      if (mesh.isFilling(h / 3)) isFilled_[tail(h)] = 1;
-      if (!seams[h] || mesh.twin[h] == kNone) continue;
+        before_(mesh.twin.size()) {
+    for (const SurfaceCorner h : mesh.corners()) {
+      if (!mesh.twin[h].exists()) isOpen_[tail(h)] = isOpen_[head(h)] = 1;
+      if (mesh.isFilling(triangleOf(h))) isFilled_[tail(h)] = 1;
+      if (!seams[h] || !mesh.twin[h].exists()) continue;
       ++count_[tail(h)];
       if (!(width_[h] > 0) || !mesh.isOnSurface(h)) isFixed_[h] = hasFixed_[tail(h)] = 1;
     }
@@ -78,23 +78,23 @@ class Fairer {
   }
 
  private:
-  std::uint32_t tail(std::uint32_t h) const { return mesh_.vertexOfCorner[h]; }
-  std::uint32_t head(std::uint32_t h) const { return mesh_.vertexOfCorner[nextCorner(h)]; }
-  bool isBarrier(std::uint32_t h) const { return seams_[h] || mesh_.twin[h] == kNone; }
-  bool isOutline(std::uint32_t v) const { return count_[v] > 0 || isOpen_[v]; }
-  bool isBlocked(std::uint32_t v) const { return isOutline(v) || isFilled_[v]; }
-  bool isEnd(std::uint32_t v) const { return count_[v] == 1 && !isOpen_[v]; }
-  bool isJunction(std::uint32_t v) const {
+  SurfaceVertex tail(SurfaceCorner h) const { return mesh_.tail(h); }
+  SurfaceVertex head(SurfaceCorner h) const { return mesh_.head(h); }
+  bool isBarrier(SurfaceCorner h) const { return seams_[h] || !mesh_.twin[h].exists(); }
+  bool isOutline(SurfaceVertex v) const { return count_[v] > 0 || isOpen_[v]; }
+  bool isBlocked(SurfaceVertex v) const { return isOutline(v) || isFilled_[v]; }
+  bool isEnd(SurfaceVertex v) const { return count_[v] == 1 && !isOpen_[v]; }
+  bool isJunction(SurfaceVertex v) const {
     return count_[v] != 2 || isOpen_[v] || isFilled_[v] || hasFixed_[v];
   }
 
   template <typename Visit>
-  void forEachOutgoing(std::uint32_t v, Visit visit) const {
-    std::uint32_t h = outgoing_[v];
+  void forEachOutgoing(SurfaceVertex v, Visit visit) const {
+    SurfaceCorner h = outgoing_[v];
     do {
       visit(h);
       h = rotateCounterClockwise(mesh_.twin, h);
-    } while (h != kNone && h != outgoing_[v]);
+    } while (h.exists() && h != outgoing_[v]);
   }
 
   Path reversed(const Path& path) const {
@@ -106,13 +106,13 @@ class Fairer {
   /// From junction to junction; halves of those that end where they begin.
   std::vector<Path> paths() const {
     std::vector<Path> out;
-    std::vector<std::uint8_t> isSeen(seams_.size(), 0);
+    IdVector<SurfaceCorner, std::uint8_t> isSeen(seams_.size(), 0);
     for (const bool isFromJunction : {true, false})
-      for (std::uint32_t h = 0; h < seams_.size(); ++h) {
-        if (!seams_[h] || mesh_.twin[h] == kNone || isFixed_[h] || isSeen[h]) continue;
+      for (const SurfaceCorner h : seams_.ids()) {
+        if (!seams_[h] || !mesh_.twin[h].exists() || isFixed_[h] || isSeen[h]) continue;
         if (isFromJunction && !isJunction(tail(h))) continue;
         Path path = pathFrom(h);
-        for (const std::uint32_t g : path) isSeen[g] = isSeen[mesh_.twin[g]] = 1;
+        for (const SurfaceCorner g : path) isSeen[g] = isSeen[mesh_.twin[g]] = 1;
         if (head(path.back()) == tail(h)) {
           const auto half = path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2);
           out.emplace_back(path.begin(), half);
@@ -123,11 +123,11 @@ class Fairer {
     return out;
   }
 
-  Path pathFrom(std::uint32_t h) const {
+  Path pathFrom(SurfaceCorner h) const {
     Path out{h};
-    for (std::uint32_t v = head(h); !isJunction(v) && v != tail(out.front()); v = head(h)) {
-      const std::uint32_t back = mesh_.twin[h];
-      forEachOutgoing(v, [&](std::uint32_t g) {
+    for (SurfaceVertex v = head(h); !isJunction(v) && v != tail(out.front()); v = head(h)) {
+      const SurfaceCorner back = mesh_.twin[h];
+      forEachOutgoing(v, [&](SurfaceCorner g) {
         if (seams_[g] && g != back) h = g;
       });
       out.push_back(h);
@@ -144,18 +144,18 @@ class Fairer {
 
   /// Nothing has changed at its ends since it could not be drawn better.
   bool isSettled(const Path& path) const {
-    return std::all_of(path.begin(), path.end(), [&](std::uint32_t h) { return isSettled_[h]; });
+    return std::all_of(path.begin(), path.end(), [&](SurfaceCorner h) { return isSettled_[h]; });
   }
 
-  void setSettled(std::uint32_t h, bool isSettled) {
+  void setSettled(SurfaceCorner h, bool isSettled) {
     isSettled_[h] = isSettled;
-    if (mesh_.twin[h] != kNone) isSettled_[mesh_.twin[h]] = isSettled;
+    if (mesh_.twin[h].exists()) isSettled_[mesh_.twin[h]] = isSettled;
   }
 
   void mark(const Path& path, bool isSeam) {
-    for (const std::uint32_t h : path) {
+    for (const SurfaceCorner h : path) {
       seams_[h] = seams_[mesh_.twin[h]] = isSeam;
-      for (const std::uint32_t v : {tail(h), head(h)}) count_[v] += isSeam ? 1 : -1;
+      for (const SurfaceVertex v : {tail(h), head(h)}) count_[v] += isSeam ? 1 : -1;
     }
   }
 
@@ -168,48 +168,48 @@ class Fairer {
       isChanged = redraw(now) || isChanged;
     }
     if (!isChanged)
-      for (const std::uint32_t h : now) setSettled(h, true);
+      for (const SurfaceCorner h : now) setSettled(h, true);
     else
       for (const Path* p : {&path, &std::as_const(now)})
-        for (const std::uint32_t v : {tail(p->front()), head(p->back())})
-          forEachOutgoing(v, [&](std::uint32_t h) { setSettled(h, false); });
+        for (const SurfaceVertex v : {tail(p->front()), head(p->back())})
+          forEachOutgoing(v, [&](SurfaceCorner h) { setSettled(h, false); });
     return isChanged;
   }
 
   bool redraw(Path& path) {
     double length = 0;
     float width = width_[path.front()];
-    for (const std::uint32_t h : path) {
+    for (const SurfaceCorner h : path) {
       length += mesh_.length[h];
       width = std::min(width, width_[h]);
     }
     const double most = std::min(width * length, farthest_);
-    const std::vector<std::uint32_t> near = verticesNear(path, most);
+    const std::vector<SurfaceVertex> near = verticesNear(path, most);
     mark(path, false);
     Path now = cheapest(path, most);
-    for (const std::uint32_t v : near) isNear_[v] = 0;
+    for (const SurfaceVertex v : near) isNear_[v] = 0;
     const bool isBetter = !now.empty();
     if (isBetter) path = std::move(now);
     mark(path, true);
-    for (const std::uint32_t h : path) width_[h] = width_[mesh_.twin[h]] = width;
+    for (const SurfaceCorner h : path) width_[h] = width_[mesh_.twin[h]] = width;
     return isBetter;
   }
 
   /// Those that can be reached without going farther from the path's vertex that they are reached
   /// from.
-  std::vector<std::uint32_t> verticesNear(const Path& path, double most) {
-    std::vector<std::uint32_t> out, from;
-    const auto add = [&](std::uint32_t v, std::uint32_t start) {
+  std::vector<SurfaceVertex> verticesNear(const Path& path, double most) {
+    std::vector<SurfaceVertex> out, from;
+    const auto add = [&](SurfaceVertex v, SurfaceVertex start) {
       if (isNear_[v]) return;
       isNear_[v] = 1;
       out.push_back(v);
       from.push_back(start);
     };
-    for (const std::uint32_t h : path) add(tail(h), tail(h));
+    for (const SurfaceCorner h : path) add(tail(h), tail(h));
     add(head(path.back()), head(path.back()));
     for (std::size_t i = 0; i < out.size(); ++i)
-      forEachOutgoing(out[i], [&](std::uint32_t h) {
-        const std::uint32_t v = head(h);
+      forEachOutgoing(out[i], [&](SurfaceCorner h) {
+        const SurfaceVertex v = head(h);
         if (!isNear_[v] && norm(edgeVector(mesh_.positions, from[i], v)) <= most) add(v, from[i]);
       });
     return out;
@@ -217,27 +217,27 @@ class Fairer {
 
   /// Of the open surface: the boundary that the sector of an outgoing half-edge begins with,
   /// clockwise of it.
-  std::uint32_t sectorOf(std::uint32_t h) const {
+  SurfaceCorner sectorOf(SurfaceCorner h) const {
     while (!isBarrier(h)) h = rotateClockwise(mesh_.twin, h);
     return h;
   }
 
-  std::uint32_t along(std::uint32_t h, bool isForward) const {
-    const auto step = [&](std::uint32_t g) { return isForward ? nextCorner(g) : prevCorner(g); };
+  SurfaceCorner along(SurfaceCorner h, bool isForward) const {
+    const auto step = [&](SurfaceCorner g) { return isForward ? nextCorner(g) : prevCorner(g); };
     for (h = step(h); !isBarrier(h);) h = step(mesh_.twin[h]);
     return h;
   }
 
   /// Sectors that the path, which is open, may end in: its own and those that its end slides to.
   Path goalsOf(const Path& path, double most) const {
-    const std::uint32_t last = head(path.back());
+    const SurfaceVertex last = head(path.back());
     if (!isOutline(last)) return {};
     Path out{sectorOf(mesh_.twin[path.back()])};
     if (count_[last] < 2 && !isOpen_[last]) return out;  // the half of a loop
     for (const bool isForward : {true, false}) {
       double slid = 0;
-      for (std::uint32_t h = out.front(); slid < most;) {
-        const std::uint32_t next = along(h, isForward);
+      for (SurfaceCorner h = out.front(); slid < most;) {
+        const SurfaceCorner next = along(h, isForward);
         slid += mesh_.length[isForward ? h : next];
         h = next;
         if (h == out.front() || tail(h) == tail(path.front())) break;
@@ -252,23 +252,23 @@ class Fairer {
   /// the cheapest way to it, which need not be that of the fewest turns behind it.
   Path cheapest(const Path& path, double slide) {
     const double most = pathCost(mesh_, cost_, path);
-    const std::uint32_t first = tail(path.front()), last = head(path.back());
+    const SurfaceVertex first = tail(path.front()), last = head(path.back());
     const bool isFromWithin = !isOutline(first);
     const bool isAnywhere = isFromWithin && isOutline(last);
     const Path goals = isAnywhere ? Path{} : goalsOf(path, slide);
-    const auto isGoal = [&](std::uint32_t h) {
+    const auto isGoal = [&](SurfaceCorner h) {
       if (!isOutline(head(h))) return head(h) == last;
       return isAnywhere || std::binary_search(goals.begin(), goals.end(), sectorOf(mesh_.twin[h]));
     };
-    const auto toGo = [&](std::uint32_t v) {
+    const auto toGo = [&](SurfaceVertex v) {
       const double straight = norm(edgeVector(mesh_.positions, v, last));
       return isAnywhere ? 0 : std::max(0.0, kLeastCost * (straight - slide));
     };
     std::priority_queue<Entry> queue;
-    std::vector<std::uint32_t> reached;
-    const auto reach = [&](std::uint32_t h, double passed, std::uint32_t before) {
-      const std::uint32_t v = head(h);
-      if (!isNear_[v] || mesh_.twin[h] == kNone) return;
+    std::vector<SurfaceVertex> reached;
+    const auto reach = [&](SurfaceCorner h, double passed, SurfaceCorner before) {
+      const SurfaceVertex v = head(h);
+      if (!isNear_[v] || !mesh_.twin[h].exists()) return;
       // On an outline it matters from where it is reached.
       if (!(passed < passed_[v]) && !isBlocked(v)) return;
       const double expected = passed + toGo(v);
@@ -278,61 +278,62 @@ class Fairer {
       reached.push_back(v);
       queue.push({expected, passed, h});
     };
-    const std::uint32_t sector = isFromWithin ? kNone : sectorOf(path.front());
-    forEachOutgoing(first, [&](std::uint32_t h) {
-      if (!isBarrier(h) && (isFromWithin || sectorOf(h) == sector)) reach(h, cost_[h], kNone);
+    const SurfaceCorner sector = isFromWithin ? SurfaceCorner() : sectorOf(path.front());
+    forEachOutgoing(first, [&](SurfaceCorner h) {
+      if (!isBarrier(h) && (isFromWithin || sectorOf(h) == sector))
+        reach(h, cost_[h], SurfaceCorner());
     });
     Path out;
     while (!queue.empty() && out.empty()) {
       const Entry top = queue.top();
       queue.pop();
       pulse_.beat();
-      const std::uint32_t v = head(top.at);
+      const SurfaceVertex v = head(top.at);
       if (v == first) continue;
       if (isBlocked(v) || v == last) {
-        for (std::uint32_t h = isGoal(top.at) ? top.at : kNone; h != kNone; h = before_[h])
-          out.push_back(h);
+        if (!isGoal(top.at)) continue;
+        for (SurfaceCorner h = top.at; h.exists(); h = before_[h]) out.push_back(h);
       } else if (top.passed <= passed_[v]) {
         double side = 0;
-        const std::uint32_t back = mesh_.twin[top.at];
-        for (std::uint32_t h = rotateClockwise(mesh_.twin, back); h != back;
+        const SurfaceCorner back = mesh_.twin[top.at];
+        for (SurfaceCorner h = rotateClockwise(mesh_.twin, back); h != back;
              h = rotateClockwise(mesh_.twin, h)) {
           side += mesh_.angle[h];
           reach(h, top.passed + cost_[h] + turnCost(mesh_, top.at, h, side), top.at);
         }
       }
     }
-    for (const std::uint32_t v : reached) passed_[v] = kFar;
+    for (const SurfaceVertex v : reached) passed_[v] = kFar;
     std::reverse(out.begin(), out.end());
     constexpr double kGain = 1e-6;  // more than rounding
     return pathCost(mesh_, cost_, out) < (1 - kGain) * most ? out : Path{};
   }
 
   const SeamMesh& mesh_;
-  const std::vector<double>& cost_;
-  std::vector<float> width_;
+  const IdVector<SurfaceCorner, double>& cost_;
+  IdVector<SurfaceCorner, float> width_;
   const double farthest_;
   Seams& seams_;
   const Pulse& pulse_;
-  const std::vector<std::uint32_t> outgoing_;
-  std::vector<std::uint8_t> isFixed_, isSettled_;  ///< per half-edge
-  /// Per vertex: at the mesh's boundary, at a filled hole, at a seam that stays, near the path.
-  std::vector<std::uint8_t> isOpen_, isFilled_, hasFixed_, isNear_;
-  std::vector<int> count_;             ///< of seams, per vertex
-  std::vector<double> passed_;         ///< on the way to a vertex
-  std::vector<std::uint32_t> before_;  ///< per half-edge, the one that leads to it
+  const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
+  IdVector<SurfaceCorner, std::uint8_t> isFixed_, isSettled_;
+  /// At the mesh's boundary, at a filled hole, at a seam that stays, near the path.
+  IdVector<SurfaceVertex, std::uint8_t> isOpen_, isFilled_, hasFixed_, isNear_;
+  IdVector<SurfaceVertex, int> count_;             ///< of seams
+  IdVector<SurfaceVertex, double> passed_;         ///< on the way to a vertex
+  IdVector<SurfaceCorner, SurfaceCorner> before_;  ///< the one that leads to it
 };
 
 }  // namespace
 
-double pathCost(const SeamMesh& mesh, const std::vector<double>& cost,
-                const std::vector<std::uint32_t>& path) {
+double pathCost(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
+                const std::vector<SurfaceCorner>& path) {
   double sum = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     sum += cost[path[i]];
     if (i == 0) continue;
     double side = 0;
-    for (std::uint32_t h = mesh.twin[path[i - 1]]; h != path[i];) {
+    for (SurfaceCorner h = mesh.twin[path[i - 1]]; h != path[i];) {
       h = rotateClockwise(mesh.twin, h);
       side += mesh.angle[h];
     }
@@ -341,8 +342,8 @@ double pathCost(const SeamMesh& mesh, const std::vector<double>& cost,
   return sum;
 }
 
-bool fairPaths(const SeamMesh& mesh, const std::vector<double>& cost, std::vector<float> width,
-               Seams& seams, const Pulse& pulse) {
+bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
+               IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse) {
   return Fairer(mesh, cost, std::move(width), seams, pulse).run();
 }
 

@@ -15,22 +15,22 @@ constexpr double kShare = 0.8;
 
 /// Why a chart cannot have its seams drawn so.
 enum class Fault : std::uint8_t { None, Stretched, Overlapping };
+using Faults = IdVector<CutChartId, Fault>;
 
 class SeamFairer {
  public:
-  SeamFairer(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options, LogScale& scale,
-             std::vector<double>& u, Seams& seams)
-      : mesh_(mesh), options_(options), scale_(scale), u_(u), seams_(seams) {
+  explicit SeamFairer(const SeamWork& work)
+      : work_(work), mesh_(work.mesh), u_(work.u), seams_(work.seams), cost_(mesh_.cost) {
     constexpr float kWidth = 0.17f;
-    for (const std::uint8_t isKept : kept) width_.push_back(isKept ? 0 : kWidth);
-    cost_ = mesh.cost;
+    for (const std::uint8_t isKept : work.kept) width_.push_back(isKept ? 0 : kWidth);
     constexpr double kDiscount = 0.6;
-    const std::vector<double> hidden = occlusion(mesh, pulse_);
-    for (std::uint32_t h = 0; h < cost_.size(); ++h) {
-      if (mesh.twin[h] == kNone) continue;
-      const double share = (hidden[h / 3] + hidden[mesh.twin[h] / 3]) / 2;
-      const double cost = cost_[h] - kDiscount * share * mesh.length[h];
-      cost_[h] = std::max(kLeastCost * mesh.length[h], cost);
+    const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
+    for (const SurfaceCorner h : cost_.ids()) {
+      const SurfaceCorner o = mesh_.twin[h];
+      if (!o.exists()) continue;
+      const double share = (hidden[triangleOf(h)] + hidden[triangleOf(o)]) / 2;
+      const double cost = cost_[h] - kDiscount * share * mesh_.length[h];
+      cost_[h] = std::max(kLeastCost * mesh_.length[h], cost);
     }
   }
 
@@ -42,10 +42,10 @@ class SeamFairer {
       Seams now = seams_;
       if (!fairPaths(mesh_, cost_, width_, now, pulse_)) return false;
       const CutSurface after = cutAlong(mesh_, now, pulse_);
-      std::vector<double> u = scale_.solve(after, {});
+      LogScales u = work_.scale.solve(after, {});
       if (u.empty() || after.charts.size() != before.charts.size()) return false;
       const Prediction told = predictStretch(mesh_, after, u);
-      const std::vector<Fault> faults = faultsOf(before, was, after, told, u);
+      const Faults faults = faultsOf(before, was, after, told, u);
       if (std::all_of(faults.begin(), faults.end(), [](Fault f) { return f == Fault::None; })) {
         seams_ = std::move(now);
         u_ = std::move(u);
@@ -58,16 +58,15 @@ class SeamFairer {
   }
 
  private:
-  std::vector<Fault> faultsOf(const CutSurface& before, const Prediction& was,
-                              const CutSurface& after, const Prediction& told,
-                              const std::vector<double>& u) const {
-    std::vector<Fault> out;
-    for (std::uint32_t c = 0; c < after.charts.size(); ++c) {
-      const std::uint32_t old = before.chartOfTriangle[after.charts[c].firstTriangle];
-      if (told.stretch[c] > std::max(1 + kShare * (options_.maxStretch - 1), was.stretch[old]))
+  Faults faultsOf(const CutSurface& before, const Prediction& was, const CutSurface& after,
+                  const Prediction& told, const LogScales& u) const {
+    Faults out;
+    for (const CutChartId c : after.charts.ids()) {
+      const CutChartId old = before.chartOfTriangle[after.charts[c].firstTriangle];
+      if (told.stretch[c] > std::max(1 + kShare * (work_.options.maxStretch - 1), was.stretch[old]))
         out.push_back(Fault::Stretched);
       else if (!after.charts[c].isDisk() ||
-               overlapsMore(mesh_, {after, c, u}, {before, old, u_}, options_.mostOverlap))
+               overlapsMore(mesh_, {after, c, u}, {before, old, u_}, work_.options.mostOverlap))
         out.push_back(Fault::Overlapping);
       else
         out.push_back(Fault::None);
@@ -78,42 +77,40 @@ class SeamFairer {
   /// Paths at faulty charts are to stay nearer to where they were: where one is stretched too much,
   /// those that left a vertex whose scale is far off now.
   void narrow(float share, const Seams& now, const CutSurface& after, const Prediction& told,
-              const std::vector<Fault>& faults, const std::vector<double>& u) {
+              const Faults& faults, const LogScales& u) {
     constexpr double kFarOff = 0.05, kAsFar = 0.5;  // the latter of the farthest of the chart
-    std::vector<std::uint8_t> isOnSeam(mesh_.vertexCount(), 0);
-    for (std::size_t h = 0; h < now.size(); ++h)
+    IdVector<SurfaceVertex, std::uint8_t> isOnSeam(mesh_.vertexCount(), 0);
+    for (const SurfaceCorner h : now.ids())
       if (now[h]) isOnSeam[mesh_.vertexOfCorner[h]] = 1;
-    std::vector<double> farthest(faults.size(), 0), shift(seams_.size(), 0);
-    for (std::uint32_t h = 0; h < seams_.size(); ++h) {
-      const std::uint32_t v = mesh_.vertexOfCorner[h], c = after.chartOfTriangle[h / 3];
+    IdVector<CutChartId, double> farthest(faults.size(), 0);
+    IdVector<SurfaceCorner, double> shift(seams_.size(), 0);
+    for (const SurfaceCorner h : seams_.ids()) {
+      const SurfaceVertex v = mesh_.vertexOfCorner[h];
+      const CutChartId c = after.chartOf(h);
       if (!seams_[h] || isOnSeam[v] || faults[c] != Fault::Stretched) continue;
       shift[h] = told.shift(c, u[v]);
       farthest[c] = std::max(farthest[c], shift[h]);
     }
-    for (std::uint32_t h = 0; h < seams_.size(); ++h) {
-      const std::uint32_t c = after.chartOfTriangle[h / 3];
-      if (!seams_[h] || mesh_.twin[h] == kNone || faults[c] == Fault::None) continue;
+    for (const SurfaceCorner h : seams_.ids()) {
+      const CutChartId c = after.chartOf(h);
+      if (!seams_[h] || !mesh_.twin[h].exists() || faults[c] == Fault::None) continue;
       if (share > 0 && farthest[c] > kFarOff && shift[h] < kAsFar * farthest[c]) continue;
       const float width = std::min(width_[h], share * width_[h]);
       width_[h] = width_[mesh_.twin[h]] = width;
     }
   }
 
+  const SeamWork work_;
   const SeamMesh& mesh_;
-  const SeamOptions& options_;
-  const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
-  LogScale& scale_;
-  std::vector<double>& u_;
+  const Pulse pulse_{[this] { return work_.goesOn(); }};
+  LogScales& u_;
   Seams& seams_;
-  std::vector<double> cost_;  ///< per half-edge, as is width_: see fairPaths()
-  std::vector<float> width_;
+  IdVector<SurfaceCorner, double> cost_;  ///< see fairPaths()
+  IdVector<SurfaceCorner, float> width_;
 };
 
 }  // namespace
 
-bool fairSeams(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options, LogScale& scale,
-               std::vector<double>& u, Seams& seams) {
-  return SeamFairer(mesh, kept, options, scale, u, seams).run();
-}
+bool fairSeams(const SeamWork& work) { return SeamFairer(work).run(); }
 
 }  // namespace abflat

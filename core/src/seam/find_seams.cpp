@@ -21,28 +21,28 @@ namespace abflat {
 namespace {
 
 /// For each chart the vertex of most extreme scale: the tip of something that sticks out.
-std::vector<std::uint32_t> extremes(const CutSurface& s, const Prediction& p,
-                                    const std::vector<double>& u) {
-  std::vector<std::uint32_t> out(s.charts.size(), kNone);
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
-    const std::uint32_t c = s.chartOfVertex(v);
-    if (out[c] == kNone || p.at(c, u[s.meshVertex[v]]) > p.at(c, u[s.meshVertex[out[c]]]))
+IdVector<CutChartId, OpenVertex> extremes(const CutSurface& s, const Prediction& p,
+                                          const LogScales& u) {
+  IdVector<CutChartId, OpenVertex> out(s.charts.size());
+  for (const OpenVertex v : s.vertices()) {
+    const CutChartId c = s.chartOf(v);
+    if (!out[c].exists() || p.at(c, u[s.meshVertex[v]]) > p.at(c, u[s.meshVertex[out[c]]]))
       out[c] = v;
   }
   return out;
 }
 
 /// Vertices inside, in order, that only two triangles meet at: no flat layout has both.
-std::vector<std::uint32_t> verticesOfTwo(const SeamMesh& mesh) {
-  std::vector<std::uint8_t> corners(mesh.vertexCount(), 0);
-  for (std::uint32_t c = 0; c < mesh.vertexOfCorner.size(); ++c) {
+std::vector<SurfaceVertex> verticesOfTwo(const SeamMesh& mesh) {
+  IdVector<SurfaceVertex, std::uint8_t> corners(mesh.vertexCount(), 0);
+  for (const SurfaceCorner c : mesh.corners()) {
     std::uint8_t& count = corners[mesh.vertexOfCorner[c]];
     // At the boundary there may be any number.
-    if (mesh.twin[c] == kNone || mesh.twin[prevCorner(c)] == kNone) count = 3;
+    if (!mesh.twin[c].exists() || !mesh.twin[prevCorner(c)].exists()) count = 3;
     if (count < 3) ++count;
   }
-  std::vector<std::uint32_t> out;
-  for (std::uint32_t v = 0; v < corners.size(); ++v)
+  std::vector<SurfaceVertex> out;
+  for (const SurfaceVertex v : corners.ids())
     if (corners[v] == 2) out.push_back(v);
   return out;
 }
@@ -67,20 +67,20 @@ class Finder {
   void openBetweenTwo();
   bool improve();
   CutSurface cut();
-  void slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u);
-  std::vector<SplitFor> splitsAsked(const CutSurface& s) const;
+  void slit(const CutPaths& paths, const LogScales& u);
+  IdVector<CutChartId, SplitFor> splitsAsked(const CutSurface& s) const;
   bool finishUnchanged(const CutSurface& s);
   void handBack();
   bool isWhole() const { return mesh_ == &whole_; }
-  std::uint32_t toWhole(std::uint32_t h) const { return isWhole() ? h : part_.halfEdge[h]; }
+  SurfaceCorner toWhole(SurfaceCorner h) const { return isWhole() ? h : part_.wholeHalfEdge[h]; }
   /// A disk as it was given: all of its triangles, and no edge twice.
-  bool isUntouched(const CutSurface& s, std::uint32_t chart) const {
+  bool isUntouched(const CutSurface& s, CutChartId chart) const {
     const CutSurface::Chart& now = s.charts[chart];
-    const std::uint32_t triangle = toWhole(3 * now.firstTriangle) / 3;
+    const SurfaceTriangle triangle = triangleOf(toWhole(cornerOf(now.firstTriangle, 0)));
     const CutSurface::Chart& given = givenCharts_[givenChartOf_[triangle]];
     return given.isDisk() && given.triangles == now.triangles && given.edges == now.edges;
   }
-  bool isKept(const CutSurface& s, std::uint32_t chart) const {
+  bool isKept(const CutSurface& s, CutChartId chart) const {
     return options_.keepDisks && isUntouched(s, chart);
   }
   bool goesOn() {
@@ -94,25 +94,26 @@ class Finder {
   SeamPart part_;
   Seams seams_;           ///< of *mesh_
   Seams given_, result_;  ///< of the whole; seams_ are added when their part is done
-  std::vector<CutSurface::Chart> givenCharts_;
-  std::vector<std::uint32_t> givenChartOf_;
+  IdVector<CutChartId, CutSurface::Chart> givenCharts_;
+  IdVector<SurfaceTriangle, CutChartId> givenChartOf_;  ///< of the whole
   const SeamOptions& options_;
   SeamReport& report_;
   std::unique_ptr<LogScale> scale_;
   Prediction prediction_;
-  std::vector<double> u_;                ///< per vertex of the whole, as it was last told
-  std::vector<std::uint8_t> isChanged_;  ///< per chart, in the round at work
+  LogScales u_;                                   ///< of the whole, as it was last told
+  IdVector<CutChartId, std::uint8_t> isChanged_;  ///< in the round at work
 };
 
 void Finder::analyse() {
   Stopwatch watch;
-  std::vector<std::uint32_t> place;
+  EliminationRanks& known = report_.eliminationRanks;
+  EliminationRanks ranks;
   if (isWhole())
-    place = report_.place.empty() ? options_.place : report_.place;
+    ranks = known.empty() ? options_.eliminationRanks : known;
   else
-    for (const std::uint32_t v : part_.vertex) place.push_back(report_.place[v]);
-  scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(place));
-  if (isWhole()) report_.place = scale_->place();
+    ranks = part_.ofVertices(known);
+  scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(ranks));
+  if (isWhole()) known = scale_->eliminationRanks();
   report_.analysisSeconds += watch.lap();
 }
 
@@ -120,15 +121,15 @@ void Finder::open() {
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   givenCharts_ = s.charts;
   givenChartOf_ = s.chartOfTriangle;
-  std::vector<std::uint32_t> closed;
+  std::vector<OpenVertex> closed;
   for (const CutSurface::Chart& c : s.charts)
-    if (c.loops == 0) closed.push_back(s.vertexOfCorner[3 * c.firstTriangle]);
-  std::vector<std::uint32_t> roots;
+    if (c.loops == 0) closed.push_back(s.tail(cornerOf(c.firstTriangle, 0)));
+  IdVector<CutChartId, OpenVertex> roots;
   if (!closed.empty()) {
-    const std::vector<double> u = scale_->solve(s, closed);
+    const LogScales u = scale_->solve(s, closed);
     if (!u.empty()) roots = extremes(s, predictStretch(whole_, s, u), u);
   }
-  const TopologyCut cut = cutToDisks(whole_, s, std::move(roots), result_, pulse_);
+  const TopologyCut cut = cutToDisks(whole_, s, roots, result_, pulse_);
   report_.handleLoops = cut.handleLoops;
   report_.handleLength = cut.length;
   openBetweenTwo();
@@ -136,11 +137,11 @@ void Finder::open() {
 
 /// Cuts to vertices between two triangles, so that these need not lie on each other.
 void Finder::openBetweenTwo() {
-  const std::vector<std::uint32_t> ends = verticesOfTwo(whole_);
+  const std::vector<SurfaceVertex> ends = verticesOfTwo(whole_);
   if (ends.empty()) return;
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   const PathForest forest = findPaths(whole_, s, {}, {}, pulse_);
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+  for (const OpenVertex v : s.vertices())
     if (!s.isBoundary[v] && std::binary_search(ends.begin(), ends.end(), s.meshVertex[v]))
       markPath(whole_, forest, v, result_);
 }
@@ -152,23 +153,24 @@ CutSurface Finder::cut() {
 }
 
 /// With automatic seams towards the peaks, otherwise towards the holes that cost most.
-void Finder::slit(const CutSurface& s, const PathForest& forest, const std::vector<double>& u) {
-  const std::vector<std::uint32_t> ends =
-      options_.isAuto ? slitEnds(*mesh_, s, forest, prediction_, u, options_.maxStretch)
+void Finder::slit(const CutPaths& paths, const LogScales& u) {
+  const CutSurface& s = paths.surface;
+  const std::vector<OpenVertex> ends =
+      options_.isAuto ? slitEnds(paths, prediction_, u, options_.maxStretch)
                       : stretchedHoles(*mesh_, s, prediction_, u, options_.maxStretch);
-  for (const std::uint32_t v : ends) {
-    if (isKept(s, s.chartOfVertex(v))) continue;
-    markPath(*mesh_, forest, v, seams_);
-    isChanged_[s.chartOfVertex(v)] = 1;
+  for (const OpenVertex v : ends) {
+    if (isKept(s, s.chartOf(v))) continue;
+    markPath(*mesh_, paths.forest, v, seams_);
+    isChanged_[s.chartOf(v)] = 1;
     ++report_.slits;
   }
 }
 
-std::vector<SplitFor> Finder::splitsAsked(const CutSurface& s) const {
+IdVector<CutChartId, SplitFor> Finder::splitsAsked(const CutSurface& s) const {
   constexpr double kTellsNothing = 1.5;  // stretch above which the outline is not to be trusted
-  std::vector<SplitFor> asked(s.charts.size(), SplitFor::Nothing);
+  IdVector<CutChartId, SplitFor> asked(s.charts.size(), SplitFor::Nothing);
   if (!options_.isAuto) return asked;
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c) {
+  for (const CutChartId c : s.charts.ids()) {
     if (prediction_.stretch[c] > kTellsNothing || isKept(s, c)) continue;
     asked[c] = isUntouched(s, c) ? SplitFor::Overlap : SplitFor::OverlapOrFill;
   }
@@ -179,29 +181,29 @@ std::vector<SplitFor> Finder::splitsAsked(const CutSurface& s) const {
 bool Finder::improve() {
   Stopwatch watch;
   const CutSurface s = cut();
-  const std::vector<double> u = scale_->solve(s, {});
+  const LogScales u = scale_->solve(s, {});
   report_.solveSeconds += watch.lap();
   if (u.empty() || !goesOn()) {
     handBack();
     return false;
   }
-  for (std::uint32_t v = 0; v < u.size(); ++v) u_[isWhole() ? v : part_.vertex[v]] = u[v];
+  for (const SurfaceVertex v : u.ids()) u_[isWhole() ? v : part_.wholeVertex[v]] = u[v];
   prediction_ = predictStretch(*mesh_, s, u);
   pulse_.beat(mesh_->triangleCount());
   isChanged_.assign(s.charts.size(), 0);
   const ShapeOptions shape{options_.leastFill, options_.mostOverlap, options_.longest};
-  std::vector<SplitFor> asked = splitsAsked(s);
-  const std::vector<Shape> shapes = shapesToSplit(*mesh_, s, u, shape, asked);
-  std::vector<std::uint8_t> isWanted;
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
-    isWanted.push_back(asked[c] != SplitFor::Nothing ||
+  SplitCharts split = chartsToSplit(*mesh_, s, u, shape, splitsAsked(s));
+  IdVector<CutChartId, std::uint8_t> isWanted;
+  for (const CutChartId c : s.charts.ids())
+    isWanted.push_back(split.asked[c] != SplitFor::Nothing ||
                        prediction_.stretch[c] > options_.maxStretch);
   const PathForest forest = findPaths(*mesh_, s, {}, isWanted, pulse_);
-  slit(s, forest, u);
+  const CutPaths paths{*mesh_, s, forest};
+  slit(paths, u);
   pulse_.beat(mesh_->triangleCount());
-  report_.splits += splitByShape(*mesh_, s, forest, u, shapes, shape, asked, seams_, pulse_);
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
-    if (asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
+  report_.splits += splitByShape(paths, u, shape, split, seams_, pulse_);
+  for (const CutChartId c : s.charts.ids())
+    if (split.asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
   return finishUnchanged(s);
 }
 
@@ -209,7 +211,7 @@ bool Finder::improve() {
 /// false when all is done.
 bool Finder::finishUnchanged(const CutSurface& s) {
   std::size_t changed = 0;
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
+  for (const CutChartId c : s.charts.ids())
     if (isChanged_[c]) changed += s.charts[c].triangles;
   constexpr std::size_t kMuchSmaller = 2;
   if (changed > 0 && changed * kMuchSmaller > mesh_->triangleCount()) return true;
@@ -217,13 +219,9 @@ bool Finder::finishUnchanged(const CutSurface& s) {
   if (changed == 0) return false;
   SeamPart rest = extractCharts(*mesh_, s, isChanged_, pulse_);
   Seams seams;
-  for (std::uint32_t& h : rest.halfEdge) {
-    // What was cut before this round is the part's boundary.
-    seams.push_back(seams_[h] && s.twin[h] != kNone);
-    h = toWhole(h);
-  }
-  if (!isWhole())
-    for (std::uint32_t& v : rest.vertex) v = part_.vertex[v];
+  // What was cut before this round is the part's boundary.
+  for (const SurfaceCorner h : rest.wholeHalfEdge) seams.push_back(seams_[h] && s.twin[h].exists());
+  if (!isWhole()) rest.embedIn(part_);
   part_ = std::move(rest);
   seams_ = std::move(seams);
   mesh_ = &part_.mesh;
@@ -232,14 +230,14 @@ bool Finder::finishUnchanged(const CutSurface& s) {
 }
 
 void Finder::handBack() {
-  for (std::uint32_t h = 0; h < seams_.size(); ++h)
+  for (const SurfaceCorner h : seams_.ids())
     if (seams_[h]) result_[toWhole(h)] = 1;
 }
 
 Seams Finder::run() {
   analyse();
-  for (std::size_t h = 0; h < options_.first.size(); ++h)
-    if (options_.first[h] && whole_.twin[h] != kNone) result_[h] = 1;
+  for (const SurfaceCorner h : options_.first.ids())
+    if (options_.first[h] && whole_.twin[h].exists()) result_[h] = 1;
   open();
   seams_ = result_;
   u_.assign(whole_.vertexCount(), 0);
@@ -259,15 +257,13 @@ Seams Finder::run() {
     part_ = SeamPart();
     analyse();
   }
+  const SeamWork work{whole_, given_, options_, *scale_, u_, result_};
   // Slits and splits are made where each is needed; together they may be more than that.
-  if (options_.isAuto && goesOn())
-    report_.merges = mergeCharts(whole_, given_, options_, *scale_, u_, result_);
-  const bool isSolved =
-      options_.isAuto && goesOn() && fairSeams(whole_, given_, options_, *scale_, u_, result_);
+  if (options_.isAuto && goesOn()) report_.merges = mergeCharts(work);
+  const bool isSolved = options_.isAuto && goesOn() && fairSeams(work);
   report_.found = result_;
   report_.foundScale = u_;
-  if (options_.isAuto && goesOn())
-    shortenSeams(whole_, given_, options_, *scale_, u_, result_, isSolved);
+  if (options_.isAuto && goesOn()) shortenSeams(work, isSolved);
   report_.mergeSeconds = watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;
@@ -279,7 +275,7 @@ Seams Finder::run() {
 
 double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   double sum = 0;
-  for (std::uint32_t h = 0; h < seams.size(); ++h)
+  for (const SurfaceCorner h : seams.ids())
     if (seams[h] && mesh.isOnSurface(h)) sum += mesh.length[h] / 2;
   return sum;
 }
@@ -287,7 +283,7 @@ double lengthOf(const SeamMesh& mesh, const Seams& seams) {
 /// Shorter where they run along creases.
 double costOf(const SeamMesh& mesh, const Seams& seams) {
   double sum = 0;
-  for (std::uint32_t h = 0; h < seams.size(); ++h)
+  for (const SurfaceCorner h : seams.ids())
     if (seams[h] && mesh.isOnSurface(h)) sum += mesh.cost[h] / 2;
   return sum;
 }
@@ -308,11 +304,11 @@ class SymmetricFinder {
     if (!half) return;
     const double plane = costOf(mesh_, unfold(mesh_, mirror, *half, {}));
     if (isTooMuch(plane, cost * kMostOfPlane)) return;
-    const Seams found = seamsOfHalf(*half, report.place);
+    const Seams found = seamsOfHalf(*half, report.eliminationRanks);
     const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * plane;
     if (isTooMuch(least, cost)) return;
     SeamOptions options = options_;
-    options.place = report.place;
+    options.eliminationRanks = report.eliminationRanks;
     options.first = unfold(mesh_, mirror, *half, found);
     SeamReport own;
     Seams symmetric = Finder(mesh_, Seams(mesh_.twin.size(), 0), options, own).run();
@@ -335,12 +331,11 @@ class SymmetricFinder {
     return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
   }
 
-  Seams seamsOfHalf(const SeamPart& half, const std::vector<std::uint32_t>& place) const {
+  Seams seamsOfHalf(const SeamPart& half, const EliminationRanks& ranks) const {
     SeamOptions options = options_;
-    options.place.clear();
-    for (const std::uint32_t v : half.vertex) options.place.push_back(place[v]);
+    options.eliminationRanks = half.ofVertices(ranks);
     SeamReport own;
-    return Finder(half.mesh, Seams(half.halfEdge.size(), 0), options, own).run();
+    return Finder(half.mesh, Seams(half.mesh.twin.size(), 0), options, own).run();
   }
 
   const SeamMesh& mesh_;
@@ -354,8 +349,8 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
   SeamReport own;
   Seams seams = std::move(given);
   seams.resize(mesh.twin.size(), 0);
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    if (mesh.twin[h] == kNone) seams[h] = 0;
+  for (const SurfaceCorner h : seams.ids()) {
+    if (!mesh.twin[h].exists()) seams[h] = 0;
     if (seams[h]) seams[mesh.twin[h]] = seams[h] = 1;
   }
   const bool isFree = options.isAuto && options.first.empty() &&

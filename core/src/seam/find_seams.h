@@ -23,7 +23,7 @@ struct SeamOptions {
   double longest = std::numeric_limits<double>::infinity();
   /// What is a disk before anything is cut stays whole, however much it is distorted.
   bool keepDisks = false;
-  std::vector<std::uint32_t> place;  ///< as in SeamReport; empty: one is sought
+  EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are sought
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
@@ -38,12 +38,10 @@ struct SeamReport {
   double handleLength = 0;  ///< of the seams that topology needs, over sqrt(surface area)
   double stretch = 1;       ///< predicted, mean by area
   int rounds = 0;
-  /// Per vertex of the mesh, its place in an elimination order that was found for the whole and is
-  /// good for any part of it.
-  std::vector<std::uint32_t> place;
-  Seams found;                     ///< before they were shortened
-  std::vector<double> foundScale;  ///< `scale` before that
-  std::vector<double> scale;       ///< per vertex of the mesh, the log-scale that is expected
+  EliminationRanks eliminationRanks;  ///< of the mesh
+  Seams found;                        ///< before they were shortened
+  LogScales foundScale;               ///< `scale` before that
+  LogScales scale;                    ///< that is expected
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
 };

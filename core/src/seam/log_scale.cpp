@@ -16,22 +16,21 @@ CholeskyOptions positiveDefinite(ThreadPool* pool) {
 }
 
 template <typename Scalar>
-bool solveWith(BasicCholesky<Scalar>& factor, const std::vector<double>& values,
-               std::vector<double>& u) {
+bool solveWith(BasicCholesky<Scalar>& factor, const std::vector<double>& values, LogScales& u) {
   if (!factor.factorize(values.data()).isOk()) return false;
-  factor.solve(u.data());
+  factor.solve(u.raw().data());
   return true;
 }
 
 }  // namespace
 
-LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool, std::vector<std::uint32_t> place)
+LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool, EliminationRanks ranks)
     : mesh_(mesh),
       pool_(pool),
       symbolic_([&] {
         buildPattern();
         CholeskyAnalysisOptions options;
-        options.place = std::move(place);
+        options.place = std::move(ranks.raw());
         options.pool = pool;
         return std::make_shared<const CholeskySymbolic>(
             analyzePattern({mesh.vertexCount(), columnStart_.data(), row_.data()}, options));
@@ -42,33 +41,34 @@ LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool, std::vector<std::uint
 /// edges between the same two vertices share an entry.
 void LogScale::buildPattern() {
   const std::uint32_t n = mesh_.vertexCount();
-  const auto low = [&](std::uint32_t h) {
-    return std::min(mesh_.vertexOfCorner[h], mesh_.vertexOfCorner[nextCorner(h)]);
+  // Rows and columns are plain numbers.
+  const auto low = [&](SurfaceCorner h) -> std::uint32_t {
+    return std::min(mesh_.tail(h), mesh_.head(h));
   };
-  const auto high = [&](std::uint32_t h) {
-    return std::max(mesh_.vertexOfCorner[h], mesh_.vertexOfCorner[nextCorner(h)]);
+  const auto high = [&](SurfaceCorner h) -> std::uint32_t {
+    return std::max(mesh_.tail(h), mesh_.head(h));
   };
-  const auto isFirst = [&](std::uint32_t h) { return mesh_.twin[h] == kNone || h < mesh_.twin[h]; };
-  const auto corners = static_cast<std::uint32_t>(mesh_.twin.size());
-  std::vector<std::uint32_t> begin(n + 1, 0), edges;
-  for (std::uint32_t h = 0; h < corners; ++h)
+  const auto isFirst = [&](SurfaceCorner h) { return h < mesh_.twin[h]; };
+  std::vector<std::uint32_t> begin(n + 1, 0);
+  for (const SurfaceCorner h : mesh_.corners())
     if (isFirst(h)) ++begin[low(h) + 1];
   for (std::uint32_t v = 0; v < n; ++v) begin[v + 1] += begin[v];
-  edges.resize(begin[n]);
+  std::vector<SurfaceCorner> edges(begin[n]);
   std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
-  for (std::uint32_t h = 0; h < corners; ++h)
+  for (const SurfaceCorner h : mesh_.corners())
     if (isFirst(h)) edges[fill[low(h)]++] = h;
-  beat(pool_, corners);
-  entryOfEdge_.assign(corners, kNone);
+  beat(pool_, mesh_.corners().size());
+  entryOfEdge_.assign(mesh_.corners().size(), kNone);
   for (std::uint32_t v = 0; v < n; ++v) {
     columnStart_.push_back(static_cast<int>(row_.size()));
     row_.push_back(static_cast<int>(v));
     std::sort(edges.begin() + begin[v], edges.begin() + begin[v + 1],
-              [&](std::uint32_t a, std::uint32_t b) {
+              [&](SurfaceCorner a, SurfaceCorner b) {
                 return high(a) != high(b) ? high(a) < high(b) : a < b;
               });
     for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
-      const std::uint32_t h = edges[i], w = high(h);
+      const SurfaceCorner h = edges[i];
+      const std::uint32_t w = high(h);
       if (w == v) continue;
       if (row_.back() != static_cast<int>(w)) row_.push_back(static_cast<int>(w));
       entryOfEdge_[h] = static_cast<std::uint32_t>(row_.size() - 1);
@@ -79,25 +79,23 @@ void LogScale::buildPattern() {
   beat(pool_, values_.size());
 }
 
-std::vector<double> LogScale::solve(const CutSurface& s,
-                                    const std::vector<std::uint32_t>& anchors) {
-  const std::uint32_t n = mesh_.vertexCount();
-  std::vector<std::uint8_t> isFixed(n, 0);
-  std::vector<double> u(n, 0);
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
-    const std::uint32_t i = s.meshVertex[v];
+LogScales LogScale::solve(const CutSurface& s, const std::vector<OpenVertex>& anchors) {
+  IdVector<SurfaceVertex, std::uint8_t> isFixed(mesh_.vertexCount(), 0);
+  LogScales u(mesh_.vertexCount(), 0);
+  for (const OpenVertex v : s.vertices()) {
+    const SurfaceVertex i = s.meshVertex[v];
     if (s.isBoundary[v]) {
       isFixed[i] = 1;
       continue;
     }
     u[i] = mesh_.angleSum[i] - 2 * kPi;
-    const CutSurface::Chart& chart = s.charts[s.chartOfVertex(v)];
+    const CutSurface::Chart& chart = s.charts[s.chartOf(v)];
     if (chart.loops == 0 && chart.area > 0)
       u[i] += 2 * kPi * static_cast<double>(chart.euler()) * mesh_.vertexArea[i] / chart.area;
   }
-  for (const std::uint32_t v : anchors) isFixed[s.meshVertex[v]] = 1;
+  for (const OpenVertex v : anchors) isFixed[s.meshVertex[v]] = 1;
 
-  for (std::uint32_t v = 0; v < n; ++v)
+  for (const SurfaceVertex v : mesh_.vertices())
     if (isFixed[v]) u[v] = 0;
   assemble(isFixed);
   if (solveWith(factor_, values_, u)) return u;
@@ -107,13 +105,13 @@ std::vector<double> LogScale::solve(const CutSurface& s,
 }
 
 /// Rows of fixed vertices are those of the identity: the pattern stays.
-void LogScale::assemble(const std::vector<std::uint8_t>& isFixed) {
+void LogScale::assemble(const IdVector<SurfaceVertex, std::uint8_t>& isFixed) {
   std::fill(values_.begin(), values_.end(), 0.0);
-  for (std::uint32_t v = 0; v < mesh_.vertexCount(); ++v)
+  for (const SurfaceVertex v : mesh_.vertices())
     if (isFixed[v]) values_[static_cast<std::size_t>(columnStart_[v])] = 1;
-  for (std::uint32_t h = 0; h < entryOfEdge_.size(); ++h) {
+  for (const SurfaceCorner h : entryOfEdge_.ids()) {
     if (entryOfEdge_[h] == kNone) continue;
-    const std::uint32_t a = mesh_.vertexOfCorner[h], b = mesh_.vertexOfCorner[nextCorner(h)];
+    const SurfaceVertex a = mesh_.tail(h), b = mesh_.head(h);
     const double w = mesh_.stiffness(h);
     if (!isFixed[a]) values_[static_cast<std::size_t>(columnStart_[a])] += w;
     if (!isFixed[b]) values_[static_cast<std::size_t>(columnStart_[b])] += w;

@@ -14,28 +14,27 @@ namespace abflat {
 /// (Springborn et al. 2008, linearised; this boundary distorts areas least). Lengths grow by e^u.
 class LogScale {
  public:
-  /// `place`: per vertex in an elimination order, as `place()` of a surface that has these
-  /// vertices; empty where none is known.
-  LogScale(const SeamMesh& mesh, ThreadPool* pool, std::vector<std::uint32_t> place = {});
+  /// `ranks`: those of a mesh that has these vertices; empty where none are known.
+  LogScale(const SeamMesh& mesh, ThreadPool* pool, EliminationRanks ranks = {});
 
-  /// Per vertex of the mesh. `anchors` are vertices of the cut surface that closed charts are held
+  /// `anchors` are vertices of the cut surface that closed charts are held
   /// at; there the curvature is taken relative to its mean. Empty when the system cannot be solved.
-  std::vector<double> solve(const CutSurface& surface, const std::vector<std::uint32_t>& anchors);
+  LogScales solve(const CutSurface& surface, const std::vector<OpenVertex>& anchors);
 
   /// Another right-hand side for the charts of the last solve().
-  void solveAgain(std::vector<double>& b) { factor_.solve(b.data()); }
+  void solveAgain(IdVector<SurfaceVertex, double>& b) { factor_.solve(b.raw().data()); }
 
-  /// Per vertex, where its row comes in the elimination: also good for any part of the surface.
-  const std::vector<std::uint32_t>& place() const { return symbolic_->place; }
+  EliminationRanks eliminationRanks() const { return EliminationRanks(symbolic_->place); }
 
  private:
   void buildPattern();
-  void assemble(const std::vector<std::uint8_t>& isFixed);
+  void assemble(const IdVector<SurfaceVertex, std::uint8_t>& isFixed);
 
   const SeamMesh& mesh_;
   ThreadPool* pool_;
   std::vector<int> columnStart_, row_;
-  std::vector<std::uint32_t> entryOfEdge_;  ///< per half-edge, into the values; kNone at a loop
+  /// Of a half-edge among the values; kNone where there is none.
+  IdVector<SurfaceCorner, std::uint32_t> entryOfEdge_;
   std::vector<double> values_;
   std::shared_ptr<const CholeskySymbolic> symbolic_;
   FloatCholesky factor_;  ///< two digits of u are plenty

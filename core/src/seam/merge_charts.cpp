@@ -26,9 +26,9 @@ constexpr double kMostRoomOfHinged = 1.4, kLeastFill = 0.3, kLongest = 1.9;
 
 /// A path along which two charts touch. Opening it joins two disks to one.
 struct Run {
-  std::uint32_t a, b;                ///< the charts, a < b
-  std::vector<std::uint32_t> edges;  ///< half-edges of a, in order
-  std::size_t place = 0;             ///< of the first one in the loop of a
+  CutChartId a, b;                   ///< a < b
+  std::vector<SurfaceCorner> edges;  ///< half-edges of a, in order
+  BoundaryIndex begin;               ///< of the first one, along the loop of a
   double length = 0;
 };
 
@@ -36,29 +36,29 @@ struct Run {
 struct Trial {
   std::unique_ptr<SeamPart> part;  ///< null: the whole
   CutSurface joined, apart;
-  std::vector<double> u;  ///< of the joined surface
+  LogScales u;  ///< of the joined surface
   Prediction prediction;
 
-  /// In the numbering of its surface, of a half-edge of the whole.
-  std::uint32_t placeOf(std::uint32_t h) const {
+  /// What a half-edge of the whole is in it.
+  SurfaceCorner inTrial(SurfaceCorner h) const {
     if (!part) return h;
-    const auto& all = part->halfEdge;
-    return static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), h) - all.begin());
+    const auto& all = part->wholeHalfEdge;
+    return SurfaceCorner(std::lower_bound(all.begin(), all.end(), h) - all.begin());
   }
 };
 
+using ChartOutlines = IdVector<CutChartId, Outline>;
+
 class Merger {
  public:
-  Merger(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options, LogScale& scale,
-         std::vector<double>& u, Seams& seams)
-      : mesh_(mesh),
-        kept_(kept),
-        options_(options),
-        scale_(scale),
-        u_(u),
-        seams_(seams),
-        longest_(std::min(options.longest, kLongest * std::sqrt(mesh.totalArea()))),
-        isRefused_(seams.size(), 0) {}
+  explicit Merger(const SeamWork& work)
+      : work_(work),
+        mesh_(work.mesh),
+        options_(work.options),
+        u_(work.u),
+        seams_(work.seams),
+        longest_(std::min(options_.longest, kLongest * std::sqrt(mesh_.totalArea()))),
+        isRefused_(seams_.size(), 0) {}
 
   std::uint32_t run() {
     std::uint32_t done = joinAll();
@@ -71,7 +71,7 @@ class Merger {
  private:
   std::uint32_t joinAll() {
     std::uint32_t done = 0;
-    while (!options_.keepsOn || options_.keepsOn()) {
+    while (work_.goesOn()) {
       CutSurface apart = cutAlong(mesh_, seams_, pulse_);
       const std::vector<Run> runs = matching(apart);
       if (runs.empty()) break;
@@ -101,12 +101,12 @@ class Merger {
     return out;
   }
 
-  /// The edges that begin between two places along it.
+  /// The edges that begin between two distances along it.
   Run partOf(const Run& run, double from, double to) const {
-    Run out{run.a, run.b, {}, run.place, 0};
+    Run out{run.a, run.b, {}, run.begin, 0};
     double passed = 0;
-    for (const std::uint32_t h : run.edges) {
-      if (passed < from) ++out.place;
+    for (const SurfaceCorner h : run.edges) {
+      if (passed < from) ++out.begin;
       if (passed >= from && passed < to) {
         out.edges.push_back(h);
         out.length += mesh_.length[h];
@@ -117,51 +117,50 @@ class Merger {
   }
 
   /// The chart behind an edge that may be opened.
-  std::uint32_t behind(const CutSurface& s, std::uint32_t h) const {
-    const std::uint32_t o = mesh_.twin[h];
-    if (o == kNone || kept_[h] || mesh_.isFilling(h / 3) || mesh_.isFilling(o / 3)) return kNone;
-    return s.chartOfTriangle[o / 3];
+  CutChartId behind(const CutSurface& s, SurfaceCorner h) const {
+    return work_.kept[h] || !mesh_.isOnSurface(h) ? CutChartId() : s.chartOf(mesh_.twin[h]);
   }
 
-  void addRuns(const CutSurface& s, std::uint32_t chart, std::vector<Run>& out) const {
+  void addRuns(const CutSurface& s, CutChartId chart, std::vector<Run>& out) const {
     const BoundaryLoop loop = s.outline(chart);
     const std::size_t n = loop.size();
     std::size_t start = 0;  // of a run
-    while (start < n && behind(s, loop[start]) == behind(s, loop[(start + n - 1) % n])) ++start;
+    const auto behindAt = [&](std::size_t i) { return behind(s, loop[BoundaryIndex(i % n)]); };
+    while (start < n && behindAt(start) == behindAt(start + n - 1)) ++start;
     if (start == n) return;  // one chart goes all the way round
-    std::uint32_t last = kNone;
+    CutChartId last;
     for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t h = loop[(start + i) % n], other = behind(s, h);
+      const BoundaryIndex at((start + i) % n);
+      const SurfaceCorner h = loop[at];
+      const CutChartId other = behind(s, h);
       const bool isNew = other != last;
       last = other;
-      if (other == kNone || other <= chart || !s.charts[other].isDisk()) continue;
-      if (isNew) out.push_back({chart, other, {}, (start + i) % n});
+      if (!other.exists() || other <= chart || !s.charts[other].isDisk()) continue;
+      if (isNew) out.push_back({chart, other, {}, at});
       out.back().edges.push_back(h);
       out.back().length += mesh_.length[h];
     }
   }
 
-  /// Places along both outlines that the run brings together.
-  std::vector<std::pair<std::size_t, std::size_t>> placesOf(
-      const CutSurface& s, const std::vector<std::vector<Point2>>& outlines, const Run& run) const {
+  /// Points of both outlines that the run brings together.
+  OutlinePairs pairsOf(const CutSurface& s, const ChartOutlines& outlines, const Run& run) const {
     const BoundaryLoop loop = s.outline(run.b);
     const std::size_t n = outlines[run.a].size(), m = loop.size();
     const auto first = std::find(loop.begin(), loop.end(), mesh_.twin[run.edges.front()]);
-    const auto place = static_cast<std::size_t>(first - loop.begin());
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    const auto begin = static_cast<std::size_t>(first - loop.begin());
+    OutlinePairs pairs;
     for (std::size_t i = 0; i <= run.edges.size(); ++i)
-      pairs.emplace_back((run.place + i) % n, (place + 1 + m - i) % m);
+      pairs.emplace_back((run.begin + i) % n, (begin + 1 + m - i) % m);
     return pairs;
   }
 
   /// Whether the charts, as they would lie by themselves, fit together.
-  bool isPromising(const CutSurface& s, const std::vector<std::vector<Point2>>& outlines,
-                   const Run& run) const {
-    const auto pairs = placesOf(s, outlines, run);
-    const std::vector<Point2>&a = outlines[run.a], &b = outlines[run.b];
+  bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const Run& run) const {
+    const OutlinePairs pairs = pairsOf(s, outlines, run);
+    const Outline &a = outlines[run.a], &b = outlines[run.b];
     if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
     // A part of a seam changes so little that the union is as good as known.
-    const std::vector<Point2> both = outlineTogether(a, b, pairs);
+    const Outline both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
     const Shape shape = measureShape(both);
     return shape.crossings.empty() && shape.extent <= longest_ && shape.fill >= kLeastFill;
@@ -169,13 +168,12 @@ class Merger {
 
   /// The same, but two charts that do not fit are asked only once. Charts do nothing but grow, so
   /// one that has as many triangles as before is the one from before.
-  bool stillPromises(const CutSurface& s, std::vector<std::vector<Point2>>& outlines,
-                     const Run& run) {
+  bool stillPromises(const CutSurface& s, ChartOutlines& outlines, const Run& run) {
     const std::array<std::size_t, 3> sizes = {s.charts[run.a].triangles, s.charts[run.b].triangles,
                                               run.edges.size()};
     const auto known = unpromising_.find(run.edges.front());
     if (known != unpromising_.end() && known->second == sizes) return false;
-    for (const std::uint32_t c : {run.a, run.b})
+    for (const CutChartId c : {run.a, run.b})
       if (outlines[c].empty()) outlines[c] = predictOutline(mesh_, s, c, u_);
     const bool promises = isPromising(s, outlines, run);
     if (!promises) unpromising_[run.edges.front()] = sizes;
@@ -184,20 +182,20 @@ class Merger {
 
   bool isRefused(const Run& run) const {
     return std::any_of(run.edges.begin(), run.edges.end(),
-                       [&](std::uint32_t h) { return isRefused_[h]; });
+                       [&](SurfaceCorner h) { return isRefused_[h]; });
   }
 
   /// The longest ones that promise something, no two with a chart in common.
   std::vector<Run> matching(const CutSurface& s) {
     std::vector<Run> runs;
-    std::vector<std::vector<Point2>> outlines(s.charts.size());
-    for (std::uint32_t c = 0; c < s.charts.size(); ++c)
+    ChartOutlines outlines(s.charts.size());
+    for (const CutChartId c : s.charts.ids())
       if (s.charts[c].isDisk()) addRuns(s, c, runs);
     std::sort(runs.begin(), runs.end(), [](const Run& x, const Run& y) {
       return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
     });
     if (isHinge_) runs = hingesOf(s, runs);
-    std::vector<std::uint8_t> isUsed(s.charts.size(), 0);
+    IdVector<CutChartId, std::uint8_t> isUsed(s.charts.size(), 0);
     std::vector<Run> out;
     for (Run& run : runs) {
       if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !stillPromises(s, outlines, run))
@@ -209,73 +207,73 @@ class Merger {
   }
 
   void mark(const Run& run, bool isSeam) {
-    for (const std::uint32_t h : run.edges) seams_[h] = seams_[mesh_.twin[h]] = isSeam;
+    for (const SurfaceCorner h : run.edges) seams_[h] = seams_[mesh_.twin[h]] = isSeam;
   }
 
   void refuse(const Run& run) {
-    for (const std::uint32_t h : run.edges) isRefused_[h] = isRefused_[mesh_.twin[h]] = 1;
+    for (const SurfaceCorner h : run.edges) isRefused_[h] = isRefused_[mesh_.twin[h]] = 1;
   }
 
   /// The unions of what the runs, which are open, are between. `apart`: before they were.
   Trial tryOut(const std::vector<Run>& runs, CutSurface apart) {
     constexpr std::size_t kMost = 2;  // times as much: an order of elimination is for the whole
     CutSurface s = cutAlong(mesh_, seams_, pulse_);
-    std::vector<std::uint8_t> isUnion(s.charts.size(), 0);
-    for (const Run& run : runs) isUnion[s.chartOfTriangle[run.edges.front() / 3]] = 1;
+    IdVector<CutChartId, std::uint8_t> isUnion(s.charts.size(), 0);
+    for (const Run& run : runs) isUnion[s.chartOf(run.edges.front())] = 1;
     std::size_t triangles = 0;
-    for (std::size_t c = 0; c < s.charts.size(); ++c)
+    for (const CutChartId c : s.charts.ids())
       if (isUnion[c]) triangles += s.charts[c].triangles;
     if (kMost * triangles < mesh_.triangleCount()) return tryPart(runs, s, isUnion);
     Trial out;
     out.apart = std::move(apart);
     out.joined = std::move(s);
-    out.u = scale_.solve(out.joined, {});
+    out.u = work_.scale.solve(out.joined, {});
     if (!out.u.empty()) out.prediction = predictStretch(mesh_, out.joined, out.u);
     return out;
   }
 
   Trial tryPart(const std::vector<Run>& runs, const CutSurface& s,
-                const std::vector<std::uint8_t>& isUnion) const {
+                const IdVector<CutChartId, std::uint8_t>& isUnion) const {
     Trial out;
-    std::vector<std::uint8_t> isRun(mesh_.twin.size(), 0);
+    IdVector<SurfaceCorner, std::uint8_t> isRun(mesh_.twin.size(), 0);
     for (const Run& run : runs)
-      for (const std::uint32_t h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
+      for (const SurfaceCorner h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
     out.part = std::make_unique<SeamPart>(extractCharts(mesh_, s, isUnion, pulse_));
     const SeamMesh& mesh = out.part->mesh;
     Seams between;
-    for (const std::uint32_t h : out.part->halfEdge) between.push_back(isRun[h]);
-    std::vector<std::uint32_t> place;
-    for (const std::uint32_t v : out.part->vertex) place.push_back(scale_.place()[v]);
+    for (const SurfaceCorner h : out.part->wholeHalfEdge) between.push_back(isRun[h]);
+    EliminationRanks ranks = out.part->ofVertices(work_.scale.eliminationRanks());
     out.joined = cutAlong(mesh, Seams(between.size(), 0), pulse_);
     out.apart = cutAlong(mesh, between, pulse_);
-    out.u = LogScale(mesh, options_.pool, std::move(place)).solve(out.joined, {});
+    out.u = LogScale(mesh, options_.pool, std::move(ranks)).solve(out.joined, {});
     if (!out.u.empty()) out.prediction = predictStretch(mesh, out.joined, out.u);
     return out;
   }
 
   const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
-  bool keepsBounds(const Trial& trial, std::uint32_t run) const {
+  /// `h`: one of the half-edges that are open.
+  bool keepsBounds(const Trial& trial, SurfaceCorner h) const {
     // What is cut, is cut for good reasons: no union is to come near the bound. One that hangs
     // together by a part of its seam alone is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
     const double ofBound = isHinge_ ? kNearlyAll : kMuch;
     const CutSurface& s = trial.joined;
-    const std::uint32_t chart = s.chartOfTriangle[run / 3];
+    const CutChartId chart = s.chartOf(h);
     if (!s.charts[chart].isDisk() ||
         trial.prediction.stretch[chart] > 1 + ofBound * (options_.maxStretch - 1))
       return false;
-    const auto outline = [&](const CutSurface& surface, std::uint32_t c) {
+    const auto outline = [&](const CutSurface& surface, CutChartId c) {
       return predictOutline(meshOf(trial), surface, c, trial.u);
     };
-    const std::vector<Point2> whole = outline(s, chart);
+    const Outline whole = outline(s, chart);
     const Shape shape = measureShape(whole);
     if (!shape.crossings.empty() || shape.overlap > options_.mostOverlap ||
         shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
       return false;
     double room = 0;
-    for (const std::uint32_t h : {run, meshOf(trial).twin[run]})
-      room += hullArea(outline(trial.apart, trial.apart.chartOfTriangle[h / 3]));
+    for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
+      room += hullArea(outline(trial.apart, trial.apart.chartOf(side)));
     if (shape.extent > (isHinge_ ? longest_ : options_.longest)) return false;
     return hullArea(whole) <= (isHinge_ ? kMostRoomOfHinged : kMostRoom) * room;
   }
@@ -284,45 +282,41 @@ class Merger {
     for (const Run& run : runs) mark(run, false);
     const Trial trial = tryOut(runs, std::move(apart));
     const SeamMesh& mesh = meshOf(trial);
-    std::vector<std::uint8_t> isDone(trial.joined.charts.size(), 0);
+    IdVector<CutChartId, std::uint8_t> isDone(trial.joined.charts.size(), 0);
     std::uint32_t done = 0;
     for (const Run& run : runs) {
-      const std::uint32_t place = trial.placeOf(run.edges.front());
-      if (!trial.u.empty() && keepsBounds(trial, place)) {
+      const SurfaceCorner h = trial.inTrial(run.edges.front());
+      if (!trial.u.empty() && keepsBounds(trial, h)) {
         ++done;
-        isDone[trial.joined.chartOfTriangle[place / 3]] = 1;
+        isDone[trial.joined.chartOf(h)] = 1;
         continue;
       }
       mark(run, true);
       refuse(run);
     }
-    for (std::size_t h = 0; h < mesh.twin.size(); ++h) {
-      if (!isDone[trial.joined.chartOfTriangle[h / 3]]) continue;
-      const std::uint32_t v = mesh.vertexOfCorner[h];
-      u_[trial.part ? trial.part->vertex[v] : v] = trial.u[v];
+    for (const SurfaceCorner h : mesh.corners()) {
+      if (!isDone[trial.joined.chartOf(h)]) continue;
+      const SurfaceVertex v = mesh.vertexOfCorner[h];
+      u_[trial.part ? trial.part->wholeVertex[v] : v] = trial.u[v];
     }
     return done;
   }
 
+  const SeamWork work_;
   const SeamMesh& mesh_;
-  const Seams& kept_;
   const SeamOptions& options_;
-  const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
-  LogScale& scale_;         ///< of the whole
-  std::vector<double>& u_;  ///< per vertex, of the charts as they are
+  const Pulse pulse_{[this] { return work_.goesOn(); }};
+  LogScales& u_;
   Seams& seams_;
   const double longest_;
-  bool isHinge_ = false;                 ///< joined along parts of runs
-  std::vector<std::uint8_t> isRefused_;  ///< per half-edge
+  bool isHinge_ = false;  ///< joined along parts of runs
+  IdVector<SurfaceCorner, std::uint8_t> isRefused_;
   /// By the first half-edge of a run, triangles of both charts and edges when they did not fit.
-  std::map<std::uint32_t, std::array<std::size_t, 3>> unpromising_;
+  std::map<SurfaceCorner, std::array<std::size_t, 3>> unpromising_;
 };
 
 }  // namespace
 
-std::uint32_t mergeCharts(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-                          LogScale& scale, std::vector<double>& u, Seams& seams) {
-  return Merger(mesh, kept, options, scale, u, seams).run();
-}
+std::uint32_t mergeCharts(const SeamWork& work) { return Merger(work).run(); }
 
 }  // namespace abflat

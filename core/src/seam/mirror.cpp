@@ -19,7 +19,7 @@ constexpr double kLeastShare = 0.9, kLeastShareOfEdges = 0.5;
 /// Vertices that are asked.
 constexpr std::uint32_t kFew = 100, kMany = 1000;
 
-Vec3 placeOf(const SeamMesh& mesh, std::uint32_t v) {
+Vec3 pointOf(const SeamMesh& mesh, SurfaceVertex v) {
   const double* p = &mesh.positions[3 * std::size_t{v}];
   return {p[0], p[1], p[2]};
 }
@@ -65,10 +65,10 @@ Matrix eigenvectors(Matrix a) {
   return v;
 }
 
-Vec3 centreOf(const SeamMesh& mesh, std::uint32_t triangle) {
+Vec3 centreOf(const SeamMesh& mesh, SurfaceTriangle triangle) {
   Vec3 out{};
-  for (std::uint32_t c = 3 * triangle; c < 3 * triangle + 3; ++c) {
-    const Vec3 p = placeOf(mesh, mesh.vertexOfCorner[c]);
+  for (const SurfaceCorner c : cornersOf(triangle)) {
+    const Vec3 p = pointOf(mesh, mesh.vertexOfCorner[c]);
     for (std::size_t i = 0; i < 3; ++i) out[i] += p[i] / 3;
   }
   return out;
@@ -81,12 +81,12 @@ std::vector<Plane> candidates(const SeamMesh& mesh) {
   const double all = mesh.totalArea();
   if (!(all > 0)) return {};
   Vec3 middle{};
-  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+  for (const SurfaceTriangle f : mesh.triangles()) {
     const Vec3 p = centreOf(mesh, f);
     for (std::size_t i = 0; i < 3; ++i) middle[i] += mesh.area[f] / all * p[i];
   }
   Matrix spread{};
-  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+  for (const SurfaceTriangle f : mesh.triangles()) {
     const Vec3 p = centreOf(mesh, f);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
@@ -104,22 +104,21 @@ class VertexCells {
  public:
   explicit VertexCells(const SeamMesh& mesh) : mesh_(mesh) {
     entries_.reserve(mesh.vertexCount());
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
-      entries_.push_back({cellOf(placeOf(mesh, v), 0), v});
+    for (const SurfaceVertex v : mesh.vertices())
+      entries_.push_back({cellOf(pointOf(mesh, v), 0), v});
     std::sort(entries_.begin(), entries_.end());
   }
 
-  /// kNone where there is none.
-  std::uint32_t nearest(const Vec3& at, double tolerance) const {
-    std::uint32_t best = kNone;
+  SurfaceVertex nearest(const Vec3& at, double tolerance) const {
+    SurfaceVertex best;
     double least = tolerance;
     const Cell low = cellOf(at, -tolerance), high = cellOf(at, tolerance);
     for (std::int32_t x = low[0]; x <= high[0]; ++x)
       for (std::int32_t y = low[1]; y <= high[1]; ++y) {
-        const Entry first{{x, y, low[2]}, 0};
+        const Entry first{{x, y, low[2]}, SurfaceVertex(0)};
         for (auto e = std::lower_bound(entries_.begin(), entries_.end(), first);
              e != entries_.end() && e->cell <= Cell{x, y, high[2]}; ++e) {
-          const Vec3 p = placeOf(mesh_, e->vertex);
+          const Vec3 p = pointOf(mesh_, e->vertex);
           const double distance = norm({p[0] - at[0], p[1] - at[1], p[2] - at[2]});
           if (!(distance < least)) continue;
           least = distance;
@@ -133,7 +132,7 @@ class VertexCells {
   using Cell = std::array<std::int32_t, 3>;
   struct Entry {
     Cell cell;
-    std::uint32_t vertex;
+    SurfaceVertex vertex;
     bool operator<(const Entry& o) const {
       return cell != o.cell ? cell < o.cell : vertex < o.vertex;
     }
@@ -161,14 +160,14 @@ Fit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane, do
   const std::uint32_t stride = 1 + mesh.vertexCount() / sample;
   double all = 0, found = 0;
   Vec3 across{}, middle{};
-  for (std::uint32_t v = 0; v < mesh.vertexCount(); v += stride) {
-    const Vec3 p = placeOf(mesh, v);
+  for (SurfaceVertex v(0); v < mesh.vertexCount(); v = SurfaceVertex(v + stride)) {
+    const Vec3 p = pointOf(mesh, v);
     if (std::abs(plane.of(p)) <= tolerance) continue;
     ++all;
-    const std::uint32_t image = cells.nearest(plane.image(p), tolerance);
-    if (image == kNone) continue;
+    const SurfaceVertex image = cells.nearest(plane.image(p), tolerance);
+    if (!image.exists()) continue;
     ++found;
-    const Vec3 q = placeOf(mesh, image);
+    const Vec3 q = pointOf(mesh, image);
     const double sign = plane.of(p) > 0 ? 1 : -1;
     for (std::size_t i = 0; i < 3; ++i) {
       across[i] += sign * (p[i] - q[i]);
@@ -184,14 +183,15 @@ Fit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane, do
   return {{across, dot(across, middle)}, found / all};
 }
 
-std::uint32_t halfEdgeBetween(const SeamMesh& mesh, const std::vector<std::uint32_t>& outgoing,
-                              std::uint32_t tail, std::uint32_t head) {
-  std::uint32_t h = outgoing[tail];
+SurfaceCorner halfEdgeBetween(const SeamMesh& mesh,
+                              const IdVector<SurfaceVertex, SurfaceCorner>& outgoing,
+                              SurfaceVertex tail, SurfaceVertex head) {
+  SurfaceCorner h = outgoing[tail];
   do {
-    if (mesh.vertexOfCorner[nextCorner(h)] == head) return h;
+    if (mesh.head(h) == head) return h;
     h = rotateCounterClockwise(mesh.twin, h);
-  } while (h != kNone && h != outgoing[tail]);
-  return kNone;
+  } while (h.exists() && h != outgoing[tail]);
+  return {};
 }
 
 signed char sideOf(double distance) {
@@ -213,23 +213,23 @@ Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
   if (best.share < kLeastShare) return {};
   const Plane& plane = best.plane;
   Mirror out;
-  std::vector<std::uint32_t> image;
-  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3 p = placeOf(mesh, v);
+  IdVector<SurfaceVertex, SurfaceVertex> image;
+  for (const SurfaceVertex v : mesh.vertices()) {
+    const Vec3 p = pointOf(mesh, v);
     const double distance = plane.of(p);
     out.side.push_back(sideOf(distance));
     image.push_back(out.side[v] == 0 ? v : cells.nearest(plane.image(p), kTolerance));
     pulse.beat();
   }
-  const std::vector<std::uint32_t> outgoing = outgoingHalfEdges(mesh);
+  const IdVector<SurfaceVertex, SurfaceCorner> outgoing = outgoingHalfEdges(mesh);
   std::size_t found = 0;
-  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
-    const std::uint32_t tail = image[mesh.vertexOfCorner[h]];
-    const std::uint32_t head = image[mesh.vertexOfCorner[nextCorner(h)]];
-    const bool hasBoth = tail != kNone && head != kNone;
+  for (const SurfaceCorner h : mesh.corners()) {
+    const SurfaceVertex tail = image[mesh.tail(h)];
+    const SurfaceVertex head = image[mesh.head(h)];
+    const bool hasBoth = tail.exists() && head.exists();
     // The image of one at the boundary would be on its other side.
-    out.halfEdge.push_back(hasBoth ? halfEdgeBetween(mesh, outgoing, tail, head) : kNone);
-    found += out.halfEdge[h] != kNone || mesh.twin[h] == kNone;
+    out.image.push_back(hasBoth ? halfEdgeBetween(mesh, outgoing, tail, head) : SurfaceCorner());
+    found += out.image[h].exists() || !mesh.twin[h].exists();
     pulse.beat();
   }
   const double edges = static_cast<double>(mesh.twin.size());

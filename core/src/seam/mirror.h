@@ -8,8 +8,8 @@ namespace abflat {
 
 /// A plane that a mesh is symmetric to, but for details and rounding.
 struct Mirror {
-  std::vector<std::int8_t> side;        ///< per vertex: 0 on the plane, 1 and -1 beside it
-  std::vector<std::uint32_t> halfEdge;  ///< per half-edge, its image or kNone
+  IdVector<SurfaceVertex, std::int8_t> side;     ///< 0 on the plane, 1 and -1 beside it
+  IdVector<SurfaceCorner, SurfaceCorner> image;  ///< of a half-edge; none where it has none
 
   explicit operator bool() const { return !side.empty(); }
 };

@@ -14,6 +14,7 @@ struct Patch {
   Vec3 center{}, normal{};  ///< sums, weighted by area, until settled
   double area = 0;
 };
+using PatchId = Id<struct PatchTag>;
 
 Vec3 sum(const Vec3& a, const Vec3& b, double weight) {
   return {a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2]};
@@ -21,15 +22,15 @@ Vec3 sum(const Vec3& a, const Vec3& b, double weight) {
 
 }  // namespace
 
-std::vector<double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
+IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
   // A surface passes some fifteen times the square of that many patches, whose square is the work.
   const double wanted = 0.7 * std::sqrt(std::sqrt(static_cast<double>(mesh.triangleCount())));
   const auto cells = static_cast<std::uint32_t>(std::clamp(wanted, 2.0, 12.0));
-  std::vector<std::uint32_t> patchAt(std::size_t{8} * cells * cells * cells, kNone);
-  std::vector<Patch> patches;
-  std::vector<std::uint32_t> patchOf;
-  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
-    const std::uint32_t* v = &mesh.vertexOfCorner[3 * std::size_t{f}];
+  std::vector<PatchId> patchAt(std::size_t{8} * cells * cells * cells);
+  IdVector<PatchId, Patch> patches;
+  IdVector<SurfaceTriangle, PatchId> patchOf;
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    const std::array<std::uint32_t, 3> v = verticesOf(mesh.vertexOfCorner, f);
     const Vec3 normal =
         cross(edgeVector(mesh.positions, v[0], v[1]), edgeVector(mesh.positions, v[0], v[2]));
     Vec3 center{};
@@ -42,10 +43,7 @@ std::vector<double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
       key = key * cells + std::min(cell, cells - 1);
     }
     for (std::size_t d = 0; d < 3; ++d) key = 2 * key + (normal[d] > 0);
-    if (patchAt[key] == kNone) {
-      patchAt[key] = static_cast<std::uint32_t>(patches.size());
-      patches.emplace_back();
-    }
+    if (!patchAt[key].exists()) patchAt[key] = patches.push_back({});
     Patch& p = patches[patchAt[key]];
     patchOf.push_back(patchAt[key]);
     p.center = sum(p.center, center, mesh.area[f]);
@@ -60,8 +58,8 @@ std::vector<double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
       p.normal[d] = size > 0 ? p.normal[d] / size : 0;
     }
   }
-  std::vector<double> hidden(patches.size(), 0);
-  for (std::size_t i = 0; i < patches.size(); ++i) {
+  IdVector<PatchId, double> hidden(patches.size(), 0);
+  for (const PatchId i : patches.ids()) {
     const Patch& to = patches[i];
     double all = 0;
     for (const Patch& from : patches) {
@@ -74,9 +72,9 @@ std::vector<double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
     hidden[i] = std::min(1.0, all);
     pulse.beat(patches.size());
   }
-  std::vector<double> out;
+  IdVector<SurfaceTriangle, double> out;
   out.reserve(patchOf.size());
-  for (const std::uint32_t p : patchOf) out.push_back(hidden[p]);
+  for (const PatchId p : patchOf) out.push_back(hidden[p]);
   return out;
 }
 

@@ -12,16 +12,15 @@ namespace {
 
 /// Interior angle at the vertex that a boundary half-edge leaves: each triangle's angle changes by
 /// half of cot(opposite angle) (u_j - u_i) for both of its edges there.
-double flatAngle(const SeamMesh& mesh, const CutSurface& s, std::uint32_t h,
-                 const std::vector<double>& u) {
+double flatAngle(const SeamMesh& mesh, const CutSurface& s, SurfaceCorner h, const LogScales& u) {
   const double own = u[mesh.vertexOfCorner[h]];
   // Of an edge on the boundary only one triangle counts.
-  double angle = mesh.weight[h] / 2 * (u[mesh.vertexOfCorner[nextCorner(h)]] - own);
+  double angle = mesh.weight[h] / 2 * (u[mesh.head(h)] - own);
   while (true) {
     angle += mesh.angle[h];
-    const std::uint32_t p = prevCorner(h), o = s.twin[p];
+    const SurfaceCorner p = prevCorner(h), o = s.twin[p];
     const double step = mesh.weight[p] * (u[mesh.vertexOfCorner[p]] - own);
-    if (o == kNone) return angle + step / 2;
+    if (!o.exists()) return angle + step / 2;
     angle += step;
     h = o;
   }
@@ -32,9 +31,9 @@ double cross(const Point2& a, const Point2& b, const Point2& c) {
 }
 
 /// Area that is covered more than once, by sweeping lines over the outline.
-double overlapArea(const std::vector<Point2>& p) {
+double overlapArea(const Outline& p) {
   constexpr std::size_t kLines = 96;
-  double low = p[0][1], high = p[0][1];
+  double low = p.front()[1], high = p.front()[1];
   for (const Point2& q : p) {
     low = std::min(low, q[1]);
     high = std::max(high, q[1]);
@@ -42,8 +41,8 @@ double overlapArea(const std::vector<Point2>& p) {
   const double step = (high - low) / kLines;
   if (!(step > 0)) return 0;
   std::vector<std::vector<std::pair<double, int>>> hits(kLines);  // x, change of the winding number
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point2 &a = p[i], &b = p[(i + 1) % p.size()];
+  for (const BoundaryIndex i : p.ids()) {
+    const Point2 &a = p[i], &b = p[nextAlong(i, p.size())];
     if (a[1] == b[1]) continue;
     const double from = (std::min(a[1], b[1]) - low) / step,
                  to = (std::max(a[1], b[1]) - low) / step;
@@ -67,25 +66,25 @@ double overlapArea(const std::vector<Point2>& p) {
 
 }  // namespace
 
-std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, std::uint32_t chart,
-                                   const std::vector<double>& u) {
+Outline predictOutline(const SeamMesh& mesh, const CutSurface& s, CutChartId chart,
+                       const LogScales& u) {
   const BoundaryLoop boundary = s.outline(chart);
   const std::size_t n = boundary.size();
-  std::vector<double> turn(n), lengths(n);
+  IdVector<BoundaryIndex, double> turn(n), lengths(n);
   double total = 0, length = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    turn[i] = kPi - flatAngle(mesh, s, boundary[i], u);
+  for (const BoundaryIndex i : boundary.ids()) {
+    const SurfaceCorner h = boundary[i];
+    turn[i] = kPi - flatAngle(mesh, s, h, u);
     total += turn[i];
-    const double a = u[mesh.vertexOfCorner[boundary[i]]];
-    const double b = u[mesh.vertexOfCorner[nextCorner(boundary[i])]];
-    lengths[i] = mesh.length[boundary[i]] * portable::exp((a + b) / 2);
+    const double a = u[mesh.tail(h)], b = u[mesh.head(h)];
+    lengths[i] = mesh.length[h] * portable::exp((a + b) / 2);
     length += lengths[i];
   }
-  std::vector<Point2> out(n);
+  Outline out(n);
   Point2 at{0, 0};
   double heading = 0;
   const double lack = (2 * kPi - total) / static_cast<double>(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (const BoundaryIndex i : boundary.ids()) {
     out[i] = at;
     heading += turn[i] + lack;
     const portable::SinCos direction = portable::sinCos(heading);
@@ -93,29 +92,30 @@ std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& s, st
     at[1] += lengths[i] * direction.sin;
   }
   double passed = 0;  // what is missing to close is shared out by length
-  for (std::size_t i = 0; i < n; ++i) {
+  for (const BoundaryIndex i : boundary.ids()) {
     for (std::size_t d = 0; d < 2; ++d) out[i][d] -= length > 0 ? at[d] * passed / length : 0;
     passed += lengths[i];
   }
   return out;
 }
 
-double polygonArea(const std::vector<Point2>& p) {
+double polygonArea(const Outline& p) {
   double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point2 &a = p[i], &b = p[(i + 1) % p.size()];
+  for (const BoundaryIndex i : p.ids()) {
+    const Point2 &a = p[i], &b = p[nextAlong(i, p.size())];
     sum += a[0] * b[1] - a[1] * b[0];
   }
   return sum / 2;
 }
 
-double hullArea(std::vector<Point2> p) {
+double hullArea(Outline p) {
   std::sort(p.begin(), p.end());
-  std::vector<Point2> hull;
+  Outline hull;
   for (int side = 0; side < 2; ++side) {
     const std::size_t base = hull.size();
     for (const Point2& q : p) {
-      while (hull.size() >= base + 2 && cross(hull[hull.size() - 2], hull.back(), q) <= 0)
+      while (hull.size() >= base + 2 &&
+             cross(hull[BoundaryIndex(hull.size() - 2)], hull.back(), q) <= 0)
         hull.pop_back();
       hull.push_back(q);
     }
@@ -125,14 +125,15 @@ double hullArea(std::vector<Point2> p) {
   return polygonArea(hull);
 }
 
-double longestExtent(const std::vector<Point2>& points) {
+double longestExtent(const Outline& outline) {
   constexpr int kDirections = 16;
   double longest = 0;
   for (int k = 0; k < kDirections; ++k) {
     const portable::SinCos along = portable::sinCos(kPi * k / kDirections);
     double low = 0, high = 0;
-    for (const Point2& p : points) {
-      const double x = (p[0] - points[0][0]) * along.cos + (p[1] - points[0][1]) * along.sin;
+    for (const Point2& p : outline) {
+      const Point2& first = outline.front();
+      const double x = (p[0] - first[0]) * along.cos + (p[1] - first[1]) * along.sin;
       low = std::min(low, x);
       high = std::max(high, x);
     }
@@ -141,7 +142,7 @@ double longestExtent(const std::vector<Point2>& points) {
   return longest;
 }
 
-Shape measureShape(const std::vector<Point2>& outline) {
+Shape measureShape(const Outline& outline) {
   Shape shape;
   const double area = polygonArea(outline);
   if (outline.size() < 3) return shape;
@@ -153,7 +154,8 @@ Shape measureShape(const std::vector<Point2>& outline) {
   shape.fill = std::min(1.0, area / hullArea(outline));
   std::vector<double> points;
   for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
-  shape.crossings = findCrossings(points, kMostCrossings).first;
+  for (const auto& [i, j] : findCrossings(points, kMostCrossings).first)
+    shape.crossings.push_back({BoundaryIndex(i), BoundaryIndex(j)});
   // What does not cross itself covers nothing twice.
   if (!shape.crossings.empty()) shape.overlap = overlapArea(outline) / area;
   return shape;

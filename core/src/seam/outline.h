@@ -3,18 +3,18 @@
 #include <array>
 #include <vector>
 
+#include "base/point2.h"
 #include "cut/cut_surface.h"
 
 namespace abflat {
 
-using Point2 = std::array<double, 2>;
+/// Where the boundary of a chart lies when it is flat: the first vertex of each half-edge.
+using Outline = IdVector<BoundaryIndex, Point2>;
 
-/// Where the boundary of a chart will lie when it is flattened, one point per half-edge of its loop
-/// (its first vertex). `u` is the log-scale per vertex of the mesh: of the chart's own solution, 0
-/// on its boundary (the angles are then those of Sawhney and Crane 2017), or of a larger chart that
-/// it is cut out of.
-std::vector<Point2> predictOutline(const SeamMesh& mesh, const CutSurface& surface,
-                                   std::uint32_t chart, const std::vector<double>& u);
+/// `u` is the log-scale of the chart's own solution, 0 on its boundary (the angles are then those
+/// of Sawhney and Crane 2017), or of a larger chart that it is cut out of.
+Outline predictOutline(const SeamMesh& mesh, const CutSurface& surface, CutChartId chart,
+                       const LogScales& u);
 
 /// What the outline tells about the layout.
 struct Shape {
@@ -22,26 +22,26 @@ struct Shape {
   double overlap = 0;  ///< area that is covered more than once, over the whole
   double extent = 0;   ///< see longestExtent()
   /// Pairs of half-edges of the loop that cross, at most `kMostCrossings`.
-  std::vector<std::array<std::uint32_t, 2>> crossings;
+  std::vector<std::array<BoundaryIndex, 2>> crossings;
 };
 constexpr std::size_t kMostCrossings = 32;
-Shape measureShape(const std::vector<Point2>& outline);
+Shape measureShape(const Outline& outline);
 
 /// A chart of a surface with the log-scale that is told for it.
 struct ToldChart {
   const CutSurface& surface;
-  std::uint32_t chart;
-  const std::vector<double>& u;
+  CutChartId chart;
+  const LogScales& u;
 };
 
 /// Whether a chart will lie on itself, more than it did and on more than `most` of its area or at
 /// more places.
 bool overlapsMore(const SeamMesh& mesh, const ToldChart& now, const ToldChart& before, double most);
 
-double polygonArea(const std::vector<Point2>& points);
-double hullArea(std::vector<Point2> points);
+double polygonArea(const Outline& outline);
+double hullArea(Outline points);
 
 /// In the direction in which it is largest, to a percent.
-double longestExtent(const std::vector<Point2>& points);
+double longestExtent(const Outline& outline);
 
 }  // namespace abflat

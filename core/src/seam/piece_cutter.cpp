@@ -16,24 +16,26 @@ double cross(PlanePoint o, PlanePoint a, PlanePoint b) {
 
 /// visit(half-edge) for those that leave a vertex, with the surface on their left.
 template <typename Visit>
-void forEachEdge(const CutSurface& s, std::uint32_t v, Visit visit) {
-  const std::uint32_t first = s.outgoing[v];
-  std::uint32_t h = first;
+void forEachEdge(const CutSurface& s, OpenVertex v, Visit visit) {
+  const SurfaceCorner first = s.outgoing[v];
+  SurfaceCorner h = first;
   do {
     visit(h);
     h = s.twin[prevCorner(h)];
-  } while (h != kNone && h != first);
+  } while (h.exists() && h != first);
 }
 
-bool contains(const std::vector<std::uint32_t>& list, std::uint32_t x) {
+PieceId pieceOf(CutChartId chart) { return PieceId(std::uint32_t{chart}); }
+
+bool contains(const std::vector<OpenVertex>& list, OpenVertex x) {
   return std::find(list.begin(), list.end(), x) != list.end();
 }
 
-/// From one place of a loop to another, both included.
-std::vector<std::uint32_t> wayAlong(const std::vector<std::uint32_t>& loop, std::size_t from,
-                                    std::size_t to) {
-  std::vector<std::uint32_t> out;
-  for (std::size_t k = from; k != to; k = (k + 1) % loop.size()) out.push_back(loop[k]);
+/// From one point of a loop to another, both included.
+IdVector<BoundaryIndex, OpenVertex> wayAlong(const IdVector<BoundaryIndex, OpenVertex>& loop,
+                                             BoundaryIndex from, BoundaryIndex to) {
+  IdVector<BoundaryIndex, OpenVertex> out;
+  for (BoundaryIndex i = from; i != to; i = nextAlong(i, loop.size())) out.push_back(loop[i]);
   out.push_back(loop[to]);
   return out;
 }
@@ -41,55 +43,61 @@ std::vector<std::uint32_t> wayAlong(const std::vector<std::uint32_t>& loop, std:
 }  // namespace
 
 PieceCutter::PieceCutter(const SeamMesh& mesh, const CutSurface& surface,
-                         const std::vector<PlanePoint>& at)
+                         const IdVector<OpenVertex, PlanePoint>& at)
     : mesh_(mesh),
       surface_(surface),
       at_(at),
       pieces_(surface.charts.size()),
-      pieceOfTriangle_(surface.chartOfTriangle),
       isTaken_(surface.isBoundary),
       isCut_(mesh.twin.size(), 0) {
-  for (std::uint32_t c = 0; c < pieces_.size(); ++c)
-    for (const std::uint32_t h : surface.outline(c)) pieces_[c].loop.push_back(beginOf(h));
-  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f)
-    addTriangle(f, pieces_[pieceOfTriangle_[f]]);
+  for (const CutChartId c : surface.charts.ids())
+    for (const SurfaceCorner h : surface.outline(c)) pieces_[pieceOf(c)].loop.push_back(beginOf(h));
+  pieceOfTriangle_.reserve(mesh.triangleCount());
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    const PieceId piece = pieceOf(surface.chartOfTriangle[f]);
+    pieceOfTriangle_.push_back(piece);
+    addTriangle(f, pieces_[piece]);
+  }
 }
 
-double PieceCutter::distance(std::uint32_t a, std::uint32_t b) const {
+double PieceCutter::distance(OpenVertex a, OpenVertex b) const {
   const double x = at_[a].x - at_[b].x, y = at_[a].y - at_[b].y;
   return std::sqrt(x * x + y * y);
 }
 
-/// The one at a place comes first.
-PieceCutter::Vertices PieceCutter::verticesNear(const Vertices& loop, std::size_t place,
+/// The one asked for comes first.
+PieceCutter::Vertices PieceCutter::verticesNear(const Loop& loop, BoundaryIndex i,
                                                 double reach) const {
-  Vertices out{loop[place]};
+  Vertices out{loop[i]};
   const std::size_t n = loop.size();
   for (const std::size_t step : {std::size_t{1}, n - 1})
-    for (std::size_t k = (place + step) % n; k != place && distance(loop[k], loop[place]) < reach;
-         k = (k + step) % n)
-      out.push_back(loop[k]);
+    for (std::size_t k = (i + step) % n; k != i; k = (k + step) % n) {
+      const OpenVertex v = loop[BoundaryIndex(k)];
+      if (!(distance(v, loop[i]) < reach)) break;
+      out.push_back(v);
+    }
   return out;
 }
 
 /// Whether a path may take the edge.
-bool PieceCutter::isOpen(std::uint32_t piece, std::uint32_t h) const {
-  return surface_.twin[h] != kNone && !isCut_[h] && pieceOfTriangle_[h / 3] == piece &&
+bool PieceCutter::isOpen(PieceId piece, SurfaceCorner h) const {
+  return surface_.twin[h].exists() && !isCut_[h] && pieceOfTriangle_[triangleOf(h)] == piece &&
          mesh_.cost[h] < kBarredCost;
 }
 
 /// The cheapest path through the inside that leaves the straight one by little, of at most `room`
 /// times its length; empty where there is none.
-PieceCutter::Path PieceCutter::findPath(std::uint32_t piece, const Vertices& from,
-                                        const Vertices& to, double room) const {
+PieceCutter::Path PieceCutter::findPath(PieceId piece, const Vertices& from, const Vertices& to,
+                                        double room) const {
   constexpr double kStraightness = 8;
-  const std::uint32_t a = from[0], b = to[0];
+  const OpenVertex a = from[0], b = to[0];
   const double straight = distance(a, b);
-  std::vector<double> reached(surface_.vertexCount(), std::numeric_limits<double>::infinity());
-  Path by(reached.size(), kNone);
-  using Entry = std::pair<double, std::uint32_t>;
+  IdVector<OpenVertex, double> reached(surface_.vertexCount(),
+                                       std::numeric_limits<double>::infinity());
+  IdVector<OpenVertex, SurfaceCorner> by(reached.size());
+  using Entry = std::pair<double, OpenVertex>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (const std::uint32_t v : from) {
+  for (const OpenVertex v : from) {
     reached[v] = 0;
     queue.push({0, v});
   }
@@ -99,12 +107,12 @@ PieceCutter::Path PieceCutter::findPath(std::uint32_t piece, const Vertices& fro
     queue.pop();
     if (cost > reached[v]) continue;
     if (contains(to, v)) {
-      for (std::uint32_t w = v; by[w] != kNone; w = beginOf(out.back())) out.push_back(by[w]);
+      for (OpenVertex w = v; by[w].exists(); w = beginOf(out.back())) out.push_back(by[w]);
       std::reverse(out.begin(), out.end());
       return out;
     }
-    forEachEdge(surface_, v, [&, cost = cost](std::uint32_t h) {
-      const std::uint32_t w = endOf(h);
+    forEachEdge(surface_, v, [&, cost = cost](SurfaceCorner h) {
+      const OpenVertex w = endOf(h);
       if (!isOpen(piece, h) || (isTaken_[w] && !contains(to, w)) ||
           distance(a, w) + distance(w, b) > room * straight)
         return;
@@ -119,40 +127,48 @@ PieceCutter::Path PieceCutter::findPath(std::uint32_t piece, const Vertices& fro
   return out;
 }
 
-/// Which an edge leads through, or along; kNone where there is none.
-std::uint32_t PieceCutter::holeAt(std::uint32_t h) const {
-  if (mesh_.isFilling(h / 3)) return mesh_.hole[h / 3];
-  return mesh_.isFilling(mesh_.twin[h] / 3) ? mesh_.hole[mesh_.twin[h] / 3] : kNone;
+/// That an edge leads through, or along; none where it does neither.
+HoleId PieceCutter::holeAt(SurfaceCorner h) const {
+  for (const SurfaceCorner side : {h, mesh_.twin[h]})
+    if (mesh_.isFilling(triangleOf(side))) return mesh_.hole[triangleOf(side)];
+  return {};
 }
 
 void PieceCutter::take(const Path& path) {
-  for (const std::uint32_t h : path) {
+  for (const SurfaceCorner h : path) {
     if (mesh_.isOnSurface(h)) length_ += mesh_.length[h];
     isCut_[h] = isCut_[surface_.twin[h]] = 1;
     cuts_.push_back(h);
-    if (const std::uint32_t hole = holeAt(h); hole != kNone) open(hole);
+    if (const HoleId hole = holeAt(h); hole.exists()) open(hole);
   }
 }
 
 /// What fills the hole connects nothing any more.
-void PieceCutter::open(std::uint32_t hole) {
-  for (std::uint32_t f = mesh_.triangleCount(); f-- > 0 && mesh_.isFilling(f);)
-    for (std::uint32_t h = 3 * f; mesh_.hole[f] == hole && h < 3 * f + 3; ++h)
-      if (surface_.twin[h] != kNone) isCut_[h] = isCut_[surface_.twin[h]] = 1;
+void PieceCutter::open(HoleId hole) {
+  for (const SurfaceCorner h : mesh_.fillingCorners())
+    if (mesh_.hole[triangleOf(h)] == hole && surface_.twin[h].exists())
+      isCut_[h] = isCut_[surface_.twin[h]] = 1;
 }
 
-/// The vertices between two of a hole's rim, counter-clockwise round the hole.
-void PieceCutter::addRim(std::uint32_t hole, std::uint32_t from, std::uint32_t to,
-                         Vertices& out) const {
-  const auto next = [&](std::uint32_t v) {
-    for (std::uint32_t f = mesh_.triangleCount(); f-- > 0 && mesh_.isFilling(f);)
-      for (std::uint32_t h = 3 * f; mesh_.hole[f] == hole && h < 3 * f + 3; ++h)
-        if (beginOf(h) == v && !mesh_.isFilling(mesh_.twin[h] / 3)) return endOf(h);
-    return to;
-  };
+/// Along a hole's rim, counter-clockwise round the hole; none where it does not pass the vertex.
+OpenVertex PieceCutter::nextAlongRim(HoleId hole, OpenVertex v) const {
+  for (std::size_t i = mesh_.triangleCount(); i-- > 0;) {
+    const SurfaceTriangle f(i);
+    if (!mesh_.isFilling(f)) break;
+    if (mesh_.hole[f] != hole) continue;
+    for (const SurfaceCorner h : cornersOf(f))
+      if (beginOf(h) == v && !mesh_.isFilling(triangleOf(mesh_.twin[h]))) return endOf(h);
+  }
+  return {};
+}
+
+/// The vertices between two of a hole's rim.
+void PieceCutter::addRim(HoleId hole, OpenVertex from, OpenVertex to, Vertices& out) const {
   // A rim that passes a vertex twice is not followed for ever.
   const std::size_t most = out.size() + mesh_.triangleCount();
-  for (std::uint32_t v = next(from); v != to && out.size() < most; v = next(v)) out.push_back(v);
+  for (OpenVertex v = nextAlongRim(hole, from); v.exists() && v != to && out.size() < most;
+       v = nextAlongRim(hole, v))
+    out.push_back(v);
 }
 
 /// What lies between the ends of a path on one side of it: where it leads through a hole or
@@ -160,12 +176,12 @@ void PieceCutter::addRim(std::uint32_t hole, std::uint32_t from, std::uint32_t t
 PieceCutter::Vertices PieceCutter::sideOf(const Path& path, bool isRight) const {
   Vertices out;
   for (std::size_t k = 0; k < path.size(); ++k) {
-    const std::uint32_t v = beginOf(path[k]);
+    const OpenVertex v = beginOf(path[k]);
     if (k > 0) out.push_back(v);
-    const std::uint32_t hole = holeAt(path[k]);
-    if (hole == kNone) continue;
+    const HoleId hole = holeAt(path[k]);
+    if (!hole.exists()) continue;
     while (k + 1 < path.size() && holeAt(path[k + 1]) == hole) ++k;
-    const std::uint32_t w = endOf(path[k]);
+    const OpenVertex w = endOf(path[k]);
     Vertices rim;
     addRim(hole, isRight ? v : w, isRight ? w : v, rim);
     if (!isRight) std::reverse(rim.begin(), rim.end());
@@ -174,56 +190,58 @@ PieceCutter::Vertices PieceCutter::sideOf(const Path& path, bool isRight) const 
   return out;
 }
 
-void PieceCutter::addTriangle(std::uint32_t f, Piece& out) const {
+void PieceCutter::addTriangle(SurfaceTriangle f, Piece& out) const {
   if (mesh_.isFilling(f)) return;
   out.area += mesh_.area[f];
-  out.flatArea += cross(at_[beginOf(3 * f)], at_[beginOf(3 * f + 1)], at_[beginOf(3 * f + 2)]) / 2;
+  const auto corner = [&](std::size_t k) { return at_[surface_.tail(cornerOf(f, k))]; };
+  out.flatArea += cross(corner(0), corner(1), corner(2)) / 2;
 }
 
 /// What lies on one side of the cuts gets a label of its own.
-void PieceCutter::relabel(std::uint32_t piece, std::uint32_t start, std::uint32_t label,
-                          Piece& out) {
-  std::vector<std::uint32_t> stack{start};
+void PieceCutter::relabel(PieceId piece, SurfaceTriangle start, PieceId label, Piece& out) {
+  std::vector<SurfaceTriangle> stack{start};
   pieceOfTriangle_[start] = label;
   while (!stack.empty()) {
-    const std::uint32_t f = stack.back();
+    const SurfaceTriangle f = stack.back();
     stack.pop_back();
     addTriangle(f, out);
-    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      const std::uint32_t o = surface_.twin[h];
-      if (o == kNone || isCut_[h] || pieceOfTriangle_[o / 3] != piece) continue;
-      pieceOfTriangle_[o / 3] = label;
-      stack.push_back(o / 3);
+    for (const SurfaceCorner h : cornersOf(f)) {
+      const SurfaceCorner o = surface_.twin[h];
+      if (!o.exists() || isCut_[h] || pieceOfTriangle_[triangleOf(o)] != piece) continue;
+      pieceOfTriangle_[triangleOf(o)] = label;
+      stack.push_back(triangleOf(o));
     }
   }
 }
 
-bool PieceCutter::split(std::uint32_t piece, std::size_t from, std::size_t to, double reach) {
+bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach) {
   constexpr double kNarrow = 1.2, kWide = 2;
-  const Vertices loop = pieces_[piece].loop;
+  const Loop loop = pieces_[piece].loop;
   // No vertex is near both.
   const double near = std::min(reach, distance(loop[from], loop[to]) / 2);
   const Vertices begins = verticesNear(loop, from, near), ends = verticesNear(loop, to, near);
   Path path = findPath(piece, begins, ends, kNarrow);
   if (path.empty()) path = findPath(piece, begins, ends, kWide);
-  const auto isSolid = [&](std::uint32_t h) { return !mesh_.isFilling(surface_.twin[h] / 3); };
+  const auto isSolid = [&](SurfaceCorner h) {
+    return !mesh_.isFilling(triangleOf(surface_.twin[h]));
+  };
   if (std::none_of(path.begin(), path.end(), isSolid)) return false;
   take(path);
-  const auto placeOf = [&](std::uint32_t v) {
-    return static_cast<std::size_t>(std::find(loop.begin(), loop.end(), v) - loop.begin());
+  const auto indexOf = [&](OpenVertex v) {
+    return BoundaryIndex(std::find(loop.begin(), loop.end(), v) - loop.begin());
   };
-  const std::size_t first = placeOf(beginOf(path.front())), last = placeOf(endOf(path.back()));
+  const BoundaryIndex first = indexOf(beginOf(path.front())), last = indexOf(endOf(path.back()));
   Piece left, right;
   right.loop = wayAlong(loop, first, last);
   left.loop = wayAlong(loop, last, first);
   const Vertices onRight = sideOf(path, true), onLeft = sideOf(path, false);
-  right.loop.insert(right.loop.end(), onRight.rbegin(), onRight.rend());
-  left.loop.insert(left.loop.end(), onLeft.begin(), onLeft.end());
+  for (std::size_t i = onRight.size(); i-- > 0;) right.loop.push_back(onRight[i]);
+  for (const OpenVertex v : onLeft) left.loop.push_back(v);
   for (const Vertices* side : {&onRight, &onLeft})
-    for (const std::uint32_t v : *side) isTaken_[v] = 1;
-  const auto label = static_cast<std::uint32_t>(pieces_.size());
+    for (const OpenVertex v : *side) isTaken_[v] = 1;
+  const PieceId label(pieces_.size());
   const auto onSurface = std::find_if(path.begin(), path.end(), isSolid);
-  relabel(piece, surface_.twin[*onSurface] / 3, label, right);
+  relabel(piece, triangleOf(surface_.twin[*onSurface]), label, right);
   left.area = pieces_[piece].area - right.area;
   left.flatArea = pieces_[piece].flatArea - right.flatArea;
   pieces_[piece] = std::move(left);

@@ -11,28 +11,29 @@ double distance(PlanePoint a, PlanePoint b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-double perimeterOf(const std::vector<PlanePoint>& loop) {
+using Loop = IdVector<BoundaryIndex, PlanePoint>;
+
+double perimeterOf(const Loop& loop) {
   double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    sum += distance(loop[i], loop[(i + 1) % loop.size()]);
+  for (const BoundaryIndex i : loop.ids())
+    sum += distance(loop[i], loop[nextAlong(i, loop.size())]);
   return sum;
 }
 
-/// Places along a loop, at least so far apart.
-std::vector<std::size_t> sampled(const std::vector<PlanePoint>& loop, double spacing) {
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < loop.size(); ++i)
+/// Points of a loop, at least so far apart.
+std::vector<BoundaryIndex> sampled(const Loop& loop, double spacing) {
+  std::vector<BoundaryIndex> out;
+  for (const BoundaryIndex i : loop.ids())
     if (out.empty() || distance(loop[i], loop[out.back()]) >= spacing) out.push_back(i);
   return out;
 }
 
-/// From one place to another, along a loop of places.
-std::vector<PlanePoint> pointsBetween(const std::vector<PlanePoint>& loop,
-                                      const std::vector<std::size_t>& places, std::size_t from,
-                                      std::size_t to) {
+/// From one of the points that are asked for to another.
+std::vector<PlanePoint> pointsBetween(const Loop& loop, const std::vector<BoundaryIndex>& asked,
+                                      std::size_t from, std::size_t to) {
   std::vector<PlanePoint> out;
-  for (std::size_t k = from;; k = (k + 1) % places.size()) {
-    out.push_back(loop[places[k]]);
+  for (std::size_t k = from;; k = (k + 1) % asked.size()) {
+    out.push_back(loop[asked[k]]);
     if (k == to) return out;
   }
 }
@@ -46,11 +47,11 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
       cutter_(mesh, flat.surface, flat.at),
       charts_(static_cast<int>(cutter_.pieces().size())),
       size_(std::sqrt(mesh.totalArea())) {
-  for (std::uint32_t p = 0; p < cutter_.pieces().size(); ++p) {
-    addPiece();
-    shapes_[p].canCut = flat.canCut[p] != 0;
+  for (const CutChartId chart : flat.surface.charts.ids()) {
+    const PieceId piece = addPiece();
+    shapes_[piece].canCut = flat.canCut[chart] != 0;
     // What has been taken out of a hole takes no room.
-    if (!mesh.isFilling(flat.surface.charts[p].firstTriangle)) takeShape(p);
+    if (!mesh.isFilling(flat.surface.charts[chart].firstTriangle)) takeShape(piece);
   }
 }
 
@@ -60,7 +61,7 @@ PieceFitting::~PieceFitting() = default;
 bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
   constexpr int kMostCuts = 40;
   for (int i = 0; i < kMostCuts; ++i) {
-    const std::vector<std::uint8_t> isPlaced = fit_.placed(side);
+    const Placed isPlaced = placed(side);
     const double missing = missingArea(isPlaced);
     if (missing == 0) return true;
     if (cost() > mostCost || !cutBest(isPlaced, missing, side, mostCost, tries)) return false;
@@ -68,19 +69,24 @@ bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
   return false;
 }
 
-double PieceFitting::missingArea(const std::vector<std::uint8_t>& isPlaced) const {
+PieceFitting::Placed PieceFitting::placed(double side) { return Placed(fit_.placed(side)); }
+PieceFitting::Placed PieceFitting::placed(double side, double mostMissing) {
+  return Placed(fit_.placed(side, mostMissing));
+}
+
+double PieceFitting::missingArea(const Placed& isPlaced) const {
   double sum = 0;
-  for (std::size_t i = 0; i < isPlaced.size(); ++i)
+  for (const PieceId i : isPlaced.ids())
     if (!isPlaced[i]) sum += fit_.items()[i].mass.area;
   return sum;
 }
 
-void PieceFitting::addPiece() {
+PieceId PieceFitting::addPiece() {
   fit_.add({});
-  shapes_.emplace_back();
+  return shapes_.push_back({});
 }
 
-void PieceFitting::takeShape(std::uint32_t p) {
+void PieceFitting::takeShape(PieceId p) {
   constexpr double kPoints = 400, kEnds = 72;
   const Piece& piece = cutter_.pieces()[p];
   Shape& shape = shapes_[p];
@@ -88,13 +94,13 @@ void PieceFitting::takeShape(std::uint32_t p) {
   const double factor =
       piece.flatArea > 0 ? std::sqrt(piece.area * flat_.unitArea / piece.flatArea) : 1;
   shape.loop.clear();
-  for (const std::uint32_t v : piece.loop)
+  for (const OpenVertex v : piece.loop)
     shape.loop.push_back({factor * flat_.at[v].x, factor * flat_.at[v].y});
   const double perimeter = perimeterOf(shape.loop);
   shape.reach = perimeter / kEnds;
-  shape.places = sampled(shape.loop, shape.reach);
+  shape.ends = sampled(shape.loop, shape.reach);
   shape.chords.reset();
-  const std::vector<std::size_t> fine = sampled(shape.loop, perimeter / kPoints);
+  const std::vector<BoundaryIndex> fine = sampled(shape.loop, perimeter / kPoints);
   PackItem item = fit_.itemOf(pointsBetween(shape.loop, fine, 0, fine.size() - 1));
   // Of a needle rounding may leave no area.
   const double area = std::max(piece.area * flat_.unitArea, 0.0);
@@ -109,47 +115,45 @@ double PieceFitting::missingWith(const Candidate& c, double side, double most) {
     // What the cut leaves of the hole's rim belongs to the outlines.
     PieceFitting trial = *this;
     trial.cut(c);
-    return trial.missingArea(trial.fit_.placed(side, most));
+    return trial.missingArea(trial.placed(side, most));
   }
   const auto part = [&](std::size_t from, std::size_t to) {
     const Shape& shape = shapes_[c.piece];
-    PackItem item = fit_.itemOf(pointsBetween(shape.loop, shape.places, from, to));
+    PackItem item = fit_.itemOf(pointsBetween(shape.loop, shape.ends, from, to));
     item.mass.area = std::max(shape.solid * item.mass.area, 0.0);
     return item;
   };
   PackItem whole = fit_.exchange(c.piece, part(c.chord.to, c.chord.from));
   fit_.add(part(c.chord.from, c.chord.to));
-  const double out = missingArea(fit_.placed(side, most));
+  const double out = missingArea(placed(side, most));
   fit_.removeLast();
   fit_.exchange(c.piece, std::move(whole));
   return out;
 }
 
 /// Cuts of the two largest pieces that have no place.
-std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(
-    const std::vector<std::uint8_t>& isPlaced) {
-  std::uint32_t asked[] = {kNone, kNone};
-  const auto areaOf = [&](std::uint32_t p) { return p == kNone ? -1 : fit_.items()[p].mass.area; };
-  for (std::uint32_t p = 0; p < isPlaced.size(); ++p) {
+std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& isPlaced) {
+  PieceId asked[2];
+  const auto areaOf = [&](PieceId p) { return p.exists() ? fit_.items()[p].mass.area : -1; };
+  for (const PieceId p : isPlaced.ids()) {
     if (isPlaced[p] || !shapes_[p].canCut || !(areaOf(p) > areaOf(asked[1]))) continue;
     asked[1] = p;
     if (areaOf(p) > areaOf(asked[0])) std::swap(asked[0], asked[1]);
   }
   std::vector<Candidate> out;
-  for (const std::uint32_t p : asked) {
-    if (p == kNone) continue;
+  for (const PieceId p : asked) {
+    if (!p.exists()) continue;
     Shape& shape = shapes_[p];
     if (!shape.chords)
-      shape.chords =
-          outlineChords(pointsBetween(shape.loop, shape.places, 0, shape.places.size() - 1));
+      shape.chords = outlineChords(pointsBetween(shape.loop, shape.ends, 0, shape.ends.size() - 1));
     for (const OutlineChord& chord : *shape.chords)
       out.push_back({p, chord, shape.solid * chord.length + kCostOfCut * unit_, 0});
   }
   return out;
 }
 
-bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
-                           double mostCost, int& tries) {
+bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, double mostCost,
+                           int& tries) {
   constexpr double kWithOthers = 1.2;  // of a piece's area may find a place when it is cut
   constexpr double kHalf = 0.3;        // at least
   std::vector<Candidate> candidates = candidatesOf(isPlaced);
@@ -195,11 +199,11 @@ bool PieceFitting::cutBest(const std::vector<std::uint8_t>& isPlaced, double mis
 
 bool PieceFitting::cut(const Candidate& c) {
   const Shape& shape = shapes_[c.piece];
-  const std::size_t from = shape.places[c.chord.from], to = shape.places[c.chord.to];
+  const BoundaryIndex from = shape.ends[c.chord.from], to = shape.ends[c.chord.to];
   if (!cutter_.split(c.piece, from, to, shape.reach)) return false;
-  addPiece();
+  const PieceId added = addPiece();
   takeShape(c.piece);
-  takeShape(static_cast<std::uint32_t>(shapes_.size() - 1));
+  takeShape(added);
   return true;
 }
 

@@ -13,9 +13,9 @@ namespace abflat {
 /// Charts that have been flattened, on the cut surface.
 struct FlatSurface {
   CutSurface surface;
-  std::vector<PlanePoint> at;        ///< per vertex of the surface
-  std::vector<std::uint8_t> canCut;  ///< per chart
-  double unitArea = 1;               ///< of the plane, for an area of 1 of the mesh
+  IdVector<OpenVertex, PlanePoint> at;
+  IdVector<CutChartId, std::uint8_t> canCut;
+  double unitArea = 1;  ///< of the plane, for an area of 1 of the mesh
 };
 
 /// Cuts charts until they find room in a square.
@@ -33,7 +33,7 @@ class PieceFitting {
   /// nothing helps, or `tries`, which are counted down, end.
   bool fitInto(double side, double mostCost, int& tries);
 
-  const std::vector<std::uint32_t>& cuts() const { return cutter_.cuts(); }
+  const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
   /// Of the cuts, over the root of the surface's area.
   double length() const { return cutter_.length() / size_; }
@@ -42,26 +42,29 @@ class PieceFitting {
   static double costOf(int count, double length) { return length + kCostOfCut * count; }
 
  private:
+  using Placed = IdVector<PieceId, std::uint8_t>;
+
   struct Candidate {
-    std::uint32_t piece = 0;
+    PieceId piece;
     OutlineChord chord;
     double cost = 0;  ///< in the plane, about, without what leads through holes
     double gain = 0;  ///< area that finds a place, over the cost
   };
 
-  void addPiece();
-  void takeShape(std::uint32_t piece);
-  double missingArea(const std::vector<std::uint8_t>& isPlaced) const;
+  PieceId addPiece();
+  void takeShape(PieceId piece);
+  Placed placed(double side);
+  Placed placed(double side, double mostMissing);
+  double missingArea(const Placed& isPlaced) const;
   double missingWith(const Candidate& candidate, double side, double most);
-  std::vector<Candidate> candidatesOf(const std::vector<std::uint8_t>& isPlaced);
-  bool cutBest(const std::vector<std::uint8_t>& isPlaced, double missing, double side,
-               double mostCost, int& tries);
+  std::vector<Candidate> candidatesOf(const Placed& isPlaced);
+  bool cutBest(const Placed& isPlaced, double missing, double side, double mostCost, int& tries);
   bool cut(const Candidate& candidate);
 
   /// One piece, as it is packed.
   struct Shape {
-    std::vector<PlanePoint> loop;
-    std::vector<std::size_t> places;  ///< of the loop, where cuts may end
+    IdVector<BoundaryIndex, PlanePoint> loop;
+    std::vector<BoundaryIndex> ends;  ///< points of the loop where cuts may end
     double reach = 0;                 ///< from one to the next
     double solid = 1;                 ///< share of what the loop bounds that is no hole
     std::optional<std::vector<OutlineChord>> chords;
@@ -72,9 +75,9 @@ class PieceFitting {
 
   const FlatSurface& flat_;
   double unit_ = 1;  ///< root of the area, in the plane
-  QuickFit fit_;
+  QuickFit fit_;     ///< items are counted like pieces
   PieceCutter cutter_;
-  std::vector<Shape> shapes_;
+  IdVector<PieceId, Shape> shapes_;
   int charts_ = 0;
   double size_ = 1;
 };

@@ -17,32 +17,34 @@ double areaScale(double u) {
 
 }  // namespace
 
-double Prediction::at(std::uint32_t chart, double u) const {
+double Prediction::at(CutChartId chart, double u) const {
   const double ratio = areaScale(u) / meanScale[chart];
   return (ratio + 1 / ratio) / 2;
 }
 
-double Prediction::shift(std::uint32_t chart, double u) const {
+double Prediction::shift(CutChartId chart, double u) const {
   return std::abs(u - portable::log(meanScale[chart]) / 2);
 }
 
-double kinkStretch(const SeamMesh& mesh, const CutSurface& s, std::uint32_t v) {
+double kinkStretch(const SeamMesh& mesh, const CutSurface& s, OpenVertex v) {
   constexpr double kLeastShare = 0.01;
-  const std::uint32_t i = s.meshVertex[v];
+  const SurfaceVertex i = s.meshVertex[v];
   const double ring = 3 * mesh.vertexArea[i];
-  if (s.isBoundary[v] || !(ring > kLeastShare * s.charts[s.chartOfVertex(v)].area)) return 0;
+  if (s.isBoundary[v] || !(ring > kLeastShare * s.charts[s.chartOf(v)].area)) return 0;
   // Angles that grow by a share of x make singular values differ by about as much.
   const double x = 2 * kPi / mesh.angleSum[i] - 1;
   return std::min(1.0, x * x / 2);
 }
 
-Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::vector<double>& u) {
+Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const LogScales& u) {
   Prediction p;
   const std::size_t charts = s.charts.size();
-  std::vector<double> inside(charts, 0), grown(charts, 0), shrunk(charts, 0), kinks(charts, 0);
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
+  IdVector<CutChartId, double> inside(charts, 0), grown(charts, 0), shrunk(charts, 0),
+      kinks(charts, 0);
+  for (const OpenVertex v : s.vertices()) {
     if (s.isBoundary[v]) continue;
-    const std::uint32_t i = s.meshVertex[v], c = s.chartOfVertex(v);
+    const SurfaceVertex i = s.meshVertex[v];
+    const CutChartId c = s.chartOf(v);
     const double scale = areaScale(u[i]);
     inside[c] += mesh.vertexArea[i];
     kinks[c] += 3 * mesh.vertexArea[i] * kinkStretch(mesh, s, v);
@@ -52,10 +54,10 @@ Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const std::
   p.stretch.assign(charts, 1);
   p.meanScale.assign(charts, 1);
   p.excess.assign(charts, mesh.excess.empty() ? 1 : 0);
-  for (std::size_t f = 0; f < mesh.excess.size(); ++f)
+  for (const SurfaceTriangle f : mesh.excess.ids())
     p.excess[s.chartOfTriangle[f]] += mesh.area[f] * mesh.excess[f];
   double area = 0, sum = 0;
-  for (std::size_t c = 0; c < charts; ++c) {
+  for (const CutChartId c : s.charts.ids()) {
     const double all = s.charts[c].area;
     if (all > 0) {
       const double rest = std::max(0.0, all - inside[c]);  // along the boundary, where u = 0

@@ -16,8 +16,7 @@ Complex at(const Point2& p) { return {p[0], p[1]}; }
 struct Motion {
   Complex turn = 0, from = 0, to = 0;
 
-  Motion(const std::vector<Point2>& a, const std::vector<Point2>& b,
-         const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+  Motion(const Outline& a, const Outline& b, const OutlinePairs& pairs) {
     const auto n = static_cast<double>(pairs.size());
     for (const auto& [i, j] : pairs) {
       to += at(a[i]) / n;
@@ -35,24 +34,23 @@ struct Motion {
 
 }  // namespace
 
-double roomTogether(const std::vector<Point2>& a, const std::vector<Point2>& b,
-                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+double roomTogether(const Outline& a, const Outline& b, const OutlinePairs& pairs) {
   const Motion motion(a, b, pairs);
   const double apart = hullArea(a) + hullArea(b);
   if (motion.turn == 0.0 || !(apart > 0)) return std::numeric_limits<double>::infinity();
-  std::vector<Point2> both = a;
+  Outline both = a;
   for (const Point2& p : b) both.push_back(motion(p));
   return hullArea(std::move(both)) / apart;
 }
 
-std::vector<Point2> outlineTogether(const std::vector<Point2>& a, const std::vector<Point2>& b,
-                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+Outline outlineTogether(const Outline& a, const Outline& b, const OutlinePairs& pairs) {
   const Motion motion(a, b, pairs);
-  std::vector<Point2> out;
+  Outline out;
   if (motion.turn == 0.0) return out;
-  for (std::size_t i = pairs.back().first; i != pairs.front().first; i = (i + 1) % a.size())
-    out.push_back(a[i]);
-  for (std::size_t j = pairs.front().second; j != pairs.back().second; j = (j + 1) % b.size())
+  const auto [firstOfA, firstOfB] = pairs.front();
+  const auto [lastOfA, lastOfB] = pairs.back();
+  for (BoundaryIndex i = lastOfA; i != firstOfA; i = nextAlong(i, a.size())) out.push_back(a[i]);
+  for (BoundaryIndex j = firstOfB; j != lastOfB; j = nextAlong(j, b.size()))
     out.push_back(motion(b[j]));
   return out;
 }

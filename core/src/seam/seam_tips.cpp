@@ -14,18 +14,20 @@ namespace {
 /// What one round may free; further away first order tells nothing.
 constexpr double kMostScale = 0.35;
 
-/// Per vertex of the mesh, how its chart's stretch depends on its scale.
-std::vector<double> gradientOf(const TipSearch& t, const CutSurface& s, const Prediction& p) {
-  std::vector<double> shrunk(s.charts.size(), 0);  // mean of e^(-2u) times the area
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c) shrunk[c] = s.charts[c].area;
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
-    const std::uint32_t i = s.meshVertex[v];
+/// How its chart's stretch depends on a vertex's scale.
+IdVector<SurfaceVertex, double> gradientOf(const TipSearch& t, const CutSurface& s,
+                                           const Prediction& p) {
+  IdVector<CutChartId, double> shrunk(s.charts.size(), 0);  // mean of e^(-2u) times the area
+  for (const CutChartId c : s.charts.ids()) shrunk[c] = s.charts[c].area;
+  for (const OpenVertex v : s.vertices()) {
+    const SurfaceVertex i = s.meshVertex[v];
     if (!s.isBoundary[v])
-      shrunk[s.chartOfVertex(v)] += t.mesh.vertexArea[i] * (portable::exp(-2 * t.u[i]) - 1);
+      shrunk[s.chartOf(v)] += t.mesh.vertexArea[i] * (portable::exp(-2 * t.u[i]) - 1);
   }
-  std::vector<double> out(t.mesh.vertexCount(), 0);
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
-    const std::uint32_t i = s.meshVertex[v], c = s.chartOfVertex(v);
+  IdVector<SurfaceVertex, double> out(t.mesh.vertexCount(), 0);
+  for (const OpenVertex v : s.vertices()) {
+    const SurfaceVertex i = s.meshVertex[v];
+    const CutChartId c = s.chartOf(v);
     const double area = s.charts[c].area, grown = portable::exp(2 * t.u[i]);
     if (area > 0)
       out[i] = p.excess[c] * t.mesh.vertexArea[i] / area *
@@ -36,11 +38,11 @@ std::vector<double> gradientOf(const TipSearch& t, const CutSurface& s, const Pr
 
 /// Of the system's right-hand side `b`, what the solution x does not meet: at a vertex that is held
 /// at zero, what holds it there.
-std::vector<double> lackOf(const SeamMesh& mesh, std::vector<double> b,
-                           const std::vector<double>& x) {
-  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
-    if (mesh.twin[h] != kNone && mesh.twin[h] < h) continue;
-    const std::uint32_t i = mesh.vertexOfCorner[h], j = mesh.vertexOfCorner[nextCorner(h)];
+IdVector<SurfaceVertex, double> lackOf(const SeamMesh& mesh, IdVector<SurfaceVertex, double> b,
+                                       const IdVector<SurfaceVertex, double>& x) {
+  for (const SurfaceCorner h : mesh.corners()) {
+    if (mesh.twin[h] < h) continue;
+    const SurfaceVertex i = mesh.tail(h), j = mesh.head(h);
     const double flow = mesh.stiffness(h) * (x[i] - x[j]);
     b[i] -= flow;
     b[j] += flow;
@@ -51,36 +53,36 @@ std::vector<double> lackOf(const SeamMesh& mesh, std::vector<double> b,
 /// Seams at a vertex as outgoing half-edges, up to three; a vertex of the mesh's boundary counts as
 /// one with more than two.
 struct SeamsAt {
-  std::array<std::uint32_t, 3> h{};
+  std::array<SurfaceCorner, 3> h;
   int count = 0;
 };
 
-SeamsAt seamsAt(const TipSearch& t, std::uint32_t v) {
+SeamsAt seamsAt(const TipSearch& t, SurfaceVertex v) {
   SeamsAt out;
-  const std::uint32_t first = t.outgoing[v];
-  if (rotateClockwise(t.mesh.twin, first) == kNone) {
+  const SurfaceCorner first = t.outgoing[v];
+  if (!rotateClockwise(t.mesh.twin, first).exists()) {
     out.count = 3;
     return out;
   }
-  std::uint32_t h = first;
+  SurfaceCorner h = first;
   do {
     if (t.seams[h]) out.h[static_cast<std::size_t>(out.count++)] = h;
     h = rotateCounterClockwise(t.mesh.twin, h);
-  } while (h != kNone && h != first && out.count < 3);
+  } while (h.exists() && h != first && out.count < 3);
   return out;
 }
 
-bool isFree(const TipSearch& t, std::uint32_t h) { return !t.kept[h] && t.mesh.isOnSurface(h); }
+bool isFree(const TipSearch& t, SurfaceCorner h) { return !t.kept[h] && t.mesh.isOnSurface(h); }
 
 /// The path from an end; of one that ends at both ends half.
-std::vector<std::uint32_t> pathFrom(const TipSearch& t, std::uint32_t end) {
-  std::vector<std::uint32_t> out;
+std::vector<SurfaceCorner> pathFrom(const TipSearch& t, SurfaceVertex end) {
+  std::vector<SurfaceCorner> out;
   SeamsAt at = seamsAt(t, end);
   if (at.count != 1) return out;
-  std::uint32_t h = at.h[0];
+  SurfaceCorner h = at.h[0];
   while (isFree(t, h)) {
     out.push_back(h);
-    at = seamsAt(t, t.mesh.vertexOfCorner[nextCorner(h)]);
+    at = seamsAt(t, t.mesh.head(h));
     if (at.count != 2) break;
     h = at.h[0] == t.mesh.twin[h] ? at.h[1] : at.h[0];
   }
@@ -150,37 +152,36 @@ void setStretch(const std::vector<double>& flux, const std::vector<double>& adjo
 
 }  // namespace
 
-std::vector<std::uint32_t> outgoingHalfEdges(const SeamMesh& mesh) {
-  std::vector<std::uint32_t> out(mesh.vertexCount(), kNone);
-  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
-    std::uint32_t& first = out[mesh.vertexOfCorner[h]];
-    if (first == kNone || rotateClockwise(mesh.twin, h) == kNone) first = h;
+IdVector<SurfaceVertex, SurfaceCorner> outgoingHalfEdges(const SeamMesh& mesh) {
+  IdVector<SurfaceVertex, SurfaceCorner> out(mesh.vertexCount());
+  for (const SurfaceCorner h : mesh.corners()) {
+    SurfaceCorner& first = out[mesh.tail(h)];
+    if (!first.exists() || !rotateClockwise(mesh.twin, h).exists()) first = h;
   }
   return out;
 }
 
 std::vector<SeamTip> findTips(const TipSearch& t, const CutSurface& s, const Prediction& p,
-                              const std::vector<std::uint8_t>& isWanted, LogScale& scale) {
+                              const IdVector<CutChartId, std::uint8_t>& isWanted, LogScale& scale) {
   const SeamMesh& mesh = t.mesh;
-  std::vector<double> curvature, adjoint = gradientOf(t, s, p);
-  for (std::uint32_t i = 0; i < mesh.vertexCount(); ++i)
-    curvature.push_back(mesh.angleSum[i] - 2 * kPi);
-  const std::vector<double> lack = lackOf(mesh, std::move(curvature), t.u);
-  std::vector<double> gradient = adjoint;
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+  IdVector<SurfaceVertex, double> curvature, adjoint = gradientOf(t, s, p);
+  for (const SurfaceVertex i : mesh.vertices()) curvature.push_back(mesh.angleSum[i] - 2 * kPi);
+  const IdVector<SurfaceVertex, double> lack = lackOf(mesh, std::move(curvature), t.u);
+  IdVector<SurfaceVertex, double> gradient = adjoint;
+  for (const OpenVertex v : s.vertices())
     if (s.isBoundary[v]) adjoint[s.meshVertex[v]] = 0;
   scale.solveAgain(adjoint);
-  const std::vector<double> lackOfAdjoint = lackOf(mesh, std::move(gradient), adjoint);
+  const IdVector<SurfaceVertex, double> lackOfAdjoint = lackOf(mesh, std::move(gradient), adjoint);
   std::vector<SeamTip> out;
-  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+  for (const SurfaceVertex v : mesh.vertices()) {
     SeamTip tip;
     tip.edges = pathFrom(t, v);
     if (tip.edges.empty()) continue;
-    tip.chart = s.chartOfTriangle[tip.edges.front() / 3];
+    tip.chart = s.chartOf(tip.edges.front());
     if (!isWanted[tip.chart]) continue;
     std::vector<double> flux, fluxOfAdjoint;
     double length = 0;
-    for (const std::uint32_t h : tip.edges) {
+    for (const SurfaceCorner h : tip.edges) {
       length += mesh.cost[h];
       tip.length.push_back(length);
       flux.push_back(lack[mesh.vertexOfCorner[h]]);

@@ -32,20 +32,17 @@ struct Progress {
 
 class Shortener {
  public:
-  Shortener(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options, LogScale& scale,
-            std::vector<double>& u, Seams& seams)
-      : mesh_(mesh),
-        kept_(kept),
-        options_(options),
-        scale_(scale),
-        outgoing_(outgoingHalfEdges(mesh)),
-        u_(u),
-        seams_(seams) {}
+  explicit Shortener(const SeamWork& work)
+      : work_(work),
+        mesh_(work.mesh),
+        outgoing_(outgoingHalfEdges(work.mesh)),
+        u_(work.u),
+        seams_(work.seams) {}
 
   void run(bool isSolved) {
     surface_ = cutAlong(mesh_, seams_, pulse_);
     if (!isSolved) {
-      std::vector<double> u = scale_.solve(surface_, {});
+      LogScales u = work_.scale.solve(surface_, {});
       if (u.empty()) return;
       u_ = std::move(u);
     }
@@ -53,8 +50,7 @@ class Shortener {
     progress_.resize(surface_.charts.size());
     const std::size_t rounds =
         std::clamp(kTriangles / mesh_.triangleCount(), kFewRounds, kManyRounds);
-    for (std::size_t round = 0; round < rounds && (!options_.keepsOn || options_.keepsOn());
-         ++round)
+    for (std::size_t round = 0; round < rounds && work_.goesOn(); ++round)
       if (!shorten()) return;
   }
 
@@ -67,7 +63,7 @@ class Shortener {
 
   void mark(const Choice& choice, bool isSeam) {
     for (std::size_t i = 0; i < choice.count; ++i) {
-      const std::uint32_t h = choice.tip.edges[i];
+      const SurfaceCorner h = choice.tip.edges[i];
       seams_[h] = seams_[mesh_.twin[h]] = isSeam;
     }
   }
@@ -78,18 +74,18 @@ class Shortener {
     if (choices.empty()) return false;
     for (const Choice& choice : choices) mark(choice, false);
     CutSurface next = cutAlong(mesh_, seams_, pulse_);
-    std::vector<double> u = scale_.solve(next, {});
+    LogScales u = work_.scale.solve(next, {});
     // Charts are the same ones, in the same order: no seam between them is gone.
     if (u.empty() || next.charts.size() != surface_.charts.size()) {
       for (const Choice& choice : choices) mark(choice, true);
       return false;
     }
     Prediction told = predictStretch(mesh_, next, u);
-    const std::vector<std::uint8_t> isRefused = refused(choices, next, told, u);
+    const IdVector<CutChartId, std::uint8_t> isRefused = refused(choices, next, told, u);
     settle(choices, isRefused, told);
     // Charts do not depend on each other.
-    for (std::uint32_t v = 0; v < surface_.vertexCount(); ++v)
-      if (const std::uint32_t c = surface_.chartOfVertex(v); isRefused[c]) {
+    for (const OpenVertex v : surface_.vertices())
+      if (const CutChartId c = surface_.chartOf(v); isRefused[c]) {
         u[surface_.meshVertex[v]] = u_[surface_.meshVertex[v]];
         told.stretch[c] = prediction_.stretch[c];
         told.meanScale[c] = prediction_.meanScale[c];
@@ -102,27 +98,27 @@ class Shortener {
     }
     // The factor is to be that of the surface as it is now.
     surface_ = cutAlong(mesh_, seams_, pulse_);
-    return !scale_.solve(surface_, {}).empty();
+    return !work_.scale.solve(surface_, {}).empty();
   }
 
   std::vector<Choice> choose() {
-    std::vector<std::uint8_t> isWanted;
-    for (std::uint32_t c = 0; c < progress_.size(); ++c) {
+    IdVector<CutChartId, std::uint8_t> isWanted;
+    for (const CutChartId c : progress_.ids()) {
       Progress& p = progress_[c];
       p.isDone = p.isDone || !surface_.charts[c].isDisk() || !(slack(c) > kLittle * most());
       isWanted.push_back(!p.isDone);
     }
     if (std::find(isWanted.begin(), isWanted.end(), 1) == isWanted.end()) return {};
-    std::vector<std::vector<Choice>> of(progress_.size());
-    for (SeamTip& tip :
-         findTips({mesh_, seams_, kept_, u_, outgoing_}, surface_, prediction_, isWanted, scale_)) {
+    IdVector<CutChartId, std::vector<Choice>> of(progress_.size());
+    for (SeamTip& tip : findTips({mesh_, seams_, work_.kept, u_, outgoing_}, surface_, prediction_,
+                                 isWanted, work_.scale)) {
       const auto limit = limit_.find(tip.vertex(mesh_));
       if (limit != limit_.end()) tip.edges.resize(std::min(tip.edges.size(), limit->second));
       std::vector<Choice>& own = of[tip.chart];
       if (!tip.edges.empty()) own.push_back({std::move(tip), 0});
     }
     std::vector<Choice> out;
-    for (std::uint32_t c = 0; c < of.size(); ++c) {
+    for (const CutChartId c : of.ids()) {
       chooseIn(c, of[c]);
       Progress& p = progress_[c];
       p.expected = 0;
@@ -140,7 +136,7 @@ class Shortener {
 
   /// Of each tip as much as costs at most a certain stretch for its length, the same for all, so
   /// that all together use up the slack.
-  void chooseIn(std::uint32_t c, std::vector<Choice>& choices) const {
+  void chooseIn(CutChartId c, std::vector<Choice>& choices) const {
     const double budget = kShareOfSlack * slack(c) / progress_[c].model;
     const auto takeAt = [&](double rate) {
       double sum = 0;
@@ -177,38 +173,39 @@ class Shortener {
     for (std::size_t i = most; i < order.size(); ++i) choices[order[i]].count = 0;
   }
 
-  double most() const { return options_.maxStretch - 1; }
-  double slack(std::uint32_t c) const { return options_.maxStretch - prediction_.stretch[c]; }
+  double most() const { return work_.options.maxStretch - 1; }
+  double slack(CutChartId c) const { return work_.options.maxStretch - prediction_.stretch[c]; }
 
   /// Charts that do not keep to what is asked for.
-  std::vector<std::uint8_t> refused(const std::vector<Choice>& choices, const CutSurface& next,
-                                    const Prediction& told, const std::vector<double>& u) const {
-    std::vector<std::uint8_t> isChanged(progress_.size(), 0), out(progress_.size(), 0);
+  IdVector<CutChartId, std::uint8_t> refused(const std::vector<Choice>& choices,
+                                             const CutSurface& next, const Prediction& told,
+                                             const LogScales& u) const {
+    IdVector<CutChartId, std::uint8_t> isChanged(progress_.size(), 0), out(progress_.size(), 0);
     for (const Choice& choice : choices) {
-      const std::uint32_t c = choice.tip.chart;
+      const CutChartId c = choice.tip.chart;
       isChanged[c] = 1;
       for (std::size_t i = 0; i < choice.count; ++i)
         if (told.shift(c, u[mesh_.vertexOfCorner[choice.tip.edges[i]]]) > kMostShift) out[c] = 1;
     }
-    for (std::uint32_t c = 0; c < out.size(); ++c)
+    for (const CutChartId c : out.ids())
       if (isChanged[c] &&
-          (told.stretch[c] > options_.maxStretch || !next.charts[c].isDisk() ||
-           overlapsMore(mesh_, {next, c, u}, {surface_, c, u_}, options_.mostOverlap)))
+          (told.stretch[c] > work_.options.maxStretch || !next.charts[c].isDisk() ||
+           overlapsMore(mesh_, {next, c, u}, {surface_, c, u_}, work_.options.mostOverlap)))
         out[c] = 1;
     return out;
   }
 
   /// Takes back what was refused, and learns from all.
-  void settle(const std::vector<Choice>& choices, const std::vector<std::uint8_t>& isRefused,
-              const Prediction& told) {
+  void settle(const std::vector<Choice>& choices,
+              const IdVector<CutChartId, std::uint8_t>& isRefused, const Prediction& told) {
     for (const Choice& choice : choices) {
-      const std::uint32_t c = choice.tip.chart;
+      const CutChartId c = choice.tip.chart;
       if (!isRefused[c]) continue;
       mark(choice, true);
       if (progress_[c].chosen == 1) limit_[choice.tip.vertex(mesh_)] = choice.count / 2;
     }
     constexpr double kLeast = 0.7, kMost = 3;
-    for (std::uint32_t c = 0; c < progress_.size(); ++c) {
+    for (const CutChartId c : progress_.ids()) {
       Progress& p = progress_[c];
       if (p.isDone) continue;
       if (isRefused[c])
@@ -219,26 +216,21 @@ class Shortener {
     }
   }
 
+  const SeamWork work_;
   const SeamMesh& mesh_;
-  const Seams& kept_;
-  const SeamOptions& options_;
-  const Pulse pulse_{[this] { return !options_.keepsOn || options_.keepsOn(); }};
-  LogScale& scale_;
-  const std::vector<std::uint32_t> outgoing_;
-  std::vector<double>& u_;  ///< per vertex, of the charts as they are
+  const Pulse pulse_{[this] { return work_.goesOn(); }};
+  const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
+  LogScales& u_;
   Seams& seams_;
   CutSurface surface_;
   Prediction prediction_;
-  std::vector<Progress> progress_;  ///< per chart
+  IdVector<CutChartId, Progress> progress_;
   /// By the vertex that a tip ends at: how many edges were not refused, or not yet.
-  std::map<std::uint32_t, std::size_t> limit_;
+  std::map<SurfaceVertex, std::size_t> limit_;
 };
 
 }  // namespace
 
-void shortenSeams(const SeamMesh& mesh, const Seams& kept, const SeamOptions& options,
-                  LogScale& scale, std::vector<double>& u, Seams& seams, bool isSolved) {
-  Shortener(mesh, kept, options, scale, u, seams).run(isSolved);
-}
+void shortenSeams(const SeamWork& work, bool isSolved) { Shortener(work).run(isSolved); }
 
 }  // namespace abflat

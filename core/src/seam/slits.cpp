@@ -9,54 +9,58 @@ namespace abflat {
 namespace {
 
 struct Peak {
-  std::uint32_t chart, vertex;
+  CutChartId chart;
+  OpenVertex vertex;
   double stretch;
   double shift;  ///< |u - that of the chart's mean scale|
 };
 
-bool isPeak(const CutSurface& s, const std::vector<double>& own, std::uint32_t v) {
-  const std::uint32_t first = s.outgoing[v];
-  std::uint32_t h = first;
+bool isPeak(const CutSurface& s, const IdVector<OpenVertex, double>& own, OpenVertex v) {
+  const SurfaceCorner first = s.outgoing[v];
+  SurfaceCorner h = first;
   do {
-    const std::uint32_t w = s.vertexOfCorner[nextCorner(h)];
+    const OpenVertex w = s.head(h);
     if (own[w] > own[v] || (own[w] == own[v] && w < v)) return false;
     h = s.twin[prevCorner(h)];
-  } while (h != kNone && h != first);
+  } while (h.exists() && h != first);
   return true;
 }
 
 /// For each chart above the bound without a peak, as where its boundary is stretched most, the
 /// vertex whose scale is farthest from the boundary's.
-void addFarthest(const CutSurface& s, const std::vector<double>& own, const Prediction& prediction,
-                 const std::vector<double>& u, double maxStretch, std::vector<Peak>& peaks) {
-  std::vector<std::uint8_t> hasPeak(s.charts.size(), 0);
+void addFarthest(const CutSurface& s, const IdVector<OpenVertex, double>& own,
+                 const Prediction& prediction, const LogScales& u, double maxStretch,
+                 std::vector<Peak>& peaks) {
+  IdVector<CutChartId, std::uint8_t> hasPeak(s.charts.size(), 0);
   for (const Peak& peak : peaks) hasPeak[peak.chart] = 1;
-  std::vector<std::uint32_t> farthest(s.charts.size(), kNone);
-  const auto scale = [&](std::uint32_t v) { return std::abs(u[s.meshVertex[v]]); };
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
-    const std::uint32_t c = s.chartOfVertex(v);
+  IdVector<CutChartId, OpenVertex> farthest(s.charts.size());
+  const auto scale = [&](OpenVertex v) { return std::abs(u[s.meshVertex[v]]); };
+  for (const OpenVertex v : s.vertices()) {
+    const CutChartId c = s.chartOf(v);
     if (hasPeak[c] || s.isBoundary[v] || own[v] == 0 || !(prediction.stretch[c] > maxStretch))
       continue;
-    if (farthest[c] == kNone || scale(v) > scale(farthest[c])) farthest[c] = v;
+    if (!farthest[c].exists() || scale(v) > scale(farthest[c])) farthest[c] = v;
   }
-  for (std::uint32_t c = 0; c < s.charts.size(); ++c)
-    if (const std::uint32_t v = farthest[c]; v != kNone)
+  for (const CutChartId c : s.charts.ids())
+    if (const OpenVertex v = farthest[c]; v.exists())
       peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
-                                    const PathForest& forest, const Prediction& prediction,
-                                    const std::vector<double>& u, double maxStretch) {
-  std::vector<double> own(s.vertexCount(), 1);
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& prediction,
+                                 const LogScales& u, double maxStretch) {
+  const SeamMesh& mesh = paths.mesh;
+  const CutSurface& s = paths.surface;
+  const PathForest& forest = paths.forest;
+  IdVector<OpenVertex, double> own(s.vertexCount(), 1);
+  for (const OpenVertex v : s.vertices())
     own[v] = forest.distance[v] < kBarredCost
-                 ? prediction.at(s.chartOfVertex(v), u[s.meshVertex[v]]) + kinkStretch(mesh, s, v)
+                 ? prediction.at(s.chartOf(v), u[s.meshVertex[v]]) + kinkStretch(mesh, s, v)
                  : 0;
   std::vector<Peak> peaks;
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v) {
-    const std::uint32_t c = s.chartOfVertex(v);
+  for (const OpenVertex v : s.vertices()) {
+    const CutChartId c = s.chartOf(v);
     if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch) || own[v] == 0) continue;
     if (isPeak(s, own, v)) peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
   }
@@ -72,11 +76,11 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
   constexpr double kFar = 0.3;    // of the greatest peak's way; nearer ones are noise
   // Of the greatest peak's shift. Where little is missing, a slit too many is dearer than a round.
   constexpr double kMuch = 1.2, kShareOfMuch = 0.35, kShareOfLittle = 0.8;
-  std::vector<std::uint32_t> ends;
+  std::vector<OpenVertex> ends;
   for (std::size_t i = 0; i < peaks.size();) {
     const std::size_t first = ends.size();
     const double top = peaks[i].shift;
-    const std::uint32_t chart = peaks[i].chart;
+    const CutChartId chart = peaks[i].chart;
     const double share = prediction.stretch[chart] > kMuch ? kShareOfMuch : kShareOfLittle;
     const auto asks = [&](const Peak& peak) {
       return peak.shift >= share * top && peak.stretch > maxStretch;
@@ -86,7 +90,7 @@ std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& s,
       asking += asks(peaks[k]);
     const std::size_t most = std::max(kFewPeaks, asking / kPart);
     for (; i < peaks.size() && peaks[i].chart == chart; ++i) {
-      const std::uint32_t v = peaks[i].vertex;
+      const OpenVertex v = peaks[i].vertex;
       bool isFree = ends.size() - first < most && asks(peaks[i]);
       if (ends.size() > first && peaks[i].shift < kShareOfLittle * top)
         isFree = isFree && forest.distance[v] >= kFar * forest.distance[ends[first]];

@@ -9,8 +9,7 @@ namespace abflat {
 
 /// Ends of the slits that relieve a chart most: vertices of greatest own stretch, well apart, that
 /// can be reached.
-std::vector<std::uint32_t> slitEnds(const SeamMesh& mesh, const CutSurface& surface,
-                                    const PathForest& forest, const Prediction& prediction,
-                                    const std::vector<double>& u, double maxStretch);
+std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& prediction,
+                                 const LogScales& u, double maxStretch);
 
 }  // namespace abflat

@@ -17,19 +17,22 @@ struct ShapeOptions {
 /// What a chart is split for.
 enum class SplitFor : std::uint8_t { Nothing, Overlap, OverlapOrFill };
 
-/// Shapes of the charts that need a split for what is `asked`, as the log-scale tells them. Leaves
-/// Nothing in `asked` where none is needed.
-std::vector<Shape> shapesToSplit(const SeamMesh& mesh, const CutSurface& surface,
-                                 const std::vector<double>& u, const ShapeOptions& options,
-                                 std::vector<SplitFor>& asked);
+/// The charts of a surface that are to be split.
+struct SplitCharts {
+  IdVector<CutChartId, SplitFor> asked;
+  IdVector<CutChartId, Shape> shape;  ///< of those for which that is not Nothing
+};
 
-/// Splits charts for what is `asked`, which have these shapes, until the layout told by `u`, cut
-/// along the new seams as it lies, has no piece that covers too much of itself or too little of its
-/// convex hull. `forest` has the paths of these charts. Leaves Nothing in `asked` where a chart was
-/// not split, adds the seams and returns the number of splits.
-std::uint32_t splitByShape(const SeamMesh& mesh, const CutSurface& surface,
-                           const PathForest& forest, const std::vector<double>& u,
-                           const std::vector<Shape>& shapes, const ShapeOptions& options,
-                           std::vector<SplitFor>& asked, Seams& seams, const Pulse& pulse = {});
+/// Of the charts that a split is `asked` of those that need one, as the log-scale tells their
+/// shape.
+SplitCharts chartsToSplit(const SeamMesh& mesh, const CutSurface& surface, const LogScales& u,
+                          const ShapeOptions& options, IdVector<CutChartId, SplitFor> asked);
+
+/// Splits charts until the layout told by `u`, cut along the new seams as it lies, has no piece
+/// that covers too much of itself or too little of its convex hull. `paths` are those of these
+/// charts. Leaves Nothing for a chart that was not split, adds the seams and returns the number of
+/// splits.
+std::uint32_t splitByShape(const CutPaths& paths, const LogScales& u, const ShapeOptions& options,
+                           SplitCharts& charts, Seams& seams, const Pulse& pulse = {});
 
 }  // namespace abflat

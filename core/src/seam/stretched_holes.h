@@ -8,8 +8,8 @@ namespace abflat {
 
 /// A vertex on the rim of each filled hole that costs a chart above the bound most: where the chart
 /// would be stretched by more than the bound, and nearly by as much as at its worst hole.
-std::vector<std::uint32_t> stretchedHoles(const SeamMesh& mesh, const CutSurface& surface,
-                                          const Prediction& prediction,
-                                          const std::vector<double>& u, double maxStretch);
+std::vector<OpenVertex> stretchedHoles(const SeamMesh& mesh, const CutSurface& surface,
+                                       const Prediction& prediction, const LogScales& u,
+                                       double maxStretch);
 
 }  // namespace abflat

@@ -139,18 +139,18 @@ RoomCuts findRoomCuts(const ChartSet& set, const FlatCharts& flat, const OpenSur
 
 void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurface& open) {
   open.seams.resize(open.mesh.twin.size(), 0);
-  for (const std::uint32_t h : cuts.halfEdges) open.seams[h] = open.seams[open.mesh.twin[h]] = 1;
+  for (const SurfaceCorner h : cuts.halfEdges) open.seams[h] = open.seams[open.mesh.twin[h]] = 1;
   openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
 }
 
 void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isAsked,
               const Seams& seams, OpenSurface& open) {
   const CutSurface s = cutAlong(open.mesh, seams);
-  std::vector<std::uint8_t> isBack(s.charts.size(), 0);
+  IdVector<CutChartId, std::uint8_t> isBack(s.charts.size(), 0);
   for (const ChartId i : before.ids())
     isBack[s.chartOfTriangle[before.topology(i).triangles.front()]] = isAsked[i];
-  for (std::size_t h = 0; h < seams.size(); ++h)
-    if (isBack[s.chartOfTriangle[h / 3]]) open.seams[h] = seams[h];
+  for (const SurfaceCorner h : seams.ids())
+    if (isBack[s.chartOf(h)]) open.seams[h] = seams[h];
 }
 
 bool isWorth(const AtlasReport& atlas, const UnwrapOptionValues& options) {

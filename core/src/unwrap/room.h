@@ -12,7 +12,7 @@ namespace abflat {
 
 /// Seams that let the charts, as they lie, be packed at a higher texel density.
 struct RoomCuts {
-  std::vector<std::uint32_t> halfEdges;  ///< of the open surface, one of each edge
+  std::vector<SurfaceCorner> halfEdges;  ///< of the open surface, one of each edge
   int count = 0;
   double length = 0;  ///< over the root of the surface's area
 };

@@ -16,25 +16,37 @@
 namespace abflat {
 namespace {
 
+/// What is given, without what lies within fixed islands, and the borders of these.
+Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
+  if (fixed.isFixed.empty()) return given;
+  Seams out = fixed.borders;
+  for (const SurfaceCorner h : out.ids())
+    if (given[h] && !fixed.isFixed[triangleOf(h)]) out[h] = 1;
+  return out;
+}
+
 /// The surface opened along what is given, so that the holes of its charts show, and with these
 /// filled; where there are none the surface as it is, which has the same elimination order whatever
 /// is given. The seams are those that are given but not its boundary.
-OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams given,
-                        const Scales& scales, const FixedTriangles& fixed, FillHoles mode,
+OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked, FillHoles mode,
                         const Pulse& pulse) {
+  const Surface& surface = uncut.surface;
+  const PolygonMesh& mesh = uncut.welded.mesh;
+  Seams given = withBorders(asked.seams, asked.fixed);
   CornerTable table = surface.table;
-  for (std::size_t h = 0; h < given.size(); ++h)
-    if (given[h]) table.twin[SurfaceCorner(h)] = {};
+  for (const SurfaceCorner h : given.ids())
+    if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
-    return makeSeamMesh(welded.mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        scales.ofTriangle, pulse);
+    return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
+                        asked.scales.ofTriangle, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
-  Fans fans = isAny ? findFans(table, welded.mesh.vertexCount()) : surface.fans;
+  Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
   OpenSurface out;
   out.mesh = meshOf(table, fans);
-  fillHoles(mode, fixed.isFixed, out.mesh, pulse);
-  if (isAny && out.mesh.hole.empty() && fixed.isFixed.empty() && scales.ofTriangle.empty()) {
+  fillHoles(mode, asked.fixed.isFixed, out.mesh, pulse);
+  if (isAny && out.mesh.hole.empty() && asked.fixed.isFixed.empty() &&
+      asked.scales.ofTriangle.empty()) {
     fans = surface.fans;
     out.mesh = meshOf(surface.table, fans);
     out.seams = given;
@@ -48,11 +60,10 @@ OpenSurface openAndFill(const WeldedMesh& welded, const Surface& surface, Seams 
 double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
   const auto longest = std::max_element(open.mesh.length.begin(), open.mesh.length.end());
   if (longest == open.mesh.length.end() || !(*longest > 0)) return 1;
-  const auto h = static_cast<std::uint32_t>(longest - open.mesh.length.begin());
-  const auto input = [&](std::uint32_t c) {
-    return open.inputVertex[SurfaceVertex(open.mesh.vertexOfCorner[c])];
-  };
-  return norm(edgeVector(welded.mesh.positions, input(h), input(nextCorner(h)))) / *longest;
+  const SurfaceCorner h(longest - open.mesh.length.begin());
+  const InputVertex tail = open.inputVertex[open.mesh.tail(h)];
+  const InputVertex head = open.inputVertex[open.mesh.head(h)];
+  return norm(edgeVector(welded.mesh.positions, tail, head)) / *longest;
 }
 
 SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
@@ -69,78 +80,78 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   return out;
 }
 
-bool isGiven(const OpenSurface& open, std::size_t h) {
+bool isGiven(const OpenSurface& open, SurfaceCorner h) {
   return h < open.given.size() && open.given[h];
 }
 
 /// Seams that part charts; slits within a chart are none, unless they are given.
 Seams seamsBetween(const CutSurface& s, const OpenSurface& open) {
   Seams out = open.seams;
-  for (std::size_t h = 0; h < out.size(); ++h) {
-    const std::uint32_t o = open.mesh.twin[h];
-    if (o != kNone && s.chartOfTriangle[h / 3] == s.chartOfTriangle[o / 3] && !isGiven(open, h))
-      out[h] = 0;
+  for (const SurfaceCorner h : out.ids()) {
+    const SurfaceCorner o = open.mesh.twin[h];
+    if (o.exists() && s.chartOf(h) == s.chartOf(o) && !isGiven(open, h)) out[h] = 0;
   }
   return out;
 }
 
 /// Finds the seams anew within the charts of `surface` that are wanted, beginning with those that
 /// were found before; false when they are as before.
-bool findWithin(const CutSurface& surface, const std::vector<std::uint8_t>& isWanted,
+bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8_t>& isWanted,
                 SeamOptions options, OpenSurface& open, SeamReport& found) {
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
-  const bool hasPlace = !open.place.empty();
-  if (hasPlace)
-    for (const std::uint32_t v : part.vertex) options.place.push_back(open.place[v]);
+  const bool hasRanks = !open.eliminationRanks.empty();
+  if (hasRanks) options.eliminationRanks = part.ofVertices(open.eliminationRanks);
   open.seams.resize(open.mesh.twin.size(), 0);
   open.found.resize(open.mesh.twin.size(), 0);
   Seams given;
-  for (const std::uint32_t h : part.halfEdge) {
+  for (const SurfaceCorner h : part.wholeHalfEdge) {
     given.push_back(open.seams[h] && isGiven(open, h));
     options.first.push_back(open.found[h]);
   }
   const Seams seams = findSeams(part.mesh, std::move(given), options, &found);
   bool isAny = false;
-  for (std::size_t i = 0; i < seams.size(); ++i) {
-    const std::uint32_t h = part.halfEdge[i];
-    if (part.mesh.twin[i] == kNone) continue;
+  for (const SurfaceCorner i : seams.ids()) {
+    const SurfaceCorner h = part.wholeHalfEdge[i];
+    if (!part.mesh.twin[i].exists()) continue;
     isAny = isAny || open.seams[h] != seams[i];
     open.seams[h] = seams[i];
     open.found[h] = found.found[i];
   }
-  open.place.resize(open.mesh.vertexCount(), 0);
+  open.eliminationRanks.resize(open.mesh.vertexCount(), 0);
   open.scale.resize(open.mesh.vertexCount(), 0);
   open.foundScale.resize(open.mesh.vertexCount(), 0);
-  for (std::size_t v = 0; v < found.place.size(); ++v) {
+  for (const SurfaceVertex i : found.eliminationRanks.ids()) {
+    const SurfaceVertex v = part.wholeVertex[i];
     // A chart is to be solved in the same order whenever it is found.
-    if (!hasPlace) open.place[part.vertex[v]] = found.place[v];
-    open.scale[part.vertex[v]] = found.scale[v];
-    open.foundScale[part.vertex[v]] = found.foundScale[v];
+    if (!hasRanks) open.eliminationRanks[v] = found.eliminationRanks[i];
+    open.scale[v] = found.scale[i];
+    open.foundScale[v] = found.foundScale[i];
   }
   return isAny;
 }
 
 /// Makes the seams of a chart as long as they were found; false when they are.
-bool restore(const CutSurface& s, std::uint32_t chart, OpenSurface& open) {
+bool restore(const CutSurface& s, CutChartId chart, OpenSurface& open) {
   bool isAny = false;
-  for (std::uint32_t k = s.triangleBegin[chart]; k < s.triangleBegin[chart + 1]; ++k)
-    for (std::uint32_t h = 3 * s.triangleOrder[k]; h < 3 * s.triangleOrder[k] + 3; ++h) {
-      const std::uint32_t v = open.mesh.vertexOfCorner[h];
-      if (!s.isBoundary[s.vertexOfCorner[h]]) open.scale[v] = open.foundScale[v];
-      if (open.seams[h] || !open.found[h] || open.mesh.twin[h] == kNone) continue;
+  for (const SurfaceTriangle f : s.trianglesOf(chart))
+    for (const SurfaceCorner h : cornersOf(f)) {
+      const SurfaceVertex v = open.mesh.tail(h);
+      if (!s.isBoundary[s.tail(h)]) open.scale[v] = open.foundScale[v];
+      if (open.seams[h] || !open.found[h] || !open.mesh.twin[h].exists()) continue;
       open.seams[h] = isAny = true;
     }
   return isAny;
 }
 
-bool isAlone(const SeamMesh& mesh, std::uint32_t triangle) {
-  const std::uint32_t* twin = &mesh.twin[3 * std::size_t{triangle}];
-  return twin[0] == kNone && twin[1] == kNone && twin[2] == kNone;
+bool isAlone(const SeamMesh& mesh, SurfaceTriangle f) {
+  for (const SurfaceCorner h : cornersOf(f))
+    if (mesh.twin[h].exists()) return false;
+  return true;
 }
 
 bool areMostAlone(const SeamMesh& mesh) {
   std::uint32_t alone = 0;
-  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) alone += isAlone(mesh, f);
+  for (const SurfaceTriangle f : mesh.triangles()) alone += isAlone(mesh, f);
   return alone > mesh.triangleCount() / 2;
 }
 
@@ -150,27 +161,17 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
                 OpenSurface& open, SeamReport& found) {
   if (isFixed.empty() && !areMostAlone(open.mesh)) {
     open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
-    open.place = std::move(found.place);
+    open.eliminationRanks = std::move(found.eliminationRanks);
     open.scale = std::move(found.scale);
     open.found = std::move(found.found);
     open.foundScale = std::move(found.foundScale);
     return;
   }
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
-  std::vector<std::uint8_t> isWanted;
+  IdVector<CutChartId, std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : islands.charts)
-    isWanted.push_back(chart.triangles > 1 &&
-                       (isFixed.empty() || !isFixed[SurfaceTriangle(chart.firstTriangle)]));
+    isWanted.push_back(chart.triangles > 1 && (isFixed.empty() || !isFixed[chart.firstTriangle]));
   findWithin(islands, isWanted, options, open, found);
-}
-
-/// What is given, without what lies within fixed islands, and the borders of these.
-Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
-  if (fixed.isFixed.empty()) return given;
-  Seams out = fixed.borders;
-  for (std::size_t h = 0; h < out.size(); ++h)
-    if (given[h] && !fixed.isFixed[SurfaceTriangle(h / 3)]) out[h] = 1;
-  return out;
 }
 
 }  // namespace
@@ -185,20 +186,17 @@ std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit)
   return text;
 }
 
-OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surface,
-                    const Seams& asked, const Scales& scales, const FixedTriangles& fixed,
-                    const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
-                    SeamSummary& summary) {
-  OpenSurface open = openAndFill(welded, surface, withBorders(asked, fixed), scales, fixed,
-                                 options.fillHoles, Pulse(keepsOn));
+OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
+                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary) {
+  OpenSurface open = openAndFill(uncut, asked, options.fillHoles, Pulse(keepsOn));
   SeamReport found;
-  open.unit = unit * unitOf(welded, open);
+  open.unit = uncut.unit * unitOf(uncut.welded, open);
   SeamOptions toBegin = seamOptions(options, open, pool, std::move(keepsOn));
   // How much refining leaves is known to a third or so, and to cut again takes another run.
   constexpr double kShare = 0.85;
   if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
-  findAround(fixed.isFixed, toBegin, open, found);
-  summary.genus = surface.summary.genus;
+  findAround(asked.fixed.isFixed, toBegin, open, found);
+  summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
   return open;
@@ -211,11 +209,11 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   if (std::none_of(charts.begin(), charts.end(), isAsked)) return false;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
-  std::vector<double> excess(s.charts.size(), 0);  // 0: stays
+  IdVector<CutChartId, double> excess(s.charts.size(), 0);  // 0: stays
   bool isAnyRestored = false;
   for (const ChartId i : charts.ids()) {
     if (!isAsked(charts[i])) continue;
-    const std::uint32_t c = s.chartOfTriangle[set.topology(i).triangles.front()];
+    const CutChartId c = s.chartOfTriangle[set.topology(i).triangles.front()];
     if (charts[i].isTangled && restore(s, c, open)) {
       isAnyRestored = true;
       continue;
@@ -232,11 +230,11 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
     excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
-  for (std::uint32_t f = 0; f < open.mesh.triangleCount(); ++f)
+  for (const SurfaceTriangle f : open.mesh.triangles())
     if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;
   const CutSurface apart = cutAlong(open.mesh, seamsBetween(s, open));
-  std::vector<std::uint8_t> isWanted(apart.charts.size(), 0);
-  for (std::size_t c = 0; c < s.charts.size(); ++c)
+  IdVector<CutChartId, std::uint8_t> isWanted(apart.charts.size(), 0);
+  for (const CutChartId c : s.charts.ids())
     if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
   SeamReport found;
   const bool isAnyFound = findWithin(
@@ -248,37 +246,35 @@ void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isA
                  ThreadPool& pool, OpenSurface& open) {
   if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return;
   const CutSurface s = cutAlong(open.mesh, open.seams);
-  std::vector<std::uint8_t> isWanted(s.charts.size(), 0);
+  IdVector<CutChartId, std::uint8_t> isWanted(s.charts.size(), 0);
   for (const ChartId i : set.ids())
     isWanted[s.chartOfTriangle[set.topology(i).triangles.front()]] = isAsked[i];
   const SeamPart part = extractCharts(open.mesh, s, isWanted);
-  std::vector<std::uint32_t> place;
-  for (const std::uint32_t v : part.vertex) place.push_back(open.place[v]);
-  LogScale scale(part.mesh, &pool, std::move(place));
+  LogScale scale(part.mesh, &pool, part.ofVertices(open.eliminationRanks));
   const CutSurface whole = cutAlong(part.mesh, Seams(part.mesh.twin.size(), 0));
-  const std::vector<double> u = scale.solve(whole, {});
-  for (std::size_t v = 0; v < u.size(); ++v) open.scale[part.vertex[v]] = u[v];
+  const LogScales u = scale.solve(whole, {});
+  for (const SurfaceVertex v : u.ids()) open.scale[part.wholeVertex[v]] = u[v];
 }
 
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order that was found for the whole surface.
-  out.place.assign(welded.mesh.vertexCount(), 0);
-  for (std::size_t i = 0; i < open.place.size(); ++i)
-    out.place[open.inputVertex[SurfaceVertex(i)]] = open.place[i];
+  out.eliminationRank.assign(welded.mesh.vertexCount(), 0);
+  for (const SurfaceVertex v : open.eliminationRanks.ids())
+    out.eliminationRank[open.inputVertex[v]] = open.eliminationRanks[v];
   return out;
 }
 
 Seams visibleSeams(const OpenSurface& open) {
   Seams out = open.given;
-  for (std::uint32_t h = 0; h < out.size(); ++h)
+  for (const SurfaceCorner h : out.ids())
     out[h] = out[h] || (open.seams[h] && open.mesh.isOnSurface(h));
   return out;
 }
 
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
   double length = 0;
-  for (std::size_t h = 0; h < visible.size(); ++h) {
+  for (const SurfaceCorner h : visible.ids()) {
     if (!visible[h]) continue;
     length += open.mesh.length[h] / 2;
     ++summary.edges;

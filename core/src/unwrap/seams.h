@@ -22,19 +22,31 @@ struct OpenSurface {
   double unit = 1;                                   ///< of `mesh`, in that of the input
   IdVector<SurfaceVertex, InputVertex> inputVertex;  ///< of the welded mesh
   Seams given;                                       ///< of the surface
-  Seams seams;                       ///< of `mesh`; what is given may be its boundary instead
-  Seams found;                       ///< before they were shortened; a superset of `seams`
-  std::vector<std::uint32_t> place;  ///< per vertex of `mesh`, in an elimination order
-  std::vector<double> scale;         ///< per vertex of `mesh`, the log-scale to be expected
-  std::vector<double> foundScale;    ///< the same before seams were shortened
+  Seams seams;                        ///< of `mesh`; what is given may be its boundary instead
+  Seams found;                        ///< before they were shortened; a superset of `seams`
+  EliminationRanks eliminationRanks;  ///< of `mesh`
+  LogScales scale;                    ///< to be expected
+  LogScales foundScale;               ///< the same before seams were shortened
+};
+
+/// A surface before it is cut.
+struct UncutSurface {
+  const WeldedMesh& welded;
+  double unit;  ///< of the welded mesh, in that of the input
+  const Surface& surface;
+};
+
+/// Where it is to be cut, whatever else is found.
+struct AskedCuts {
+  const Seams& seams;
+  const Scales& scales;
+  const FixedTriangles& fixed;
 };
 
 /// Cuts the surface around what is fixed, and fills the holes of its charts; `keepsOn` as in
-/// SeamOptions, `unit` that of the welded mesh, in the input's.
-OpenSurface cutOpen(const WeldedMesh& welded, double unit, const Surface& surface,
-                    const Seams& asked, const Scales& scales, const FixedTriangles& fixed,
-                    const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
-                    SeamSummary& summary);
+/// SeamOptions.
+OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
+                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary);
 
 /// What flattening has made of a chart.
 struct Stretched {

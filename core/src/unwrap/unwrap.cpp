@@ -121,7 +121,7 @@ class Unwrapping {
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     open_ = cutOpen(
-        welded_, unit_, surface_, given.value, scales, fixed_, options_, *pool_,
+        {welded_, unit_, surface_}, {given.value, scales, fixed_}, options_, *pool_,
         [&] { return monitor_.tell(kSeams); }, report_.seams);
     surface_.fans = Fans();
     monitor_.tellAgain();
@@ -187,7 +187,7 @@ class Unwrapping {
     out_.seams = seamEdges(map(), seams);
     open_ = OpenSurface();
     wishes_ = IdVector<ChartId, ChartWishes>();
-    set_.place = {};
+    set_.eliminationRank = {};
   }
 
   Status readWishes() {

@@ -35,7 +35,7 @@ struct Filled {
 };
 
 std::uint32_t holesIn(const SeamMesh& mesh) {
-  return mesh.hole.empty() || mesh.hole.back() == kNone ? 0 : mesh.hole.back() + 1;
+  return mesh.hole.empty() || !mesh.hole.back().exists() ? 0 : mesh.hole.back() + 1;
 }
 
 std::uint32_t holesIn(const ChartSet& set) {
@@ -61,23 +61,23 @@ TEST_CASE("filling leaves the surface as it is and one loop to each chart", "[ho
   const SeamMesh &mesh = filled.mesh, &surface = filled.cuttable.seamMesh;
   CHECK(holesIn(mesh) == 6);
   CHECK(mesh.totalArea() == surface.totalArea());
-  for (std::uint32_t h = 0; h < surface.twin.size(); ++h) {
+  for (const SurfaceCorner h : surface.corners()) {
     CHECK(mesh.vertexOfCorner[h] == surface.vertexOfCorner[h]);
-    if (surface.twin[h] != kNone) CHECK(mesh.twin[h] == surface.twin[h]);
+    if (surface.twin[h].exists()) CHECK(mesh.twin[h] == surface.twin[h]);
   }
-  for (std::uint32_t h = 0; h < mesh.twin.size(); ++h) {
-    const std::uint32_t o = mesh.twin[h];
-    if (o == kNone) continue;
+  for (const SurfaceCorner h : mesh.corners()) {
+    const SurfaceCorner o = mesh.twin[h];
+    if (!o.exists()) continue;
     CHECK(mesh.twin[o] == h);
-    CHECK(mesh.vertexOfCorner[o] == mesh.vertexOfCorner[nextCorner(h)]);
-    CHECK(mesh.vertexOfCorner[nextCorner(o)] == mesh.vertexOfCorner[h]);
+    CHECK(mesh.vertexOfCorner[o] == mesh.head(h));
+    CHECK(mesh.head(o) == mesh.vertexOfCorner[h]);
   }
   const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
   REQUIRE(s.charts.size() == 1);
-  CHECK(s.charts[0].isDisk());
+  CHECK(s.charts.front().isDisk());
   // Gauss and Bonnet: what filling bends is all of the turning that was missing.
   double curvature = 0;
-  for (std::uint32_t v = 0; v < s.vertexCount(); ++v)
+  for (const OpenVertex v : s.vertices())
     curvature += (s.isBoundary[v] ? kPi : 2 * kPi) - mesh.angleSum[s.meshVertex[v]];
   CHECK(curvature == Approx(2 * kPi));
 }
@@ -177,11 +177,11 @@ TEST_CASE("holes that stay filled leave no vertex without a path, and no walk wi
     INFO("seed " << seed);
     const Filled filled(checkered(7 + seed % 5, 6, seed), FillHoles::Always);
     const CutSurface s = cutAlong(filled.mesh, Seams(filled.mesh.twin.size(), 0));
-    std::vector<std::uint32_t> extra;
+    std::vector<OpenVertex> extra;
     for (const CutSurface::Chart& c : s.charts)
-      if (c.loops == 0) extra.push_back(s.vertexOfCorner[3 * c.firstTriangle]);
+      if (c.loops == 0) extra.push_back(s.tail(cornerOf(c.firstTriangle, 0)));
     const PathForest forest = findPaths(filled.mesh, s, extra);
-    for (std::uint32_t v = 0; v < s.vertexCount(); ++v) CHECK(forest.source[v] != kNone);
+    for (const OpenVertex v : s.vertices()) CHECK(forest.source[v].exists());
     const Seams seams = filled.find(true, FillHoles::Always);
     const ChartSet set = filled.charts(seams);
     for (const ChartId i : set.ids()) CHECK(isDisk(set.chart(i)));

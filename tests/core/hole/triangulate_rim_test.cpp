@@ -10,8 +10,8 @@ namespace {
 
 Rim rimOf(std::vector<Vec3> points) {
   const std::size_t n = points.size();
-  return {std::move(points), std::vector<std::uint8_t>(n, 0),
-          [](std::uint32_t, std::uint32_t) { return false; }};
+  return {IdVector<RimIndex, Vec3>(std::move(points)), IdVector<RimIndex, std::uint8_t>(n, 0),
+          [](RimIndex, RimIndex) { return false; }};
 }
 
 /// Star-shaped with deep notches, tilted and bent.
@@ -56,16 +56,16 @@ TEST_CASE("a rim that crosses or touches itself is not filled", "[holes]") {
 
 TEST_CASE("an edge of the surface is not made a second time", "[holes]") {
   Rim square = rimOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-  square.isJoined = [](std::uint32_t a, std::uint32_t b) { return a % 2 == 0 && b % 2 == 0; };
+  square.isJoined = [](RimIndex a, RimIndex b) { return a % 2 == 0 && b % 2 == 0; };
   for (const auto& t : triangulateRim(square))
     for (std::size_t k = 0; k < 3; ++k) CHECK(t[k] + t[(k + 1) % 3] != 2);
-  square.isJoined = [](std::uint32_t, std::uint32_t) { return true; };
+  square.isJoined = [](RimIndex, RimIndex) { return true; };
   CHECK(triangulateRim(square).empty());
 }
 
 TEST_CASE("a vertex with one triangle gets two more", "[holes]") {
   Rim rim = jagged(12, 0);
-  for (const std::uint32_t corner : {0u, 5u, 7u}) rim.isCorner[corner] = 1;
+  for (const std::uint32_t corner : {0u, 5u, 7u}) rim.isCorner[RimIndex(corner)] = 1;
   std::vector<int> uses(12, 0);
   const auto triangles = triangulateRim(rim);
   REQUIRE(!triangles.empty());

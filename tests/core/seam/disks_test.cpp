@@ -69,9 +69,9 @@ Seams seamsOf(const Cuttable& c, Seams given = {}) {
   SeamReport report;
   Seams seams = findSeams(c.seamMesh, std::move(given), {}, &report);
   REQUIRE(seams.size() == c.seamMesh.twin.size());
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
+  for (const SurfaceCorner h : seams.ids()) {
     if (!seams[h]) continue;
-    REQUIRE(c.seamMesh.twin[h] != kNone);
+    REQUIRE(c.seamMesh.twin[h].exists());
     REQUIRE(seams[c.seamMesh.twin[h]]);
   }
   CHECK(std::isfinite(report.stretch));
@@ -158,11 +158,12 @@ TEST_CASE("given seams are kept and completed", "[seams]") {
     std::mt19937 random(seed);
     Seams given(c.seamMesh.twin.size(), 0);
     const unsigned share = seed < 3 ? 1000 : 1 + seed * 3;
-    for (std::uint32_t h = 0; h < given.size(); ++h)
+    for (const SurfaceCorner h : given.ids())
       if (random() % share == 0) given[h] = given[c.seamMesh.twin[h]] = 1;
-    if (seed == 2) given.assign(given.size(), 0), given[0] = 1;  // one side of one edge
+    if (seed == 2)
+      given.assign(given.size(), 0), given[SurfaceCorner(0)] = 1;  // one side of one edge
     const Seams seams = seamsOf(c, given);
-    for (std::uint32_t h = 0; h < given.size(); ++h)
+    for (const SurfaceCorner h : given.ids())
       if (given[h]) REQUIRE(seams[h]);
     for (const PolygonMesh& chart : chartsOf(c, seams)) {
       const MeshSummary summary = inspect(chart);

@@ -36,29 +36,29 @@ PolygonMesh sheet(Height height) {
 }
 
 /// Marks the edges between neighbours in the list of places, and tells them in order.
-std::vector<std::uint32_t> markedPath(const SeamMesh& mesh,
+std::vector<SurfaceCorner> markedPath(const SeamMesh& mesh,
                                       const std::vector<std::array<unsigned, 2>>& places,
                                       Seams& seams) {
-  std::vector<std::uint32_t> out;
+  std::vector<SurfaceCorner> out;
   for (std::size_t k = 0; k + 1 < places.size(); ++k)
-    for (std::uint32_t h = 0; h < mesh.twin.size(); ++h)
+    for (const SurfaceCorner h : mesh.corners())
       if (mesh.vertexOfCorner[h] == places[k][1] * kSide + places[k][0] &&
-          mesh.vertexOfCorner[nextCorner(h)] == places[k + 1][1] * kSide + places[k + 1][0]) {
+          mesh.head(h) == places[k + 1][1] * kSide + places[k + 1][0]) {
         out.push_back(h);
         seams[h] = seams[mesh.twin[h]] = 1;
       }
   return out;
 }
 
-double costOf(const std::vector<double>& cost, const Seams& seams) {
+double costOf(const IdVector<SurfaceCorner, double>& cost, const Seams& seams) {
   double out = 0;
-  for (std::size_t h = 0; h < seams.size(); ++h)
+  for (const SurfaceCorner h : seams.ids())
     if (seams[h]) out += cost[h] / 2;
   return out;
 }
 
-std::vector<float> everywhere(const Seams& seams, float width) {
-  return std::vector<float>(seams.size(), width);
+IdVector<SurfaceCorner, float> everywhere(const Seams& seams, float width) {
+  return IdVector<SurfaceCorner, float>(seams.size(), width);
 }
 
 /// From the lower to the upper border, by the side in the middle.
@@ -77,7 +77,7 @@ TEST_CASE("a path that goes a detour is drawn straight, and stays where it has n
   const Cuttable c(sheet([](double, double) { return 0.0; }));
   const SeamMesh& mesh = c.seamMesh;
   Seams before(mesh.twin.size(), 0);
-  const std::vector<std::uint32_t> path = markedPath(mesh, detour(), before);
+  const std::vector<SurfaceCorner> path = markedPath(mesh, detour(), before);
   REQUIRE(path.size() == detour().size() - 1);
   const double straight = mesh.length[path.front()] * (kSide - 1);
   CHECK(pathCost(mesh, mesh.cost, path) > 1.1 * straight);
@@ -114,7 +114,7 @@ TEST_CASE("a crease is taken and not the flat beside it", "[fair]") {
   for (unsigned j = 0; j < kSide; ++j) places.push_back({9, j});
   markedPath(mesh, places, seams);
   CHECK(fairPaths(mesh, mesh.cost, everywhere(seams, 0.3f), seams));
-  for (std::uint32_t h = 0; h < seams.size(); ++h)
+  for (const SurfaceCorner h : seams.ids())
     if (seams[h]) CHECK(mesh.vertexOfCorner[h] % kSide == 11);
 }
 
@@ -126,9 +126,9 @@ TEST_CASE("fairing keeps charts and their topology, and lowers what seams cost",
     options.maxStretch = 1.01;
     const Seams before = findSeams(mesh, {}, options, nullptr);
     // A cost of noise, so that there is much to draw anew.
-    std::vector<double> cost = mesh.cost;
-    for (std::uint32_t h = 0; h < cost.size(); ++h)
-      if (mesh.twin[h] > h) cost[h] = cost[mesh.twin[h]] = cost[h] * (1 + h * 7919 % 101 / 50.0);
+    IdVector<SurfaceCorner, double> cost = mesh.cost;
+    for (const SurfaceCorner h : cost.ids())
+      if (h < mesh.twin[h]) cost[h] = cost[mesh.twin[h]] = cost[h] * (1 + h * 7919 % 101 / 50.0);
     for (const float width : {0.05f, 0.2f, 1.0f}) {
       CAPTURE(seed, width);
       Seams seams = before;
@@ -153,15 +153,15 @@ TEST_CASE("seams are drawn anew within the bounds, and those that are given stay
   for (const double maxStretch : {1.01, 1.02, 1.2}) {
     options.maxStretch = maxStretch;
     Seams seams = found;
-    std::vector<double> u = report.scale;
-    fairSeams(mesh, none, options, scale, u, seams);
+    LogScales u = report.scale;
+    fairSeams({mesh, none, options, scale, u, seams});
     const CutSurface s = cutAlong(mesh, seams);
-    const std::vector<double> own = scale.solve(s, {});
+    const LogScales own = scale.solve(s, {});
     CHECK(u == own);
     for (const double stretch : predictStretch(mesh, s, own).stretch)
       CHECK(stretch <= maxStretch * (1 + 1e-9));
     Seams kept = found;
-    fairSeams(mesh, found, options, scale, u, kept);
+    fairSeams({mesh, found, options, scale, u, kept});
     CHECK(kept == found);
   }
 }
@@ -211,9 +211,9 @@ TEST_CASE("what the surface looks out on is itself in a groove, and nothing on a
   for (const double hidden : occlusion(Cuttable(isosurface(16, rings(0))).seamMesh))
     CHECK(hidden < 0.02);
   const Cuttable c(sheet([](double x, double) { return 3 * std::abs(x - 10); }));
-  const std::vector<double> hidden = occlusion(c.seamMesh);
+  const IdVector<SurfaceTriangle, double> hidden = occlusion(c.seamMesh);
   double low = 0, high = 0;
-  for (std::uint32_t f = 0; f < hidden.size(); ++f) {
+  for (const SurfaceTriangle f : hidden.ids()) {
     CHECK(hidden[f] >= 0);
     CHECK(hidden[f] <= 1);
     const double x = c.mesh.positions[3 * c.mesh.faceVertices[3 * f]];

@@ -20,17 +20,17 @@ namespace {
 /// The inner edges of a grid that lie along some of its columns.
 Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (std::size_t v = 0; v < m.vertexCount(); ++v) {
+  for (const SurfaceVertex v : m.vertices()) {
     low = std::min(low, m.positions[3 * v]);
     high = std::max(high, m.positions[3 * v]);
   }
-  const auto columnOf = [&](std::uint32_t v) {
+  const auto columnOf = [&](SurfaceVertex v) {
     return static_cast<int>(std::lround(count * (m.positions[3 * v] - low) / (high - low)));
   };
   Seams seams(m.twin.size(), 0);
-  for (std::uint32_t h = 0; h < seams.size(); ++h) {
-    if (m.twin[h] == kNone) continue;
-    const int a = columnOf(m.vertexOfCorner[h]), b = columnOf(m.vertexOfCorner[nextCorner(h)]);
+  for (const SurfaceCorner h : seams.ids()) {
+    if (!m.twin[h].exists()) continue;
+    const int a = columnOf(m.vertexOfCorner[h]), b = columnOf(m.head(h));
     for (const int x : columns) seams[h] |= a == x && b == x;
   }
   return seams;
@@ -38,11 +38,12 @@ Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns
 
 std::uint32_t merged(const SeamMesh& mesh, const Seams& kept, Seams& seams) {
   LogScale scale(mesh, nullptr);
-  std::vector<double> u = scale.solve(cutAlong(mesh, seams), {});
-  return mergeCharts(mesh, kept, {}, scale, u, seams);
+  LogScales u = scale.solve(cutAlong(mesh, seams), {});
+  const SeamOptions options;
+  return mergeCharts({mesh, kept, options, scale, u, seams});
 }
 
-std::vector<Point2> box(double x, double y, double w, double h) {
+Outline box(double x, double y, double w, double h) {
   return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
 }
 
@@ -92,9 +93,9 @@ TEST_CASE("charts hang together by a part of their seam where all of it cannot b
   const CutSurface s = cutAlong(c.seamMesh, report.found);
   // Seams that end within a chart between two that were apart.
   std::size_t ends = 0;
-  std::vector<int> degree(c.seamMesh.vertexCount(), 0);
-  for (std::uint32_t h = 0; h < report.found.size(); ++h)
-    if (report.found[h]) ++degree[c.seamMesh.vertexOfCorner[h]];
+  IdVector<SurfaceVertex, int> degree(c.seamMesh.vertexCount(), 0);
+  for (const SurfaceCorner h : report.found.ids())
+    if (report.found[h]) ++degree[c.seamMesh.tail(h)];
   for (const int d : degree) ends += d == 1;
   CHECK(ends >= 2);
   CHECK(s.charts.size() <= 3);
@@ -114,24 +115,28 @@ TEST_CASE("joined charts keep the bounds, and no seam is added", "[merge]") {
     CHECK(done > 0);
     CHECK(s.charts.size() == cutAlong(c.seamMesh, before).charts.size() - done);
     for (const CutSurface::Chart& chart : s.charts) CHECK(chart.isDisk());
-    for (std::size_t h = 0; h < seams.size(); ++h) REQUIRE(seams[h] <= before[h]);
-    const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+    for (const SurfaceCorner h : seams.ids()) REQUIRE(seams[h] <= before[h]);
+    const LogScales u = LogScale(c.seamMesh, nullptr).solve(s, {});
     for (const double stretch : predictStretch(c.seamMesh, s, u).stretch)
       CHECK(stretch <= SeamOptions().maxStretch);
   }
 }
 
 TEST_CASE("the room of two outlines does not depend on how they lie", "[merge]") {
-  const std::vector<Point2> a = box(0, 0, 2, 1);
-  const std::vector<std::pair<std::size_t, std::size_t>> side{{1, 0}, {2, 3}};
+  const Outline a = box(0, 0, 2, 1);
+  const auto pairs = [](unsigned a0, unsigned b0, unsigned a1, unsigned b1) {
+    return OutlinePairs{{BoundaryIndex(a0), BoundaryIndex(b0)},
+                        {BoundaryIndex(a1), BoundaryIndex(b1)}};
+  };
+  const OutlinePairs side = pairs(1, 0, 2, 3);
   CHECK(roomTogether(a, box(2, 0, 3, 1), side) == Approx(1));
-  std::vector<Point2> turned;
+  Outline turned;
   for (const Point2& p : box(2, 0, 3, 1))
     turned.push_back({5 + 0.6 * p[0] - 0.8 * p[1], -7 + 0.8 * p[0] + 0.6 * p[1]});
   CHECK(roomTogether(a, turned, side) == Approx(1));
   // A unit square on the left half of the upper side.
-  CHECK(roomTogether(a, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}, {{3, 0}, {3, 0}}) ==
+  CHECK(roomTogether(a, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}, pairs(3, 0, 3, 0)) ==
         std::numeric_limits<double>::infinity());
-  const std::vector<Point2> wide = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
-  CHECK(roomTogether(wide, box(0, 1, 1, 1), {{4, 0}, {3, 1}}) == Approx(3.5 / 3));
+  const Outline wide = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
+  CHECK(roomTogether(wide, box(0, 1, 1, 1), pairs(4, 0, 3, 1)) == Approx(3.5 / 3));
 }

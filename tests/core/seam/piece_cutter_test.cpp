@@ -18,28 +18,29 @@ namespace {
 struct Flat {
   Cuttable cuttable;
   CutSurface surface;
-  std::vector<PlanePoint> at;
+  IdVector<OpenVertex, PlanePoint> at;
 
   explicit Flat(const PolygonMesh& mesh, bool isFilled = false) : cuttable(mesh) {
     if (isFilled) fillHoles(FillHoles::Auto, {}, cuttable.seamMesh);
     const SeamMesh& m = cuttable.seamMesh;
     surface = cutAlong(m, Seams(m.twin.size(), 0));
-    for (const std::uint32_t v : surface.meshVertex)
+    for (const SurfaceVertex v : surface.meshVertex)
       at.push_back({m.positions[3 * v], m.positions[3 * v + 1]});
   }
 
-  std::size_t placeAt(const Piece& piece, double x, double y) const {
-    const auto off = [&](std::uint32_t v) { return std::hypot(at[v].x - x, at[v].y - y); };
-    return static_cast<std::size_t>(
+  BoundaryIndex pointAt(const Piece& piece, double x, double y) const {
+    const auto off = [&](OpenVertex v) { return std::hypot(at[v].x - x, at[v].y - y); };
+    return BoundaryIndex(
         std::min_element(piece.loop.begin(), piece.loop.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return off(a) < off(b); }) -
+                         [&](OpenVertex a, OpenVertex b) { return off(a) < off(b); }) -
         piece.loop.begin());
   }
 
   double areaOfLoop(const Piece& piece) const {
     double sum = 0;
-    for (std::size_t i = 0; i < piece.loop.size(); ++i) {
-      const PlanePoint a = at[piece.loop[i]], b = at[piece.loop[(i + 1) % piece.loop.size()]];
+    for (const BoundaryIndex i : piece.loop.ids()) {
+      const PlanePoint a = at[piece.loop[i]];
+      const PlanePoint b = at[piece.loop[nextAlong(i, piece.loop.size())]];
       sum += a.x * b.y - a.y * b.x;
     }
     return sum / 2;
@@ -53,12 +54,12 @@ bool always(std::uint32_t, std::uint32_t) { return true; }
 TEST_CASE("pieces are bounded by their loops, and all of the surface is theirs", "[room]") {
   const Flat flat(squares(20, 6, always));
   PieceCutter cutter(flat.cuttable.seamMesh, flat.surface, flat.at);
-  const double all = cutter.pieces()[0].flatArea;
-  const double low = 0, high = flat.at[flat.surface.vertexOfCorner[0]].y + 1;
+  const double all = cutter.pieces().front().flatArea;
+  const double low = 0, high = flat.at[flat.surface.vertexOfCorner.front()].y + 1;
   for (const double x : {0.25, 0.6, 0.4}) {
-    for (std::uint32_t p = 0; p < cutter.pieces().size(); ++p) {
+    for (const PieceId p : cutter.pieces().ids()) {
       const Piece piece = cutter.pieces()[p];
-      const std::size_t from = flat.placeAt(piece, x, low), to = flat.placeAt(piece, x, high);
+      const BoundaryIndex from = flat.pointAt(piece, x, low), to = flat.pointAt(piece, x, high);
       if (std::abs(flat.at[piece.loop[from]].x - x) > 0.03) continue;
       REQUIRE(cutter.split(p, std::min(from, to), std::max(from, to), 0.01));
       break;
@@ -85,23 +86,24 @@ TEST_CASE("a cut through a filled hole leaves its rim to both sides", "[room]") 
                   true);
   PieceCutter cutter(flat.cuttable.seamMesh, flat.surface, flat.at);
   REQUIRE(cutter.pieces().size() == 1);
-  const Piece whole = cutter.pieces()[0];
+  const Piece whole = cutter.pieces().front();
   CHECK(flat.areaOfLoop(whole) == Approx(whole.flatArea * 9 / 8));
-  const double middle = flat.at[whole.loop[flat.placeAt(whole, 9.0, 9.0)]].x / 2;
-  REQUIRE(cutter.split(0, flat.placeAt(whole, middle, 0), flat.placeAt(whole, middle, 9.0), 0.01));
+  const double middle = flat.at[whole.loop[flat.pointAt(whole, 9.0, 9.0)]].x / 2;
+  REQUIRE(cutter.split(PieceId(0), flat.pointAt(whole, middle, 0), flat.pointAt(whole, middle, 9.0),
+                       0.01));
   REQUIRE(cutter.pieces().size() == 2);
   for (const Piece& piece : cutter.pieces())
     CHECK(piece.flatArea == Approx(flat.areaOfLoop(piece)));
   // A second one ends at the rim.
-  for (std::uint32_t p = 0; p < 2; ++p) {
+  for (const PieceId p : IdRange<PieceId>(2)) {
     const Piece half = cutter.pieces()[p];
     double mean = 0;
-    for (const std::uint32_t v : half.loop)
+    for (const OpenVertex v : half.loop)
       mean += flat.at[v].x / static_cast<double>(half.loop.size());
     const double outer = mean < middle ? 0 : 2 * middle;
     const double rim = (2 * middle + outer) / 3;
     REQUIRE(
-        cutter.split(p, flat.placeAt(half, outer, middle), flat.placeAt(half, rim, middle), 0.01));
+        cutter.split(p, flat.pointAt(half, outer, middle), flat.pointAt(half, rim, middle), 0.01));
   }
   double sum = 0;
   for (const Piece& piece : cutter.pieces()) {

@@ -31,25 +31,25 @@ TEST_CASE("the log-scale of a half sphere is that of stereographic projection", 
   const Cuttable c(sample("hemisphere"));
   const CutSurface s = uncut(c);
   REQUIRE(s.charts.size() == 1);
-  const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  const LogScales u = LogScale(c.seamMesh, nullptr).solve(s, {});
   double least = 0, top = -1e9;
-  for (std::size_t v = 0; v < u.size(); ++v) {
-    least = std::min(least, u[v]);
-    top = std::max(top, u[v]);
+  for (const double x : u) {
+    least = std::min(least, x);
+    top = std::max(top, x);
   }
   CHECK(top < 1e-6);
   CHECK(least == Approx(std::log(0.5)).epsilon(0.02));
   // e^(2u) is 1 / (1 + z)^2 and z is spread evenly over the area: mean 1/2, and 7/3 of its inverse.
-  CHECK(predictStretch(c.seamMesh, s, u).stretch[0] ==
+  CHECK(predictStretch(c.seamMesh, s, u).stretch.front() ==
         Approx((1 + 0.5 * 7.0 / 3) / 2).epsilon(0.01));
 }
 
 TEST_CASE("a flat chart keeps its scale and its outline", "[seams]") {
   const Cuttable c(squares(9, 4, [](std::uint32_t i, std::uint32_t j) { return i < 3 || j < 2; }));
   const CutSurface s = uncut(c);
-  const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  const LogScales u = LogScale(c.seamMesh, nullptr).solve(s, {});
   for (const double x : u) CHECK(std::abs(x) < 1e-6);
-  const std::vector<Point2> outline = predictOutline(c.seamMesh, s, 0, u);
+  const Outline outline = predictOutline(c.seamMesh, s, CutChartId(0), u);
   CHECK(polygonArea(outline) == Approx(c.seamMesh.totalArea()).epsilon(1e-5));
   const Shape shape = measureShape(outline);
   CHECK(shape.overlap == 0);
@@ -60,15 +60,15 @@ TEST_CASE("a cut cylinder is predicted to become a rectangle", "[seams]") {
   const Cuttable c(cylinder(48, 10));
   Seams seams = findSeams(c.seamMesh, {}, {}, nullptr);
   const CutSurface s = cutAlong(c.seamMesh, seams);
-  const std::vector<double> u = LogScale(c.seamMesh, nullptr).solve(s, {});
-  const Shape shape = measureShape(predictOutline(c.seamMesh, s, 0, u));
+  const LogScales u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  const Shape shape = measureShape(predictOutline(c.seamMesh, s, CutChartId(0), u));
   CHECK(shape.fill == Approx(1).margin(1e-4));
   CHECK(shape.overlap == 0);
   CHECK(predictStretch(c.seamMesh, s, u).total == Approx(1).margin(1e-6));
 }
 
 TEST_CASE("what a ring covers twice is measured, and found to cross", "[seams]") {
-  std::vector<Point2> ring;  // 450 degrees between the radii 1 and 2
+  Outline ring;  // 450 degrees between the radii 1 and 2
   for (int i = 0; i <= 450; i += 2)
     ring.push_back({2 * std::cos(i * 0.0174532925), 2 * std::sin(i * 0.0174532925)});
   for (int i = 450; i >= 0; i -= 2)
@@ -85,17 +85,16 @@ TEST_CASE("the shortest chord of a dumb-bell is across its handle", "[seams]") {
   }));
   const CutSurface s = uncut(c);
   const PathForest forest = findPaths(c.seamMesh, s, {});
-  const Chord chord = ChordFinder(c.seamMesh, s, forest).best(0, {});
-  REQUIRE(chord.h != kNone);
+  const CutPaths paths{c.seamMesh, s, forest};
+  const Chord chord = ChordFinder(paths).best(CutChartId(0), {});
+  REQUIRE(chord.h.exists());
   CHECK(chord.length == Approx(2.0 / 30).epsilon(1e-6));
   CHECK(std::min(chord.left, chord.right) >= 0.4 * c.seamMesh.totalArea());
   Seams seams(c.seamMesh.twin.size(), 0);
-  markEdge(c.seamMesh, chord.h, seams);
-  markPath(c.seamMesh, forest, s.vertexOfCorner[chord.h], seams);
-  markPath(c.seamMesh, forest, s.vertexOfCorner[nextCorner(chord.h)], seams);
+  markThrough(paths, chord.h, seams);
   const CutSurface cut = cutAlong(c.seamMesh, seams);
   REQUIRE(cut.charts.size() == 2);
-  CHECK(std::min(cut.charts[0].area, cut.charts[1].area) ==
+  CHECK(std::min(cut.charts.front().area, cut.charts.back().area) ==
         Approx(std::min(chord.left, chord.right)));
   for (const CutSurface::Chart& chart : cut.charts) CHECK(chart.isDisk());
 }

@@ -23,14 +23,12 @@ struct Hill {
   Seams seams = Seams(c.seamMesh.twin.size(), 0);
 
   Hill() {
-    for (std::uint32_t h = 0; h < seams.size(); ++h)
-      if (isOnSlit(c.seamMesh.vertexOfCorner[h]) &&
-          isOnSlit(c.seamMesh.vertexOfCorner[nextCorner(h)]))
-        seams[h] = 1;
+    for (const SurfaceCorner h : seams.ids())
+      if (isOnSlit(c.seamMesh.tail(h)) && isOnSlit(c.seamMesh.head(h))) seams[h] = 1;
   }
 
   /// Its column goes through the top, which is in row 12.
-  bool isOnSlit(std::uint32_t v) const {
+  bool isOnSlit(SurfaceVertex v) const {
     const double *p = &c.seamMesh.positions[3 * v], *first = c.seamMesh.positions.data();
     const double unit = (c.seamMesh.positions[3 * (kSide * kSide - 1)] - first[0]) / (kSide - 1);
     const auto column = std::lround((p[0] - first[0]) / unit);
@@ -59,7 +57,7 @@ struct Hill {
 
 double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   double out = 0;
-  for (std::size_t h = 0; h < seams.size(); ++h)
+  for (const SurfaceCorner h : seams.ids())
     if (seams[h]) out += mesh.length[h] / 2;
   return out;
 }
@@ -73,9 +71,10 @@ Seams shortened(const Hill& hill, double maxStretch) {
   SeamOptions options;
   options.maxStretch = maxStretch;
   Seams out = hill.seams;
-  std::vector<double> u;
+  LogScales u;
   LogScale scale(hill.c.seamMesh, nullptr);
-  shortenSeams(hill.c.seamMesh, Seams(out.size(), 0), options, scale, u, out);
+  const Seams kept(out.size(), 0);
+  shortenSeams({hill.c.seamMesh, kept, options, scale, u, out});
   return out;
 }
 
@@ -90,17 +89,17 @@ TEST_CASE("what taking a seam back costs is told within a factor of two", "[seam
   // Beyond the top nothing depends on the slit; on the way to it more and more does.
   for (int row = 34; row > 16; row -= 3) {
     const CutSurface s = cutAlong(mesh, seams);
-    const std::vector<double> u = scale.solve(s, {});
+    const LogScales u = scale.solve(s, {});
     const Prediction p = predictStretch(mesh, s, u);
     const std::vector<SeamTip> tips =
         findTips({mesh, seams, kept, u, outgoingHalfEdges(mesh)}, s, p, {1}, scale);
     REQUIRE(tips.size() == 1);
     REQUIRE(tips[0].edges.size() == static_cast<std::size_t>(row));
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t h = tips[0].edges[i];
+      const SurfaceCorner h = tips[0].edges[i];
       seams[h] = seams[mesh.twin[h]] = 0;
     }
-    const double change = stretchOf(mesh, seams) - p.stretch[0];
+    const double change = stretchOf(mesh, seams) - p.stretch.front();
     CAPTURE(row, change, tips[0].stretch[2]);
     CHECK(tips[0].stretch[2] >= 0);
     if (change > 1e-3) {
@@ -119,7 +118,7 @@ TEST_CASE("seams are taken back as far as the bound allows", "[seams]") {
     const double bound = least * more;
     const Seams seams = shortened(hill, bound);
     CAPTURE(least, bound);
-    for (std::size_t h = 0; h < seams.size(); ++h) CHECK((!seams[h] || hill.seams[h]));
+    for (const SurfaceCorner h : seams.ids()) CHECK((!seams[h] || hill.seams[h]));
     const double stretch = stretchOf(mesh, seams), length = lengthOf(mesh, seams);
     CHECK(stretch <= bound);
     CHECK(stretch - 1 > 0.6 * (bound - 1));
@@ -139,9 +138,9 @@ TEST_CASE("seams that are given are not shortened", "[seams]") {
   SeamOptions options;
   options.maxStretch = 100;
   Seams seams = hill.seams;
-  std::vector<double> u;
+  LogScales u;
   LogScale scale(hill.c.seamMesh, nullptr);
-  shortenSeams(hill.c.seamMesh, hill.seams, options, scale, u, seams);
+  shortenSeams({hill.c.seamMesh, hill.seams, options, scale, u, seams});
   CHECK(seams == hill.seams);
 }
 
@@ -155,7 +154,7 @@ TEST_CASE("the more stretch is allowed the shorter are seams; charts are disks",
     const Seams seams = findSeams(c.seamMesh, {}, options, &report);
     CHECK(report.seamLength <= before);
     before = report.seamLength;
-    for (std::size_t h = 0; h < seams.size(); ++h) CHECK((!seams[h] || report.found[h]));
+    for (const SurfaceCorner h : seams.ids()) CHECK((!seams[h] || report.found[h]));
     for (const PolygonMesh& chart : chartsOf(c, seams)) CHECK(inspect(chart).disk.ok());
   }
 }

@@ -53,9 +53,9 @@ SeamOptions with(SymmetricSeams symmetric) {
 }
 
 std::size_t edgesWithImage(const Mirror& mirror) {
-  const auto hasImage = [](std::uint32_t h) { return h != kNone; };
+  const auto hasImage = [](SurfaceCorner h) { return h.exists(); };
   return static_cast<std::size_t>(
-      std::count_if(mirror.halfEdge.begin(), mirror.halfEdge.end(), hasImage));
+      std::count_if(mirror.image.begin(), mirror.image.end(), hasImage));
 }
 
 }  // namespace
@@ -67,10 +67,10 @@ TEST_CASE("a plane of symmetry is found wherever it lies", "[seams][symmetry]") 
     const SeamMesh seamMesh = Cuttable(m).seamMesh;
     const Mirror mirror = findMirror(seamMesh);
     REQUIRE(mirror);
-    CHECK(edgesWithImage(mirror) == mirror.halfEdge.size());
-    for (std::uint32_t h = 0; h < mirror.halfEdge.size(); ++h) {
-      const std::uint32_t image = mirror.halfEdge[h];
-      REQUIRE(mirror.halfEdge[image] == h);
+    CHECK(edgesWithImage(mirror) == mirror.image.size());
+    for (const SurfaceCorner h : mirror.image.ids()) {
+      const SurfaceCorner image = mirror.image[h];
+      REQUIRE(mirror.image[image] == h);
       REQUIRE(std::abs(seamMesh.length[image] - seamMesh.length[h]) < 1e-4);
       REQUIRE(mirror.side[seamMesh.vertexOfCorner[h]] ==
               -mirror.side[seamMesh.vertexOfCorner[image]]);
@@ -109,8 +109,8 @@ TEST_CASE("seams of a symmetric mesh are symmetric where that is asked for", "[s
 TEST_CASE("what is given stays, and nothing symmetric is sought beside it", "[seams][symmetry]") {
   const Cuttable c(symmetricAnimal());
   Seams given(c.seamMesh.twin.size(), 0);
-  given[0] = 1;
+  given.front() = 1;
   const Seams always = findSeams(c.seamMesh, given, with(SymmetricSeams::Always), nullptr);
-  CHECK(always[0]);
+  CHECK(always.front());
   CHECK(always == findSeams(c.seamMesh, given, with(SymmetricSeams::Never), nullptr));
 }

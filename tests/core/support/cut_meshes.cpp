@@ -1,19 +1,26 @@
 #include "support/cut_meshes.h"
 
 #include <map>
-#include <numeric>
 
 namespace abflat::test {
 namespace {
 
-std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
+/// Disjoint sets: each is known by one of its members.
+template <class I>
+class Sets {
+ public:
+  explicit Sets(IdRange<I> all) : parent_(all.size()) {
+    for (const I i : all) parent_[i] = i;
+  }
+  I find(I i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(I a, I b) { parent_[find(a)] = find(b); }
 
-void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
-  parent[find(parent, a)] = find(parent, b);
-}
+ private:
+  IdVector<I, I> parent_;
+};
 
 }  // namespace
 
@@ -24,29 +31,27 @@ Cuttable::Cuttable(PolygonMesh polygons)
 
 std::vector<PolygonMesh> chartsOf(const Cuttable& cuttable, const Seams& seams) {
   const CornerTable& table = cuttable.surface.table;
-  const auto corners = static_cast<std::uint32_t>(table.vertex.size());
-  std::vector<std::uint32_t> vertex(corners), triangle(corners / 3);
-  std::iota(vertex.begin(), vertex.end(), 0u);
-  std::iota(triangle.begin(), triangle.end(), 0u);
+  Sets<SurfaceCorner> vertex(table.corners());
+  Sets<SurfaceTriangle> triangle(table.triangles());
   for (const SurfaceCorner h : table.corners()) {
     const SurfaceCorner o = table.twin[h];
     if (!o.exists() || seams[h]) continue;
-    join(triangle, h / 3, o / 3);
-    join(vertex, h, nextCorner(o));
-    join(vertex, nextCorner(h), o);
+    triangle.join(triangleOf(h), triangleOf(o));
+    vertex.join(h, nextCorner(o));
+    vertex.join(nextCorner(h), o);
   }
   struct Parts {
     std::vector<double> positions;
     std::vector<std::uint32_t> indices;
-    std::map<std::uint32_t, std::uint32_t> id;
+    std::map<SurfaceCorner, std::uint32_t> id;
   };
-  std::map<std::uint32_t, Parts> parts;
-  for (std::uint32_t c = 0; c < corners; ++c) {
-    Parts& p = parts[find(triangle, c / 3)];
-    const auto [at, isNew] = p.id.emplace(find(vertex, c), static_cast<std::uint32_t>(p.id.size()));
+  std::map<SurfaceTriangle, Parts> parts;
+  for (const SurfaceCorner c : table.corners()) {
+    Parts& p = parts[triangle.find(triangleOf(c))];
+    const auto [at, isNew] = p.id.emplace(vertex.find(c), static_cast<std::uint32_t>(p.id.size()));
     if (isNew)
       for (std::size_t d = 0; d < 3; ++d)
-        p.positions.push_back(cuttable.mesh.positions[3 * table.vertex[SurfaceCorner(c)] + d]);
+        p.positions.push_back(cuttable.mesh.positions[3 * table.vertex[c] + d]);
     p.indices.push_back(at->second);
   }
   std::vector<PolygonMesh> charts;
