@@ -11,22 +11,26 @@ namespace {
 /// Coordinates below 16, which is what packing allows for.
 constexpr int kMostTilesInSingle = 160;
 
-std::vector<PackShape> shapesOf(const ChartSet& charts, const FlatCharts& flat) {
-  std::vector<PackShape> shapes(charts.size());
-  for (const ChartId i : charts.ids()) {
-    shapes[i].isFixed = flat[i].isFixed;
-    shapes[i].uv = flat[i].isFixed ? flat[i].uv : flat[i].unpacked;
-    if (!flat[i].isFixed && flat[i].enlarged != 1)
-      for (double& x : shapes[i].uv) x *= flat[i].enlarged;
-    const ChartTopology chart = charts.topology(i);
-    const auto corners = chart.vertexOfCorner.begin();
-    shapes[i].triangles.assign(corners, corners + chart.surfaceCorners().size());
-    // Others may lie in its holes.
-    if (chart.filledHoles > 0 || flat[i].isGiven) continue;
-    shapes[i].outline.reserve(chart.boundary.size());
-    for (const ChartCorner h : chart.boundary) shapes[i].outline.push_back(chart.vertexOfCorner[h]);
-  }
-  return shapes;
+PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat) {
+  PackShape out;
+  out.isFixed = flat.isFixed;
+  out.uv = flat.isFixed ? flat.uv : flat.unpacked;
+  if (!flat.isFixed && flat.enlarged != 1)
+    for (double& x : out.uv) x *= flat.enlarged;
+  const auto corners = chart.vertexOfCorner.begin();
+  out.triangles.assign(corners, corners + chart.surfaceCorners().size());
+  // Others may lie in its holes.
+  if (chart.filledHoles > 0 || flat.isGiven) return out;
+  out.outline.reserve(chart.boundary.size());
+  for (const ChartCorner h : chart.boundary) out.outline.push_back(chart.vertexOfCorner[h]);
+  return out;
+}
+
+std::vector<PackShape> shapesOf(const ChartSet& set, const FlatCharts& flat) {
+  std::vector<PackShape> out;
+  out.reserve(set.size());
+  for (const ChartId i : set.ids()) out.push_back(shapeOf(set.topology(i), flat[i]));
+  return out;
 }
 
 /// What is needed to undo rounding. Charts that were packed can be placed once more.
@@ -50,8 +54,8 @@ class BeforeRounding {
   }
 
  private:
-  std::vector<std::vector<double>> uvOfPinned_;  ///< empty for others
-  std::vector<bool> hadProblem_;
+  IdVector<ChartId, std::vector<double>> uvOfPinned_;  ///< empty for others
+  IdVector<ChartId, std::uint8_t> hadProblem_;
 };
 
 /// What packing may look at, in the unit of PackOptions: per triangle so much that it takes less
@@ -65,51 +69,51 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
 }
 
 /// Packs again what has to be larger, as long as it fits.
-void fitAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit, Numbers numbers,
-            ThreadPool& pool, FlatCharts& flat, Packing& packing, AtlasReport& atlas) {
+void fitAll(const PackedCharts& charts, const UnwrapOptionValues& options, Numbers numbers,
+            AtlasReport& atlas) {
   constexpr int kMostPackings = 4;
   for (int round = 0; round <= kMostPackings; ++round) {
-    std::vector<double> enlarged;
-    enlarged.reserve(flat.size());
-    for (const FlatChart& chart : flat) enlarged.push_back(chart.enlarged);
+    IdVector<ChartId, double> enlarged;
+    enlarged.reserve(charts.flat.size());
+    for (const FlatChart& chart : charts.flat) enlarged.push_back(chart.enlarged);
     const bool mayGrow = round < kMostPackings;
-    if (fitToNumbers(charts, numbers, options.resolution, mayGrow, pool, packing, flat) == 0)
-      return;
+    if (fitToNumbers(charts, numbers, options.resolution, mayGrow) == 0) return;
     const auto tell = [](double) { return true; };
-    if (packAll(charts, options, unit, pool, tell, flat, packing, atlas).ok()) continue;
+    if (packAll(charts, options, tell, atlas).ok()) continue;
     // They stay as they are, and say so.
-    for (const ChartId i : flat.ids()) flat[i].enlarged = enlarged[i];
-    placeInAtlas(packing, flat);
-    fitToNumbers(charts, numbers, options.resolution, false, pool, packing, flat);
+    for (const ChartId i : enlarged.ids()) charts.flat[i].enlarged = enlarged[i];
+    placeInAtlas(charts.packing, charts.flat);
+    fitToNumbers(charts, numbers, options.resolution, false);
     return;
   }
 }
 
 }  // namespace
 
-Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double unit,
-               ThreadPool& pool, const std::function<bool(double)>& tell, FlatCharts& flat,
-               Packing& packing, AtlasReport& atlas) {
+Status packAll(const PackedCharts& charts, const UnwrapOptionValues& options,
+               const std::function<bool(double)>& tell, AtlasReport& atlas) {
   PackOptions how;
   how.resolution = options.resolution;
   how.padding = options.padding;
   how.rotate = options.rotate;
   how.texelDensity = options.texelDensity;
   how.udim = options.udim;
-  how.unit = unit;
-  how.pool = &pool;
+  how.unit = charts.unit;
+  how.pool = &charts.pool;
   how.progress = tell;
-  std::vector<PackShape> shapes = shapesOf(charts, flat);
+  std::vector<PackShape> shapes = shapesOf(charts.set, charts.flat);
   how.work = packWork(shapes, atlas.packingCuts > 0);
   Result<Packing> packed = pack(std::move(shapes), how);
   if (!packed.ok()) return packed.status;
+  Packing& packing = charts.packing;
   packing = std::move(packed.value);
-  for (const ChartId i : flat.ids()) {
-    if (flat[i].isFixed) continue;
-    packing.placements[i].a *= flat[i].enlarged;
-    packing.placements[i].b *= flat[i].enlarged;
+  for (const ChartId i : charts.flat.ids()) {
+    const FlatChart& flat = charts.flat[i];
+    if (flat.isFixed) continue;
+    packing.placements[i].a *= flat.enlarged;
+    packing.placements[i].b *= flat.enlarged;
   }
-  placeInAtlas(packing, flat);
+  placeInAtlas(packing, charts.flat);
   atlas.resolution = options.resolution;
   atlas.padding = options.padding;
   atlas.tiles = static_cast<int>(packing.tiles);
@@ -118,8 +122,7 @@ Status packAll(const ChartSet& charts, const UnwrapOptionValues& options, double
   return {};
 }
 
-void checkAll(const ChartSet& charts, const UnwrapOptions& options, double unit, ThreadPool& pool,
-              FlatCharts& flat, Packing& packing, UnwrapReport& report) {
+void checkAll(const PackedCharts& charts, const UnwrapOptions& options, UnwrapReport& report) {
   const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
   const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)
@@ -127,16 +130,17 @@ void checkAll(const ChartSet& charts, const UnwrapOptions& options, double unit,
         "texcoords are in double precision: single precision is too coarse for " +
         std::to_string(report.atlas.tiles) + " tiles");
   if (isSingle && isFine) {
-    const BeforeRounding before(flat);
-    const std::size_t lost = roundToSingle(charts, pool, flat);
+    const BeforeRounding before(charts.flat);
+    const std::size_t lost = roundToSingle(charts.set, charts.pool, charts.flat);
     if (lost == 0) return;
-    before.restore(packing, flat);
+    before.restore(charts.packing, charts.flat);
     report.notes.push_back("texcoords are in double precision: rounding to single would make " +
                            std::to_string(lost) + (lost == 1 ? " chart" : " charts") + " invalid");
   }
   const Numbers numbers = options.roundsForGltf ? Numbers::Gltf : Numbers::Double;
-  fitAll(charts, options, unit, numbers, pool, flat, packing, report.atlas);
-  for (std::string& note : fittingNotes(flat, numbers)) report.notes.push_back(std::move(note));
+  fitAll(charts, options, numbers, report.atlas);
+  for (std::string& note : fittingNotes(charts.flat, numbers))
+    report.notes.push_back(std::move(note));
 }
 
 }  // namespace abflat

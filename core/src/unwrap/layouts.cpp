@@ -24,10 +24,12 @@ bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !optio
 
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
 
-void flattenAll(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wishes,
-                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
-                const std::function<bool(double)>& tell, FlatCharts& flat) {
-  const std::vector<std::uint32_t> order = largestFirst(charts);
+void flattenAll(const ChartLayouts& charts, const UnwrapOptions& options, ThreadPool& pool,
+                const Monitor& monitor, const std::function<bool(double)>& tell) {
+  const ChartSet& set = charts.set;
+  const IdVector<ChartId, ChartWishes>& wishes = charts.wishes;
+  FlatCharts& flat = charts.flat;
+  const std::vector<std::uint32_t> order = largestFirst(set);
   std::size_t triangles = 0;
   // Seams are found for what is not pinned.
   const auto patienceFor = [&](const ChartWishes& w) {
@@ -36,15 +38,15 @@ void flattenAll(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wi
   const auto isKnown = [&](ChartId i) {
     return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
   };
-  for (const ChartId i : charts.ids())
-    if (!isKnown(i)) triangles += charts.topology(i).triangleCount();
+  for (const ChartId i : set.ids())
+    if (!isKnown(i)) triangles += set.topology(i).triangleCount();
   std::atomic<std::size_t> done{0};
-  parallelFor(&pool, charts.size(), [&](std::size_t k) {
+  parallelFor(&pool, set.size(), [&](std::size_t k) {
     if (monitor.stopped()) return;
     const ChartId i(order[k]);
     FlatChart& out = flat[i];
     if (isKnown(i)) return;
-    const DiskChart chart = charts.chart(i);
+    const DiskChart chart = set.chart(i);
     // The caller hears of all charts, but from its own thread only.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();

@@ -204,7 +204,7 @@ void placeInAtlas(const Packing& packing, FlatCharts& flat) {
 }
 
 std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& flat) {
-  std::vector<std::uint8_t> isLost(flat.size(), 0);
+  IdVector<ChartId, std::uint8_t> isLost(flat.size(), 0);
   parallelFor(&pool, flat.size(), [&](std::size_t k) {
     const ChartId i(k);
     if (flat[i].isGiven) return;
@@ -219,14 +219,15 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& 
   return static_cast<std::size_t>(std::count(isLost.begin(), isLost.end(), 1));
 }
 
-std::size_t fitToNumbers(const ChartSet& charts, Numbers numbers, int resolution, bool mayGrow,
-                         ThreadPool& pool, Packing& packing, FlatCharts& flat) {
-  std::vector<std::uint8_t> isTooSmall(flat.size(), 0);
-  parallelFor(&pool, flat.size(), [&](std::size_t k) {
+std::size_t fitToNumbers(const PackedCharts& charts, Numbers numbers, int resolution,
+                         bool mayGrow) {
+  IdVector<ChartId, std::uint8_t> isTooSmall(charts.flat.size(), 0);
+  parallelFor(&charts.pool, charts.flat.size(), [&](std::size_t k) {
     const ChartId i(k);
-    if (!flat[i].isGiven)
-      isTooSmall[i] =
-          !fit(charts.chart(i), numbers, resolution, mayGrow, packing.placements[i], flat[i]);
+    FlatChart& flat = charts.flat[i];
+    if (!flat.isGiven)
+      isTooSmall[i] = !fit(charts.set.chart(i), numbers, resolution, mayGrow,
+                           charts.packing.placements[i], flat);
   });
   return static_cast<std::size_t>(std::count(isTooSmall.begin(), isTooSmall.end(), 1));
 }

@@ -73,6 +73,7 @@ class Unwrapping {
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), set_}; }
+  PackedCharts packedCharts() { return {set_, unit_, *pool_, flat_, packing_}; }
 
   Status checkInput() const {
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
@@ -203,7 +204,7 @@ class Unwrapping {
   /// What has no layout yet.
   Status layOut(const std::function<bool(double)>& tell) {
     if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
-    flattenAll(set_, wishes_, options_, *pool_, monitor_, tell, flat_);
+    flattenAll({set_, wishes_, flat_}, options_, *pool_, monitor_, tell);
     return {};
   }
 
@@ -244,7 +245,7 @@ class Unwrapping {
     const auto tell = [&, from, to](double share) {
       return monitor_.tell(kPack, from + (to - from) * share);
     };
-    return packAll(set_, options_, unit_, *pool_, tell, flat_, packing_, report_.atlas);
+    return packAll(packedCharts(), options_, tell, report_.atlas);
   }
 
   /// Charts are cut where they are packed so much denser then that it is worth the seams, and stay
@@ -305,7 +306,7 @@ class Unwrapping {
   }
 
   Status finish() {
-    checkAll(set_, options_, unit_, *pool_, flat_, packing_, report_);
+    checkAll(packedCharts(), options_, report_);
     monitor_.tellAgain();
     packing_ = Packing();
     noteStretched(flat_, options_, report_.notes);
