@@ -18,18 +18,27 @@ std::vector<std::array<std::uint32_t, 2>> edgesOf(const std::vector<BadEdge>& ba
   return out;
 }
 
+/// The corners of the input's faces by vertex.
+struct VertexCorners {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> begin;  ///< of each vertex's; ends with their count
+};
+
+VertexCorners cornersByVertex(const PolygonMesh& input) {
+  VertexCorners out;
+  out.begin.assign(input.vertexCount() + 1, 0);
+  for (const std::uint32_t v : input.faceVertices) ++out.begin[v + 1];
+  for (std::size_t v = 0; v < input.vertexCount(); ++v) out.begin[v + 1] += out.begin[v];
+  std::vector<std::uint32_t> next(out.begin.begin(), out.begin.end() - 1);
+  out.corners.resize(input.faceVertices.size());
+  for (std::uint32_t c = 0; c < input.faceVertices.size(); ++c)
+    out.corners[next[input.faceVertices[c]]++] = c;
+  return out;
+}
+
 /// One output vertex for each input vertex and texcoord that occur together, by input vertex.
 void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
-  struct Use {
-    std::uint32_t vertex, texcoord;
-    bool operator==(const Use& o) const { return vertex == o.vertex && texcoord == o.texcoord; }
-  };
-  std::vector<std::uint32_t> offset(input.vertexCount() + 1, 0);
-  for (const std::uint32_t v : input.faceVertices) ++offset[v + 1];
-  for (std::size_t v = 0; v < input.vertexCount(); ++v) offset[v + 1] += offset[v];
-  std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1), corners(offset.back());
-  for (std::uint32_t c = 0; c < input.faceVertices.size(); ++c)
-    corners[fill[input.faceVertices[c]]++] = c;
+  VertexCorners of = cornersByVertex(input);
   out.cornerVertex.resize(input.faceVertices.size());
   out.vertexMap.reserve(out.uv.size() / 2);
   out.vertexUv.reserve(out.uv.size() / 2);
@@ -37,8 +46,8 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
     return out.cornerUv[a] < out.cornerUv[b];
   };
   for (std::uint32_t v = 0; v < input.vertexCount(); ++v) {
-    std::uint32_t* const first = corners.data() + offset[v];
-    std::uint32_t* const last = corners.data() + offset[v + 1];
+    std::uint32_t* const first = of.corners.data() + of.begin[v];
+    std::uint32_t* const last = of.corners.data() + of.begin[v + 1];
     sortStably(first, last, isBefore);
     for (const std::uint32_t* c = first; c != last; ++c) {
       if (c == first || out.cornerUv[*c] != out.cornerUv[*(c - 1)]) {
@@ -50,6 +59,11 @@ void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
   }
 }
 
+ChartId chartOf(const Texcoords& texcoords, TexcoordId texcoord) {
+  const auto& first = texcoords.firstOf;
+  return ChartId(std::upper_bound(first.begin(), first.end(), texcoord) - first.begin() - 1);
+}
+
 /// Chart of each input face: of its first triangle, otherwise that of its first texcoord.
 void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& out) {
   const PolygonMesh& input = mesh.map.input();
@@ -59,12 +73,10 @@ void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& o
     std::uint32_t& chart = out.chartOfFace[mesh.map.face(t)];
     if (chart == kNoChart) chart = ofTriangle[t];
   }
-  const auto& firstOf = texcoords.firstOf;
   for (const InputFace f : IdRange<InputFace>(input.faceCount())) {
     const TexcoordId texcoord = texcoords.ofCorner[InputCorner(input.faceOffsets[f])];
-    if (out.chartOfFace[f] != kNoChart || !texcoord.exists()) continue;
-    const auto next = std::upper_bound(firstOf.begin(), firstOf.end(), texcoord);
-    out.chartOfFace[f] = static_cast<std::uint32_t>(next - firstOf.begin() - 1);
+    if (out.chartOfFace[f] == kNoChart && texcoord.exists())
+      out.chartOfFace[f] = chartOf(texcoords, texcoord);
   }
 }
 
@@ -72,7 +84,7 @@ void listTriangles(const CutMesh& mesh, UnwrapResult& out) {
   const SurfaceMap& map = mesh.map;
   const PolygonMesh& input = map.input();
   const TriangleOrder order = triangleOrder(map);
-  out.triangles.resize(3 * static_cast<std::size_t>(order.firstOfFace.back()));
+  out.triangles.resize(3 * std::size_t{order.firstOfFace.back()});
   out.triangleCorners.resize(out.triangles.size());
   out.chartOfTriangle.resize(order.firstOfFace.back());
   const auto put = [&](std::size_t i, std::array<std::uint32_t, 3> corners, std::uint32_t chart) {

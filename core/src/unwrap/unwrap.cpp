@@ -136,16 +136,18 @@ class Unwrapping {
     flat_.resize(set_.size());
     if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
     if (Status s = checkUnpinned(set_, wishes_, flat_); !s.ok()) return s;
-    if (Status s = layOut(); !s.ok()) return s;
+    const auto tell = [&](double share) { return tellSolve(share); };
+    if (Status s = layOut(tell); !s.ok()) return s;
     constexpr int kMostRounds = 8;
-    if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve,
-                                     [&](double share) { return tellSolve(share); });
-        !s.ok())
-      return s;
+    if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
     for (FlatChart& chart : flat_) chart.isCutEnough = true;
-    if (dropTangled(flat_))
-      if (Status s = layOut(); !s.ok()) return s;
-    return {};
+    return dropTangled(flat_) ? layOut(tell) : Status();
+  }
+
+  /// Each round has a part of what those before left.
+  bool tellSolve(double share) {
+    constexpr double kFirst = 0.7;
+    return monitor_.tell(kSolve, 1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
   }
 
   /// As often as that helps. `seconds`: those of laying out.
@@ -164,6 +166,19 @@ class Unwrapping {
     return {};
   }
 
+  bool cutFurther(const std::function<bool()>& goesOn) {
+    if (!canCut(options_)) return false;
+    IdVector<ChartId, Stretched> charts;
+    for (FlatChart& chart : flat_) {
+      const bool isAsked =
+          (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
+      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
+      // Unless its layout is not kept.
+      chart.isCutEnough = chart.isCutEnough || isAsked;
+    }
+    return cutStretched(set_, charts, options_, *pool_, goesOn, open_);
+  }
+
   struct LaidCharts {
     ChartSet set;
     FlatCharts flat;
@@ -177,18 +192,6 @@ class Unwrapping {
     flat_ = FlatCharts(set_.size());
     moveSame(before.set, before.flat, set_, flat_);
     return before;
-  }
-
-  /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
-  /// memory.
-  void endCutting() {
-    monitor_.tellAgain();
-    const Seams seams = visibleSeams(open_);
-    measureSeams(open_, seams, report_.seams);
-    out_.seams = seamEdges(map(), seams);
-    open_ = OpenSurface();
-    wishes_ = IdVector<ChartId, ChartWishes>();
-    set_.eliminationRank = {};
   }
 
   Status readWishes() {
@@ -206,29 +209,6 @@ class Unwrapping {
     if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
     flattenAll({set_, wishes_, flat_}, options_, *pool_, monitor_, tell);
     return {};
-  }
-
-  Status layOut() {
-    return layOut([&](double share) { return tellSolve(share); });
-  }
-
-  /// Each round has a part of what those before left.
-  bool tellSolve(double share) {
-    constexpr double kFirst = 0.7;
-    return monitor_.tell(kSolve, 1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
-  }
-
-  bool cutFurther(const std::function<bool()>& goesOn) {
-    if (!canCut(options_)) return false;
-    IdVector<ChartId, Stretched> charts;
-    for (FlatChart& chart : flat_) {
-      const bool isAsked =
-          (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
-      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
-      // Unless its layout is not kept.
-      chart.isCutEnough = chart.isCutEnough || isAsked;
-    }
-    return cutStretched(set_, charts, options_, *pool_, goesOn, open_);
   }
 
   Status packCharts() {
@@ -303,6 +283,18 @@ class Unwrapping {
     openAnew();
     moveSame(before.set, before.flat, set_, flat_);
     return readWishes();
+  }
+
+  /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
+  /// memory.
+  void endCutting() {
+    monitor_.tellAgain();
+    const Seams seams = visibleSeams(open_);
+    measureSeams(open_, seams, report_.seams);
+    out_.seams = seamEdges(map(), seams);
+    open_ = OpenSurface();
+    wishes_ = IdVector<ChartId, ChartWishes>();
+    set_.eliminationRank = {};
   }
 
   Status finish() {
