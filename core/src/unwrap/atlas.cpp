@@ -69,28 +69,28 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
 }
 
 /// Packs again what has to be larger, as long as it fits.
-void fitAll(const PackedCharts& charts, const UnwrapOptionValues& options, Numbers numbers,
+void fitAll(const PackedCharts& packed, const UnwrapOptionValues& options, Numbers numbers,
             AtlasReport& atlas) {
   constexpr int kMostPackings = 4;
   for (int round = 0; round <= kMostPackings; ++round) {
     IdVector<ChartId, double> enlarged;
-    enlarged.reserve(charts.flat.size());
-    for (const FlatChart& chart : charts.flat) enlarged.push_back(chart.enlarged);
+    enlarged.reserve(packed.charts.flat.size());
+    for (const FlatChart& chart : packed.charts.flat) enlarged.push_back(chart.enlarged);
     const bool mayGrow = round < kMostPackings;
-    if (fitToNumbers(charts, numbers, options.resolution, mayGrow) == 0) return;
+    if (fitToNumbers(packed, numbers, options.resolution, mayGrow) == 0) return;
     const auto tell = [](double) { return true; };
-    if (packAll(charts, options, tell, atlas).ok()) continue;
+    if (packAll(packed, options, tell, atlas).ok()) continue;
     // They stay as they are, and say so.
-    for (const ChartId i : enlarged.ids()) charts.flat[i].enlarged = enlarged[i];
-    placeInAtlas(charts.packing, charts.flat);
-    fitToNumbers(charts, numbers, options.resolution, false);
+    for (const ChartId i : enlarged.ids()) packed.charts.flat[i].enlarged = enlarged[i];
+    placeInAtlas(packed.packing, packed.charts.flat);
+    fitToNumbers(packed, numbers, options.resolution, false);
     return;
   }
 }
 
 }  // namespace
 
-Status packAll(const PackedCharts& charts, const UnwrapOptionValues& options,
+Status packAll(const PackedCharts& packed, const UnwrapOptionValues& options,
                const std::function<bool(double)>& tell, AtlasReport& atlas) {
   PackOptions how;
   how.resolution = options.resolution;
@@ -98,22 +98,22 @@ Status packAll(const PackedCharts& charts, const UnwrapOptionValues& options,
   how.rotate = options.rotate;
   how.texelDensity = options.texelDensity;
   how.udim = options.udim;
-  how.unit = charts.unit;
-  how.pool = &charts.pool;
+  how.unit = packed.unit;
+  how.pool = &packed.pool;
   how.progress = tell;
-  std::vector<PackShape> shapes = shapesOf(charts.set, charts.flat);
+  std::vector<PackShape> shapes = shapesOf(packed.charts.set, packed.charts.flat);
   how.work = packWork(shapes, atlas.packingCuts > 0);
-  Result<Packing> packed = pack(std::move(shapes), how);
-  if (!packed.ok()) return packed.status;
-  Packing& packing = charts.packing;
-  packing = std::move(packed.value);
-  for (const ChartId i : charts.flat.ids()) {
-    const FlatChart& flat = charts.flat[i];
+  Result<Packing> result = pack(std::move(shapes), how);
+  if (!result.ok()) return result.status;
+  Packing& packing = packed.packing;
+  packing = std::move(result.value);
+  for (const ChartId i : packed.charts.flat.ids()) {
+    const FlatChart& flat = packed.charts.flat[i];
     if (flat.isFixed) continue;
     packing.placements[i].a *= flat.enlarged;
     packing.placements[i].b *= flat.enlarged;
   }
-  placeInAtlas(packing, charts.flat);
+  placeInAtlas(packing, packed.charts.flat);
   atlas.resolution = options.resolution;
   atlas.padding = options.padding;
   atlas.tiles = static_cast<int>(packing.tiles);
@@ -122,7 +122,7 @@ Status packAll(const PackedCharts& charts, const UnwrapOptionValues& options,
   return {};
 }
 
-void checkAll(const PackedCharts& charts, const UnwrapOptions& options, UnwrapReport& report) {
+void checkAll(const PackedCharts& packed, const UnwrapOptions& options, UnwrapReport& report) {
   const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
   const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)
@@ -130,16 +130,16 @@ void checkAll(const PackedCharts& charts, const UnwrapOptions& options, UnwrapRe
         "texcoords are in double precision: single precision is too coarse for " +
         std::to_string(report.atlas.tiles) + " tiles");
   if (isSingle && isFine) {
-    const BeforeRounding before(charts.flat);
-    const std::size_t lost = roundToSingle(charts.set, charts.pool, charts.flat);
+    const BeforeRounding before(packed.charts.flat);
+    const std::size_t lost = roundToSingle(packed.charts.set, packed.pool, packed.charts.flat);
     if (lost == 0) return;
-    before.restore(charts.packing, charts.flat);
+    before.restore(packed.packing, packed.charts.flat);
     report.notes.push_back("texcoords are in double precision: rounding to single would make " +
                            std::to_string(lost) + (lost == 1 ? " chart" : " charts") + " invalid");
   }
   const Numbers numbers = options.roundsForGltf ? Numbers::Gltf : Numbers::Double;
-  fitAll(charts, options, numbers, report.atlas);
-  for (std::string& note : fittingNotes(charts.flat, numbers))
+  fitAll(packed, options, numbers, report.atlas);
+  for (std::string& note : fittingNotes(packed.charts.flat, numbers))
     report.notes.push_back(std::move(note));
 }
 

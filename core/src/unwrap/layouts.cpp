@@ -24,10 +24,10 @@ bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !optio
 
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
 
-void flattenAll(const ChartLayouts& charts, const UnwrapOptions& options, ThreadPool& pool,
-                const Monitor& monitor, const std::function<bool(double)>& tell) {
+void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOptions& options,
+                ThreadPool& pool, const Monitor& monitor, const std::function<bool(double)>& tell,
+                LaidCharts& charts) {
   const ChartSet& set = charts.set;
-  const IdVector<ChartId, ChartWishes>& wishes = charts.wishes;
   FlatCharts& flat = charts.flat;
   const std::vector<std::uint32_t> order = largestFirst(set);
   std::size_t triangles = 0;

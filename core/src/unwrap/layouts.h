@@ -6,8 +6,7 @@
 
 #include "abflat/unwrap.h"
 #include "base/parallel.h"
-#include "chart/chart_set.h"
-#include "unwrap/chart.h"
+#include "unwrap/laid_charts.h"
 #include "unwrap/monitor.h"
 
 namespace abflat {
@@ -15,16 +14,10 @@ namespace abflat {
 /// Whether charts that come out stretched too much may be cut further.
 bool canCut(const UnwrapOptions& options);
 
-/// Charts, what each is asked for, and their layouts.
-struct ChartLayouts {
-  const ChartSet& set;
-  const IdVector<ChartId, ChartWishes>& wishes;
-  FlatCharts& flat;
-};
-
 /// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
-void flattenAll(const ChartLayouts& charts, const UnwrapOptions& options, ThreadPool& pool,
-                const Monitor& monitor, const std::function<bool(double)>& tell);
+void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOptions& options,
+                ThreadPool& pool, const Monitor& monitor, const std::function<bool(double)>& tell,
+                LaidCharts& charts);
 
 /// More than seams are to allow.
 bool isStretched(const FlatChart& chart, double most);

@@ -1,18 +1,16 @@
 #pragma once
 
 #include "base/parallel.h"
-#include "chart/chart_set.h"
 #include "pack/pack.h"
-#include "unwrap/chart.h"
+#include "unwrap/laid_charts.h"
 
 namespace abflat {
 
-/// The charts of a run, their layouts and where these are in the atlas.
+/// The charts of a run, and where they are in the atlas.
 struct PackedCharts {
-  const ChartSet& set;
   double unit;  ///< what a length of 1 is in the mesh
   ThreadPool& pool;
-  FlatCharts& flat;
+  LaidCharts& charts;
   Packing& packing;
 };
 

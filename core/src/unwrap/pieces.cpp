@@ -56,50 +56,50 @@ bool isSame(const ChartTopology& a, const ChartTopology& b) {
 
 }  // namespace
 
-void moveSame(const ChartSet& from, FlatCharts& flatFrom, const ChartSet& to, FlatCharts& flatTo) {
-  for (const ChartId i : to.ids()) {
-    if (!flatTo[i].unpacked.empty()) continue;
-    const ChartId k = from.ofTriangle[to.topology(i).triangles.front()];
-    if (!flatFrom[k].unpacked.empty() && isSame(from.topology(k), to.topology(i)))
-      flatTo[i] = std::move(flatFrom[k]);
+void moveSame(LaidCharts& from, LaidCharts& to) {
+  for (const ChartId i : to.set.ids()) {
+    if (!to.flat[i].unpacked.empty()) continue;
+    const ChartTopology chart = to.set.topology(i);
+    const ChartId k = from.set.ofTriangle[chart.triangles.front()];
+    if (!from.flat[k].unpacked.empty() && isSame(from.set.topology(k), chart))
+      to.flat[i] = std::move(from.flat[k]);
   }
 }
 
-void takePieces(const ChartSet& before, const FlatCharts& flatBefore, const ChartSet& now,
-                double mostStretch, ThreadPool& pool, FlatCharts& flat) {
-  IdVector<SurfaceCorner, Point2> at(3 * before.ofTriangle.size());
-  for (const ChartId i : before.ids()) {
-    if (flatBefore[i].unpacked.empty()) continue;
-    const ChartTopology chart = before.topology(i);
+void takePieces(const LaidCharts& before, double mostStretch, ThreadPool& pool, LaidCharts& now) {
+  IdVector<SurfaceCorner, Point2> at(3 * before.set.ofTriangle.size());
+  for (const ChartId i : before.set.ids()) {
+    if (before.flat[i].unpacked.empty()) continue;
+    const ChartTopology chart = before.set.topology(i);
     for (const ChartCorner c : chart.surfaceCorners())
-      at[chart.onSurface(c)] = pointAt(flatBefore[i].unpacked, chart.vertexOfCorner[c]);
+      at[chart.onSurface(c)] = pointAt(before.flat[i].unpacked, chart.vertexOfCorner[c]);
   }
-  parallelFor(&pool, now.size(), [&](std::size_t k) {
+  parallelFor(&pool, now.set.size(), [&](std::size_t k) {
     const ChartId i(k);
-    const ChartTopology chart = now.topology(i);
-    const FlatChart& whole = flatBefore[before.ofTriangle[chart.triangles.front()]];
-    if (!flat[i].unpacked.empty() || whole.unpacked.empty()) return;
+    const ChartTopology chart = now.set.topology(i);
+    FlatChart& piece = now.flat[i];
+    const FlatChart& whole = before.flat[before.set.ofTriangle[chart.triangles.front()]];
+    if (!piece.unpacked.empty() || whole.unpacked.empty()) return;
     std::vector<double> uv(2 * chart.vertexCount());
     for (const ChartCorner c : chart.surfaceCorners())
       setPoint(uv, chart.vertexOfCorner[c], at[chart.onSurface(c)]);
-    flat[i] = pieceAsItLies(now.chart(i), std::move(uv), whole.solver);
-    if (flat[i].unpacked.empty() || flat[i].distortion.symmetricDirichlet > mostStretch) {
-      flat[i] = {};
+    piece = pieceAsItLies(now.set.chart(i), std::move(uv), whole.solver);
+    if (piece.unpacked.empty() || piece.distortion.symmetricDirichlet > mostStretch) {
+      piece = {};
       return;
     }
-    flat[i].uncommon = historyOf(whole);
-    flat[i].iterations = whole.iterations;
+    piece.uncommon = historyOf(whole);
+    piece.iterations = whole.iterations;
   });
 }
 
-IdVector<ChartId, std::uint8_t> stretchedByCuts(const ChartSet& before,
-                                                const FlatCharts& flatBefore, const ChartSet& now,
-                                                const FlatCharts& flat, double mostStretch) {
-  IdVector<ChartId, std::uint8_t> out(before.size(), 0);
-  for (const ChartId i : now.ids()) {
-    const ChartId whole = before.ofTriangle[now.topology(i).triangles.front()];
-    const double bound = std::max(mostStretch, flatBefore[whole].distortion.symmetricDirichlet);
-    if (flat[i].distortion.symmetricDirichlet > bound) out[whole] = 1;
+IdVector<ChartId, std::uint8_t> stretchedByCuts(const LaidCharts& before, const LaidCharts& now,
+                                                double mostStretch) {
+  IdVector<ChartId, std::uint8_t> out(before.set.size(), 0);
+  for (const ChartId i : now.set.ids()) {
+    const ChartId whole = before.set.ofTriangle[now.set.topology(i).triangles.front()];
+    const double bound = std::max(mostStretch, before.flat[whole].distortion.symmetricDirichlet);
+    if (now.flat[i].distortion.symmetricDirichlet > bound) out[whole] = 1;
   }
   return out;
 }

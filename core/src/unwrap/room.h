@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "abflat/unwrap.h"
-#include "chart/chart_set.h"
-#include "unwrap/chart.h"
+#include "unwrap/laid_charts.h"
 #include "unwrap/seams.h"
 
 namespace abflat {
@@ -23,7 +22,7 @@ bool cutsForRoom(const UnwrapOptionValues& options, const FlatCharts& flat);
 
 /// None where none are worth their length. `utilization`: that of the charts without them.
 /// `goesOn` is asked now and then; when it returns false there are none.
-RoomCuts findRoomCuts(const ChartSet& set, const FlatCharts& flat, const OpenSurface& open,
+RoomCuts findRoomCuts(const LaidCharts& charts, const OpenSurface& open,
                       const UnwrapOptionValues& options, double utilization,
                       const std::function<bool()>& goesOn);
 

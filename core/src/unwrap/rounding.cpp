@@ -219,15 +219,15 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& 
   return static_cast<std::size_t>(std::count(isLost.begin(), isLost.end(), 1));
 }
 
-std::size_t fitToNumbers(const PackedCharts& charts, Numbers numbers, int resolution,
+std::size_t fitToNumbers(const PackedCharts& packed, Numbers numbers, int resolution,
                          bool mayGrow) {
-  IdVector<ChartId, std::uint8_t> isTooSmall(charts.flat.size(), 0);
-  parallelFor(&charts.pool, charts.flat.size(), [&](std::size_t k) {
+  IdVector<ChartId, std::uint8_t> isTooSmall(packed.charts.flat.size(), 0);
+  parallelFor(&packed.pool, packed.charts.flat.size(), [&](std::size_t k) {
     const ChartId i(k);
-    FlatChart& flat = charts.flat[i];
+    FlatChart& flat = packed.charts.flat[i];
     if (!flat.isGiven)
-      isTooSmall[i] = !fit(charts.set.chart(i), numbers, resolution, mayGrow,
-                           charts.packing.placements[i], flat);
+      isTooSmall[i] = !fit(packed.charts.set.chart(i), numbers, resolution, mayGrow,
+                           packed.packing.placements[i], flat);
   });
   return static_cast<std::size_t>(std::count(isTooSmall.begin(), isTooSmall.end(), 1));
 }

@@ -23,7 +23,7 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& 
 /// and vertices of triangles that are thinner than numbers can tell are moved. Returns how many
 /// charts have to be larger, which is only said where they `mayGrow`: they are to be packed again
 /// with their new `enlarged`.
-std::size_t fitToNumbers(const PackedCharts& charts, Numbers numbers, int resolution, bool mayGrow);
+std::size_t fitToNumbers(const PackedCharts& packed, Numbers numbers, int resolution, bool mayGrow);
 
 /// Which charts are larger than others, and which vertices were moved.
 std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers);

@@ -72,8 +72,8 @@ class Unwrapping {
 
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
-  CutMesh cutMesh() const { return {map(), set_}; }
-  PackedCharts packedCharts() { return {set_, unit_, *pool_, flat_, packing_}; }
+  CutMesh cutMesh() const { return {map(), charts_.set}; }
+  PackedCharts packedCharts() { return {unit_, *pool_, charts_, packing_}; }
 
   Status checkInput() const {
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
@@ -126,22 +126,22 @@ class Unwrapping {
         [&] { return monitor_.tell(kSeams); }, report_.seams);
     surface_.fans = Fans();
     monitor_.tellAgain();
-    if (!monitor_.stopped()) set_ = chartsOf(welded_, open_);
+    if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
     return {};
   }
 
   /// Charts that turn out to be stretched more than was expected are cut further.
   Status flatten() {
     if (Status s = readWishes(); !s.ok()) return s;
-    flat_.resize(set_.size());
-    if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, flat_); !s.ok()) return s;
-    if (Status s = checkUnpinned(set_, wishes_, flat_); !s.ok()) return s;
+    charts_.flat.resize(charts_.set.size());
+    if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, charts_.flat); !s.ok()) return s;
+    if (Status s = checkUnpinned(charts_.set, wishes_, charts_.flat); !s.ok()) return s;
     const auto tell = [&](double share) { return tellSolve(share); };
     if (Status s = layOut(tell); !s.ok()) return s;
     constexpr int kMostRounds = 8;
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
-    for (FlatChart& chart : flat_) chart.isCutEnough = true;
-    return dropTangled(flat_) ? layOut(tell) : Status();
+    for (FlatChart& chart : charts_.flat) chart.isCutEnough = true;
+    return dropTangled(charts_.flat) ? layOut(tell) : Status();
   }
 
   /// Each round has a part of what those before left.
@@ -160,7 +160,7 @@ class Unwrapping {
       if (!isCut || monitor_.stopped()) break;
       openAnew();
       if (Status s = readWishes(); !s.ok()) return s;
-      dropTangled(flat_);
+      dropTangled(charts_.flat);
       if (Status s = layOut(tell); !s.ok()) return s;
     }
     return {};
@@ -169,28 +169,23 @@ class Unwrapping {
   bool cutFurther(const std::function<bool()>& goesOn) {
     if (!canCut(options_)) return false;
     IdVector<ChartId, Stretched> charts;
-    for (FlatChart& chart : flat_) {
+    for (FlatChart& chart : charts_.flat) {
       const bool isAsked =
           (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
       charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
       // Unless its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }
-    return cutStretched(set_, charts, options_, *pool_, goesOn, open_);
+    return cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
   }
-
-  struct LaidCharts {
-    ChartSet set;
-    FlatCharts flat;
-  };
 
   /// Charts of the surface as it is open now. Those that are as before keep their layout; what is
   /// left of the others is returned.
   LaidCharts openAnew() {
-    LaidCharts before{std::move(set_), std::move(flat_)};
-    set_ = chartsOf(welded_, open_);
-    flat_ = FlatCharts(set_.size());
-    moveSame(before.set, before.flat, set_, flat_);
+    LaidCharts before = std::move(charts_);
+    charts_ = {chartsOf(welded_, open_), {}};
+    charts_.flat.resize(charts_.set.size());
+    moveSame(before, charts_);
     return before;
   }
 
@@ -206,14 +201,14 @@ class Unwrapping {
 
   /// What has no layout yet.
   Status layOut(const std::function<bool(double)>& tell) {
-    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, flat_); !s.ok()) return s;
-    flattenAll({set_, wishes_, flat_}, options_, *pool_, monitor_, tell);
+    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok()) return s;
+    flattenAll(wishes_, options_, *pool_, monitor_, tell, charts_);
     return {};
   }
 
   Status packCharts() {
-    if (Status s = checkPinned(cutMesh(), flat_); !s.ok()) return s;
-    const bool mayCut = canCut(options_) && cutsForRoom(options_, flat_);
+    if (Status s = checkPinned(cutMesh(), charts_.flat); !s.ok()) return s;
+    const bool mayCut = canCut(options_) && cutsForRoom(options_, charts_.flat);
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
     if (s.ok()) endCutting();
@@ -232,8 +227,7 @@ class Unwrapping {
   /// as they were otherwise.
   Status cutForRoom() {
     const auto goesOn = [&] { return monitor_.tell(kPack, kUncut); };
-    const RoomCuts cuts =
-        findRoomCuts(set_, flat_, open_, options_, report_.atlas.utilization, goesOn);
+    const RoomCuts cuts = findRoomCuts(charts_, open_, options_, report_.atlas.utilization, goesOn);
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     const AtlasReport uncut = report_.atlas;
     open_.seams.resize(open_.mesh.twin.size(), 0);
@@ -242,22 +236,21 @@ class Unwrapping {
     Packing packing = std::move(packing_);
     addCuts(cuts, options_, open_);
     LaidCharts before = openAnew();
-    takePieces(before.set, before.flat, set_, options_.maxStretch, *pool_, flat_);
+    takePieces(before, options_.maxStretch, *pool_, charts_);
     if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
     if (Status s = joinStretched(before, seams); !s.ok()) return s;
-    report_.atlas.packingCuts = static_cast<int>(set_.size() - before.set.size());
+    report_.atlas.packingCuts = static_cast<int>(charts_.set.size() - before.set.size());
     report_.atlas.packingCutLength = seamLength(open_) - length;
     report_.atlas.uncutTexelDensity = uncut.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
     if (packed.ok() && isWorth(report_.atlas, options_)) return {};
-    moveSame(set_, flat_, before.set, before.flat);
-    set_ = std::move(before.set);
-    flat_ = std::move(before.flat);
+    moveSame(charts_, before);
+    charts_ = std::move(before);
     open_.seams = seams;
     packing_ = std::move(packing);
     report_.atlas = uncut;
-    placeInAtlas(packing_, flat_);
+    placeInAtlas(packing_, charts_.flat);
     return readWishes();
   }
 
@@ -268,20 +261,20 @@ class Unwrapping {
     const auto tell = [&](double) { return goesOn(); };
     if (Status s = readWishes(); !s.ok()) return s;
     if (Status s = layOut(tell); !s.ok()) return s;
-    expectScale(set_, stretchedPieces(flat_, options_.maxStretch), *pool_, open_);
+    expectScale(charts_.set, stretchedPieces(charts_.flat, options_.maxStretch), *pool_, open_);
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.pack, tell); !s.ok()) return s;
-    for (FlatChart& chart : flat_) chart.isCutEnough = true;
-    return dropTangled(flat_) ? layOut(tell) : Status();
+    for (FlatChart& chart : charts_.flat) chart.isCutEnough = true;
+    return dropTangled(charts_.flat) ? layOut(tell) : Status();
   }
 
   /// Charts that were cut for packing to pieces that are stretched too much are whole again.
   Status joinStretched(LaidCharts& before, const Seams& seams) {
     const IdVector<ChartId, std::uint8_t> isJoined =
-        stretchedByCuts(before.set, before.flat, set_, flat_, options_.maxStretch);
+        stretchedByCuts(before, charts_, options_.maxStretch);
     if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
     takeBack(before.set, isJoined, seams, open_);
     openAnew();
-    moveSame(before.set, before.flat, set_, flat_);
+    moveSame(before, charts_);
     return readWishes();
   }
 
@@ -294,22 +287,22 @@ class Unwrapping {
     out_.seams = seamEdges(map(), seams);
     open_ = OpenSurface();
     wishes_ = IdVector<ChartId, ChartWishes>();
-    set_.eliminationRank = {};
+    charts_.set.eliminationRank = {};
   }
 
   Status finish() {
     checkAll(packedCharts(), options_, report_);
     monitor_.tellAgain();
     packing_ = Packing();
-    noteStretched(flat_, options_, report_.notes);
-    measureStraight(set_, flat_);
-    fillTexcoords(texcoords_, unit_, flat_, out_);
+    noteStretched(charts_.flat, options_, report_.notes);
+    measureStraight(charts_.set, charts_.flat);
+    fillTexcoords(texcoords_, unit_, charts_.flat, out_);
     giveBackFreeMemory();
-    fillReport(cutMesh(), flat_, unit_, report_);
-    flat_ = FlatCharts();
+    fillReport(cutMesh(), charts_.flat, unit_, report_);
+    charts_.flat = FlatCharts();
     fillFaces(cutMesh(), texcoords_, out_);
     monitor_.tellAgain();
-    set_ = ChartSet();
+    charts_.set = ChartSet();
     surface_ = Surface();
     texcoords_ = Texcoords();
     certify(welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
@@ -332,10 +325,9 @@ class Unwrapping {
   std::unique_ptr<ThreadPool> pool_;
   FixedTriangles fixed_;
   OpenSurface open_;
-  ChartSet set_;
+  LaidCharts charts_;
   Texcoords texcoords_;
   IdVector<ChartId, ChartWishes> wishes_;
-  FlatCharts flat_;
   int round_ = 0;                        ///< of flattening
   static constexpr double kUncut = 0.6;  ///< of packing, where charts may be cut for it
   Packing packing_;

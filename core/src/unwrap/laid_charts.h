@@ -1,0 +1,14 @@
+#pragma once
+
+#include "chart/chart_set.h"
+#include "unwrap/chart.h"
+
+namespace abflat {
+
+/// Charts and the layout of each, empty where there is none yet.
+struct LaidCharts {
+  ChartSet set;
+  FlatCharts flat;
+};
+
+}  // namespace abflat
