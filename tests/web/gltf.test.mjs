@@ -180,6 +180,9 @@ test('what cannot be read is said in a sentence with its name', async (t) => {
   const page = await openPage(t);
   const { json } = await io.writeJSON(scene());
   const required = { extensionsUsed: ['A_future_one'], extensionsRequired: ['A_future_one'] };
+  const lost = JSON.stringify({ ...json, buffers: [], images: [], bufferViews: [] });
+  const chunk = Buffer.from(await io.writeBinary(scene(1)));
+  chunk.writeUInt32LE(0xffffff, 12);
   for (const [name, content, pattern] of [
     [
       'a.gltf',
@@ -194,6 +197,11 @@ test('what cannot be read is said in a sentence with its name', async (t) => {
       /e\.glb is truncated: 300 of [\d,]+ b/,
     ],
     ['f.glb', 'glTF', /f\.glb is truncated: 4 of 12 bytes/],
+    ['g.gltf', '{"asset":{"version":"1.0"},"buffers":{}}', /g\.gltf is not glTF 2\.0\. Save it as/],
+    ['h.gltf', '[1, 2]', /h\.gltf is not glTF 2\.0\. Save it as/],
+    ['i.gltf', 'null', /i\.gltf is not glTF 2\.0\. Save it as/],
+    ['j.gltf', lost, /j\.gltf is damaged or too large to read \(.*\)\. Export or download/],
+    ['k.glb', chunk, /k\.glb is damaged or too large to read \(.*\)\. Export or download/],
   ]) {
     await dropAndWait(page, name, content);
     assert.match(await textOf(page, '#alert'), pattern);

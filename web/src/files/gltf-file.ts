@@ -7,7 +7,28 @@ import { compressionsOf, decompressed } from './compression';
 import { gltfIo, openGltf } from './gltf-source';
 
 /** Null for a compressed file, which `readCompressed` reads. */
-export async function readGltf(file: File, others: File[]): Promise<GltfFile | null> {
+export function readGltf(file: File, others: File[]): Promise<GltfFile | null> {
+  return orDamaged(file.name, () => readPlain(file, others));
+}
+
+/** The copy that it keeps is an uncompressed GLB, so that nothing is decoded twice. */
+export function readCompressed(file: File, others: File[]): Promise<GltfFile> {
+  return orDamaged(file.name, () => decode(file, others));
+}
+
+/** What glTF-Transform does not check ends in an error of the language. */
+async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
+  try {
+    return await read();
+  } catch (error) {
+    if (!(error instanceof TypeError || error instanceof RangeError)) throw error;
+    throw new Error(
+      `${name} is damaged or too large to read (${error.message}). Export or download it again.`,
+    );
+  }
+}
+
+async function readPlain(file: File, others: File[]): Promise<GltfFile | null> {
   const { source, used } = await openGltf(file, others);
   if (compressionsOf(source).length > 0) return null;
   const document = await gltfIo().readJSON(source);
@@ -15,8 +36,7 @@ export async function readGltf(file: File, others: File[]): Promise<GltfFile | n
   return { ...contentOf(file.name, document), files: { file: copy, others: copies } };
 }
 
-/** The copy that it keeps is an uncompressed GLB, so that nothing is decoded twice. */
-export async function readCompressed(file: File, others: File[]): Promise<GltfFile> {
+async function decode(file: File, others: File[]): Promise<GltfFile> {
   const { name } = file;
   const { source } = await openGltf(file, others);
   const document = await decompressed(name, source);

@@ -63,6 +63,13 @@ function checkLength(name: string, bytes: Uint8Array): void {
 }
 
 function parse(name: string, text: string): JSONDocument['json'] {
+  const json = parseJson(name, text);
+  if (!/^2\b/.test(json?.asset?.version))
+    throw new Error(`${name} is not glTF 2.0. Save it as glTF 2.0 or GLB.`);
+  return json;
+}
+
+function parseJson(name: string, text: string): JSONDocument['json'] {
   try {
     return JSON.parse(text);
   } catch (error) {
