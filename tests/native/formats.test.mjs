@@ -227,7 +227,10 @@ test('the report is about the coordinates as they are written', async (t) => {
   assert.ok(Math.abs(usual.chart.angularDistortion - inDouble) < 1e-6);
   const tiny = await flattened('tiny');
   assert.equal(type(tiny.file), 'double');
-  assert.match(tiny.chart.fallbacks.join(), /double precision: rounded to single, \d+ triangle/);
+  assert.match(
+    tiny.chart.fallbacks.join(),
+    /double precision: rounded to single precision, \d+ triangle/,
+  );
 });
 
 test('any input is written as OBJ or PLY, with the same layout', async (t) => {

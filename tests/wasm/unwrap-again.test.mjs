@@ -212,6 +212,6 @@ test('texelDensity and udim: tiles beside each other at the scale that was asked
     abflat,
     abflat.unwrap(mesh, { texelDensity: 7e4 }),
     'AtlasTooSmall',
-    /lower the density/,
+    /Lower the density/,
   );
 });

@@ -47,7 +47,7 @@ test('an atlas that is too small: AtlasTooSmall with what suffices', async () =>
   const options = { texelDensity: 1000, resolution: 256 };
   const error = await abflat.unwrap(mesh, options).catch((e) => e);
   assert.equal(error.code, 'AtlasTooSmall');
-  const [, density] = error.message.match(/lower the density to (\S+), raise/);
+  const [, density] = error.message.match(/Lower the density to (\S+), raise/);
   const [, side] = error.message.match(/raise the resolution to (\d+), or/);
   for (const changes of [{ texelDensity: Number(density) }, { resolution: Number(side) }]) {
     const { report } = await abflat.unwrap(mesh, { ...options, ...changes });

@@ -40,7 +40,7 @@ async function vertices(page, steps = 12) {
         canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, bubbles: true }));
         // The page answers in the same frame, before.
         await new Promise((done) => requestAnimationFrame(done));
-        const vertex = /^Vertex (\d+): begin/.exec(
+        const vertex = /^Vertex (\d+): start/.exec(
           document.querySelector('#seam-hint').textContent,
         );
         if (vertex) found.push([Number(vertex[1]), [x, y]]);
@@ -220,7 +220,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
   const page = await openPage(t, { ...STILL, open: ['torus.obj', objText(torus(24, 12))] });
   await page.click('#seams-auto');
   await settled(page);
-  assert.equal(await textOf(page, '#seams-state'), 'only what disks need');
+  assert.equal(await textOf(page, '#seams-state'), 'fewest possible cuts');
   const needed = Number((await metrics(page))['Seam length']);
   assert.ok(needed > 0);
   await page.click('#seam-join');
@@ -276,7 +276,7 @@ test('seams are cut by keyboard and by touch', async (t) => {
   await page.focus(CANVAS);
   await page.keyboard.press('Home');
   await drawn(page);
-  const first = /^Vertex (\d+): begin/.exec(await hint(page));
+  const first = /^Vertex (\d+): start/.exec(await hint(page));
   assert.ok(first, await hint(page));
   await page.keyboard.press('Enter');
   for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowLeft');
@@ -284,7 +284,7 @@ test('seams are cut by keyboard and by touch', async (t) => {
   assert.match(await hint(page), /^(Vertex|From vertex) \d+/);
   await page.keyboard.press('Escape');
   await drawn(page);
-  assert.match(await hint(page), /^Vertex \d+: begin|^Click a vertex/);
+  assert.match(await hint(page), /^Vertex \d+: start|^Click a vertex/);
   assert.equal(await edited(page), 2);
 });
 

@@ -216,7 +216,7 @@ Status OutputFile::undo() {
   if (old_.empty()) return !hasName_ || removed(target_) ? Status{} : failure(std::strerror(errno));
   const auto from = old_.c_str(), to = target_.c_str();
   if (uninterrupted([&] { return std::rename(from, to); }) == 0) return {};
-  return failure(std::string(std::strerror(errno)) + ". The previous file is now " + old_);
+  return failure(std::string(std::strerror(errno)) + "; its previous content is in '" + old_ + "'");
 }
 
 void OutputFile::settle() {

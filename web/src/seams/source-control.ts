@@ -89,5 +89,5 @@ function stateText(sources: SeamSources, edges: Uint32Array | null, isCutFurther
   if (edges)
     return `edited: ${counted(edges.length / 2, 'edge')}${isCutFurther ? ', cut further' : ''}`;
   const { auto, uv, material, sharp } = sources;
-  return auto || uv || material || sharp !== null ? '' : 'only what disks need';
+  return auto || uv || material || sharp !== null ? '' : 'fewest possible cuts';
 }
