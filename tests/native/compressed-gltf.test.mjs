@@ -18,6 +18,7 @@ import { richGltf } from '../support/rich-gltf.mjs';
 import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
+const FILTERS = ['OCTAHEDRAL', 'QUATERNION', 'EXPONENTIAL'];
 const NOTE = /^in\.\w+ was compressed with (Draco|meshopt); the output is uncompressed$/;
 
 /** Unwraps a file of a folder and gives what it wrote to the validator and to glTF-Transform. */
@@ -76,6 +77,21 @@ for (const how of Object.keys(COMPRESSIONS))
     const [note] = notes.filter((each) => NOTE.test(each));
     assert.equal(run.stderr, `abflat: ${note}\n`);
   });
+
+test('the files have all that the extensions offer', async () => {
+  const { json } = parseGltf(await compressed(richGltf().glb(), 'meshopt, filtered'));
+  const views = meshoptViews(json);
+  const seen = new Set(views.flatMap(({ mode, filter }) => [mode, filter]));
+  for (const name of ['ATTRIBUTES', 'TRIANGLES', 'INDICES'].concat(FILTERS))
+    assert.ok(seen.has(name), name);
+  for (const how of ['Draco, edgebreaker', 'Draco, sequential']) {
+    const { meshes } = parseGltf(await compressed(richGltf().glb(), how)).json;
+    assert.ok(
+      meshes[0].primitives.every(({ extensions, targets }) => extensions && targets),
+      how,
+    );
+  }
+});
 
 test('compressed bytes do not stay in the file', async (t) => {
   const at = tempFolder(t);

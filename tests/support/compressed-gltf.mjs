@@ -10,7 +10,7 @@ import { meshopt, weld } from '@gltf-transform/functions';
 import draco3d from 'draco3d';
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer';
 import { parseGltf } from './glb.mjs';
-import { primitivesOf, trianglesOf } from './gltf.mjs';
+import { accessor, primitivesOf, trianglesOf } from './gltf.mjs';
 
 await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready]);
 
@@ -46,17 +46,40 @@ export const COMPRESSIONS = {
     document.transform(meshopt({ encoder: MeshoptEncoder, level: 'high' })),
 };
 
-/** Neither compression has strips, nor indices of one byte. */
-function asList(primitive) {
-  if (primitive.getMode() < 4) return;
+/** Neither compression has strips, nor indices of one byte; points get indices. */
+function withIndices(document, primitive) {
+  const isDrawn = primitive.getMode() >= 4;
+  const count = primitive.getAttribute('POSITION').getCount();
+  const points = Array.from({ length: count }, (_, i) => i);
+  if (!isDrawn) primitive.setIndices(accessor(document, 'SCALAR', Uint16Array.from(points)));
+  if (!isDrawn) return;
   primitive.getIndices()?.setArray(Uint16Array.from(trianglesOf(primitive).flat()));
   primitive.setMode(4);
+}
+
+/** Meshopt has a filter for rotations. */
+function addRotation(document) {
+  const [animation] = document.getRoot().listAnimations();
+  if (!animation) return;
+  const turns = Array.from({ length: 9 }, (_, i) => (Math.PI * i) / 16);
+  const rotations = turns.flatMap((turn) => [0, Math.sin(turn), 0, Math.cos(turn)]);
+  const sampler = document
+    .createAnimationSampler()
+    .setInput(accessor(document, 'SCALAR', Float32Array.from(turns)))
+    .setOutput(accessor(document, 'VEC4', Float32Array.from(rotations)));
+  const channel = document
+    .createAnimationChannel()
+    .setSampler(sampler)
+    .setTargetNode(document.getRoot().listNodes()[0])
+    .setTargetPath('rotation');
+  animation.addSampler(sampler).addChannel(channel);
 }
 
 /** A .glb compressed in one of these ways. */
 export async function compressed(glb, how) {
   const document = await io.readBinary(new Uint8Array(glb));
-  primitivesOf(document).forEach(asList);
+  for (const primitive of primitivesOf(document)) withIndices(document, primitive);
+  addRotation(document);
   await COMPRESSIONS[how](document);
   return Buffer.from(await io.writeBinary(document));
 }

@@ -110,7 +110,7 @@ class PrimitiveDecoder {
           DracoMesh::decode(bytesOf(source, document_.buffers), views_.budget());
       if (!mesh.ok()) return complaints_.add(place + mesh.status.message);
       for (const PackedPrimitive& packed : primitives)
-        if (!packed.hasPlainCopy) putPrimitive(packed, mesh.value);
+        if (!packed.hasPlainCopy && complaints_.none()) putPrimitive(packed, mesh.value);
     }
     // Views keep their numbers: where nothing new takes this one's place, it is as short as can be.
     if (freeView_ != kNone) views_.put(freeView_, std::string(1, '\0'));
