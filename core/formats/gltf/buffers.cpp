@@ -41,10 +41,10 @@ class BufferLoader {
     else if (container_.hasBuffer && isFirst)
       bytes = std::string(container_.buffer);
     else
-      buffer.complain("has no uri, and the file has no buffer of its own for it");
+      buffer.complain("has no uri, and the file has no binary chunk for it");
     if (length > bytes.size())
-      buffer.complain("says that it has " + std::to_string(length) + " bytes, but there are only " +
-                      std::to_string(bytes.size()) + ": it is cut off");
+      buffer.complain("declares " + std::to_string(length) + " bytes, but has only " +
+                      std::to_string(bytes.size()) + ": it is truncated");
     bytes.resize(std::min(length, bytes.size()));
     return bytes;
   }
@@ -58,7 +58,7 @@ class BufferLoader {
       return std::move(data.value);
     }
     if (hasScheme(uri)) {
-      place.complain("is " + uri + ", which is not a file beside this one; download it first");
+      place.complain("is " + uri + ", which is not a local file. Download it first");
       return {};
     }
     Result<std::string> bytes = readResource_(pathOfUri(uri));
@@ -94,7 +94,7 @@ BufferView readView(const Field& view, const std::vector<std::string>& buffers) 
   out.offset = view["byteOffset"].count(0);
   out.length = view["byteLength"].count();
   out.stride = view["byteStride"].count(0);
-  if (out.stride > kMostStride) view["byteStride"].complain("is above 252");
+  if (out.stride > kMostStride) view["byteStride"].complain("exceeds 252");
   if (out.buffer == kNone) return out;
   const std::size_t size = buffers[out.buffer].size();
   if (out.offset > size || out.length > size - out.offset)

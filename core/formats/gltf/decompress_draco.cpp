@@ -49,7 +49,7 @@ PackedPrimitive packedOf(const Field& primitive, const Field& accessors, std::si
   const std::size_t mode = primitive["mode"].count(kTriangles);
   if (mode != kTriangles && mode != kStrip)
     extension.complain("is for triangles, but the mode of its primitive is " +
-                       std::to_string(mode) + "; save the file without compression");
+                       std::to_string(mode) + ". Save the file without compression");
   out.indices = primitive["indices"].index(all.size(), "accessors");
   if (out.indices != kNone) out.hasPlainCopy = all[out.indices]["bufferView"].isPresent();
   for (const auto& [name, id] : extension["attributes"].members()) {
@@ -155,7 +155,7 @@ class PrimitiveDecoder {
     if (!complaints_.none() || !take(packed, mesh.points() * shape.size())) return slot;
     if (shape.columns != 1) {
       complaints_.add(packed.place + ".attributes." + attribute.name +
-                      " is one of matrices, which Draco does not have");
+                      " holds matrices, which Draco does not support");
       return slot;
     }
     Result<std::string> values = mesh.attribute(attribute.id, shape.type, shape.rows);
@@ -171,7 +171,7 @@ class PrimitiveDecoder {
 
   bool take(const PackedPrimitive& packed, std::size_t bytes) {
     if (views_.budget().take(bytes)) return true;
-    complaints_.add(packed.place + " makes more of the file than its bytes are worth");
+    complaints_.add(packed.place + " decodes to far more than the size of the file allows");
     return false;
   }
 

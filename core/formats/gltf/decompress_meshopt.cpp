@@ -30,7 +30,7 @@ Coding codingOf(const Field& mode) {
   const std::string name = mode.text();
   if (name == "TRIANGLES") return Coding::Triangles;
   if (name == "INDICES") return Coding::Indices;
-  if (name != "ATTRIBUTES") mode.complain("is not one of ATTRIBUTES, TRIANGLES and INDICES");
+  if (name != "ATTRIBUTES") mode.complain("must be ATTRIBUTES, TRIANGLES or INDICES");
   return Coding::Attributes;
 }
 
@@ -42,7 +42,7 @@ Filter filterOf(const Field& filter) {
   if (name == "COLOR")
     filter.complain("is COLOR, which abflat cannot decode; save the file without compression");
   else if (filter.isPresent() && name != "NONE")
-    filter.complain("is not one of NONE, OCTAHEDRAL, QUATERNION and EXPONENTIAL");
+    filter.complain("must be NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL");
   return Filter::None;
 }
 
@@ -66,13 +66,13 @@ Packed packedOf(const Field& view, const Document& document) {
   out.coding = codingOf(extension["mode"]);
   out.filter = filterOf(extension["filter"]);
   if (out.coding != Coding::Attributes && out.filter != Filter::None)
-    extension["filter"].complain("is for the mode ATTRIBUTES only");
+    extension["filter"].complain("applies to the mode ATTRIBUTES only");
   if (!hasFittingStride(out))
-    extension["byteStride"].complain("does not go with the mode and the filter");
+    extension["byteStride"].complain("does not fit the mode and the filter");
   if (out.count == 0 || (out.coding == Coding::Triangles && out.count % 3 != 0))
-    extension["count"].complain("does not go with the mode");
+    extension["count"].complain("does not fit the mode");
   const std::size_t stride = view["byteStride"].count(out.stride);
-  if (stride != out.stride) extension["byteStride"].complain("is not that of its bufferView");
+  if (stride != out.stride) extension["byteStride"].complain("differs from that of its bufferView");
   return out;
 }
 
@@ -103,9 +103,9 @@ std::string reason(const Packed& packed, std::string_view bytes) {
   constexpr unsigned char kVertexVersion1 = 0xa1;
   const bool isNewer = packed.coding == Coding::Attributes && !bytes.empty() &&
                        static_cast<unsigned char>(bytes[0]) == kVertexVersion1;
-  return isNewer ? " has vertices in version 1 of meshopt's format, which the meshoptimizer that "
-                   "abflat was built with cannot decode; save the file without compression"
-                 : " has compressed bytes that are damaged; export the file anew";
+  return isNewer ? " has vertices in version 1 of meshopt's format, which this build cannot "
+                   "decode. Save the file without compression"
+                 : " has damaged compressed bytes. Export the file again";
 }
 
 /// The bytes that a view stands for.
@@ -113,8 +113,8 @@ std::string decoded(const Packed& packed, const Document& document, Budget& budg
                     Complaints& complaints) {
   const std::string_view bytes = bytesOf(packed.source, document.buffers);
   if (!budget.take(packed.count * packed.stride)) {
-    complaints.add(packed.place + " makes more of the file than its " +
-                   std::to_string(document.size) + " bytes are worth");
+    complaints.add(packed.place + " decodes to far more than the " + std::to_string(document.size) +
+                   " bytes of the file allow");
     return {};
   }
   std::string out(packed.count * packed.stride, '\0');

@@ -15,7 +15,7 @@ constexpr std::size_t kAlignment = 4;
 
 Status damaged(const std::string& reason) {
   return {StatusCode::ParseError,
-          " cannot be decoded by Draco (" + reason + "); the file is damaged: export it anew"};
+          " cannot be decoded by Draco (" + reason + "). The file is damaged; export it again"};
 }
 
 /// A count of the header, which older versions write in four bytes.
@@ -97,7 +97,7 @@ Status decodeInto(draco::Mesh& mesh, draco::DecoderBuffer& buffer, Budget& budge
   FrugalDecoder<Decoder> decoder(budget);
   const draco::Status status = decoder.Decode(draco::DecoderOptions(), &buffer, &mesh);
   if (decoder.wantsTooMuch())
-    return {StatusCode::ParseError, " makes more of the file than its bytes are worth"};
+    return {StatusCode::ParseError, " decodes to far more than the size of the file allows"};
   return status.ok() ? Status{} : damaged(status.error_msg_string());
 }
 
@@ -154,21 +154,22 @@ Result<DracoMesh> DracoMesh::decode(std::string_view bytes, Budget& budget) {
   draco::DecoderBuffer ahead = buffer;
   draco::DracoHeader header{};
   if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &header).ok())
-    return damaged("its bytes do not begin as those of Draco do");
+    return damaged("it does not start with the Draco header");
   if (header.encoder_type != draco::TRIANGULAR_MESH)
     return Status{StatusCode::ParseError,
-                  " is a point cloud, not a mesh; save the file without compression"};
+                  " is a point cloud, not a mesh. Save the file without compression"};
   auto mesh = std::make_shared<draco::Mesh>();
   const Status status = header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING
                             ? decodeInto<draco::MeshEdgebreakerDecoder>(*mesh, buffer, budget)
                         : header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING
                             ? decodeInto<draco::MeshSequentialDecoder>(*mesh, buffer, budget)
-                            : damaged("its method is not known");
+                            : damaged("its encoding method is unknown");
   if (!status.ok()) return status;
   if (mesh->num_faces() == 0) return damaged("it has no triangles");
   for (std::uint32_t f = 0; f < mesh->num_faces(); ++f)
     for (const draco::PointIndex& point : mesh->face(draco::FaceIndex(f)))
-      if (point.value() >= mesh->num_points()) return damaged("a triangle refers to no point");
+      if (point.value() >= mesh->num_points())
+        return damaged("a triangle refers to a missing point");
   return DracoMesh(std::move(mesh));
 }
 

@@ -57,7 +57,7 @@ ComponentType componentType(const Field& code) {
     case 5126:
       return ComponentType::Float;
     default:
-      code.complain("is not one of 5120, 5121, 5122, 5123, 5125 and 5126");
+      code.complain("must be 5120, 5121, 5122, 5123, 5125 or 5126");
       return ComponentType::Float;
   }
 }
@@ -69,7 +69,7 @@ ElementShape shapeOf(const Field& accessor) {
   const bool isVector = name.substr(0, 3) == "VEC", isMatrix = name.substr(0, 3) == "MAT";
   const bool isKnown = name.size() == 4 && name[3] >= '2' && name[3] <= '4';
   if (!isKnown || !(isVector || isMatrix)) {
-    accessor["type"].complain("is not one of SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 and MAT4");
+    accessor["type"].complain("must be SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4");
     return {};
   }
   const std::size_t n = static_cast<std::size_t>(name[3] - '0');

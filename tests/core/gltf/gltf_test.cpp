@@ -147,7 +147,7 @@ std::string withoutView(const std::string& entries) {
 }
 
 TEST_CASE("a file gets no more elements than it has bytes without paying for them", "[gltf]") {
-  const std::string refused = "a.glb: accessors[0] asks for ";
+  const std::string refused = "a.glb: accessors[0] declares ";
   for (const std::string count : {"600000000", "9007199254740991", "1e15", "4294967296"}) {
     CHECK(errorOf(withoutView("\"count\": " + count), 36).substr(0, refused.size()) == refused);
     const std::string sparse = R"("sparse": {"count": 1, "indices": {"bufferView": 0,
