@@ -217,21 +217,21 @@ test('what is wrong with compressed bytes is said in a sentence', async (t) => {
         const { byteOffset = 0 } = dracoView(json);
         buffer.fill(0, byteOffset, byteOffset + 4);
       }),
-      `${place} cannot be decoded by Draco \\(its bytes do not begin as those of Draco do\\); the file is damaged`,
+      `${place} cannot be decoded by Draco \\(it does not start with the Draco header\\)\\. The file is damaged`,
     ],
     [
       draco((json, buffer) => buffer.writeUInt8(0, (dracoView(json).byteOffset ?? 0) + 7)),
-      `${place} is a point cloud, not a mesh; save the file without compression`,
+      `${place} is a point cloud, not a mesh\\. Save the file without compression`,
     ],
     ...[0, 1].map((method) => [
       draco((json, buffer) => hugeDraco(method).copy(buffer, dracoView(json).byteOffset ?? 0)),
-      `${place} makes more of the file than its bytes are worth`,
+      `${place} decodes to far more than the size of the file allows`,
     ]),
     [
       draco((json) => {
         dracoView(json).byteLength = 100;
       }),
-      `${place} cannot be decoded by Draco \\(.+\\); the file is damaged: export it anew`,
+      `${place} cannot be decoded by Draco \\(.+\\)\\. The file is damaged; export it again`,
     ],
     [
       draco((json) => {
@@ -273,13 +273,13 @@ test('what is wrong with compressed bytes is said in a sentence', async (t) => {
       meshopt(([first]) => {
         first.count = 2 ** 40;
       }),
-      `${view} makes more of the file than its \\d+ bytes are worth`,
+      `${view} decodes to far more than the \\d+ bytes of the file allow`,
     ],
     [
       meshopt(([first]) => {
         first.byteLength = 20;
       }),
-      `${view} has compressed bytes that are damaged; export the file anew`,
+      `${view} has damaged compressed bytes\\. Export the file again`,
     ],
     [
       meshopt(([first]) => {
@@ -291,19 +291,19 @@ test('what is wrong with compressed bytes is said in a sentence', async (t) => {
       meshopt(([first]) => {
         first.byteStride = 7;
       }),
-      `${view}\\.byteStride does not go with the mode and the filter`,
+      `${view}\\.byteStride does not fit the mode and the filter`,
     ],
     [
       meshopt(([first]) => {
         first.mode = 'MAGIC';
       }),
-      `${view}\\.mode is not one of ATTRIBUTES, TRIANGLES and INDICES`,
+      `${view}\\.mode must be ATTRIBUTES, TRIANGLES or INDICES`,
     ],
     [
       meshopt((views) => {
         views.find(({ mode }) => mode === 'ATTRIBUTES').filter = 'COLOR';
       }),
-      `${view}\\.filter is COLOR, which abflat cannot decode; save the file without compression`,
+      `${view}\\.filter is COLOR, which abflat cannot decode\\. Save the file without compression`,
     ],
     [
       meshopt((views, buffer) => {

@@ -40,7 +40,7 @@ Filter filterOf(const Field& filter) {
   if (name == "QUATERNION") return Filter::Quaternion;
   if (name == "EXPONENTIAL") return Filter::Exponential;
   if (name == "COLOR")
-    filter.complain("is COLOR, which abflat cannot decode; save the file without compression");
+    filter.complain("is COLOR, which abflat cannot decode. Save the file without compression");
   else if (filter.isPresent() && name != "NONE")
     filter.complain("must be NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL");
   return Filter::None;
