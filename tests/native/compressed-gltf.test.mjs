@@ -310,7 +310,7 @@ test('what is wrong with compressed bytes is said in a sentence', async (t) => {
         const { byteOffset = 0 } = views.find(({ mode }) => mode === 'ATTRIBUTES');
         buffer.writeUInt8(0xa1, byteOffset);
       }),
-      `${view} has (vertices in version 1 of meshopt's format|compressed bytes that are damaged)`,
+      `${view} has (vertices in version 1 of meshopt's format|damaged compressed bytes)`,
     ],
   ];
   for (const [bytes, sentence] of cases) {
