@@ -129,7 +129,7 @@ TEST_CASE("the report says what a factor needs and what it may take") {
   CHECK(limited.value.report.valid);
   const std::vector<std::string>& notes = limited.value.report.charts[0].fallbacks;
   REQUIRE(notes.size() == 1);
-  CHECK_THAT(notes[0], Catch::Contains("needs ") && Catch::Contains("allowed are 1 MB") &&
+  CHECK_THAT(notes[0], Catch::Contains("needs ") && Catch::Contains("only 1 MB are allowed") &&
                            Catch::Contains("multigrid"));
   SECTION("Delaunay") {
     options.delaunay = true;
