@@ -26,7 +26,7 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   else if (named.empty())
     what = "no command given. Use unwrap, flatten, inspect, sample, sweep, compare or reproduce";
   else if (const std::string option = unknownOption(*named.front()); !option.empty())
-    what = "there is no option '" + option + "'. To name a file like that, write ./" + option;
+    what = "there is no option '" + option + "'. If that is a file, write ./" + option;
   else if (error.get_name() == "ArgumentMismatch")
     what = what.substr(0, what.find(':')) + " takes exactly one value";
   const std::string command = named.empty() ? "" : " " + named.front()->get_name();
