@@ -157,7 +157,7 @@ TEST_CASE("Tutte's embedding is not valid where it exceeds a bound, and says so"
   CHECK(a.t[3] == 0.5);
   const ChartReport report = makeChartReport(chart, a, 1);
   CHECK_FALSE(report.valid);
-  CHECK(report.problem.find("exceeds 2 of the bounds asked for") != std::string::npos);
+  CHECK(report.problem.find("exceeds 2 of the requested bounds") != std::string::npos);
   CHECK(report.bounds.size() == 2);
 }
 

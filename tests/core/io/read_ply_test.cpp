@@ -125,7 +125,7 @@ TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
   checkError(start + "element a 1\nelement a 2\n", "a.ply:4: ", "duplicate element 'a'");
   checkError(start + "element a 1\nproperty int b\nproperty int b\n",
              "a.ply:5: ", "duplicate property 'b'");
-  checkError(start + "elements a 1\n", "a.ply:3: ", "'elements' is none of");
+  checkError(start + "elements a 1\n", "a.ply:3: ", "'elements' is not format");
   checkError(start + xyz, "a.ply:6: ", "has no end_header");
   checkError(start + "element face 0\nend_header\n", "a.ply:4: ", "no element 'vertex'");
   checkError(start + "element vertex 1\nproperty float x\nproperty list int int y\nend_header\n",

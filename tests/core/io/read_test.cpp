@@ -44,7 +44,7 @@ TEST_CASE("OBJ: polygons, negative indices, comments, CRLF, joined lines and ext
 
 TEST_CASE("OBJ: what is wrong is named with its line") {
   checkError(obj(""), "a.obj: ", "empty");
-  checkError(obj("# nothing\n"), "a.obj: ", "no mesh (no v or f lines)");
+  checkError(obj("# nothing\n"), "a.obj ", "no mesh (no v or f lines)");
   checkError(obj("v 0 0 0\nv 1 2"), "a.obj:2: ", "2 coordinates");
   checkError(obj("v 0 0 zero\n"), "a.obj:1: ", "'zero' is not a number");
   checkError(obj("v 0 0 1.5x\n"), "a.obj:1: ", "'1.5x' is not a number");
@@ -278,7 +278,7 @@ TEST_CASE("what does not fit a mesh beside its faces is named") {
     CHECK(text.find(part) != std::string::npos);
   };
   says(message([](PolygonMesh& m) { m.faceTexcoords[2] = 1; }), "corner 2 refers");
-  says(message([](PolygonMesh& m) { m.faceTexcoords.pop_back(); }), "each face");
+  says(message([](PolygonMesh& m) { m.faceTexcoords.pop_back(); }), "every face corner");
   says(message([](PolygonMesh& m) { m.texcoords.pop_back(); }), "multiple of 2");
   says(message([](PolygonMesh& m) { m.faceMaterials.push_back(0); }), "material");
 }

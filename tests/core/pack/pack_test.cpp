@@ -94,7 +94,7 @@ TEST_CASE("as many texels as charts is enough room", "[pack]") {
     checkPacked(shapes, at(least, padding));
     const Result<Packing> none = pack(shapes, at(least - 1, padding));
     CHECK(none.status.code == StatusCode::AtlasTooSmall);
-    CHECK(none.status.message.find("raise the resolution to " + std::to_string(least)) !=
+    CHECK(none.status.message.find("Raise the resolution to " + std::to_string(least)) !=
           std::string::npos);
   }
 }

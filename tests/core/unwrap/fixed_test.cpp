@@ -263,7 +263,7 @@ TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
   options.texelDensity = 2 * most;
   const Status s = unwrap(mesh, options).status;
   CHECK(s.code == StatusCode::AtlasTooSmall);
-  CHECK(s.message.find("lower the density") != std::string::npos);
+  CHECK(s.message.find("Lower the density") != std::string::npos);
   options.udim = true;
   for (const bool rounds : {false, true}) {
     options.roundsToSingle = rounds;
