@@ -13,9 +13,11 @@ import {
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { renderNames, renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
+import { renderField, renderNames, renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
+import { renderReportHeaders } from './lib/generate-cpp-report.mjs';
 import { fillRegions } from './lib/generate-docs.mjs';
-import { renderTypeScript } from './lib/generate-ts.mjs';
+import { renderResultArrays, renderTypeScript } from './lib/generate-ts.mjs';
+import { renderReportTypes } from './lib/generate-ts-report.mjs';
 import { readSchema } from './lib/read-schema.mjs';
 import { optionSets } from './lib/schema.mjs';
 
@@ -33,7 +35,14 @@ export function renderAll(root) {
       `core/include/abflat/generated/${set.verb}_options.h`,
       renderOptions(set, i > 0 ? sets[0].verb : undefined),
     ]),
+    ...renderReportHeaders(schema).map(([name, text]) => [
+      `core/include/abflat/generated/${name}.h`,
+      text,
+    ]),
+    ['wasm/bindings/generated/field.h', renderField(schema)],
     ['wasm/src/generated.ts', renderTypeScript(schema)],
+    ['wasm/src/generated-report.ts', renderReportTypes(schema)],
+    ['wasm/src/generated-arrays.ts', renderResultArrays(schema)],
   ]);
   for (const path of documents(root)) {
     const text = readFileSync(join(root, path), 'utf8');

@@ -122,6 +122,18 @@ export function renderNames({ enums }) {
   return `${[...head, ...parts, ...tail].join('\n')}\n`;
 }
 
+/** The arrays that JavaScript reads. */
+export function renderField({ resultArrays }) {
+  const entries = resultArrays.map(({ name, text }, i) => [pascalCase(name), i, text]);
+  const parts = [
+    HEADER,
+    'namespace abflat::bindings {\n',
+    enumClass('Field', 'What JavaScript can read from a finished job.', entries),
+    '}  // namespace abflat::bindings',
+  ];
+  return `${parts.join('\n')}\n`;
+}
+
 function numberOf(option, value) {
   return Object.hasOwn(option.words ?? {}, value) ? option.words[value] : value;
 }

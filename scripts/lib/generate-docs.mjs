@@ -1,5 +1,6 @@
 // Tables between <!-- generated:NAME --> and <!-- /generated --> lines of the documentation.
 
+import { isIn, isNullable, typesOf } from './report-schema.mjs';
 import { flagOf, fullText, rangeText, withoutResearch } from './schema.mjs';
 
 const TABLES = {
@@ -16,6 +17,56 @@ const TABLES = {
   'flatten-options': ({ flattenOptions }) => optionTable(flattenOptions),
   'unwrap-options': ({ unwrapOptions }) => optionTable(unwrapOptions),
 };
+
+/** `enum-NAME` and `struct-NAME`. */
+function tableOf(region, schema) {
+  const [kind, name] = region.split('-');
+  const values = kind === 'enum' && schema.enums.find((each) => each.name === name)?.values;
+  if (values)
+    return table(
+      ['Name', 'Meaning'],
+      values.map((value) => [`\`${value.name}\``, value.text]),
+    );
+  const struct = kind === 'struct' && schema.structs.find((each) => each.name === name);
+  return struct ? structTable(struct, typesOf(schema)) : TABLES[region]?.(schema);
+}
+
+function structTable({ fields, extends: base }, types) {
+  const inherited = base ? types.get(base).struct.fields : [];
+  return table(
+    ['Key', 'Value', 'Meaning'],
+    [...inherited, ...fields]
+      .filter((field) => isIn(field, 'cli'))
+      .map((field) => [`\`${field.name}\``, valueText(field, types), meaning(field)]),
+  );
+}
+
+function meaning({ type, text, fields, nullFields, absent, ...field }) {
+  const members =
+    type === 'group'
+      ? fields.map((member) => `\`${member.name}\` = ${member.text}`).join(', ')
+      : '';
+  const notes = [
+    members,
+    isNullable(field, 'cli') && `null ${field.null}`,
+    nullFields && `null ${nullFields}`,
+    absent && `absent ${absent}`,
+    !isIn(field, 'package') && 'command line only',
+  ];
+  return [text, ...notes.filter(Boolean)].join('; ');
+}
+
+/** "number, radians", "list of text", "`ChartReport` or null". */
+function valueText({ type, list, unit, fields, ...field }, types) {
+  if (type === 'group') return fields.map(({ name }) => `\`${name}\``).join(', ');
+  const { names, words, struct, options } = types.get(type);
+  const few = names && !words && names.length < 8;
+  const base = few
+    ? names.map((name) => `\`${name}\``).join(', ')
+    : (words ?? (struct ? `[\`${type}\`](#${type.toLowerCase()})` : options ? 'object' : 'text'));
+  const text = list ? `list of ${base}` : base;
+  return `${text}${isNullable(field, 'cli') ? ' or null' : ''}${unit && !struct ? `, ${unit}` : ''}`;
+}
 
 function optionTable(options) {
   return table(
@@ -46,9 +97,10 @@ export function fillRegions(text, schema, path) {
   const shown = path.startsWith('wasm/') ? withoutResearch(schema) : schema;
   let count = 0;
   const filled = text.replace(region, (_, name) => {
-    if (!TABLES[name]) throw new Error(`${path}: unknown region "generated:${name}"`);
+    const filling = tableOf(name, shown);
+    if (!filling) throw new Error(`${path}: unknown region "generated:${name}"`);
     count += 1;
-    return `<!-- generated:${name} -->\n${TABLES[name](shown)}\n<!-- /generated -->`;
+    return `<!-- generated:${name} -->\n${filling}\n<!-- /generated -->`;
   });
   if (count !== starts.length) throw new Error(`${path}: a generated region is not closed`);
   return filled;

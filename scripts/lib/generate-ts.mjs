@@ -125,3 +125,14 @@ export function renderTypeScript(schema) {
   ];
   return `${parts.join('\n').trimEnd()}\n`;
 }
+
+/** The arrays that the module gives, by name: their numbers and the types of their elements. */
+export function renderResultArrays({ resultArrays }) {
+  const kinds = { number: 'Float64Array', index: 'Uint32Array', byte: 'Uint8Array' };
+  const rows = resultArrays.map(
+    ({ name, type, text }, i) =>
+      `  /** ${sentence(text)} */\n  ${name}: { field: ${i}, Kind: ${kinds[type]} },`,
+  );
+  const comment = '/** What the module has after a call; `field` is the number of the C++ enum. */';
+  return `${TS_HEADER}\n${comment}\nexport const RESULT_ARRAYS = {\n${rows.join('\n')}\n} as const;\n`;
+}

@@ -2,6 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { resolveStructs } from './report-schema.mjs';
 import { checkSchema } from './schema.mjs';
 
 const FILES = ['core/schema/abflat.json', 'core/schema/report.json'];
@@ -9,5 +10,5 @@ const FILES = ['core/schema/abflat.json', 'core/schema/report.json'];
 /** Of the repository in the folder `root`. */
 export function readSchema(root) {
   const parts = FILES.map((path) => JSON.parse(readFileSync(join(root, path), 'utf8')));
-  return checkSchema(Object.assign({}, ...parts));
+  return resolveStructs(checkSchema(Object.assign({}, ...parts)));
 }

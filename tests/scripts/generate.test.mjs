@@ -18,10 +18,17 @@ import { fileURLToPath } from 'node:url';
 
 const REPO = fileURLToPath(new URL('../..', import.meta.url));
 const SCHEMA = 'core/schema/abflat.json';
+const REPORT_SCHEMA = 'core/schema/report.json';
 const OUTPUTS = [
   'core/include/abflat/generated/status_code.h',
   'core/include/abflat/generated/flatten_options.h',
   'wasm/src/generated.ts',
+  'core/include/abflat/generated/names.h',
+  'core/include/abflat/generated/chart_report.h',
+  'core/include/abflat/generated/unwrap_report.h',
+  'wasm/bindings/generated/field.h',
+  'wasm/src/generated-report.ts',
+  'wasm/src/generated-arrays.ts',
 ];
 
 function generate(root, ...args) {
@@ -39,11 +46,18 @@ describe('in a copy', () => {
   const read = (path) => readFileSync(join(copy, path), 'utf8');
   const write = (path, text) => writeFileSync(join(copy, path), text);
 
-  function changeSchema(change) {
-    const schema = JSON.parse(read(SCHEMA));
+  function changeSchema(change, path = SCHEMA) {
+    const schema = JSON.parse(read(path));
     change(schema);
-    write(SCHEMA, JSON.stringify(schema));
+    write(path, JSON.stringify(schema));
   }
+
+  /** Changes a struct of reports. */
+  const changeStruct = (name, change) =>
+    changeSchema(
+      ({ structs }) => change(structs.find((each) => each.name === name)),
+      REPORT_SCHEMA,
+    );
 
   before(() => {
     copy = mkdtempSync(join(tmpdir(), 'abflat-generate-'));
@@ -205,4 +219,104 @@ describe('in a copy', () => {
     assert.notEqual(status, 0);
     assert.match(stderr, /there is no exit code 77/);
   });
+
+  test('a field of a report reaches C++, the JSON, TypeScript and the documents', () => {
+    fresh();
+    write('README.md', '<!-- generated:struct-PinReport -->\n<!-- /generated -->\n');
+    const text = 'mean of these distances';
+    changeStruct('PinReport', ({ fields }) =>
+      fields.push(
+        { name: 'mean', type: 'number', unit: 'radians', null: 'without pins', text },
+        {
+          name: 'spread',
+          type: 'group',
+          text: 'how',
+          fields: [{ name: 'low', type: 'index', text: 'least' }],
+        },
+        { name: 'inner', type: 'number', in: ['cpp'], text: 'not told' },
+      ),
+    );
+    assert.equal(generate(copy).status, 0);
+    const [header, types, table] = [OUTPUTS[4], OUTPUTS[7], 'README.md'].map(read);
+    assert.match(header, /\/\/\/ Mean of these distances, in radians\.\n {2}double mean = 0;/);
+    assert.match(
+      header,
+      /v\.field\("mean", r\.mean\);\n {2}v\.begin\("spread"\);\n {2}v\.field\("low", r\.spreadLow\);\n {2}v\.end\(\);\n}/,
+    );
+    assert.match(
+      types,
+      /Mean of these distances, in radians; null without pins\. \*\/\n {2}mean: number \| null;/,
+    );
+    assert.match(types, /spread: \{ low: number \};/);
+    assert.match(
+      table,
+      /\| `mean` \| number or null, radians \| mean of these distances; null without pins \|/,
+    );
+    assert.match(header, /double inner = 0;/);
+    for (const document of [types, table]) assert.doesNotMatch(document, /inner/);
+  });
+
+  test('a field that is like another changes with it', () => {
+    fresh();
+    changeStruct('ChartReport', ({ fields }) => {
+      fields.find(({ name }) => name === 'iterations').type = 'count';
+    });
+    assert.equal(generate(copy).status, 0);
+    for (const path of [OUTPUTS[4], OUTPUTS[5]])
+      assert.match(read(path), /std::size_t iterations = 0;/);
+  });
+
+  test('a new solver, stage and array reach both sides', () => {
+    fresh();
+    changeSchema(({ enums, resultArrays }) => {
+      enums[0].values.push({ name: 'byHand', text: 'a patient person' });
+      enums[1].values.push({ name: 'polish', of: ['unwrap'], text: 'polishing' });
+      resultArrays.push({ name: 'normals', type: 'number', text: '3 per vertex' });
+    }, REPORT_SCHEMA);
+    assert.equal(generate(copy).status, 0);
+    assert.match(read(OUTPUTS[3]), /case Solver::ByHand:\n {6}return "byHand";/);
+    assert.match(read(OUTPUTS[2]), /export type Solver = .*'byHand';/);
+    assert.match(read(OUTPUTS[2]), /export type UnwrapStage = .*'polish';/);
+    assert.doesNotMatch(read(OUTPUTS[2]), /export type FlattenStage = .*'polish';/);
+    assert.match(read(OUTPUTS[5]), /struct UnwrapStages \{[^}]*double polish = 0;/);
+    assert.match(read(OUTPUTS[6]), /Normals = 11,/);
+    assert.match(read(OUTPUTS[8]), /normals: \{ field: 11, Kind: Float64Array \},/);
+  });
+
+  for (const [fault, field, message] of [
+    [
+      'of an unknown type',
+      { name: 'odd', type: 'colour', text: 'x' },
+      /PinReport\.odd: unknown type "colour"/,
+    ],
+    ['without a text', { name: 'odd', type: 'number' }, /PinReport\.odd has no text/],
+    [
+      'that is there twice',
+      { name: 'count', type: 'number', text: 'x' },
+      /PinReport: count is listed twice/,
+    ],
+    [
+      'with a key that says nothing',
+      { name: 'odd', type: 'text', text: 'x', nul: 'y' },
+      /unknown key "nul"/,
+    ],
+    [
+      'of an unknown product',
+      { name: 'odd', type: 'text', text: 'x', in: ['page'] },
+      /unknown product "page"/,
+    ],
+    [
+      'like one that does not exist',
+      'ChartReport.faces',
+      /there is no field ChartReport\.faces above it/,
+    ],
+  ]) {
+    test(`a field ${fault} is an error`, () => {
+      fresh();
+      changeStruct('PinReport', ({ fields }) => fields.push(field));
+      const { status, stderr } = generate(copy);
+      assert.notEqual(status, 0);
+      assert.match(stderr, message);
+    });
+  }
 });

@@ -23,9 +23,8 @@ import {
   unwelded,
 } from '../support/surfaces.mjs';
 import { bytesOf, grid, objNumbers } from './support/meshes.mjs';
-import { MESHES, NATIVE, NEEDS_MESHES, SOURCES } from './support/paths.mjs';
+import { MESHES, NATIVE, NEEDS_MESHES } from './support/paths.mjs';
 import { assertSameShape, assertSameText } from './support/same.mjs';
-import { typesText } from './support/types-text.mjs';
 import { arraysOf, CUBE } from './support/unwrapping.mjs';
 
 let abflat;
@@ -310,20 +309,6 @@ test('an abort ends the run, and the next one works', async () => {
   });
   await assert.rejects(call, { name: 'AbortError' });
   assert.equal((await abflat.unwrap(arraysOf(CUBE))).report.valid, true);
-});
-
-test('the names of results are those of the types', async () => {
-  const { report } = await abflat.unwrap(arraysOf(defects()), { obj: true });
-  const types = typesText(SOURCES, '.ts');
-  /** Names of an interface's fields, also of the objects within, in their order. */
-  const fields = (name) => {
-    const [, body] = types.match(new RegExp(`interface ${name}[^{]*\\{\\n(.*?)\\n\\}`, 's'));
-    return [...body.matchAll(/^ {2}(\w+)\??:/gm)].map(([, field]) => field);
-  };
-  assert.deepEqual(fields('UnwrapReport'), Object.keys(report));
-  assert.deepEqual(fields('UnwrapChart'), Object.keys(report.charts[0]));
-  assert.deepEqual(fields('RepairReport'), Object.keys(report.repair));
-  assert.deepEqual(fields('InputSummary'), Object.keys(report.input));
 });
 
 test('seams along texcoords and materials of an OBJ, and what the mesh has of them', async () => {

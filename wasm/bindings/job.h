@@ -11,6 +11,7 @@
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 #include "abflat/unwrap.h"
+#include "generated/field.h"
 
 namespace abflat::bindings {
 
@@ -42,21 +43,6 @@ struct Job {
   std::vector<MethodResult> methods;  ///< of a comparison
   std::string obj, ply;               ///< files, when asked for
   std::string text;                   ///< JSON on success, otherwise the message of the error
-};
-
-/// What JavaScript can read from a finished job; the numbers are those of `Field` in engine.ts.
-enum class Field : int {
-  Uv,
-  Indices,
-  VertexMap,
-  Positions,
-  Obj,
-  Ply,
-  Text,
-  ChartOfTriangle,
-  Seams,
-  Unpacked,
-  Faces
 };
 
 struct Bytes {

@@ -6,7 +6,7 @@ import type { Build } from './builds.js';
 import { AbflatError, messageOf } from './errors.js';
 import { STATUS_NAMES } from './generated.js';
 import type { Glues } from './glue.js';
-import { FIELD, Heap, OutOfMemory, readString } from './heap.js';
+import { Heap, OutOfMemory, readString } from './heap.js';
 import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
 import type {
   Answer,
@@ -176,9 +176,9 @@ export class Engine {
       run: this.#native._abflatUnwrap,
       complete: (layout, job) => ({
         ...layout,
-        chartOfTriangle: new Uint32Array(this.#heap.read(job, FIELD.chartOfTriangle)),
-        seams: new Uint32Array(this.#heap.read(job, FIELD.seams)),
-        unpacked: new Float64Array(this.#heap.read(job, FIELD.unpacked)),
+        chartOfTriangle: this.#heap.read(job, 'chartOfTriangle'),
+        seams: this.#heap.read(job, 'seams'),
+        unpacked: this.#heap.read(job, 'unpacked'),
       }),
     });
   }
@@ -197,15 +197,14 @@ export class Engine {
       this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
       const finished = performance.now();
       const layout: Layout<R> = {
-        uv: new Float64Array(this.#heap.read(job, FIELD.uv)),
-        indices: new Uint32Array(this.#heap.read(job, FIELD.indices)),
-        vertexMap: new Uint32Array(this.#heap.read(job, FIELD.vertexMap)),
+        uv: this.#heap.read(job, 'uv'),
+        indices: this.#heap.read(job, 'indices'),
+        vertexMap: this.#heap.read(job, 'vertexMap'),
         report: JSON.parse(this.#heap.readText(job)) as R,
       };
-      if ('bytes' in mesh)
-        layout.positions = new Float64Array(this.#heap.read(job, FIELD.positions));
-      if (wantsObj) layout.obj = new Uint8Array(this.#heap.read(job, FIELD.obj));
-      if (wantsPly) layout.ply = new Uint8Array(this.#heap.read(job, FIELD.ply));
+      if ('bytes' in mesh) layout.positions = this.#heap.read(job, 'positions');
+      if (wantsObj) layout.obj = this.#heap.read(job, 'obj');
+      if (wantsPly) layout.ply = this.#heap.read(job, 'ply');
       const result = complete(layout, job);
       const { timings } = result.report;
       const now = performance.now();
@@ -236,10 +235,10 @@ export class Engine {
     }
     const result: Comparison = {
       ...found,
-      indices: new Uint32Array(this.#heap.read(job, FIELD.indices)),
-      vertexMap: new Uint32Array(this.#heap.read(job, FIELD.vertexMap)),
+      indices: this.#heap.read(job, 'indices'),
+      vertexMap: this.#heap.read(job, 'vertexMap'),
     };
-    if ('bytes' in mesh) result.positions = new Float64Array(this.#heap.read(job, FIELD.positions));
+    if ('bytes' in mesh) result.positions = this.#heap.read(job, 'positions');
     return result;
   }
 
@@ -254,7 +253,7 @@ export class Engine {
     this.#check(job, this.#native._abflatLoad(job));
     return {
       ...this.#readTriangles(job),
-      faces: new Uint32Array(this.#heap.read(job, FIELD.faces)),
+      faces: this.#heap.read(job, 'faces'),
     };
   }
 
@@ -266,8 +265,8 @@ export class Engine {
 
   #readTriangles(job: number): TriangleMesh {
     return {
-      positions: new Float64Array(this.#heap.read(job, FIELD.positions)),
-      indices: new Uint32Array(this.#heap.read(job, FIELD.indices)),
+      positions: this.#heap.read(job, 'positions'),
+      indices: this.#heap.read(job, 'indices'),
     };
   }
 

@@ -1,22 +1,13 @@
 // What goes into the memory of the WebAssembly module, and what is read from there.
 
 import type { NativeModule } from './abflat.js';
+import { RESULT_ARRAYS } from './generated-arrays.js';
 import type { KnownArrays, OwnedMesh } from './protocol.js';
 
-/** The numbers are those of `Field` in wasm/bindings/job.h. */
-export const FIELD = {
-  uv: 0,
-  indices: 1,
-  vertexMap: 2,
-  positions: 3,
-  obj: 4,
-  ply: 5,
-  text: 6,
-  chartOfTriangle: 7,
-  seams: 8,
-  unpacked: 9,
-  faces: 10,
-} as const;
+export type ResultName = keyof typeof RESULT_ARRAYS;
+export type ResultArray<Name extends ResultName> = InstanceType<
+  (typeof RESULT_ARRAYS)[Name]['Kind']
+>;
 
 /** Thrown through the module by its allocator. */
 export class OutOfMemory extends Error {}
@@ -64,7 +55,7 @@ export class Heap {
     for (const [name, array] of entries) {
       const start = this.#native._abflatKnown(
         job,
-        FIELD[name as keyof typeof arrays],
+        RESULT_ARRAYS[name as keyof typeof arrays].field,
         array.length,
       );
       if (array instanceof Float64Array) this.#writeReals(start, array);
@@ -94,13 +85,15 @@ export class Heap {
   }
 
   /** A copy of a result. */
-  read(job: number, field: number): ArrayBuffer {
+  read<Name extends ResultName>(job: number, name: Name): ResultArray<Name> {
+    const { field, Kind } = RESULT_ARRAYS[name];
     const start = this.#native._abflatResultData(job, field);
-    return this.copy(start, this.#native._abflatResultSize(job, field));
+    const copy = this.copy(start, this.#native._abflatResultSize(job, field));
+    return new Kind(copy) as ResultArray<Name>;
   }
 
   readText(job: number): string {
-    return new TextDecoder().decode(this.read(job, FIELD.text));
+    return new TextDecoder().decode(this.read(job, 'text'));
   }
 
   readString(address: number): string {

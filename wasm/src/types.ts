@@ -1,12 +1,14 @@
 // The types of the package: the worker, its calls and what they take and give.
 
 import type { Build } from './builds.js';
+import type { MeshSummary } from './generated-report.js';
 import type { CompareOptions, Comparison } from './types/compare.js';
 import type { FlattenOptions, FlattenResult } from './types/flatten.js';
 import type { AbortSignalLike, CallOptions } from './types/layout.js';
-import type { LoadedMesh, MeshFile, MeshInput, MeshSummary, TriangleMesh } from './types/mesh.js';
+import type { LoadedMesh, MeshFile, MeshInput, TriangleMesh } from './types/mesh.js';
 import type { UnwrapOptions, UnwrapResult } from './types/unwrap.js';
 
+export type * from './generated-report.js';
 export type * from './types/compare.js';
 export type * from './types/flatten.js';
 export type * from './types/layout.js';

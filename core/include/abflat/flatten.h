@@ -6,22 +6,12 @@
 
 #include "abflat/chart_report.h"
 #include "abflat/flatten_options.h"
+#include "abflat/generated/report.h"
 #include "abflat/inspect.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 
 namespace abflat {
-
-struct Report {
-  std::string path;
-  MeshSummary input;
-  FlattenOptionValues options;  ///< as asked
-  std::vector<ChartReport> charts;
-  unsigned threads = 1;  ///< that the solver used
-  bool valid = false;
-  Timings timings;
-  Status error;  ///< why there is no result; ok when there is one
-};
 
 struct FlattenResult {
   std::vector<double> uv;  ///< 2 per output vertex; of the mesh's 3D area unless pinned

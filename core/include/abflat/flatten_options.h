@@ -4,17 +4,11 @@
 #include <vector>
 
 #include "abflat/generated/flatten_options.h"
+#include "abflat/generated/vertex_bound.h"
 #include "abflat/pins.h"
 #include "abflat/progress.h"
 
 namespace abflat {
-
-/// A bound of t pi for one boundary vertex, in place of the common t. Of several for a vertex the
-/// last counts.
-struct VertexBound {
-  std::uint32_t vertex = 0;  ///< of the input mesh
-  double t = 0;
-};
 
 /// A part of the boundary that is to be straight in the layout: what follows `from`, with the
 /// surface on the left, up to `to`. Both are input vertices and may be corners themselves.

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "abflat/flatten.h"
 #include "abflat/generated/unwrap_options.h"
+#include "abflat/generated/unwrap_report.h"
 #include "abflat/mesh.h"
 #include "abflat/pins.h"
 #include "abflat/seam_sources.h"
@@ -51,95 +50,9 @@ struct UnwrapOptions : UnwrapOptionValues {
   ProgressCallback progress;
 };
 
-/// What was done to see the surface in the mesh. The mesh itself keeps all of it. Faces and
-/// vertices are those of the input.
-struct RepairReport {
-  std::size_t mergedVertices = 0;  ///< at the place of another one: one vertex of the surface
-  std::vector<std::uint32_t> collapsedFaces;  ///< fewer than three places: uv of their neighbours
-  std::vector<std::uint32_t> splitFaces;      ///< touch themselves: split there
-  /// Have the places of an earlier one (the second number): charts of their own.
-  std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
-  /// Edges of more than two faces, by their vertices: cut.
-  std::vector<EdgeVertices> nonManifoldEdges;
-  /// Edges whose two faces run in the same direction, by their vertices: cut.
-  std::vector<EdgeVertices> orientationConflicts;
-  std::size_t degenerateTriangles = 0;  ///< of zero area: their angles are made up
-};
-
-/// Where the surface was cut, beyond its boundary.
-struct SeamSummary {
-  std::size_t edges = 0;
-  double relativeLength = 0;    ///< divided by the root of the mesh's area
-  std::int64_t genus = 0;       ///< of the surface, summed over components; -1 where it is cut
-                                ///< because it is no manifold
-  std::size_t handleLoops = 0;  ///< two for each handle
-  double handleLength = 0;      ///< of these loops and of what else makes each component a disk,
-                                ///< divided by the root of the area
-  std::size_t filledHoles = 0;  ///< boundary loops in charts that no seam joins to the outer one
-};
-
-/// A chart as a row of a table; measures as in ChartReport, at the chart's own scale.
-struct UnwrapChart {
-  std::size_t faces = 0;             ///< triangles
-  std::uint32_t firstFace = 0;       ///< an input face in it
-  std::size_t boundaryVertices = 0;  ///< of the outer boundary
-  std::size_t filledHoles = 0;
-  double area = 0;  ///< 3D
-  Solver solver = Solver::ActiveSet;
-  bool fixed = false;  ///< stays where the input or pins put it
-  int iterations = 0;
-  double angularDistortion = 0, quasiConformalMean = 0, quasiConformalMax = 0,
-         symmetricDirichlet = 0;
-  std::optional<RefineReport> refined;     ///< where refining gained something
-  std::optional<PinReport> pins;           ///< when there are any
-  std::optional<StraightReport> straight;  ///< when it was asked for
-  std::vector<std::string> fallbacks;
-  std::string problem;
-  bool valid = false;
-};
-
-struct AtlasReport {
-  int resolution = 0;            ///< texels along a side
-  int padding = 0;               ///< texels
-  int tiles = 1;                 ///< unit squares, ten in a row: UDIM 1001 and on
-  double utilization = 0;        ///< uv area of the charts, of that of the tiles
-  double texelDensity = 0;       ///< texels per unit of length of the mesh
-  int packingCuts = 0;           ///< charts that were cut in two so that all are packed denser
-  double packingCutLength = 0;   ///< of these seams, over the root of the area
-  double uncutTexelDensity = 0;  ///< without them; 0 where there are none
-
-  int columns() const { return tiles < 10 ? tiles : 10; }
-  int rows() const { return (tiles + 9) / 10; }
-};
-
-/// One number for each stage.
-struct UnwrapStages {
-  double read = 0, surface = 0, seams = 0, solve = 0, pack = 0, check = 0, write = 0;
-};
-
-/// Seconds.
-struct UnwrapTimings : UnwrapStages {
-  double total = 0;
-};
-
-struct UnwrapReport {
-  std::string path;
-  MeshSummary input;
-  UnwrapOptionValues options;  ///< as asked
-  RepairReport repair;
-  SeamSummary seams;
-  std::vector<UnwrapChart> charts;
-  std::vector<std::string> notes;  ///< what was done otherwise than asked, one sentence each
-  /// Means over all charts by 3D area, at one common scale.
-  double angularDistortion = 0, quasiConformalMean = 0, symmetricDirichlet = 0;
-  AtlasReport atlas;
-  unsigned threads = 1;
-  bool valid = false;
-  UnwrapTimings timings;
-  UnwrapStages
-      peakMemory;  ///< by the end of each stage, see peakMemory(); 0 where a run ended before
-  Status error;    ///< why there is no result; ok when there is one
-};
+/// Tiles beside each other, ten in a row, and rows of them.
+inline int tileColumns(const AtlasReport& atlas) { return atlas.tiles < 10 ? atlas.tiles : 10; }
+inline int tileRows(const AtlasReport& atlas) { return (atlas.tiles + 9) / 10; }
 
 /// Of a face without area that no other one touches.
 constexpr std::uint32_t kNoChart = 0xffffffffu;

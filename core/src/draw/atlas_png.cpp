@@ -24,8 +24,8 @@ class AtlasPainter {
   AtlasPainter(const PolygonMesh& mesh, const UnwrapResult& result)
       : result_(result),
         side_(result.report.atlas.resolution),
-        width_(side_ * result.report.atlas.columns()),
-        height_(side_ * result.report.atlas.rows()),
+        width_(side_ * tileColumns(result.report.atlas)),
+        height_(side_ * tileRows(result.report.atlas)),
         polygons_(atlasPolygons(mesh, result)),
         edges_(atlasEdges(polygons_, result)) {}
 
@@ -118,7 +118,8 @@ class AtlasPainter {
 Status checkSize(const UnwrapResult& result) {
   const AtlasReport& atlas = result.report.atlas;
   // Both are at most 2^16 texels times 900 rows.
-  if (atlas.resolution * std::max(atlas.columns(), atlas.rows()) <= kMostPictureTexels) return {};
+  if (atlas.resolution * std::max(tileColumns(atlas), tileRows(atlas)) <= kMostPictureTexels)
+    return {};
   return {StatusCode::InvalidOption, "pictures have at most " + std::to_string(kMostPictureTexels) +
                                          " pixels along a side. Lower the resolution, or use "
                                          "SVG"};

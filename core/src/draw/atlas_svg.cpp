@@ -89,15 +89,15 @@ std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double
   SvgWriter out;
   out.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
   out.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"width", lengthText(size.side * atlas.columns()) + size.unit},
-                   {"height", lengthText(size.side * atlas.rows()) + size.unit},
-                   {"viewBox", "0 0 " + svgNumber(kSide * atlas.columns()) + " " +
-                                   svgNumber(kSide * atlas.rows())},
+                   {"width", lengthText(size.side * tileColumns(atlas)) + size.unit},
+                   {"height", lengthText(size.side * tileRows(atlas)) + size.unit},
+                   {"viewBox", "0 0 " + svgNumber(kSide * tileColumns(atlas)) + " " +
+                                   svgNumber(kSide * tileRows(atlas))},
                    {"stroke", kInk},
                    {"stroke-linejoin", "round"},
                    {"stroke-linecap", "round"}});
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const std::string outline = pathOf(charts[i].outline, result.uv, atlas.rows());
+    const std::string outline = pathOf(charts[i].outline, result.uv, tileRows(atlas));
     out.open("g", {{"id", "chart-" + std::to_string(i)}});
     out.add("path", {{"class", "area"},
                      {"d", outline},
@@ -105,7 +105,7 @@ std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double
                      {"stroke", "none"}});
     if (!charts[i].inner.empty())
       out.add("path", {{"class", "edges"},
-                       {"d", pathOf(charts[i].inner, result.uv, atlas.rows())},
+                       {"d", pathOf(charts[i].inner, result.uv, tileRows(atlas))},
                        {"fill", "none"},
                        {"stroke-width", size.thin}});
     out.add("path",

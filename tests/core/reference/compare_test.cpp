@@ -172,7 +172,7 @@ TEST_CASE("a comparison is refused or cancelled as flattening is") {
 TEST_CASE("the JSON has a row for every method, null for what is not finite") {
   Comparison c = compared(bumpyGrid(3, 3, 0.3, 5));
   c.methods.back().areaDistortion = INFINITY;
-  c.methods.back().angularDistortion = MethodResult::kUnknown;
+  c.methods.back().angularDistortion = NAN;
   const auto json = nlohmann::json::parse(compareJson(c, "a \"b\".obj"));
   CHECK(json["input"]["path"] == "a \"b\".obj");
   CHECK(json["input"]["triangles"] == 18);

@@ -51,24 +51,6 @@ export interface LayoutOptions extends CallOptions {
   roundsForGltf?: boolean;
 }
 
-/** What became of pins. */
-export interface PinReport {
-  count: number;
-  /** Largest distance in uv from a pin to where the layout without pins, moved, turned and scaled to fit them, has it. */
-  deviation: number;
-}
-
-/** What became of straight runs. */
-export interface StraightReport {
-  runs: number;
-  /** Strictly inside of them, each with an angle of pi. */
-  vertices: number;
-  /** Vertices that could be straight but are not: no layout, or none without much distortion, has all of them. */
-  released: number;
-  /** Largest difference of an angle from pi, radians. */
-  deviation: number;
-}
-
 /** Seconds; the stages between depend on the call. */
 export interface LayoutTimings {
   read: number;

@@ -1,4 +1,4 @@
-// Meshes, and what is said about them.
+// Meshes.
 
 /** Coordinates; Float32Array and Float64Array are passed on as they are, others are copied. */
 export type RealArray =
@@ -42,38 +42,4 @@ export interface TriangleMesh {
 /** `faces`: the face of the file that each triangle is of. */
 export interface LoadedMesh extends TriangleMesh {
   faces: Uint32Array;
-}
-
-/** What a mesh is; `disk.ok` tells whether `flatten` accepts it, `disk.message` why not. */
-export interface MeshSummary {
-  path: string;
-  vertices: number;
-  unreferencedVertices: number;
-  faces: number;
-  triangles: number;
-  components: number;
-  boundaryLoops: number;
-  boundaryEdges: number;
-  nonManifoldEdges: number;
-  orientationConflicts: number;
-  degenerateFaces: number;
-  eulerCharacteristic: number;
-  genus: number;
-  /** That the file has. */
-  texcoords: number;
-  /** That faces have. */
-  materials: number;
-  disk: { ok: boolean; code: string; message: string };
-}
-
-/** A count is null where the input is not known. */
-export interface InputSummary {
-  path: string;
-  vertices: number;
-  faces: number;
-  triangles: number;
-  components: number;
-  boundaryLoops: number;
-  boundaryEdges: number;
-  genus: number;
 }

@@ -65,11 +65,11 @@ export const COLUMNS: ChartColumn[] = [
 ];
 
 export function chartRows({ charts }: UnwrapReport): ChartRow[] {
-  const total = charts.reduce((sum, { area }) => sum + area, 0);
+  const total = charts.reduce((sum, { area }) => sum + (area ?? 0), 0);
   return charts.map((chart, index) => ({
     index,
     chart,
-    share: total > 0 ? chart.area / total : 0,
+    share: total > 0 ? (chart.area ?? 0) / total : 0,
   }));
 }
 

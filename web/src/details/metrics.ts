@@ -200,9 +200,9 @@ function energiesOf(outcome: Outcome): Energies | null {
   let [area, before, after] = [0, 0, 0];
   for (const chart of charts) {
     if (!chart.refined) continue;
-    area += chart.area;
-    before += chart.area * chart.refined.energyBefore;
-    after += chart.area * chart.refined.energy;
+    area += chart.area ?? 0;
+    before += (chart.area ?? 0) * chart.refined.energyBefore;
+    after += (chart.area ?? 0) * chart.refined.energy;
   }
   return area > 0 ? { before: before / area, after: after / area } : null;
 }

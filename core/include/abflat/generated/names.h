@@ -40,7 +40,7 @@ enum class Stage : std::uint8_t {
   Connectivity = 1,  ///< finding the surface and its boundary
   Surface = 2,  ///< finding the surface in the mesh
   Seams = 3,  ///< choosing seams
-  Solve = 4,  ///< solving for angles; in unwrap, flattening the charts altogether
+  Solve = 4,  ///< flattening: the angles alone, or in unwrap all of it
   Layout = 5,  ///< turning angles into positions
   Refine = 6,  ///< trading angles for lengths
   Pack = 7,  ///< packing the charts

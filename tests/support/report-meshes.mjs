@@ -1,0 +1,40 @@
+// OBJ texts of meshes that bring out what reports seldom have.
+
+import { randomNumbers } from './disks.mjs';
+import { objText, sheet } from './surfaces.mjs';
+
+/** A sheet of random heights: steep enough that angles would leave their range, and cotangent weights flip triangles. */
+export function rough(seed) {
+  const next = randomNumbers(seed);
+  return objText(sheet(12, 12, (u, v) => [12 * u, 12 * v, 4 * next()]));
+}
+
+/** A flat sheet with a vertex amid each square: its edges resist the Delaunay condition on a convex outline. */
+export function stellated() {
+  const { positions, faces } = sheet(4, 4, (u, v) => [4 * u, 4 * v, 0]);
+  const fans = faces.flatMap((face) => {
+    const middle = [0, 1, 2].map(
+      (d) => face.reduce((sum, v) => sum + positions[v][d], 0) / face.length,
+    );
+    const n = positions.push(middle) - 1;
+    return face.map((v, k) => [v, face[(k + 1) % face.length], n]);
+  });
+  return objText({ positions, faces: fans });
+}
+
+const FLAT = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0 0\n';
+/** A disk with a triangle of no area. */
+export const NEEDLE = `${FLAT}f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n`;
+/** The second face touches itself. */
+export const TOUCHING = `${FLAT}v -1 0 0\nv -1 -1 0\nf 1 3 4\nf 1 2 3 1 6 7\n`;
+
+/** Pins at the corners of a grid of n x n squares that fold it. */
+export const foldingPins = (n) => {
+  const uv = [
+    [0, 0],
+    [0, 1],
+    [1, 0],
+    [1, 1],
+  ];
+  return [0, n, n * (n + 1), (n + 1) ** 2 - 1].map((vertex, i) => ({ vertex, uv: uv[i] }));
+};
