@@ -240,8 +240,8 @@ test('a run that goes wrong leaves no picture; wrong names and sizes are told fi
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), TRIANGLE);
   for (const [options, wanted] of [
-    [['--layout', 'l.jpg'], /--layout: give a name that ends in \.svg or \.png, not 'l\.jpg'/],
-    [['--heat-map', 'l.svg'], /--heat-map: give a name that ends in \.png/],
+    [['--layout', 'l.jpg'], /--layout: use a name that ends in \.svg or \.png, not 'l\.jpg'/],
+    [['--heat-map', 'l.svg'], /--heat-map: use a name that ends in \.png/],
     [['--layout', 'l.png', '--scale', '2'], /--scale: needs an SVG/],
     [['--layout', 'l.svg', '--scale', '0'], /--scale: must be a number above 0/],
     [['--layout', 'l.png', '--resolution', '20000'], /--layout: a PNG has at most 16384/],
