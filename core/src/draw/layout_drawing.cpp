@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "abflat/draw.h"
+#include "base/point2.h"
 #include "check/crossings.h"
 #include "draw/layout_outline.h"
 #include "draw/panel.h"
@@ -17,14 +18,12 @@ namespace {
 constexpr double kCaptionHeight = 62;
 constexpr std::size_t kMaxMarks = 400;
 
-using Point = std::array<double, 2>;
-
 /// uv to path units; the v axis of pictures points down.
 class Fit {
  public:
   Fit(const std::vector<double>& uv, double size) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Point low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+    Point2 low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
     for (std::size_t i = 0; i < uv.size(); ++i) {
       if (!std::isfinite(uv[i])) continue;
       low[i % 2] = std::min(low[i % 2], uv[i]);
@@ -36,7 +35,7 @@ class Fit {
     center_ = size * kUnitsPerPixel / 2;
   }
 
-  Point operator()(const double* uv) const {
+  Point2 operator()(const double* uv) const {
     const auto at = [&](std::size_t d) {
       return std::isfinite(uv[d]) ? scale_ * (uv[d] - middle_[d]) : 0;
     };
@@ -45,12 +44,12 @@ class Fit {
 
  private:
   double scale_ = 0, center_ = 0;
-  Point middle_{};
+  Point2 middle_{};
 };
 
 /// Where two segments meet; their middle when they are parallel.
-Point meeting(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point r{b[0] - a[0], b[1] - a[1]}, s{d[0] - c[0], d[1] - c[1]};
+Point2 meeting(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const Point2 r{b[0] - a[0], b[1] - a[1]}, s{d[0] - c[0], d[1] - c[1]};
   const double cross = r[0] * s[1] - r[1] * s[0];
   const double along = (c[0] - a[0]) * s[1] - (c[1] - a[1]) * s[0];
   const double t = cross == 0 ? 0.5 : std::clamp(along / cross, 0.0, 1.0);
@@ -76,12 +75,12 @@ class LayoutPainter {
 
  private:
   const double* uv(std::uint32_t v) const { return &flat_.uv[2 * std::size_t{v}]; }
-  Point at(std::uint32_t v) const { return fit_(uv(v)); }
+  Point2 at(std::uint32_t v) const { return fit_(uv(v)); }
 
   SvgPath loop() const {
     SvgPath path;
     for (std::size_t i = 0; i < outline_.boundary.size(); ++i) {
-      const Point p = at(outline_.boundary[i]);
+      const Point2 p = at(outline_.boundary[i]);
       path.add(i == 0, p[0], p[1]);
     }
     if (!path.isEmpty()) path.close();
@@ -94,7 +93,7 @@ class LayoutPainter {
       const std::uint32_t* v = &flat_.triangles[f];
       if (orientation(uv(v[0]), uv(v[1]), uv(v[2])) > 0) continue;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Point p = at(v[k]);
+        const Point2 p = at(v[k]);
         path.add(k == 0, p[0], p[1]);
       }
       path.close();
@@ -114,7 +113,7 @@ class LayoutPainter {
     SvgPath edges;
     for (const std::vector<std::uint32_t>& trail : trails(outline_.inner, flat_.uv.size() / 2)) {
       for (std::size_t i = 0; i < trail.size(); ++i) {
-        const Point p = at(trail[i]);
+        const Point2 p = at(trail[i]);
         edges.add(i == 0, p[0], p[1]);
       }
     }
@@ -141,9 +140,9 @@ class LayoutPainter {
       if (isDelaunay(edge)) continue;
       const auto [from, to, left, right] = edge;
       ++count;
-      const Point a = at(from), b = at(to), c = at(left), d = at(right);
+      const Point2 a = at(from), b = at(to), c = at(left), d = at(right);
       quads.moveTo(a[0], a[1]);
-      for (const Point& p : {d, b, c}) quads.lineTo(p[0], p[1]);
+      for (const Point2& p : {d, b, c}) quads.lineTo(p[0], p[1]);
       quads.close();
       edges.moveTo(a[0], a[1]);
       edges.lineTo(b[0], b[1]);
@@ -160,7 +159,7 @@ class LayoutPainter {
     const std::size_t n = outline_.boundary.size();
     for (const auto& [i, j] : findCrossings(points, kMaxMarks).first) {
       const auto corner = [&](std::size_t k) { return at(outline_.boundary[k % n]); };
-      const Point p = meeting(corner(i), corner(i + 1), corner(j), corner(j + 1));
+      const Point2 p = meeting(corner(i), corner(i + 1), corner(j), corner(j + 1));
       out.add("circle", {{"cx", p[0]},
                          {"cy", p[1]},
                          {"r", 55},

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace abflat {
+#include "base/point2.h"
 
-using Point2 = std::array<double, 2>;
+namespace abflat {
 
 /// Indices of the points on the convex hull, counter-clockwise without collinear points (Andrew's
 /// monotone chain). Of equal points the first counts.

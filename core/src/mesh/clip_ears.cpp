@@ -9,8 +9,6 @@
 namespace abflat {
 namespace {
 
-using Point2 = std::array<double, 2>;
-
 double squaredDistance(const Point2& a, const Point2& b) {
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
@@ -113,7 +111,7 @@ class EarClipper {
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 3>> clipEars(std::vector<std::array<double, 2>> points,
+std::vector<std::array<std::uint32_t, 3>> clipEars(std::vector<Point2> points,
                                                    const std::vector<std::uint8_t>& keep,
                                                    const Pulse& pulse) {
   return EarClipper(std::move(points), keep, pulse).run();

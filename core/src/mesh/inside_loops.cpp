@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "base/point2.h"
 #include "base/stable_order.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
@@ -14,7 +15,6 @@
 namespace abflat {
 namespace {
 
-using Point2 = std::array<double, 2>;
 using Loop = std::vector<std::uint32_t>;
 
 /// A corner's edge from the corner before, or to the one after, as it is seen from its place.

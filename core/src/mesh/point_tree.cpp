@@ -8,8 +8,6 @@
 namespace abflat {
 namespace {
 
-using Point2 = PointTree::Point2;
-
 constexpr std::size_t kMostInLeaf = 8;
 
 /// The greatest turnOf(a, b, p) of a box: it rises or falls with each coordinate of p, also when it

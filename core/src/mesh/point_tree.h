@@ -1,8 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
+
+#include "base/point2.h"
 
 namespace abflat {
 
@@ -10,8 +11,6 @@ namespace abflat {
 /// triangle is answered without looking at those far from it.
 class PointTree {
  public:
-  using Point2 = std::array<double, 2>;
-
   /// None counts yet. `points` outlives the tree.
   explicit PointTree(const std::vector<Point2>& points);
 

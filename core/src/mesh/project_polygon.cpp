@@ -6,9 +6,8 @@
 
 namespace abflat {
 
-std::vector<std::array<double, 2>> projectPolygon(const std::vector<double>& positions,
-                                                  const std::uint32_t* vertices,
-                                                  std::size_t count) {
+std::vector<Point2> projectPolygon(const std::vector<double>& positions,
+                                   const std::uint32_t* vertices, std::size_t count) {
   const double* origin = &positions[3 * static_cast<std::size_t>(vertices[0])];
   std::vector<std::array<double, 3>> p(count);
   double size = 0;
@@ -32,7 +31,7 @@ std::vector<std::array<double, 2>> projectPolygon(const std::vector<double>& pos
   for (std::size_t d = 1; d < 3; ++d)
     if (std::abs(normal[d]) > std::abs(normal[drop])) drop = d;
   const bool flip = normal[drop] < 0;
-  std::vector<std::array<double, 2>> q(p.size());
+  std::vector<Point2> q(p.size());
   for (std::size_t k = 0; k < p.size(); ++k) {
     q[k] = {p[k][(drop + 1) % 3], p[k][(drop + 2) % 3]};
     if (flip) std::swap(q[k][0], q[k][1]);

@@ -9,8 +9,6 @@
 namespace abflat {
 namespace {
 
-using Point2 = std::array<double, 2>;
-
 /// Whether the two triangles that nearly every program makes of a quad, (0, 1, 2) and (0, 2, 3),
 /// are fine: texcoords should suit them, too.
 bool isFan(const std::vector<Point2>& quad, const std::vector<std::uint8_t>& keep) {

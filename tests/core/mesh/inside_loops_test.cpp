@@ -6,6 +6,7 @@
 #include <random>
 
 #include "abflat/unwrap.h"
+#include "base/point2.h"
 #include "catch.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
@@ -19,7 +20,6 @@ using namespace abflat::test;
 
 namespace {
 
-using Point2 = std::array<double, 2>;
 using Loop = std::vector<std::uint32_t>;
 
 double turn(const Point2& a, const Point2& b, const Point2& c) {

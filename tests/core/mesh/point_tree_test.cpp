@@ -13,7 +13,7 @@ TEST_CASE("a tree of points finds those in a triangle, as looking at all of them
     // On a coarse lattice many are on the rim, at corners or at one place.
     const int steps = round % 2 ? 6 : 1 << 20;
     const auto coordinate = [&] { return static_cast<double>(random() % steps) / steps; };
-    std::vector<PointTree::Point2> points(1 + random() % 300);
+    std::vector<Point2> points(1 + random() % 300);
     for (auto& p : points) p = {coordinate(), round % 3 ? coordinate() : 0.5};
     PointTree tree(points);
     std::vector<std::uint8_t> counts(points.size(), 0);
@@ -22,7 +22,7 @@ TEST_CASE("a tree of points finds those in a triangle, as looking at all of them
       counts[k] ? tree.remove(k) : tree.add(k);
       counts[k] = !counts[k];
       const auto a = points[random() % points.size()], b = points[random() % points.size()];
-      const PointTree::Point2 c{coordinate(), coordinate()};
+      const Point2 c{coordinate(), coordinate()};
       bool isIn = false;
       for (std::size_t j = 0; j < points.size(); ++j) {
         const auto& p = points[j];
