@@ -143,14 +143,14 @@ Eigen::SparseMatrix<double> schurMatrix(const PolygonMesh& mesh, std::string& me
   if (!surface.summary.disk.ok()) return {};
   const DiskChart chart = makeDiskChart(mesh, surface);
   AngleProblem problem = buildAngleProblem(chart);
-  setBounds(problem, chart, std::vector<double>(chart.boundary.size(), 1.0));
+  setBounds(problem, chart, BoundaryBounds(chart.boundary.size(), 1.0));
   const ConstraintRows rows = numberRows(problem);
   SchurSystem schur(problem, rows);
   Linearization lin;
-  linearize(problem, rows, problem.target, std::vector<double>(rows.count(), 0.0), lin,
-            Curvature::Clamped);
+  const std::vector<double> none(rows.count(), 0.0);
+  linearize(problem, rows, {problem.target.raw(), none, Curvature::Clamped}, lin);
   // With all bounds active at t = 1 the constraints would depend on each other.
-  std::vector<std::uint8_t> active = problem.isBoundary;
+  std::vector<std::uint8_t> active = problem.isBoundary.raw();
   for (std::size_t v = 0; v < active.size(); v += 2) active[v] = 0;
   schur.assemble(lin, active);
   return schur.matrix();

@@ -65,8 +65,8 @@ void profileSystem(const AngleProblem& problem, const AngleSolution& solution) {
   const auto symbolic = std::make_shared<const CholeskySymbolic>(analyzePattern(pattern));
   tell("whole analysis, ordering included", watch);
   Linearization lin;
-  linearize(problem, rows, problem.target, std::vector<double>(rows.count(), 0.0), lin,
-            Curvature::Clamped);
+  const std::vector<double> noMultipliers(rows.count(), 0.0);
+  linearize(problem, rows, {problem.target.raw(), noMultipliers, Curvature::Clamped}, lin);
   tell("linearize, one step", watch);
   const std::vector<std::uint8_t> none(problem.isBoundary.size(), 0);
   schur.assemble(lin, none);
@@ -92,7 +92,7 @@ void profileSystem(const AngleProblem& problem, const AngleSolution& solution) {
   std::vector<double> dx;
   schur.backSubstitute(lin, x, dx, multipliers.triangle);
   tell("angles from the rows", watch);
-  linearize(problem, rows, solution.angles, solution.multipliers.row, lin, Curvature::Exact);
+  linearize(problem, rows, {solution.angles, solution.multipliers.row, Curvature::Exact}, lin);
   schur.assemble(lin, none);
   for (const double share : {1e-2, 1e-4, 1e-8})
     std::printf("  conjugate gradients at the solution, factor of the first step, to %g: %d\n",
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
   tell("chart", watch);
   AngleProblem problem = buildAngleProblem(chart);
   setBounds(problem, chart,
-            std::vector<double>(chart.boundary.size(), argc > 2 ? std::atof(argv[2]) : 2.0));
+            BoundaryBounds(chart.boundary.size(), argc > 2 ? std::atof(argv[2]) : 2.0));
   tell("angle problem", watch);
   AngleSolver solver(problem, {});
   tell("solver: pattern and analysis", watch);
@@ -140,10 +140,7 @@ int main(int argc, char** argv) {
   tell("layout", watch);
   const Validity validity = checkValidity(chart, uv);
   tell(validity.valid() ? "validity: valid" : "validity: NOT valid", watch);
-  std::vector<double> outline;
-  for (const std::uint32_t v : chart.boundary)
-    outline.insert(outline.end(), {uv[2 * v], uv[2 * v + 1]});
-  findCrossings(outline);
+  findCrossings(boundaryUv(chart, uv));
   tell("  of it crossings of the boundary", watch);
   measureDistortion(chart, uv);
   tell("distortion, once", watch);

@@ -9,8 +9,8 @@
 
 namespace abflat {
 
-/// The constrained minimisation of the paper, section 5, for one chart. Angles in radians, corner c
-/// = 3f + k.
+/// The constrained minimisation of the paper, section 5, for one chart. Angles in radians, one per
+/// corner c.
 ///
 ///   minimise   sum_c w_c (x_c - a_c)^2
 ///   subject to triangle sums = pi                                      (2)
@@ -20,28 +20,31 @@ namespace abflat {
 ///              sums at straight ones = pi
 ///              pairs opposite an interior edge <= limit                (9), only for Delaunay
 struct AngleProblem {
-  std::vector<std::uint32_t> vertexOfCorner;  ///< size 3F
-  std::vector<std::uint8_t> isBoundary;       ///< per vertex
-  std::vector<double> target;                 ///< a, > 0, size 3F
-  std::vector<double> weight;                 ///< w = 1/a^2, size 3F
-  std::vector<double>
-      angleSum;  ///< per vertex: 2 pi inside, the upper bound on the boundary (infinite: none)
-  std::vector<std::uint8_t> isStraight;  ///< per vertex: on the boundary, the bound is met exactly
-  std::vector<std::array<std::uint32_t, 2>>
-      edgeCorners;  ///< the two corners opposite each edge of condition (9); empty: no condition
-  std::vector<std::uint32_t>
-      edgeOfCorner;      ///< edge opposite the corner or kNone; empty like edgeCorners, or size 3F
+  IdVector<ChartCorner, ChartVertex> vertexOfCorner;
+  IdVector<ChartVertex, std::uint8_t> isBoundary;
+  IdVector<ChartCorner, double> target;  ///< a, > 0
+  IdVector<ChartCorner, double> weight;  ///< w = 1/a^2
+  /// 2 pi inside, the upper bound on the boundary (infinite: none).
+  IdVector<ChartVertex, double> angleSum;
+  IdVector<ChartVertex, std::uint8_t> isStraight;  ///< on the boundary, the bound is met exactly
+  /// The two corners opposite each edge of condition (9); empty: no condition.
+  std::vector<std::array<ChartCorner, 2>> edgeCorners;
+  /// The edge opposite the corner or kNone; empty like edgeCorners.
+  IdVector<ChartCorner, std::uint32_t> edgeOfCorner;
   double edgeLimit = 0;  ///< largest sum of the two angles opposite an edge
   /// Condition (9) may be violated by this times its multiplier: the optimum of a quadratic penalty
   /// of weight 1/compliance, which exists even where the condition cannot be met.
   double edgeCompliance = 0;
 
-  std::vector<std::uint32_t> place;  ///< see DiskChart
+  IdVector<ChartVertex, std::uint32_t> eliminationRank;  ///< see DiskChart
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
   }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(isBoundary.size()); }
+  IdRange<ChartTriangle> triangles() const { return IdRange<ChartTriangle>(triangleCount()); }
+  IdRange<ChartCorner> corners() const { return vertexOfCorner.ids(); }
+  IdRange<ChartVertex> vertices() const { return isBoundary.ids(); }
 };
 
 /// Targets a from the 3D angles: scaled to sum to 2 pi round an interior vertex, unchanged at a
@@ -49,15 +52,12 @@ struct AngleProblem {
 /// `pool`: null for one thread.
 AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool = nullptr);
 
-/// Upper bounds t_v pi of the angle sums at the chart's boundary vertices, in the order of
-/// chart.boundary: condition (4) with the boundary control coefficient. t >= 2 is classic ABF,
-/// which has no condition on the boundary.
-void setBounds(AngleProblem& problem, const DiskChart& chart, const std::vector<double>& t);
+/// Upper bounds t_v pi of the angle sums at the chart's boundary vertices: condition (4) with the
+/// boundary control coefficient. t >= 2 is classic ABF, which has no condition on the boundary.
+void setBounds(AngleProblem& problem, const DiskChart& chart, const BoundaryBounds& t);
 
-/// Bounds of pi that are met exactly, at those places of chart.boundary that `straight` marks.
-/// Empty: none.
-void setStraight(AngleProblem& problem, const DiskChart& chart,
-                 const std::vector<std::uint8_t>& straight);
+/// Bounds of pi that are met exactly, where `straight` marks the boundary. Empty: none.
+void setStraight(AngleProblem& problem, const DiskChart& chart, const StraightPlaces& straight);
 
 /// Adds condition (9), alpha_1 + alpha_2 <= pi - margin, for every interior edge.
 void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin);

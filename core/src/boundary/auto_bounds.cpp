@@ -62,9 +62,9 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
 }
 
 /// Bounds lowered for all vertices alike; not valid where none of them helps.
-Attempt lastResort(ChartFlattener& flattener, const std::vector<double>& t) {
+Attempt lastResort(ChartFlattener& flattener, const BoundaryBounds& t) {
   for (const double limit : kLastResorts) {
-    std::vector<double> tighter = t;
+    BoundaryBounds tighter = t;
     for (double& x : tighter) x = std::min(x, limit);
     Attempt a = flattener.attempt(tighter, nullptr);
     if (a.solution.cancelled || a.isGivenUp) return a;
@@ -94,12 +94,12 @@ Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
   return out;
 }
 
-Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
-                             Untangle untangle, const Effort& effort) {
+Attempt flattenAutomatically(ChartFlattener& flattener, const BoundaryBounds& t, Untangle untangle,
+                             const Effort& effort) {
   return madeValid(flattener, flattener.attempt(t, nullptr), t, untangle, effort);
 }
 
-Attempt madeValid(ChartFlattener& flattener, Attempt first, const std::vector<double>& t,
+Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds& t,
                   Untangle untangle, const Effort& effort) {
   if (first.valid() || first.solution.cancelled) return first;
   Attempt best = untangled(flattener, std::move(first), untangle, effort);

@@ -20,11 +20,11 @@ struct Effort {
 /// The valid layout with the least distortion under the given bounds: those bounds where that
 /// leaves no crossing, otherwise untangled from there. What else was tried when this fails (other
 /// bounds, Tutte's embedding) is in the attempt's fallbacks.
-Attempt flattenAutomatically(ChartFlattener& flattener, const std::vector<double>& t,
-                             Untangle untangle, const Effort& effort = {});
+Attempt flattenAutomatically(ChartFlattener& flattener, const BoundaryBounds& t, Untangle untangle,
+                             const Effort& effort = {});
 
 /// The same, from what flattening under those bounds gave.
-Attempt madeValid(ChartFlattener& flattener, Attempt first, const std::vector<double>& t,
+Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds& t,
                   Untangle untangle, const Effort& effort = {});
 
 /// Removes the crossings of an attempt where it can; returns the attempt itself where there are

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/constants.h"
+#include "base/point2.h"
 #include "base/stopwatch.h"
 #include "layout/layout.h"
 #include "layout/tutte.h"
@@ -30,8 +31,7 @@ std::string withFloor(const char* text, double floor) {
 
 std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solution) {
   std::size_t count = 0;
-  for (std::size_t c = 0; c < problem.weight.size(); ++c)
-    count += solution.weight[c] != problem.weight[c];
+  for (const ChartCorner c : problem.corners()) count += solution.weight[c] != problem.weight[c];
   return std::to_string(count) + (count == 1 ? " angle got" : " angles got") +
          " more weight, to stay away from 0 and pi";
 }
@@ -50,11 +50,11 @@ std::string reasonWithoutFactor(const FactorMemory& memory) {
 /// is none.
 double outlineGrid(const DiskChart& chart, const std::vector<double>& uv) {
   double size = 0;
-  const auto at = [&](std::size_t i, std::size_t d) {
-    return uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[chart.boundary[i]]) + d];
-  };
-  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
-    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(at(i, d) - at(0, d)));
+  const Point2 first = pointAt(uv, chart.boundaryVertex(BoundaryIndex(0)));
+  for (const BoundaryIndex i : chart.boundary.ids()) {
+    const Point2 p = pointAt(uv, chart.boundaryVertex(i));
+    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(p[d] - first[d]));
+  }
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size) - 20) : 0;
 }
 
@@ -62,29 +62,27 @@ double outlineGrid(const DiskChart& chart, const std::vector<double>& uv) {
 /// other are those of different parts of the boundary.
 struct RoundedOutline {
   std::vector<double> points;
-  std::vector<std::uint32_t> place;  ///< of each point along the boundary
+  std::vector<BoundaryIndex> place;  ///< of each point
 };
 
 RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
-  const auto at = [&](std::size_t i, std::size_t d) {
-    return uv[2 * static_cast<std::size_t>(chart.vertexOfCorner[chart.boundary[i]]) + d];
-  };
-  const std::size_t n = chart.boundary.size();
+  const auto at = [&](BoundaryIndex i) { return pointAt(uv, chart.boundaryVertex(i)); };
   const double cell = outlineGrid(chart, uv);
   const bool isRounded = cell > 0;
   const double grid = isRounded ? cell : 1;
   constexpr double kFewCells = 2;
-  const auto isNear = [&](std::size_t i, std::size_t j) {
-    const double x = (at(i, 0) - at(j, 0)) / grid, y = (at(i, 1) - at(j, 1)) / grid;
+  const auto isNear = [&](BoundaryIndex i, BoundaryIndex j) {
+    const Point2 p = at(i), q = at(j);
+    const double x = (p[0] - q[0]) / grid, y = (p[1] - q[1]) / grid;
     return x * x + y * y < kFewCells * kFewCells;
   };
   RoundedOutline out;
-  for (std::uint32_t i = 0; i < n; ++i)
+  for (const BoundaryIndex i : chart.boundary.ids())
     if (i == 0 || !isRounded || !isNear(i, out.place.back())) out.place.push_back(i);
-  while (isRounded && out.place.size() > 1 && isNear(out.place.back(), 0)) out.place.pop_back();
-  for (const std::uint32_t i : out.place)
-    for (std::size_t d = 0; d < 2; ++d)
-      out.points.push_back(isRounded ? std::round(at(i, d) / grid) * grid : at(i, d));
+  while (isRounded && out.place.size() > 1 && isNear(out.place.back(), out.place.front()))
+    out.place.pop_back();
+  for (const BoundaryIndex i : out.place)
+    for (const double x : at(i)) out.points.push_back(isRounded ? std::round(x / grid) * grid : x);
   return out;
 }
 
@@ -100,10 +98,10 @@ Crossings touching(const DiskChart& chart, const std::vector<double>& uv) {
 }  // namespace
 
 Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
-                        const std::vector<double>& t) {
+                        const BoundaryBounds& t) {
   constexpr double kRounding = 1e-6;
   Exceeded out;
-  for (std::size_t i = 0; i < t.size(); ++i) {
+  for (const BoundaryIndex i : t.ids()) {
     if (t[i] >= 2) continue;
     const double above = boundaryAngle(chart, uv, chart.boundary[i]) - t[i] * kPi;
     out.count += above > kRounding;
@@ -137,12 +135,12 @@ ChartFlattener::~ChartFlattener() = default;
 
 void ChartFlattener::endSolving() {
   if (!solver_) return;
-  place_ = solver_->placeOfVertices();
+  eliminationRank_ = solver_->eliminationRank();
   solver_.reset();
 }
 
-std::vector<std::uint32_t> ChartFlattener::place() const {
-  return solver_ ? solver_->placeOfVertices() : place_;
+IdVector<ChartVertex, std::uint32_t> ChartFlattener::eliminationRank() const {
+  return solver_ ? solver_->eliminationRank() : eliminationRank_;
 }
 
 SolverOptions ChartFlattener::counting(SolverOptions options) {
@@ -171,7 +169,7 @@ Crossings ChartFlattener::crossings(const std::vector<double>& uv) const {
   return exact.count > 0 || !requiresSeparation_ ? exact : touching(chart_, uv);
 }
 
-Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* warm) {
+Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
   Attempt a;
   a.t = t;
   setAllBounds(a.t);
@@ -206,14 +204,14 @@ Attempt ChartFlattener::attempt(const std::vector<double>& t, const Attempt* war
   return a;
 }
 
-Attempt ChartFlattener::roughAttempt(const std::vector<double>& t) {
+Attempt ChartFlattener::roughAttempt(const BoundaryBounds& t) {
   solver_->beRough(true);
   Attempt out = attempt(t, nullptr);
   solver_->beRough(false);
   return out;
 }
 
-void ChartFlattener::setAllBounds(const std::vector<double>& t) {
+void ChartFlattener::setAllBounds(const BoundaryBounds& t) {
   setBounds(problem_, chart_, t);
   setStraight(problem_, chart_, straight_);
 }
@@ -222,7 +220,7 @@ std::string ChartFlattener::memoryNote() const { return reasonWithoutFactor(solv
 
 void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, chart_, margin); }
 
-std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
+std::vector<ChartCorner> ChartFlattener::resistingEdges(const Attempt& from) {
   Stopwatch watch;
   setAllBounds(from.t);
   setDelaunay(problem_, chart_, 0);
@@ -236,16 +234,17 @@ std::vector<std::uint32_t> ChartFlattener::resistingEdges(const Attempt& from) {
   }
   problem_.edgeCompliance = 0;
   timings_.solve += watch.lap();
-  std::vector<std::uint32_t> out;
-  for (std::uint32_t h = 0; h < chart_.twin.size(); ++h) {
-    if (chart_.twin[h] == kNone || chart_.twin[h] < h) continue;
-    const double sum = best.angles[prevCorner(h)] + best.angles[prevCorner(chart_.twin[h])];
+  std::vector<ChartCorner> out;
+  for (const ChartCorner h : chart_.corners()) {
+    const ChartCorner twin = chart_.twin[h];
+    if (!twin.exists() || twin < h) continue;
+    const double sum = best.angles[prevCorner(h)] + best.angles[prevCorner(twin)];
     if (sum > kPi + kResisting) out.push_back(h);
   }
   return out;
 }
 
-Attempt ChartFlattener::tutte(const std::vector<double>& t, const std::string& reason) {
+Attempt ChartFlattener::tutte(const BoundaryBounds& t, const std::string& reason) {
   Stopwatch watch;
   Attempt a;
   a.t = t;

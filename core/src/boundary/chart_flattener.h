@@ -28,11 +28,11 @@ struct Exceeded {
   double most = 0;  ///< radians
 };
 Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
-                        const std::vector<double>& t);
+                        const BoundaryBounds& t);
 
 /// A layout for certain bounds, and what it took.
 struct Attempt {
-  std::vector<double> t;  ///< bound per boundary vertex, in the order of chart.boundary, times pi
+  BoundaryBounds t;
   AngleSolution solution;
   std::vector<double> uv;  ///< in chart units
   Validity validity;
@@ -69,10 +69,10 @@ class ChartFlattener {
 
   /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
   /// the interior point takes over with rising floors of its barrier.
-  Attempt attempt(const std::vector<double>& t, const Attempt* warm);
+  Attempt attempt(const BoundaryBounds& t, const Attempt* warm);
 
   /// With angles that are good enough to be refined.
-  Attempt roughAttempt(const std::vector<double>& t);
+  Attempt roughAttempt(const BoundaryBounds& t);
 
   /// From now on attempts may take so many Newton steps in all: those that would need more are
   /// given up.
@@ -104,18 +104,17 @@ class ChartFlattener {
 
   /// Interior edges, as half-edges, that stay violated when condition (9) is met as far as
   /// possible with the bounds of `from`.
-  std::vector<std::uint32_t> resistingEdges(const Attempt& from);
+  std::vector<ChartCorner> resistingEdges(const Attempt& from);
 
   /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
   /// angle is respected, nor are bounds `t` below 1.
-  Attempt tutte(const std::vector<double>& t, const std::string& reason);
+  Attempt tutte(const BoundaryBounds& t, const std::string& reason);
 
   /// Frees factors. There are to be no more attempts, but for Tutte's.
   void endSolving();
 
-  /// Per vertex, its place in an order of elimination that is good for the chart; empty where none
-  /// was found.
-  std::vector<std::uint32_t> place() const;
+  /// See DiskChart; empty where none was found.
+  IdVector<ChartVertex, std::uint32_t> eliminationRank() const;
 
   /// Checks and measures the layout of an attempt, whoever made it.
   void measure(Attempt& a);
@@ -135,7 +134,7 @@ class ChartFlattener {
   /// Counts steps, and ends the solution with the last that is allowed.
   SolverOptions counting(SolverOptions options);
   bool isGivenUp(Attempt& a) const;
-  void setAllBounds(const std::vector<double>& t);
+  void setAllBounds(const BoundaryBounds& t);
   void layOutAndCheck(Attempt& a);
   Validity check(const std::vector<double>& uv) const;
 
@@ -148,7 +147,7 @@ class ChartFlattener {
   bool isStopped_ = false;  ///< by the caller
   int steps_ = 0, mostSteps_ = std::numeric_limits<int>::max();
   StraightPlaces straight_;
-  std::vector<std::uint32_t> place_;  ///< once solving has ended
+  IdVector<ChartVertex, std::uint32_t> eliminationRank_;  ///< once solving has ended
 };
 
 }  // namespace abflat

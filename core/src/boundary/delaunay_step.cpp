@@ -11,10 +11,10 @@ namespace {
 constexpr double kMargins[] = {1e-8, 1e-6, 1e-4};
 
 std::vector<std::array<std::uint32_t, 2>> inputEdges(const DiskChart& chart,
-                                                     const std::vector<std::uint32_t>& halfEdges) {
+                                                     const std::vector<ChartCorner>& halfEdges) {
   std::vector<std::array<std::uint32_t, 2>> out;
   out.reserve(halfEdges.size());
-  for (const std::uint32_t h : halfEdges)
+  for (const ChartCorner h : halfEdges)
     out.push_back({chart.inputVertex[chart.vertexOfCorner[h]],
                    chart.inputVertex[chart.vertexOfCorner[nextCorner(h)]]});
   return out;

@@ -4,16 +4,19 @@
 
 namespace abflat {
 
-std::vector<double> boundaryAngles(const DiskChart& chart, const AngleSolution& s) {
-  std::vector<double> sum(chart.vertexCount(), 0), out;
-  for (std::size_t c = 0; c < s.angles.size(); ++c) sum[chart.vertexOfCorner[c]] += s.angles[c];
-  for (const std::uint32_t h : chart.boundary) out.push_back(sum[chart.vertexOfCorner[h]]);
+IdVector<BoundaryIndex, double> boundaryAngles(const DiskChart& chart, const AngleSolution& s) {
+  IdVector<ChartVertex, double> sum(chart.vertexCount(), 0);
+  // Tutte's embedding has no angles.
+  for (const ChartCorner c : IdRange<ChartCorner>(s.angles.size()))
+    sum[chart.vertexOfCorner[c]] += s.angles[c];
+  IdVector<BoundaryIndex, double> out;
+  for (const ChartCorner h : chart.boundary) out.push_back(sum[chart.vertexOfCorner[h]]);
   return out;
 }
 
-std::vector<double> turnedAlong(const std::vector<double>& boundaryAngles) {
+std::vector<double> turnedAlong(const IdVector<BoundaryIndex, double>& boundaryAngles) {
   std::vector<double> turned(boundaryAngles.size() + 1, 0);
-  for (std::size_t k = 0; k < boundaryAngles.size(); ++k)
+  for (const BoundaryIndex k : boundaryAngles.ids())
     turned[k + 1] = turned[k] + kPi - boundaryAngles[k];
   return turned;
 }

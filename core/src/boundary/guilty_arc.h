@@ -8,15 +8,18 @@
 
 namespace abflat {
 
-/// Interior angles at the boundary vertices, radians, in the order of chart.boundary.
-std::vector<double> boundaryAngles(const DiskChart& chart, const AngleSolution& s);
+/// Interior angles at the boundary vertices, radians.
+IdVector<BoundaryIndex, double> boundaryAngles(const DiskChart& chart, const AngleSolution& s);
 
 /// How far the boundary has turned, prefix sums of pi - angle.
-std::vector<double> turnedAlong(const std::vector<double>& boundaryAngles);
+std::vector<double> turnedAlong(const IdVector<BoundaryIndex, double>& boundaryAngles);
 
 /// A run of boundary vertices first, first + 1, ... (cyclic).
 struct Arc {
   std::size_t first, count;
+
+  /// The one after `k` others, of a boundary of n.
+  BoundaryIndex at(std::size_t k, std::size_t n) const { return BoundaryIndex((first + k) % n); }
 };
 
 /// Of the two arcs between crossing edges i < j, the one that turns clockwise more: it closes a

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/point2.h"
 #include "base/portable_math.h"
 #include "boundary/guilty_arc.h"
+#include "mesh/triangle_geometry.h"
 
 namespace abflat {
 namespace {
@@ -17,10 +19,6 @@ constexpr int kRounds = 16;
 /// much keeps its orientation.
 constexpr double kMostOfHeight = 0.2;
 
-struct Vector {
-  double x = 0, y = 0;
-};
-
 /// The boundary of one layout, and how far each of its places may move into the chart.
 class Outline {
  public:
@@ -28,7 +26,7 @@ class Outline {
       : chart_(chart), uv_(uv), shift_(chart.boundary.size(), 0) {
     findNormals();
     findRoom();
-    for (std::size_t i = 0; i < straight.size(); ++i)
+    for (const BoundaryIndex i : straight.ids())
       if (straight[i] != 0) room_[i] = 0;
   }
 
@@ -43,7 +41,7 @@ class Outline {
     }
     bool isAny = false;
     for (std::size_t k = 1; k < 2 * n; ++k) begun[k] += begun[k - 1];
-    for (std::size_t k = 0; k < n; ++k) {
+    for (const BoundaryIndex k : shift_.ids()) {
       if (begun[k] + begun[k + n] == 0) continue;
       const double now = std::min(room_[k], std::max(first, 2 * shift_[k]));
       isAny = isAny || now > shift_[k];
@@ -54,11 +52,10 @@ class Outline {
 
   std::vector<double> moved() const {
     std::vector<double> out = uv_;
-    for (std::size_t k = 0; k < shift_.size(); ++k) {
+    for (const BoundaryIndex k : shift_.ids()) {
       if (shift_[k] == 0) continue;
-      const std::size_t v = vertex(k);
-      out[2 * v] += shift_[k] * normal_[k].x;
-      out[2 * v + 1] += shift_[k] * normal_[k].y;
+      for (std::size_t d = 0; d < 2; ++d)
+        out[2 * chart_.boundaryVertex(k) + d] += shift_[k] * normal_[k][d];
     }
     return out;
   }
@@ -69,67 +66,72 @@ class Outline {
   }
 
  private:
-  std::size_t vertex(std::size_t place) const {
-    return chart_.vertexOfCorner[chart_.boundary[place]];
-  }
-
-  /// Of length 1, to the left of the edge from a to b.
-  Vector leftOf(std::size_t a, std::size_t b) const {
-    const double x = uv_[2 * b] - uv_[2 * a], y = uv_[2 * b + 1] - uv_[2 * a + 1];
+  /// Of length 1, to the left of the edge that leaves a place.
+  Point2 leftOf(BoundaryIndex place) const {
+    const Point2 a = pointAt(uv_, chart_.boundaryVertex(place));
+    const Point2 b = pointAt(uv_, chart_.boundaryVertex(chart_.after(place)));
+    const double x = b[0] - a[0], y = b[1] - a[1];
     const double length = portable::hypot(x, y);
-    return length > 0 ? Vector{-y / length, x / length} : Vector{};
+    return length > 0 ? Point2{-y / length, x / length} : Point2{0, 0};
   }
 
   /// What takes both edges of a corner into the chart by 1. Where the chart is round a corner, as
   /// at the end of a slit, half the sum of their normals: hardly any there.
-  Vector inwards(const Vector& a, const Vector& b) const {
+  Point2 inwards(const Point2& a, const Point2& b) const {
     constexpr double kSharpest = 1e-4;  // of 1 + cos: moves by up to 141 times as much
-    const bool isConvex = a.x * b.y - a.y * b.x > 0;
-    const double both = isConvex ? std::max(1 + a.x * b.x + a.y * b.y, kSharpest) : 2;
-    return {(a.x + b.x) / both, (a.y + b.y) / both};
+    const bool isConvex = a[0] * b[1] - a[1] * b[0] > 0;
+    const double both = isConvex ? std::max(1 + a[0] * b[0] + a[1] * b[1], kSharpest) : 2;
+    return {(a[0] + b[0]) / both, (a[1] + b[1]) / both};
   }
 
   void findNormals() {
-    const std::size_t n = shift_.size();
-    for (std::size_t k = 0; k < n; ++k)
-      normal_.push_back(inwards(leftOf(vertex((k + n - 1) % n), vertex(k)),
-                                leftOf(vertex(k), vertex((k + 1) % n))));
+    for (const BoundaryIndex k : shift_.ids())
+      normal_.push_back(inwards(leftOf(chart_.before(k)), leftOf(k)));
+  }
+
+  /// The least height of a triangle.
+  double heightOf(ChartTriangle f) const {
+    const auto p = pointsOf(uv_, verticesOf(chart_.vertexOfCorner, f));
+    const auto [a, b, c] = p;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double *from = p[k], *to = p[(k + 1) % 3];
+      longest = std::max(longest, portable::hypot(to[0] - from[0], to[1] - from[1]));
+    }
+    const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    return longest > 0 ? std::abs(area) / longest : 0;
   }
 
   void findRoom() {
-    std::vector<double> height(chart_.vertexCount(), std::numeric_limits<double>::infinity());
-    for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) {
-      const std::uint32_t* v = &chart_.vertexOfCorner[3 * f];
-      double longest = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double *a = &uv_[2 * std::size_t{v[k]}], *b = &uv_[2 * std::size_t{v[(k + 1) % 3]}];
-        longest = std::max(longest, portable::hypot(b[0] - a[0], b[1] - a[1]));
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    IdVector<ChartVertex, double> height(chart_.vertexCount(), kInfinity);
+    for (const ChartTriangle f : chart_.triangles()) {
+      const double least = heightOf(f);
+      for (const ChartCorner c : cornersOf(f)) {
+        double& at = height[chart_.vertexOfCorner[c]];
+        at = std::min(at, least);
       }
-      const double *a = &uv_[2 * std::size_t{v[0]}], *b = &uv_[2 * std::size_t{v[1]}],
-                   *c = &uv_[2 * std::size_t{v[2]}];
-      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-      const double least = longest > 0 ? std::abs(area) / longest : 0;
-      for (std::size_t k = 0; k < 3; ++k) height[v[k]] = std::min(height[v[k]], least);
     }
-    for (std::size_t k = 0; k < shift_.size(); ++k)
-      room_.push_back(kMostOfHeight * height[vertex(k)]);
+    for (const BoundaryIndex k : shift_.ids())
+      room_.push_back(kMostOfHeight * height[chart_.boundaryVertex(k)]);
   }
 
   const DiskChart& chart_;
   const std::vector<double>& uv_;
-  std::vector<Vector> normal_;
-  std::vector<double> room_, shift_;
+  IdVector<BoundaryIndex, Point2> normal_;
+  IdVector<BoundaryIndex, double> room_, shift_;
 };
 
 double extentOf(const DiskChart& chart, const std::vector<double>& uv) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lo[2] = {kInfinity, kInfinity}, hi[2] = {-kInfinity, -kInfinity};
-  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
+  for (const BoundaryIndex i : chart.boundary.ids()) {
+    const Point2 p = pointAt(uv, chart.boundaryVertex(i));
     for (std::size_t d = 0; d < 2; ++d) {
-      const double x = uv[2 * std::size_t{chart.vertexOfCorner[chart.boundary[i]]} + d];
-      lo[d] = std::min(lo[d], x);
-      hi[d] = std::max(hi[d], x);
+      lo[d] = std::min(lo[d], p[d]);
+      hi[d] = std::max(hi[d], p[d]);
     }
+  }
   return std::max(hi[0] - lo[0], hi[1] - lo[1]);
 }
 

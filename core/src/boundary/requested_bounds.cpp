@@ -15,7 +15,7 @@ constexpr double kAdjacentBound = 2 - 1e-6;
 bool isBound(double t) { return t > 0 && std::isfinite(t); }
 
 /// The n boundary angles sum to (n - 2) pi, since interior vertices take 2 pi each.
-Status checkFeasible(const std::vector<double>& t, double common) {
+Status checkFeasible(const BoundaryBounds& t, double common) {
   const auto n = static_cast<double>(t.size());
   double sum = 0;
   for (const double x : t) sum += x;
@@ -36,18 +36,18 @@ Status checkFeasible(const std::vector<double>& t, double common) {
 
 }  // namespace
 
-Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
-                                            const StraightPlaces& straight) {
+Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
+                                       const StraightPlaces& straight) {
   if (options.t != kAutoT && !isBound(options.t))
     return Status{StatusCode::InvalidOption, "t must be a number above 0, or auto"};
   double common = options.t == kAutoT ? 2 : options.t;
   if (options.adjacent) common = std::min(common, kAdjacentBound);
-  std::vector<double> t(chart.boundary.size(), common);
+  BoundaryBounds t(chart.boundary.size(), common);
   if (!options.bounds.empty()) {
-    std::unordered_map<std::uint32_t, std::vector<std::size_t>>
+    std::unordered_map<std::uint32_t, std::vector<BoundaryIndex>>
         placesOf;  // a vertex that the boundary touches twice has two
-    for (std::size_t i = 0; i < t.size(); ++i)
-      placesOf[chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]]].push_back(i);
+    for (const BoundaryIndex i : t.ids())
+      placesOf[chart.inputVertex[chart.boundaryVertex(i)]].push_back(i);
     for (const VertexBound& b : options.bounds) {
       const auto found = placesOf.find(b.vertex);
       if (found == placesOf.end())
@@ -56,11 +56,11 @@ Result<std::vector<double>> requestedBounds(const DiskChart& chart, const Flatte
       if (!isBound(b.t))
         return Status{StatusCode::InvalidOption, "the bound of vertex " + std::to_string(b.vertex) +
                                                      " must be a number above 0"};
-      for (const std::size_t i : found->second) t[i] = b.t;
+      for (const BoundaryIndex i : found->second) t[i] = b.t;
     }
   }
-  std::vector<double> met = t;
-  for (std::size_t i = 0; i < straight.size(); ++i)
+  BoundaryBounds met = t;
+  for (const BoundaryIndex i : straight.ids())
     if (straight[i] != 0) met[i] = 1;
   if (Status s = checkFeasible(met, common); !s.ok()) return s;
   return t;

@@ -9,10 +9,10 @@
 
 namespace abflat {
 
-/// The bounds the options ask for, times pi, per boundary vertex in the order of chart.boundary;
-/// kAutoT counts as 2. Where `straight` holds the angle at pi they have no effect. Errors:
-/// InvalidOption for a bound of a vertex that is not on the boundary; InfeasibleBound.
-Result<std::vector<double>> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
-                                            const StraightPlaces& straight);
+/// The bounds the options ask for; kAutoT counts as 2. Where `straight` holds the angle at pi they
+/// have no effect. Errors: InvalidOption for a bound of a vertex that is not on the boundary;
+/// InfeasibleBound.
+Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
+                                       const StraightPlaces& straight);
 
 }  // namespace abflat

@@ -10,23 +10,23 @@
 namespace abflat {
 namespace {
 
-/// Place in the boundary of each chart vertex; kNone inside.
-std::vector<std::uint32_t> placesOfVertices(const DiskChart& chart) {
-  std::vector<std::uint32_t> out(chart.vertexCount(), kNone);
-  for (std::uint32_t i = 0; i < chart.boundary.size(); ++i)
-    out[chart.vertexOfCorner[chart.boundary[i]]] = i;
+/// Where each vertex is in the boundary; none inside.
+IdVector<ChartVertex, BoundaryIndex> placesOfVertices(const DiskChart& chart) {
+  IdVector<ChartVertex, BoundaryIndex> out(chart.vertexCount());
+  for (const BoundaryIndex i : chart.boundary.ids()) out[chart.boundaryVertex(i)] = i;
   return out;
 }
 
-std::string nameOf(const DiskChart& chart, std::size_t place) {
-  return "vertex " + std::to_string(chart.inputVertex[chart.vertexOfCorner[chart.boundary[place]]]);
+std::string nameOf(const DiskChart& chart, BoundaryIndex place) {
+  return "vertex " + std::to_string(chart.inputVertex[chart.boundaryVertex(place)]);
 }
 
 /// The only place of an input vertex.
-Result<std::size_t> placeOf(const DiskChart& chart, std::uint32_t vertex) {
-  std::size_t count = 0, place = 0;
-  for (std::size_t i = 0; i < chart.boundary.size(); ++i) {
-    if (chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]] != vertex) continue;
+Result<BoundaryIndex> placeOf(const DiskChart& chart, std::uint32_t vertex) {
+  std::size_t count = 0;
+  BoundaryIndex place;
+  for (const BoundaryIndex i : chart.boundary.ids()) {
+    if (chart.inputVertex[chart.boundaryVertex(i)] != InputVertex(vertex)) continue;
     place = i;
     ++count;
   }
@@ -48,7 +48,7 @@ Status checkFeasible(const DiskChart& chart, const StraightPlaces& straight) {
   return {StatusCode::InfeasibleBound,
           "the edge from " + nameOf(chart, chord.from) + " to " + nameOf(chart, chord.to) +
               " cuts off part of a straight run, with no area between them. End a run at " +
-              nameOf(chart, (chord.from + 1) % straight.size())};
+              nameOf(chart, chart.after(chord.from))};
 }
 
 }  // namespace
@@ -56,17 +56,17 @@ Status checkFeasible(const DiskChart& chart, const StraightPlaces& straight) {
 Result<StraightPlaces> straightPlaces(const DiskChart& chart,
                                       const std::vector<StraightRun>& runs) {
   if (runs.empty()) return StraightPlaces{};
-  const std::size_t n = chart.boundary.size();
-  StraightPlaces straight(n, 0);
+  StraightPlaces straight(chart.boundary.size(), 0);
   for (const StraightRun& run : runs) {
-    const Result<std::size_t> from = placeOf(chart, run.from), to = placeOf(chart, run.to);
+    const Result<BoundaryIndex> from = placeOf(chart, run.from), to = placeOf(chart, run.to);
     if (!from.ok()) return from.status;
     if (!to.ok()) return to.status;
     if (from.value == to.value)
       return Status{StatusCode::InvalidOption, "a straight run begins and ends at vertex " +
                                                    std::to_string(run.from) +
                                                    ". It needs two different vertices"};
-    for (std::size_t i = (from.value + 1) % n; i != to.value; i = (i + 1) % n) straight[i] = 1;
+    for (BoundaryIndex i = chart.after(from.value); i != to.value; i = chart.after(i))
+      straight[i] = 1;
   }
   if (Status s = checkFeasible(chart, straight); !s.ok()) return s;
   return straight;
@@ -77,14 +77,15 @@ std::vector<FlatChord> flatChords(const DiskChart& chart, const StraightPlaces& 
   // How many straight places follow each, at most n.
   std::vector<std::size_t> following(2 * n + 1, 0);
   for (std::size_t i = 2 * n; i-- > 0;)
-    following[i] = straight[(i + 1) % n] != 0 ? std::min(following[i + 1] + 1, n) : 0;
-  const std::vector<std::uint32_t> place = placesOfVertices(chart);
+    following[i] =
+        straight[BoundaryIndex((i + 1) % n)] != 0 ? std::min(following[i + 1] + 1, n) : 0;
+  const IdVector<ChartVertex, BoundaryIndex> place = placesOfVertices(chart);
   std::vector<FlatChord> out;
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
-    if (chart.twin[h] == kNone) continue;  // both half-edges of an inner edge have their turn
-    const std::uint32_t from = place[chart.vertexOfCorner[h]];
-    const std::uint32_t to = place[chart.vertexOfCorner[nextCorner(h)]];
-    if (from == kNone || to == kNone) continue;
+  for (const ChartCorner h : chart.corners()) {
+    if (!chart.twin[h].exists()) continue;  // both half-edges of an inner edge have their turn
+    const BoundaryIndex from = place[chart.vertexOfCorner[h]];
+    const BoundaryIndex to = place[chart.vertexOfCorner[nextCorner(h)]];
+    if (!from.exists() || !to.exists()) continue;
     const std::size_t between = (to + n - from - 1) % n;
     if (between > 0 && between <= following[from]) out.push_back({from, to});
   }
@@ -104,25 +105,25 @@ bool isTooStraight(const StraightPlaces& straight) {
 std::vector<std::uint32_t> straightVertices(const DiskChart& chart,
                                             const StraightPlaces& straight) {
   std::vector<std::uint32_t> out;
-  for (std::size_t i = 0; i < straight.size(); ++i)
-    if (straight[i] != 0) out.push_back(chart.vertexOfCorner[chart.boundary[i]]);
+  for (const BoundaryIndex i : straight.ids())
+    if (straight[i] != 0) out.push_back(chart.boundaryVertex(i));
   return out;
 }
 
 StraightPlaces placesOf(const DiskChart& chart, const std::vector<std::uint32_t>& vertices) {
-  const std::vector<std::uint32_t> place = placesOfVertices(chart);
+  const IdVector<ChartVertex, BoundaryIndex> place = placesOfVertices(chart);
   StraightPlaces out(chart.boundary.size(), 0);
-  for (const std::uint32_t v : vertices) out[place[v]] = 1;
+  for (const std::uint32_t v : vertices) out[place[ChartVertex(v)]] = 1;
   return out;
 }
 
 StraightReport reportStraight(const DiskChart& chart, const StraightPlaces& straight,
                               const std::vector<double>& uv) {
   StraightReport out;
-  for (std::size_t i = 0; i < straight.size(); ++i) {
+  for (const BoundaryIndex i : straight.ids()) {
     if (straight[i] == 0) continue;
     ++out.vertices;
-    out.runs += straight[(i == 0 ? straight.size() : i) - 1] == 0;
+    out.runs += straight[chart.before(i)] == 0;
     out.deviation =
         std::max(out.deviation, std::abs(boundaryAngle(chart, uv, chart.boundary[i]) - kPi));
   }

@@ -9,10 +9,6 @@
 
 namespace abflat {
 
-/// Per place in chart.boundary: 1 where the layout's boundary goes straight on, its angle exactly
-/// pi. Empty: nowhere.
-using StraightPlaces = std::vector<std::uint8_t>;
-
 /// The vertices strictly inside of runs of the boundary. Errors: InvalidOption for a run that does
 /// not begin and end at different vertices of the boundary; InfeasibleBound where no layout has
 /// them all straight.
@@ -21,7 +17,7 @@ Result<StraightPlaces> straightPlaces(const DiskChart& chart, const std::vector<
 /// An inner edge between two places of the boundary that are joined by nothing but straight places:
 /// the triangles between would have no area.
 struct FlatChord {
-  std::size_t from = 0, to = 0;  ///< the straight places follow `from` and end before `to`
+  BoundaryIndex from, to;  ///< the straight places follow `from` and end before `to`
 };
 std::vector<FlatChord> flatChords(const DiskChart& chart, const StraightPlaces& straight);
 
@@ -31,7 +27,7 @@ bool isTooStraight(const StraightPlaces& straight);
 /// Boundary places that are not straight.
 std::size_t placesThatTurn(const DiskChart& chart, const StraightPlaces& straight);
 
-/// Vertices of the chart at straight places, and the other way round.
+/// Vertices of the chart at straight places, as results have them, and the other way round.
 std::vector<std::uint32_t> straightVertices(const DiskChart& chart, const StraightPlaces& straight);
 StraightPlaces placesOf(const DiskChart& chart, const std::vector<std::uint32_t>& vertices);
 

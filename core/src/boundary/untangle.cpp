@@ -60,8 +60,8 @@ struct OutlinePoints {
   const std::vector<double>& uv;
 
   const double* operator[](std::size_t place) const {
-    return &uv[2 *
-               std::size_t{chart.vertexOfCorner[chart.boundary[place % chart.boundary.size()]]}];
+    const BoundaryIndex i(place % chart.boundary.size());
+    return &uv[2 * std::size_t{chart.boundaryVertex(i)}];
   }
 };
 
@@ -100,17 +100,16 @@ class Tightening {
   Tightening(const ChartFlattener& flattener, std::size_t count)
       : flattener_(flattener), chart_(flattener.chart()), push_(count, 1) {}
 
-  std::vector<double> next(const Attempt& from) {
-    const std::vector<double> angle = boundaryAngles(chart_, from.solution);
-    const std::size_t n = angle.size();
+  BoundaryBounds next(const Attempt& from) {
+    const IdVector<BoundaryIndex, double> angle = boundaryAngles(chart_, from.solution);
     const std::vector<double> turned = turnedAlong(angle);
     std::vector<Guilty> guilty;
     for (const auto& [i, j] : from.validity.crossings.first)
       guilty.push_back({guiltyArc(i, j, turned), i, j});
-    std::vector<double> t = from.t;
-    for (const Guilty& g : apart(std::move(guilty), n)) tightenArc(g, from, angle, t);
-    for (std::size_t v = 0; v < n; ++v)
-      if (t[v] < from.t[v]) push_[v] *= kHarder;
+    BoundaryBounds t = from.t;
+    for (const Guilty& g : apart(std::move(guilty), angle.size())) tightenArc(g, from, angle, t);
+    for (const BoundaryIndex i : t.ids())
+      if (t[i] < from.t[i]) push_[i] *= kHarder;
     return t;
   }
 
@@ -125,7 +124,7 @@ class Tightening {
     const OutlinePoints at{chart_, from.uv};
     double reach = 0, push = 1;
     for (std::size_t k = 0; k < g.arc.count; ++k) {
-      const std::size_t place = (g.arc.first + k) % n;
+      const BoundaryIndex place = g.arc.at(k, n);
       reach = std::max(reach, distance(at[place], at[g.i]));
       push = std::max(push, push_[place]);
     }
@@ -133,32 +132,31 @@ class Tightening {
     return std::clamp(push * (reach > 0 ? depth / reach : kMostPush), kLeastPush, kMostPush);
   }
 
-  void tightenArc(const Guilty& g, const Attempt& from, const std::vector<double>& angle,
-                  std::vector<double>& t) const {
+  void tightenArc(const Guilty& g, const Attempt& from,
+                  const IdVector<BoundaryIndex, double>& angle, BoundaryBounds& t) const {
     const std::size_t n = angle.size();
     std::vector<double> inArc(g.arc.count);
-    for (std::size_t k = 0; k < g.arc.count; ++k) inArc[k] = angle[(g.arc.first + k) % n];
+    for (std::size_t k = 0; k < g.arc.count; ++k) inArc[k] = angle[g.arc.at(k, n)];
     const double level = capLevel(inArc, amountFor(g, from));
     for (std::size_t k = 0; k < g.arc.count; ++k) {
-      double& bound = t[(g.arc.first + k) % n];
+      double& bound = t[g.arc.at(k, n)];
       if (inArc[k] > level) bound = std::min(bound, level / kPi);
     }
   }
 
   const ChartFlattener& flattener_;
   const DiskChart& chart_;
-  std::vector<double> push_;  ///< per boundary vertex
+  IdVector<BoundaryIndex, double> push_;
 };
 
-std::vector<double> lowered(std::vector<double> t, double limit) {
+BoundaryBounds lowered(BoundaryBounds t, double limit) {
   for (double& x : t) x = std::min(x, limit);
   return t;
 }
 
-std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b,
-                            double share) {
-  std::vector<double> out(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
+BoundaryBounds between(const BoundaryBounds& a, const BoundaryBounds& b, double share) {
+  BoundaryBounds out(a.size());
+  for (const BoundaryIndex i : a.ids())
     out[i] = std::min(a[i], 2.0) + share * (std::min(b[i], 2.0) - std::min(a[i], 2.0));
   return out;
 }
@@ -166,7 +164,7 @@ std::vector<double> between(const std::vector<double>& a, const std::vector<doub
 }  // namespace
 
 Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, double distortionLimit) {
-  const std::vector<double>& asked = crossing.t;
+  const BoundaryBounds& asked = crossing.t;
   Attempt invalid = crossing, valid;
   double high = std::min(2.0, *std::max_element(asked.begin(), asked.end())), low = 0;
   bool found = false;
@@ -211,10 +209,10 @@ Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
     if (cancelled(next) || next.isGivenUp) return next;
     if (next.valid()) {
       Attempt best = std::move(next);
-      std::vector<double> loose = last.t;
+      BoundaryBounds loose = last.t;
       const double atMostGained = (1 + kNegligible) * last.distortion.angular;
       for (int i = 0; i < kRelaxations && best.distortion.angular > atMostGained; ++i) {
-        const std::vector<double> middle = between(loose, best.t, 0.5);
+        const BoundaryBounds middle = between(loose, best.t, 0.5);
         Attempt a = flattener.attempt(middle, &best);
         if (cancelled(a)) return a;
         if (a.isGivenUp) break;

@@ -37,10 +37,9 @@ class VertexNumbers {
   std::vector<SurfaceVertex> sorted_;
 };
 
-/// What the charts' arrays of plain numbers have.
 template <class I, class T>
-std::vector<std::uint32_t> copyOf(IdSpan<I, T> numbers) {
-  return {numbers.begin(), numbers.end()};
+IdVector<I, T> copyOf(IdSpan<I, T> values) {
+  return IdVector<I, T>(std::vector<T>(values.begin(), values.end()));
 }
 
 }  // namespace
@@ -170,7 +169,7 @@ DiskChart ChartSet::chart(ChartId i) const {
   out.fillingTriangles = parts_[i].fillingTriangles;
   out.filledHoles = own.filledHoles;
   if (!eliminationRank.empty())
-    for (const InputVertex v : own.inputVertex) out.place.push_back(eliminationRank[v]);
+    for (const InputVertex v : own.inputVertex) out.eliminationRank.push_back(eliminationRank[v]);
   placeChart(*mesh_, out);
   return out;
 }

@@ -9,26 +9,31 @@ namespace abflat {
 namespace {
 
 /// Power of two that brings the largest extent from the first vertex to about 1.
-double unitOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+double unitOf(const PolygonMesh& mesh, const IdVector<ChartVertex, InputVertex>& vertices) {
   double size = 0;
-  for (std::uint32_t v : vertices)
+  const InputVertex first = vertices.front();
+  for (const InputVertex v : vertices)
     for (std::size_t d = 0; d < 3; ++d)
-      size = std::max(
-          size, std::abs(mesh.positions[3 * v + d] / 2 - mesh.positions[3 * vertices[0] + d] / 2));
+      size = std::max(size,
+                      std::abs(mesh.positions[3 * v + d] / 2 - mesh.positions[3 * first + d] / 2));
   return size > 0 ? std::ldexp(1.0, std::ilogb(size) + 1) : 1;
+}
+
+/// Where the surface is the chart, it has the same numbers.
+template <class I, class Id, class Ids>
+void copyAll(const Ids& from, IdVector<I, Id>& out) {
+  out.reserve(from.size());
+  for (const std::uint32_t number : from) out.push_back(Id(number));
 }
 
 }  // namespace
 
 DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
   DiskChart chart;
-  const auto copy = [](const auto& ids, std::vector<std::uint32_t>& out) {
-    out.assign(ids.begin(), ids.end());
-  };
-  copy(surface.fans.ofCorner, chart.vertexOfCorner);
-  copy(surface.table.twin, chart.twin);
-  copy(surface.boundaryLoops.front(), chart.boundary);
-  copy(surface.fans.inputVertex, chart.inputVertex);
+  copyAll(surface.fans.ofCorner, chart.vertexOfCorner);
+  copyAll(surface.table.twin, chart.twin);
+  copyAll(surface.boundaryLoops.front(), chart.boundary);
+  copyAll(surface.fans.inputVertex, chart.inputVertex);
   placeChart(mesh, chart);
   return chart;
 }
@@ -37,18 +42,18 @@ void placeChart(const PolygonMesh& mesh, DiskChart& chart) {
   chart.unit = unitOf(mesh, chart.inputVertex);
   chart.positions.clear();
   chart.positions.reserve(3 * chart.inputVertex.size());
-  for (std::uint32_t v : chart.inputVertex)
+  for (const InputVertex v : chart.inputVertex)
     for (std::size_t d = 0; d < 3; ++d)
       chart.positions.push_back(mesh.positions[3 * v + d] / chart.unit);
   chart.angles.resize(chart.triangleCount());
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
-    chart.angles[f] = cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f]);
+  for (const ChartTriangle f : chart.triangles())
+    chart.angles[f] = cornerAngles(chart.positions, verticesOf(chart.vertexOfCorner, f));
 }
 
 double surfaceArea(const DiskChart& chart) {
   double area = 0;
-  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
     area += norm(cross(edgeVector(chart.positions, v[0], v[1]),
                        edgeVector(chart.positions, v[0], v[2]))) /
             2;

@@ -5,35 +5,61 @@
 #include <vector>
 
 #include "abflat/mesh.h"
+#include "mesh/ids.h"
 #include "mesh/surface.h"
 
 namespace abflat {
 
 /// One topological disk, cut out of the mesh and ready to be flattened.
 struct DiskChart {
-  std::vector<std::uint32_t> vertexOfCorner;  ///< chart vertex per corner, size 3F
-  std::vector<std::uint32_t> twin;            ///< opposite half-edge or kNone, size 3F
-  std::vector<std::uint32_t>
-      boundary;  ///< half-edges of the boundary loop in order, surface on the left
-  std::vector<std::uint32_t> inputVertex;     ///< input vertex per chart vertex
-  std::vector<double> positions;              ///< xyz per chart vertex, in `unit`
-  std::vector<std::array<double, 3>> angles;  ///< per triangle in 3D, radians; see cornerAngles
-  double unit = 1;                            ///< a power of two, so that scaling is exact
-  /// Per chart vertex, its place in an elimination order that is good for the chart; empty where
-  /// none is known.
-  std::vector<std::uint32_t> place;
-  /// Of the last triangles: they fill holes, are flattened with the others, and count in no
-  /// measure.
+  IdVector<ChartCorner, ChartVertex> vertexOfCorner;
+  IdVector<ChartCorner, ChartCorner> twin;  ///< opposite half-edge, none on the boundary
+  /// Half-edges of the boundary loop in order, the surface on their left.
+  IdVector<BoundaryIndex, ChartCorner> boundary;
+  IdVector<ChartVertex, InputVertex> inputVertex;
+  std::vector<double> positions;                          ///< xyz per vertex, in `unit`
+  IdVector<ChartTriangle, std::array<double, 3>> angles;  ///< in 3D, radians; see cornerAngles
+  double unit = 1;  ///< a power of two, so that scaling is exact
+  /// When each vertex is eliminated, in an order that is good for the chart; empty where none is
+  /// known.
+  IdVector<ChartVertex, std::uint32_t> eliminationRank;
+  /// The last triangles fill holes: they are flattened with the others, and count in no measure.
   std::uint32_t fillingTriangles = 0;
   std::uint32_t filledHoles = 0;
 
   std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(vertexOfCorner.size() / 3);
   }
-  /// Without those that fill holes.
-  std::uint32_t surfaceTriangles() const { return triangleCount() - fillingTriangles; }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(inputVertex.size()); }
+  IdRange<ChartTriangle> triangles() const { return IdRange<ChartTriangle>(triangleCount()); }
+  IdRange<ChartCorner> corners() const { return vertexOfCorner.ids(); }
+  IdRange<ChartVertex> vertices() const { return inputVertex.ids(); }
+
+  /// Without those that fill holes.
+  IdRange<ChartTriangle> surfaceTriangles() const {
+    return IdRange<ChartTriangle>(triangleCount() - fillingTriangles);
+  }
+  IdRange<ChartCorner> surfaceCorners() const {
+    return IdRange<ChartCorner>(3 * surfaceTriangles().size());
+  }
+
+  /// The one that a half-edge of the boundary leaves.
+  ChartVertex boundaryVertex(BoundaryIndex i) const { return vertexOfCorner[boundary[i]]; }
+  /// Neighbours round the loop.
+  BoundaryIndex before(BoundaryIndex i) const {
+    return BoundaryIndex((i == 0 ? boundary.size() : i) - 1);
+  }
+  BoundaryIndex after(BoundaryIndex i) const {
+    return BoundaryIndex(i + 1 == boundary.size() ? 0 : i + 1);
+  }
 };
+
+/// Per boundary vertex, the largest interior angle that is allowed, times pi.
+using BoundaryBounds = IdVector<BoundaryIndex, double>;
+
+/// Per boundary vertex: 1 where the layout's boundary goes straight on, its angle exactly pi.
+/// Empty: nowhere.
+using StraightPlaces = IdVector<BoundaryIndex, std::uint8_t>;
 
 /// Area of the surface without what fills holes, in `unit` squared.
 double surfaceArea(const DiskChart& chart);

@@ -7,13 +7,13 @@ namespace abflat {
 
 DelaunayCheck checkDelaunay(const DiskChart& chart, const std::vector<double>& uv) {
   DelaunayCheck out;
-  const auto at = [&](std::uint32_t corner) { return &uv[2 * chart.vertexOfCorner[corner]]; };
-  const auto isPositive = [&](std::uint32_t h) {
+  const auto at = [&](ChartCorner corner) { return &uv[2 * chart.vertexOfCorner[corner]]; };
+  const auto isPositive = [&](ChartCorner h) {
     return orientation(at(h), at(nextCorner(h)), at(prevCorner(h))) > 0;
   };
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
-    const std::uint32_t twin = chart.twin[h];
-    if (twin == kNone || twin < h) continue;
+  for (const ChartCorner h : chart.corners()) {
+    const ChartCorner twin = chart.twin[h];
+    if (!twin.exists() || twin < h) continue;
     ++out.edges;
     if (!isPositive(h) || !isPositive(twin) ||
         inCircle(at(h), at(nextCorner(h)), at(prevCorner(h)), at(prevCorner(twin))) > 0)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "chart/disk_chart.h"
@@ -11,8 +10,8 @@ namespace abflat {
 /// lies inside the other's circumcircle, by an exact predicate on the coordinates, or one of the
 /// two triangles is not positively oriented.
 struct DelaunayCheck {
-  std::size_t edges = 0;                ///< interior edges
-  std::vector<std::uint32_t> violated;  ///< one half-edge each
+  std::size_t edges = 0;              ///< interior edges
+  std::vector<ChartCorner> violated;  ///< one half-edge each
 };
 DelaunayCheck checkDelaunay(const DiskChart& chart, const std::vector<double>& uv);
 

@@ -16,8 +16,8 @@ struct Triangle {
   std::array<double, 6> uv;
 };
 
-Triangle makeTriangle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t f) {
-  const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+Triangle makeTriangle(const DiskChart& chart, const std::vector<double>& uv, ChartTriangle f) {
+  const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
   Triangle t;
   const Vec3 a = edgeVector(chart.positions, v[0], v[1]),
              b = edgeVector(chart.positions, v[0], v[2]);
@@ -59,9 +59,9 @@ std::array<double, 2> singularValues(const Triangle& t, double scale) {
 double lengthDistortion(const DiskChart& chart, const std::vector<double>& uv) {
   std::vector<std::array<double, 2>> lengths;
   double sum3d = 0, sumUv = 0;
-  for (std::uint32_t h = 0; h < 3 * chart.surfaceTriangles(); ++h) {
-    if (chart.twin[h] != kNone && chart.twin[h] < h) continue;
-    const std::uint32_t a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
+  for (const ChartCorner h : chart.surfaceCorners()) {
+    if (chart.twin[h].exists() && chart.twin[h] < h) continue;
+    const ChartVertex a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
     const double l = norm(edgeVector(chart.positions, a, b));
     const double L = norm(uv[2 * a] - uv[2 * b], uv[2 * a + 1] - uv[2 * b + 1]);
     if (!(l > 0)) continue;
@@ -79,7 +79,7 @@ double lengthDistortion(const DiskChart& chart, const std::vector<double>& uv) {
 
 Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& uv) {
   double total3d = 0, totalUv = 0;
-  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
     const Triangle t = makeTriangle(chart, uv, f);
     total3d += t.area3d;
     totalUv += std::abs(t.areaUv);
@@ -90,7 +90,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   std::size_t measured = 0;
   out.areaMin = std::numeric_limits<double>::infinity();
   out.areaMax = 0;
-  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
     if (isDegenerate(chart.angles[f])) continue;
     const Triangle t = makeTriangle(chart, uv, f);
     ++measured;

@@ -20,16 +20,16 @@ double angleAt(const double* o, const double* a, const double* b) {
 std::vector<double> boundaryUv(const DiskChart& chart, const std::vector<double>& uv) {
   std::vector<double> out;
   out.reserve(2 * chart.boundary.size());
-  for (const std::uint32_t h : chart.boundary) {
-    const std::size_t v = chart.vertexOfCorner[h];
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex v = chart.vertexOfCorner[h];
     out.insert(out.end(), {uv[2 * v], uv[2 * v + 1]});
   }
   return out;
 }
 
-double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t h) {
+double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, ChartCorner h) {
   double sum = 0;
-  for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(chart.twin, c))
+  for (ChartCorner c = h; c.exists(); c = rotateCounterClockwise(chart.twin, c))
     sum += angleAt(&uv[2 * chart.vertexOfCorner[c]], &uv[2 * chart.vertexOfCorner[nextCorner(c)]],
                    &uv[2 * chart.vertexOfCorner[prevCorner(c)]]);
   return sum;
@@ -37,18 +37,17 @@ double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, std:
 
 Validity checkValidity(const DiskChart& chart, const std::vector<double>& uv) {
   Validity out;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+  for (const ChartTriangle f : chart.triangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
     const bool degenerate = isDegenerate(chart.angles[f]);
-    out.degenerateTriangles += degenerate && f < chart.surfaceTriangles();
+    out.degenerateTriangles += degenerate && f < chart.surfaceTriangles().size();
     bool finite = true;
-    for (std::size_t k = 0; k < 3; ++k)
-      finite = finite && std::isfinite(uv[2 * v[k]]) && std::isfinite(uv[2 * v[k] + 1]);
-    const int sign = finite ? orientation(&uv[2 * v[0]], &uv[2 * v[1]], &uv[2 * v[2]]) : -1;
+    for (const double* p : {a, b, c}) finite = finite && std::isfinite(p[0]) && std::isfinite(p[1]);
+    const int sign = finite ? orientation(a, b, c) : -1;
     if (sign < 0 || (sign == 0 && !degenerate)) ++out.flippedTriangles;
   }
   out.crossings = findCrossings(boundaryUv(chart, uv));
-  for (const std::uint32_t h : chart.boundary)
+  for (const ChartCorner h : chart.boundary)
     out.maxBoundaryAngle = std::max(out.maxBoundaryAngle, boundaryAngle(chart, uv, h));
   return out;
 }

@@ -12,7 +12,7 @@ std::vector<double> boundaryUv(const DiskChart& chart, const std::vector<double>
 
 /// Interior angle of the layout, radians, at the boundary vertex that half-edge h of the boundary
 /// leaves.
-double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, std::uint32_t h);
+double boundaryAngle(const DiskChart& chart, const std::vector<double>& uv, ChartCorner h);
 
 /// Whether a layout is a valid, injective map, decided with exact predicates on the coordinates
 /// alone.

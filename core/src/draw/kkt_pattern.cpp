@@ -24,7 +24,7 @@ std::vector<std::uint32_t> paperOrder(const AngleProblem& problem, const Constra
     blocks.push_back({name, next, next});
   };
   const auto addRows = [&](bool isOnBoundary, std::uint32_t offset) {
-    for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+    for (const ChartVertex v : problem.vertices()) {
       if ((problem.isBoundary[v] != 0) != isOnBoundary || (isOnBoundary && !active[v])) continue;
       out[corners + triangles + rows.ofVertex[v] + offset] = next++;
     }
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> paperOrder(const AngleProblem& problem, const Constra
 KktPattern patternOf(const AngleProblem& problem, const AngleSolution& s, Formulation formulation) {
   const ConstraintRows rows = numberRows(problem);
   Linearization lin;
-  linearize(problem, rows, s.angles, s.multipliers.row, lin, Curvature::Exact);
+  linearize(problem, rows, {s.angles, s.multipliers.row, Curvature::Exact}, lin);
   const NewtonPoint at{problem, s.angles, s.multipliers, lin, s.active, s.activeEdge};
   const Eigen::SparseMatrix<double> matrix = buildKkt(at, rows, formulation).matrix;
   KktPattern out;
@@ -72,7 +72,7 @@ Result<KktPattern> kktPattern(const PolygonMesh& mesh, double t, Formulation for
   const DiskChart chart = makeDiskChart(mesh, surface);
   FlattenOptions options;
   options.t = t;
-  const Result<std::vector<double>> bounds = requestedBounds(chart, options, {});
+  const Result<BoundaryBounds> bounds = requestedBounds(chart, options, {});
   if (!bounds.ok()) return bounds.status;
   AngleProblem problem = buildAngleProblem(chart);
   setBounds(problem, chart, bounds.value);

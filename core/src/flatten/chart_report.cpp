@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/constants.h"
+#include "base/point2.h"
 #include "base/portable_math.h"
 #include "check/distortion.h"
 
@@ -18,9 +19,9 @@ std::string count(std::size_t n, const char* one, const char* many) {
 /// Orders of magnitude between the longest and the shortest edge of the layout.
 int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
   double longest = 0, shortest = INFINITY;
-  for (std::uint32_t h = 0; h < 3 * chart.surfaceTriangles(); ++h) {
-    const double *a = &uv[2 * chart.vertexOfCorner[h]],
-                 *b = &uv[2 * chart.vertexOfCorner[nextCorner(h)]];
+  for (const ChartCorner h : chart.surfaceCorners()) {
+    const Point2 a = pointAt(uv, chart.vertexOfCorner[h]);
+    const Point2 b = pointAt(uv, chart.vertexOfCorner[nextCorner(h)]);
     const double length = portable::hypot(a[0] - b[0], a[1] - b[1]);
     longest = std::max(longest, length);
     shortest = std::min(shortest, length);
@@ -90,13 +91,12 @@ void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
 ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, double t) {
   const AngleSolution& s = attempt.solution;
   ChartReport r;
-  r.faces = chart.surfaceTriangles();
+  r.faces = chart.surfaceTriangles().size();
   r.boundaryVertices = chart.boundary.size();
   r.t = t;
-  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
+  for (const BoundaryIndex i : chart.boundary.ids())
     if (attempt.t[i] < std::min(t, 2.0))
-      r.bounds.push_back(
-          {chart.inputVertex[chart.vertexOfCorner[chart.boundary[i]]], attempt.t[i]});
+      r.bounds.push_back({chart.inputVertex[chart.boundaryVertex(i)], attempt.t[i]});
   r.solver = attempt.solver;
   r.linearSolver = s.linearSolver;
   r.formulation = s.formulation;

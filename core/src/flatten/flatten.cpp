@@ -104,7 +104,7 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   const DiskChart& chart = prepared.value.chart;
   Result<StraightPlaces> straight = straightPlaces(chart, options.straight);
   if (!straight.ok()) return straight.status;
-  const Result<std::vector<double>> t = requestedBounds(chart, options, straight.value);
+  const Result<BoundaryBounds> t = requestedBounds(chart, options, straight.value);
   if (!t.ok()) return t.status;
   const Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh, prepared.value.texcoords, options.pins);
@@ -151,8 +151,8 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
   out.report.options = options;
   out.report.threads = pool.threads();
   out.report.valid = out.report.charts.front().valid;
-  out.vertexMap = chart.inputVertex;
-  out.triangles = chart.vertexOfCorner;
+  out.vertexMap.assign(chart.inputVertex.begin(), chart.inputVertex.end());
+  out.triangles.assign(chart.vertexOfCorner.begin(), chart.vertexOfCorner.end());
   const auto& ofCorner = prepared.value.texcoords.ofCorner;
   out.cornerUv.assign(ofCorner.begin(), ofCorner.end());
   out.straight = straightVertices(chart, flattener.straight());

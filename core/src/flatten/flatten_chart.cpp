@@ -24,8 +24,8 @@ std::vector<double> flatAngles(const DiskChart& chart, const Attempt& attempt) {
   std::vector<double> positions, angles;
   for (std::size_t i = 0; i < attempt.uv.size(); i += 2)
     positions.insert(positions.end(), {attempt.uv[i], attempt.uv[i + 1], 0});
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+  for (const ChartTriangle f : chart.triangles()) {
+    const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
     for (const double a : anglesOrMadeUp(positions, v, cornerAngles(positions, v)))
       angles.push_back(a);
   }
@@ -52,7 +52,7 @@ Untangle untangleOf(const FlattenOptions& options) {
                                                                    : options.untangle;
 }
 
-Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
+Attempt flattenChart(ChartFlattener& flattener, const BoundaryBounds& t,
                      const FlattenOptions& options, const Effort& effort) {
   const bool isAuto = options.t == kAutoT;
   const Untangle untangle = untangleOf(options);
@@ -67,10 +67,8 @@ void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const Pin
   if (pins.empty() || attempt.solution.cancelled) return;
   const DiskChart& chart = flattener.chart();
   std::vector<ChartPin> inUnits = pins;
-  for (ChartPin& p : inUnits) {
-    p.u /= chart.unit;
-    p.v /= chart.unit;
-  }
+  for (ChartPin& p : inUnits)
+    for (double& x : p.uv) x /= chart.unit;
   flattener.endSolving();  // so that one factor is held at a time
   PinnedLayout layout = pinLayout(chart, flatAngles(chart, attempt), attempt.uv, inUnits, options);
   if (const std::string note = withoutFactorNote(layout.memory); !note.empty())

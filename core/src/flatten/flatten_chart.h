@@ -16,7 +16,7 @@ std::uint64_t allowedBytes(double megabytes);
 unsigned usefulThreads(int wanted, std::size_t faces);
 
 /// One chart with the bounds and all that the options ask for beyond them.
-Attempt flattenChart(ChartFlattener& flattener, const std::vector<double>& t,
+Attempt flattenChart(ChartFlattener& flattener, const BoundaryBounds& t,
                      const FlattenOptions& options, const Effort& effort = {});
 
 /// How crossings are removed under these options.

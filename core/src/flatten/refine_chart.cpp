@@ -17,14 +17,14 @@ namespace {
 constexpr double kFree = 2;
 
 /// Vertices that stay: pinned ones, and the boundary where it has to keep its angles.
-std::vector<std::uint8_t> fixedVertices(const DiskChart& chart, const RefineWishes& wishes,
-                                        bool keepsOutline) {
-  std::vector<std::uint8_t> out;
+IdVector<ChartVertex, std::uint8_t> fixedVertices(const DiskChart& chart,
+                                                  const RefineWishes& wishes, bool keepsOutline) {
+  IdVector<ChartVertex, std::uint8_t> out;
   if (wishes.pins.empty() && !keepsOutline) return out;
   out.assign(chart.vertexCount(), 0);
   for (const ChartPin& pin : wishes.pins) out[pin.vertex] = 1;
   if (keepsOutline)
-    for (const std::uint32_t h : chart.boundary) out[chart.vertexOfCorner[h]] = 1;
+    for (const ChartCorner h : chart.boundary) out[chart.vertexOfCorner[h]] = 1;
   return out;
 }
 
@@ -52,7 +52,7 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wi
   out.maxSolves = solvesFor(flattener.chart(), outline);
   constexpr double kUnseen = 1e-4;  // far below any bound of stretch
   if (wishes.mayBeRough) out.leastHeld = kUnseen;
-  out.place = flattener.place();
+  out.eliminationRank = flattener.eliminationRank();
   out.allowedBytes = wishes.allowedBytes;
   out.pool = wishes.pool;
   out.onStep = wishes.onStep;
@@ -68,7 +68,7 @@ std::string limitOf(const Refinement& found) {
 /// Of an outline that has found its form.
 std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
                     const std::vector<double>& uv) {
-  std::vector<double> nearly = rules.bounds;
+  BoundaryBounds nearly = rules.bounds;
   for (double& t : nearly)
     if (t < kFree) t -= rules.margin / kPi;
   if (exceededBounds(chart, uv, nearly).count > 0) return "boundary angles reach their bounds";
@@ -104,17 +104,17 @@ Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const A
 
 /// Bounds, times pi, lowered where they are below 2, by as much as leaves the outline a part of its
 /// freedom: all angles sum to (n - 2) pi.
-std::vector<double> lowered(std::vector<double> t, const StraightPlaces& straight, double& by) {
+BoundaryBounds lowered(BoundaryBounds t, const StraightPlaces& straight, double& by) {
   constexpr double kMost = 5e-3, kPart = 6;
   double room = 2, count = 0;
-  const auto isHeld = [&](std::size_t i) { return !straight.empty() && straight[i] != 0; };
-  for (std::size_t i = 0; i < t.size(); ++i) {
+  const auto isHeld = [&](BoundaryIndex i) { return !straight.empty() && straight[i] != 0; };
+  for (const BoundaryIndex i : t.ids()) {
     if (isHeld(i)) continue;
     room += t[i] - 1;
     count += t[i] < kFree;
   }
   by = count > 0 ? std::min(kMost, room / (kPart * count)) : 0;
-  for (std::size_t i = 0; i < t.size(); ++i)
+  for (const BoundaryIndex i : t.ids())
     if (!isHeld(i) && t[i] < kFree) t[i] -= by;
   return t;
 }
@@ -132,11 +132,11 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
   double by = 0;
   if (isBounded(wishes)) {
     rules.bounds = wishes.bounds;
-    const std::vector<double> t = lowered(wishes.bounds, flattener.straight(), by);
+    const BoundaryBounds t = lowered(wishes.bounds, flattener.straight(), by);
     if (!(by > kLeast)) return std::nullopt;
     rules.margin = by * kPi;
-    std::vector<double> both = attempt.t;
-    for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::min(both[i], t[i]);
+    BoundaryBounds both = attempt.t;
+    for (const BoundaryIndex i : both.ids()) both[i] = std::min(both[i], t[i]);
     start = flattener.attempt(both, &attempt);
     if (!start.valid() || exceededBounds(chart, start.uv, t).count > 0) return std::nullopt;
     pose(chart, attempt.uv, start.uv);
@@ -188,7 +188,7 @@ class RefiningTime {
 
 }  // namespace
 
-Attempt flattenAndRefine(ChartFlattener& flattener, const std::vector<double>& t,
+Attempt flattenAndRefine(ChartFlattener& flattener, const BoundaryBounds& t,
                          const FlattenOptions& options, const Effort& effort,
                          const RefineWishes& wishes) {
   const bool isFree = options.t == kAutoT && !isBounded(wishes) && flattener.straight().empty() &&

@@ -9,9 +9,8 @@
 namespace abflat {
 
 struct RefineWishes {
-  double balance = 0;  ///< nothing is done for 0
-  /// Interior angles that may not be exceeded, times pi, per boundary vertex; empty: any.
-  std::vector<double> bounds;
+  double balance = 0;     ///< nothing is done for 0
+  BoundaryBounds bounds;  ///< empty: any
   std::vector<ChartPin> pins;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;
@@ -21,7 +20,7 @@ struct RefineWishes {
 
 /// A chart flattened as flattenChart() does, and refined. A free boundary that crosses itself may
 /// well no longer do so once lengths are kept: that is tried before it is untangled.
-Attempt flattenAndRefine(ChartFlattener& flattener, const std::vector<double>& t,
+Attempt flattenAndRefine(ChartFlattener& flattener, const BoundaryBounds& t,
                          const FlattenOptions& options, const Effort& effort,
                          const RefineWishes& wishes);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/point2.h"
 #include "base/portable_math.h"
 #include "mesh/triangle_geometry.h"
 #include "solve/general_solve.h"
@@ -16,24 +17,24 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 struct System {
-  std::vector<int> unknown;  ///< row of each interior vertex; -1 on the boundary
+  IdVector<ChartVertex, int> unknown;  ///< row of each interior vertex; -1 on the boundary
   Matrix matrix;
   Eigen::MatrixXd rhs;  ///< columns u and v
 };
 
-System makeSystem(const DiskChart& chart, const std::vector<double>& weight,
+System makeSystem(const DiskChart& chart, const IdVector<ChartCorner, double>& weight,
                   const std::vector<double>& uv) {
   System s;
   s.unknown.assign(chart.vertexCount(), 0);
-  for (const std::uint32_t h : chart.boundary) s.unknown[chart.vertexOfCorner[h]] = -1;
+  for (const ChartCorner h : chart.boundary) s.unknown[chart.vertexOfCorner[h]] = -1;
   int n = 0;
   for (int& u : s.unknown)
     if (u == 0) u = n++;
   SparseEntries entries;
   s.rhs = Eigen::MatrixXd::Zero(n, 2);
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+  for (const ChartCorner h : chart.corners()) {
     // Every interior vertex begins one half-edge to each neighbour.
-    const std::uint32_t b = chart.vertexOfCorner[nextCorner(h)];
+    const ChartVertex b = chart.vertexOfCorner[nextCorner(h)];
     const int row = s.unknown[chart.vertexOfCorner[h]];
     if (row < 0) continue;
     entries.emplace_back(row, row, weight[h]);
@@ -55,10 +56,10 @@ Eigen::MatrixXd solve(const System& s, bool isSymmetric) {
 }  // namespace
 
 std::vector<double> boundaryOnCircle(const DiskChart& chart) {
-  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()), 0);
-  std::vector<double> length;
+  std::vector<double> uv(2 * chart.vertices().size(), 0);
+  IdVector<BoundaryIndex, double> length;
   double total = 0;
-  for (const std::uint32_t h : chart.boundary) {
+  for (const ChartCorner h : chart.boundary) {
     length.push_back(norm(
         edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
     total += length.back();
@@ -70,10 +71,10 @@ std::vector<double> boundaryOnCircle(const DiskChart& chart) {
   const double area = surfaceArea(chart);
   const double radius = area > 0 ? std::sqrt(area / kPi) : 1;
   double passed = 0;
-  for (std::size_t i = 0; i < length.size(); ++i) {
-    const std::uint32_t v = chart.vertexOfCorner[chart.boundary[i]];
-    uv[2 * v] = radius * (1 + portable::cos(2 * kPi * passed / total));
-    uv[2 * v + 1] = radius * (1 + portable::sin(2 * kPi * passed / total));
+  for (const BoundaryIndex i : length.ids()) {
+    const double angle = 2 * kPi * passed / total;
+    setPoint(uv, chart.boundaryVertex(i),
+             {radius * (1 + portable::cos(angle)), radius * (1 + portable::sin(angle))});
     passed += length[i];
   }
   return uv;
@@ -91,10 +92,9 @@ Embedding embedByWeights(const DiskChart& chart, const HalfEdgeWeights& weights,
         "differ too much in size, or cancel";
     return out;
   }
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
-    if (s.unknown[v] >= 0)
-      for (std::size_t d = 0; d < 2; ++d)
-        out.uv[2 * v + d] = solved(s.unknown[v], static_cast<Eigen::Index>(d));
+  for (const ChartVertex v : chart.vertices())
+    if (const int row = s.unknown[v]; row >= 0)
+      setPoint(out.uv, v, {solved(row, 0), solved(row, 1)});
   return out;
 }
 

@@ -20,7 +20,7 @@ std::vector<double> boundaryOnCircle(const DiskChart& chart);
 
 /// Weight of each half-edge: how much its first vertex, if interior, is drawn to its second one.
 struct HalfEdgeWeights {
-  std::vector<double> weight;
+  IdVector<ChartCorner, double> weight;
   bool isSymmetric = false;  ///< both half-edges of an edge weigh the same
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/point2.h"
 #include "base/portable_math.h"
 #include "exact/orientation.h"
 #include "mesh/triangle_geometry.h"
@@ -22,28 +23,28 @@ class Repair {
     for (const auto& angles : chart.angles) mayBeFlat_.push_back(isDegenerate(angles));
     addTurns(exact);
     first_.assign(chart.vertexCount() + std::size_t{1}, 0);
-    for (const std::uint32_t v : corners_) ++first_[v + 1];
-    for (std::size_t v = 0; v < chart.vertexCount(); ++v) first_[v + 1] += first_[v];
+    for (const ChartVertex v : corners_) ++first_[v + 1];
+    for (const ChartVertex v : chart.vertices()) first_[v + 1] += first_[v];
     std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
     triangles_.resize(corners_.size());
-    for (std::uint32_t c = 0; c < corners_.size(); ++c) triangles_[fill[corners_[c]]++] = c / 3;
+    for (const ChartCorner c : corners_.ids()) triangles_[fill[corners_[c]]++] = triangleOf(c);
   }
 
   GridRepair run() {
     GridRepair out;
     for (int round = 0; round < kMostRounds; ++round) {
-      const std::vector<std::uint32_t> thin = thinVertices();
+      const std::vector<ChartVertex> thin = thinVertices();
       out.isValid = wrong_ == 0;
       if (out.isValid) break;
       // Near places first, so that most vertices stay close.
       const int reach = std::min(1 + round / 4, kMostSteps);
       bool isMoved = false;
-      for (const std::uint32_t v : thin) isMoved = move(v, reach) || isMoved;
+      for (const ChartVertex v : thin) isMoved = move(v, reach) || isMoved;
       if (!isMoved && reach == kMostSteps) break;
     }
-    for (std::size_t v = 0; v < chart_.vertexCount(); ++v) {
-      const double by = std::max(std::abs(uv_[2 * v] - from_[2 * v]),
-                                 std::abs(uv_[2 * v + 1] - from_[2 * v + 1]));
+    for (const ChartVertex v : chart_.vertices()) {
+      const Point2 now = pointAt(uv_, v), before = pointAt(from_, v);
+      const double by = std::max(std::abs(now[0] - before[0]), std::abs(now[1] - before[1]));
       out.moved += by > 0;
       out.farthest = std::max(out.farthest, by);
     }
@@ -54,25 +55,23 @@ class Repair {
   /// Triangles outside of the boundary, where it turns clockwise, so that it does not cross itself.
   void addTurns(const std::vector<double>& exact) {
     const std::size_t n = chart_.boundary.size();
-    const auto vertex = [&](std::size_t i) {
-      return std::size_t{chart_.vertexOfCorner[chart_.boundary[i % n]]};
-    };
+    const auto vertex = [&](std::size_t i) { return chart_.boundaryVertex(BoundaryIndex(i % n)); };
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t before = vertex(i), at = vertex(i + 1), after = vertex(i + 2);
-      if (orientation(&exact[2 * after], &exact[2 * at], &exact[2 * before]) <= 0) continue;
-      for (const std::size_t v : {after, at, before})
-        corners_.push_back(static_cast<std::uint32_t>(v));
+      const ChartVertex before = vertex(i), at = vertex(i + 1), after = vertex(i + 2);
+      const auto [a, b, c] = pointsOf(exact, {after, at, before});
+      if (orientation(a, b, c) <= 0) continue;
+      for (const ChartVertex v : {after, at, before}) corners_.push_back(v);
       mayBeFlat_.push_back(0);
     }
   }
 
-  const double* corner(std::uint32_t t, std::size_t k) const {
-    return &uv_[2 * std::size_t{corners_[3 * std::size_t{t} + k]}];
+  std::array<const double*, 3> pointsAt(ChartTriangle t) const {
+    return pointsOf(uv_, verticesOf(corners_, t));
   }
 
   /// In steps, negative where the triangle is flipped.
-  double height(std::uint32_t t) const {
-    const double *a = corner(t, 0), *b = corner(t, 1), *c = corner(t, 2);
+  double height(ChartTriangle t) const {
+    const auto [a, b, c] = pointsAt(t);
     const double ux = (b[0] - a[0]) / step_, uy = (b[1] - a[1]) / step_;
     const double vx = (c[0] - a[0]) / step_, vy = (c[1] - a[1]) / step_;
     const double longest = std::max({norm(ux, uy), norm(vx, vy), norm(vx - ux, vy - uy)});
@@ -80,27 +79,28 @@ class Repair {
   }
 
   /// What a triangle lacks.
-  double lack(std::uint32_t t) const {
+  double lack(ChartTriangle t) const {
     const double wanted = mayBeFlat_[t] ? 0 : kWantedHeight;
     const double missing = std::max(wanted - height(t), 0.0);
     return missing * missing;
   }
 
-  double lackAround(std::uint32_t v) const {
+  double lackAround(ChartVertex v) const {
     double sum = 0;
     for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) sum += lack(triangles_[i]);
     return sum;
   }
 
   /// Counts the triangles that are wrong.
-  std::vector<std::uint32_t> thinVertices() {
-    std::vector<std::uint32_t> out;
+  std::vector<ChartVertex> thinVertices() {
+    std::vector<ChartVertex> out;
     wrong_ = 0;
-    for (std::uint32_t t = 0; t < mayBeFlat_.size(); ++t) {
-      const int sign = orientation(corner(t, 0), corner(t, 1), corner(t, 2));
+    for (const ChartTriangle t : mayBeFlat_.ids()) {
+      const auto [a, b, c] = pointsAt(t);
+      const int sign = orientation(a, b, c);
       wrong_ += sign < 0 || (sign == 0 && !mayBeFlat_[t]);
       if (!(lack(t) > 0)) continue;
-      for (std::size_t k = 0; k < 3; ++k) out.push_back(corners_[3 * std::size_t{t} + k]);
+      for (const ChartCorner h : cornersOf(t)) out.push_back(corners_[h]);
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -108,7 +108,7 @@ class Repair {
   }
 
   /// To the place where its triangles lack least, the nearest of those alike.
-  bool move(std::uint32_t v, int reach) {
+  bool move(ChartVertex v, int reach) {
     double* p = &uv_[2 * std::size_t{v}];
     const double old[2] = {p[0], p[1]};
     double best[2] = {p[0], p[1]};
@@ -131,19 +131,21 @@ class Repair {
     return p[0] != old[0] || p[1] != old[1];
   }
 
-  bool isNear(std::size_t v) const {
+  bool isNear(ChartVertex v) const {
     const double most = kMostSteps * step_;
-    return std::abs(uv_[2 * v] - from_[2 * v]) <= most &&
-           std::abs(uv_[2 * v + 1] - from_[2 * v + 1]) <= most;
+    const Point2 now = pointAt(uv_, v), before = pointAt(from_, v);
+    return std::abs(now[0] - before[0]) <= most && std::abs(now[1] - before[1]) <= most;
   }
 
   const DiskChart& chart_;
   double step_;
   std::vector<double>& uv_;
   const std::vector<double> from_;
-  std::vector<std::uint32_t> corners_;   ///< of the chart's triangles, and of those outside
-  std::vector<std::uint8_t> mayBeFlat_;  ///< per triangle
-  std::vector<std::uint32_t> first_, triangles_;  ///< around each vertex
+  /// Of the chart's triangles, and of those outside.
+  IdVector<ChartCorner, ChartVertex> corners_;
+  IdVector<ChartTriangle, std::uint8_t> mayBeFlat_;
+  std::vector<std::uint32_t> first_;  ///< of each vertex, in the next
+  std::vector<ChartTriangle> triangles_;
   std::size_t wrong_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/constants.h"
+#include "base/point2.h"
 #include "base/portable_math.h"
 #include "layout/diameter.h"
 #include "mesh/triangle_geometry.h"
@@ -15,30 +16,30 @@ namespace {
 
 /// Logarithm of the length and heading (radians) per half-edge, for an arbitrary first edge.
 struct EdgePolars {
-  std::vector<double> logLength;
-  std::vector<double> heading;
+  IdVector<ChartCorner, double> logLength;
+  IdVector<ChartCorner, double> heading;
 };
 
 EdgePolars carryEdges(const DiskChart& chart, const std::vector<double>& x) {
   EdgePolars e;
   e.logLength.resize(x.size());
   e.heading.resize(x.size());
-  std::vector<std::uint8_t> reached(chart.triangleCount(), 0);
-  std::vector<std::uint32_t> queue{0};  // half-edges through which triangles are entered
+  IdVector<ChartTriangle, std::uint8_t> reached(chart.triangleCount(), 0);
+  std::vector<ChartCorner> queue{ChartCorner(0)};  // half-edges through which triangles are entered
   queue.reserve(chart.triangleCount());
-  reached[0] = 1;
+  reached[ChartTriangle(0)] = 1;
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t h = queue[i], n = nextCorner(h), p = prevCorner(h);
+    const ChartCorner h = queue[i], n = nextCorner(h), p = prevCorner(h);
     // Sine rule: length of an edge over the sine of the opposite corner.
     const double logRatio = e.logLength[h] - portable::log(portable::sin(x[p]));
     e.logLength[n] = logRatio + portable::log(portable::sin(x[h]));
     e.logLength[p] = logRatio + portable::log(portable::sin(x[n]));
     e.heading[n] = std::remainder(e.heading[h] + kPi - x[n], 2 * kPi);
     e.heading[p] = std::remainder(e.heading[h] + kPi + x[h], 2 * kPi);
-    for (const std::uint32_t g : {h, n, p}) {
-      const std::uint32_t t = chart.twin[g];
-      if (t == kNone || reached[t / 3]) continue;
-      reached[t / 3] = 1;
+    for (const ChartCorner g : {h, n, p}) {
+      const ChartCorner t = chart.twin[g];
+      if (!t.exists() || reached[triangleOf(t)]) continue;
+      reached[triangleOf(t)] = 1;
       e.logLength[t] = e.logLength[g];
       e.heading[t] = std::remainder(e.heading[g] + kPi, 2 * kPi);
       queue.push_back(t);
@@ -48,25 +49,25 @@ EdgePolars carryEdges(const DiskChart& chart, const std::vector<double>& x) {
 }
 
 /// One half-edge per edge of the minimum spanning tree by length (Kruskal).
-std::vector<std::uint32_t> spanningEdges(const DiskChart& chart,
-                                         const std::vector<double>& logLength) {
-  std::vector<std::uint32_t> edges;
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h)
-    if (chart.twin[h] == kNone || h < chart.twin[h]) edges.push_back(h);
-  std::sort(edges.begin(), edges.end(), [&](std::uint32_t a, std::uint32_t b) {
+std::vector<ChartCorner> spanningEdges(const DiskChart& chart,
+                                       const IdVector<ChartCorner, double>& logLength) {
+  std::vector<ChartCorner> edges;
+  for (const ChartCorner h : chart.corners())
+    if (!chart.twin[h].exists() || h < chart.twin[h]) edges.push_back(h);
+  std::sort(edges.begin(), edges.end(), [&](ChartCorner a, ChartCorner b) {
     return logLength[a] != logLength[b] ? logLength[a] < logLength[b] : a < b;
   });
-  std::vector<std::uint32_t> parent(chart.vertexCount());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t v) {
+  IdVector<ChartVertex, ChartVertex> parent(chart.vertexCount());
+  for (const ChartVertex v : chart.vertices()) parent[v] = v;
+  const auto find = [&](ChartVertex v) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  std::vector<std::uint32_t> tree;
+  std::vector<ChartCorner> tree;
   tree.reserve(chart.vertexCount());
-  for (const std::uint32_t h : edges) {
-    const std::uint32_t a = find(chart.vertexOfCorner[h]);
-    const std::uint32_t b = find(chart.vertexOfCorner[nextCorner(h)]);
+  for (const ChartCorner h : edges) {
+    const ChartVertex a = find(chart.vertexOfCorner[h]);
+    const ChartVertex b = find(chart.vertexOfCorner[nextCorner(h)]);
     if (a == b) continue;
     parent[a] = b;
     tree.push_back(h);
@@ -76,35 +77,35 @@ std::vector<std::uint32_t> spanningEdges(const DiskChart& chart,
 
 /// A vertex to place, and the vector to it from one that is placed before.
 struct Placement {
-  std::uint32_t from, to;
+  ChartVertex from, to;
   double logLength, heading;
 };
 
 /// The tree's edges in an order in which they can be placed, from vertex 0.
 std::vector<Placement> orderPlacements(const DiskChart& chart, const EdgePolars& e,
-                                       const std::vector<std::uint32_t>& tree) {
+                                       const std::vector<ChartCorner>& tree) {
   std::vector<std::uint32_t> offset(chart.vertexCount() + 1, 0);
-  const auto ends = [&](std::uint32_t h) {
-    return std::array<std::uint32_t, 2>{chart.vertexOfCorner[h],
-                                        chart.vertexOfCorner[nextCorner(h)]};
+  const auto ends = [&](ChartCorner h) {
+    return std::array<ChartVertex, 2>{chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)]};
   };
-  for (const std::uint32_t h : tree)
-    for (const std::uint32_t v : ends(h)) ++offset[v + 1];
+  for (const ChartCorner h : tree)
+    for (const ChartVertex v : ends(h)) ++offset[v + 1];
   std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1), incident(offset.back());
-  for (const std::uint32_t h : tree)
-    for (const std::uint32_t v : ends(h)) incident[fill[v]++] = h;
+  std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1);
+  std::vector<ChartCorner> incident(offset.back());
+  for (const ChartCorner h : tree)
+    for (const ChartVertex v : ends(h)) incident[fill[v]++] = h;
 
   std::vector<Placement> order;
   order.reserve(tree.size());
-  std::vector<std::uint8_t> placed(chart.vertexCount(), 0);
-  placed[0] = 1;
-  std::uint32_t v = 0;
+  IdVector<ChartVertex, std::uint8_t> placed(chart.vertexCount(), 0);
+  ChartVertex v(0);
+  placed[v] = 1;
   for (std::size_t next = 0;; v = order[next++].to) {
     for (std::uint32_t i = offset[v]; i < offset[v + 1]; ++i) {
-      const std::uint32_t h = incident[i];
+      const ChartCorner h = incident[i];
       const auto [a, b] = ends(h);
-      const std::uint32_t to = a == v ? b : a;
+      const ChartVertex to = a == v ? b : a;
       if (placed[to]) continue;
       placed[to] = 1;
       order.push_back({v, to, e.logLength[h], e.heading[h] + (a == v ? 0 : kPi)});
@@ -122,47 +123,43 @@ struct Frame {
 
 std::vector<double> place(const DiskChart& chart, const std::vector<Placement>& order,
                           const Frame& frame) {
-  std::vector<double> uv(2 * static_cast<std::size_t>(chart.vertexCount()));
-  uv[0] = frame.origin[0];
-  uv[1] = frame.origin[1];
+  std::vector<double> uv(2 * chart.vertices().size());
+  setPoint(uv, 0, frame.origin);
   for (const Placement& p : order) {
     const double length = portable::exp(p.logLength + frame.logScale);
     const double heading = p.heading + frame.rotation;
-    uv[2 * p.to] = uv[2 * p.from] + length * portable::cos(heading);
-    uv[2 * p.to + 1] = uv[2 * p.from + 1] + length * portable::sin(heading);
+    const Point2 from = pointAt(uv, p.from);
+    setPoint(
+        uv, p.to,
+        {from[0] + length * portable::cos(heading), from[1] + length * portable::sin(heading)});
   }
   return uv;
 }
 
 double areaUv(const DiskChart& chart, const std::vector<double>& uv) {
   double area = 0;
-  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
-    const double *a = &uv[2 * chart.vertexOfCorner[3 * f]],
-                 *b = &uv[2 * chart.vertexOfCorner[3 * f + 1]],
-                 *c = &uv[2 * chart.vertexOfCorner[3 * f + 2]];
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
     area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
   }
   return area;
 }
 
-std::vector<Point2> boundaryPoints(const DiskChart& chart, const std::vector<double>& uv) {
-  std::vector<Point2> points;
-  for (const std::uint32_t h : chart.boundary) {
-    const std::uint32_t v = chart.vertexOfCorner[h];
-    points.push_back({uv[2 * v], uv[2 * v + 1]});
-  }
+IdVector<BoundaryIndex, Point2> boundaryPoints(const DiskChart& chart,
+                                               const std::vector<double>& uv) {
+  IdVector<BoundaryIndex, Point2> points;
+  for (const ChartCorner h : chart.boundary) points.push_back(pointAt(uv, chart.vertexOfCorner[h]));
   return points;
 }
 
 /// The rotation that makes the longest diameter horizontal. Of the two such rotations the one with
 /// the boundary's points further to the right; where they balance, the diameter's first vertex is
 /// on the left.
-double findRotation(const DiskChart& chart, const std::vector<Point2>& points) {
+double findRotation(const DiskChart& chart, const IdVector<BoundaryIndex, Point2>& points) {
   constexpr double kBalanced = 1e-7;  // of the diameter, per point
   // Ties are broken by chart vertex, not by the place in the loop, which may begin anywhere.
-  std::vector<Point2> byVertex(chart.vertexCount(), points[0]);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    byVertex[chart.vertexOfCorner[chart.boundary[i]]] = points[i];
+  std::vector<Point2> byVertex(chart.vertexCount(), points.front());
+  for (const BoundaryIndex i : points.ids()) byVertex[chart.boundaryVertex(i)] = points[i];
   const auto [first, second] = diameter(byVertex);
   const Point2 &a = byVertex[first], &b = byVertex[second];
   const Point2 axis{b[0] - a[0], b[1] - a[1]}, middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
@@ -180,7 +177,7 @@ Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
   for (const Placement& p : order) longest = std::max(longest, p.logLength);
   frame.logScale = -longest;  // nothing overflows
   std::vector<double> uv = place(chart, order, frame);
-  const std::vector<Point2> points = boundaryPoints(chart, uv);
+  const IdVector<BoundaryIndex, Point2> points = boundaryPoints(chart, uv);
   frame.rotation = findRotation(chart, points);
   const double area = areaUv(chart, uv), wanted = surfaceArea(chart);
   // A layout that is folded over itself may have no area; it keeps its size and the checks reject

@@ -1,34 +1,33 @@
 #include "layout/pose.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "base/point2.h"
 #include "base/portable_math.h"
+#include "mesh/triangle_geometry.h"
 
 namespace abflat {
 namespace {
 
 double totalArea(const DiskChart& chart, const std::vector<double>& uv) {
   double area = 0;
-  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
-    const double *a = &uv[2 * v[0]], *b = &uv[2 * v[1]], *c = &uv[2 * v[2]];
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
     area += std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
   }
   return area;
 }
 
-std::array<double, 2> center(const std::vector<double>& uv) {
-  std::array<double, 2> sum{0, 0};
+Point2 center(const std::vector<double>& uv) {
+  Point2 sum{0, 0};
   for (std::size_t i = 0; i < uv.size(); ++i) sum[i % 2] += uv[i];
   const double count = static_cast<double>(uv.size()) / 2;
   return {sum[0] / count, sum[1] / count};
 }
 
 /// Cosine and sine of the rotation of `uv` onto `model`.
-std::array<double, 2> rotationOnto(const std::vector<double>& model,
-                                   const std::vector<double>& uv) {
+Point2 rotationOnto(const std::vector<double>& model, const std::vector<double>& uv) {
   const auto from = center(uv), to = center(model);
   double re = 0, im = 0;
   for (std::size_t i = 0; i < uv.size(); i += 2) {
@@ -47,9 +46,8 @@ std::array<double, 2> rotationOnto(const std::vector<double>& model,
 void pose(const DiskChart& chart, const std::vector<double>& model, std::vector<double>& uv) {
   const double area = totalArea(chart, uv), wanted = surfaceArea(chart);
   const double scale = area > 0 && wanted > 0 ? std::sqrt(wanted / area) : 1;
-  const auto [c, s] =
-      model.size() == uv.size() ? rotationOnto(model, uv) : std::array<double, 2>{1, 0};
-  std::array<double, 2> low{INFINITY, INFINITY};
+  const auto [c, s] = model.size() == uv.size() ? rotationOnto(model, uv) : Point2{1, 0};
+  Point2 low{INFINITY, INFINITY};
   for (std::size_t i = 0; i < uv.size(); i += 2) {
     const double x = scale * uv[i], y = scale * uv[i + 1];
     uv[i] = c * x - s * y;

@@ -3,7 +3,7 @@
 namespace abflat {
 
 Embedding embedTutte(const DiskChart& chart) {
-  const HalfEdgeWeights ones{std::vector<double>(chart.twin.size(), 1), true};
+  const HalfEdgeWeights ones{IdVector<ChartCorner, double>(chart.twin.size(), 1), true};
   return embedByWeights(chart, ones, boundaryOnCircle(chart));
 }
 

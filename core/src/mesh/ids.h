@@ -80,9 +80,10 @@ constexpr IdRange<typename TriangleTraits<Triangle>::Corner> cornersOf(Triangle 
 }
 
 /// The three vertices of a triangle, as plain numbers: for its geometry.
+using TriangleVertices = std::array<std::uint32_t, 3>;
 template <class Corner, class Vertex>
-std::array<std::uint32_t, 3> verticesOf(const IdVector<Corner, Vertex>& vertexOfCorner,
-                                        typename CornerTraits<Corner>::Triangle f) {
+TriangleVertices verticesOf(const IdVector<Corner, Vertex>& vertexOfCorner,
+                            typename CornerTraits<Corner>::Triangle f) {
   return {vertexOfCorner[cornerOf(f, 0)], vertexOfCorner[cornerOf(f, 1)],
           vertexOfCorner[cornerOf(f, 2)]};
 }

@@ -12,8 +12,8 @@ namespace {
 double angleAt(const PolygonMesh& mesh, const CornerTable& table, SurfaceCorner h) {
   double sum = 0;
   for (SurfaceCorner c = h; c.exists(); c = rotateCounterClockwise(table.twin, c))
-    sum += cornerAngles(mesh.positions,
-                        verticesOf(table.vertex, triangleOf(c)).data())[placeInTriangle(c)];
+    sum +=
+        cornerAngles(mesh.positions, verticesOf(table.vertex, triangleOf(c)))[placeInTriangle(c)];
   return sum;
 }
 

@@ -80,7 +80,7 @@ std::size_t countDegenerate(const PolygonMesh& mesh, const Triangulation& t) {
   std::size_t n = 0;
   PolygonFace last;
   for (const SurfaceTriangle f : t.face.ids())
-    if (t.face[f] != last && isDegenerate(mesh.positions, verticesOf(t.vertex, f).data())) {
+    if (t.face[f] != last && isDegenerate(mesh.positions, verticesOf(t.vertex, f))) {
       ++n;
       last = t.face[f];
     }

@@ -8,10 +8,17 @@
 
 #include "base/constants.h"
 #include "base/portable_math.h"
+#include "mesh/ids.h"
 
 namespace abflat {
 
 using Vec3 = std::array<double, 3>;
+
+/// Where the vertices of a triangle are in a layout.
+inline std::array<const double*, 3> pointsOf(const std::vector<double>& uv,
+                                             const TriangleVertices& v) {
+  return {&uv[2 * std::size_t{v[0]}], &uv[2 * std::size_t{v[1]}], &uv[2 * std::size_t{v[2]}]};
+}
 
 inline Vec3 edgeVector(const std::vector<double>& positions, std::uint32_t from, std::uint32_t to) {
   const double* p = &positions[3 * static_cast<std::size_t>(from)];
@@ -51,7 +58,7 @@ inline Vec3 areaVector(const std::vector<Vec3>& p) {
 
 /// Unit vectors from corner k to the next, for coordinates of any magnitude; false when two corners
 /// coincide.
-inline bool unitEdges(const std::vector<double>& positions, const std::uint32_t* v,
+inline bool unitEdges(const std::vector<double>& positions, const TriangleVertices& v,
                       std::array<Vec3, 3>& e) {
   for (std::size_t k = 0; k < 3; ++k) {
     e[k] = edgeVector(positions, v[k], v[(k + 1) % 3]);
@@ -67,7 +74,7 @@ inline bool unitEdges(const std::vector<double>& positions, const std::uint32_t*
 /// Interior angles of a triangle in 3D, radians, by atan2 (accurate for needles). All zero when two
 /// corners coincide.
 inline std::array<double, 3> cornerAngles(const std::vector<double>& positions,
-                                          const std::uint32_t* v) {
+                                          const TriangleVertices& v) {
   std::array<Vec3, 3> e;
   if (!unitEdges(positions, v, e)) return {0, 0, 0};
   std::array<double, 3> angle;
@@ -87,7 +94,7 @@ inline bool isDegenerate(const std::array<double, 3>& angles) {
 }
 
 /// The same from coordinates: angles are computed only where their sines do not settle it.
-inline bool isDegenerate(const std::vector<double>& positions, const std::uint32_t* v) {
+inline bool isDegenerate(const std::vector<double>& positions, const TriangleVertices& v) {
   constexpr double kSettled = 10 * kDegenerateAngle;  // far above the rounding of a unit vector
   std::array<Vec3, 3> e;
   if (!unitEdges(positions, v, e)) return true;
@@ -104,7 +111,7 @@ constexpr double kMadeUpAngle = 1e-3;
 /// corner stays where it is along the longest edge, but is lifted from it, so that neighbours at
 /// the short edges are stretched little.
 inline std::array<double, 3> anglesOrMadeUp(const std::vector<double>& positions,
-                                            const std::uint32_t* v,
+                                            const TriangleVertices& v,
                                             const std::array<double, 3>& alpha) {
   if (!isDegenerate(alpha)) return alpha;
   std::array<double, 3> length;

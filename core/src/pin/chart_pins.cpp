@@ -130,7 +130,8 @@ Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh&
   IdVector<ChartId, const Pin*> firstPin(charts, nullptr);
   for (const Found& f : found) {
     while (!(f.texcoord < texcoords.firstOf[ChartId(chart + 1)])) ++chart;
-    out[chart].push_back({f.texcoord - texcoords.firstOf[chart], f.pin->uv[0], f.pin->uv[1]});
+    const ChartVertex vertex(f.texcoord - texcoords.firstOf[chart]);
+    out[chart].push_back({vertex, f.pin->uv});
     if (firstPin[chart] == nullptr) firstPin[chart] = f.pin;
   }
   for (const ChartId i : out.ids())

@@ -1,5 +1,6 @@
 #include "pin/conformal_energy.h"
 
+#include <array>
 #include <tuple>
 
 #include "mesh/triangle_geometry.h"
@@ -44,11 +45,14 @@ Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown, int c
 
 Matrix conformalEnergy(const DiskChart& chart, const std::vector<double>& angles) {
   const auto n = static_cast<int>(chart.vertexCount());
+  const auto endsOf = [&](ChartCorner h) {
+    return std::array<int, 2>{static_cast<int>(chart.vertexOfCorner[h]),
+                              static_cast<int>(chart.vertexOfCorner[nextCorner(h)])};
+  };
   SparseEntries entries;
   entries.reserve(8 * angles.size() + 4 * chart.boundary.size());
-  for (std::uint32_t h = 0; h < angles.size(); ++h) {
-    const auto a = static_cast<int>(chart.vertexOfCorner[h]);
-    const auto b = static_cast<int>(chart.vertexOfCorner[nextCorner(h)]);
+  for (const ChartCorner h : chart.corners()) {
+    const auto [a, b] = endsOf(h);
     const double w = cotangent(angles[prevCorner(h)]) / 2;
     for (const int offset : {0, n}) {
       entries.emplace_back(a + offset, a + offset, w);
@@ -58,9 +62,8 @@ Matrix conformalEnergy(const DiskChart& chart, const std::vector<double>& angles
     }
   }
   // Twice the area, sum of u_a v_b - u_b v_a over the boundary, as a symmetric matrix.
-  for (const std::uint32_t h : chart.boundary) {
-    const auto a = static_cast<int>(chart.vertexOfCorner[h]);
-    const auto b = static_cast<int>(chart.vertexOfCorner[nextCorner(h)]);
+  for (const ChartCorner h : chart.boundary) {
+    const auto [a, b] = endsOf(h);
     for (const auto& [row, column, value] :
          {std::tuple{a, b + n, -0.5}, std::tuple{b, a + n, 0.5}}) {
       entries.emplace_back(row, column, value);
@@ -70,11 +73,11 @@ Matrix conformalEnergy(const DiskChart& chart, const std::vector<double>& angles
   return assembled(2 * Eigen::Index{n}, entries);
 }
 
-bool relaxConformally(const Matrix& energy, const std::vector<std::uint32_t>& pinned,
+bool relaxConformally(const Matrix& energy, const std::vector<ChartVertex>& pinned,
                       std::vector<double>& uv, FactorMemory& memory, ThreadPool* pool) {
   const std::size_t n = uv.size() / 2;
   std::vector<int> unknown(2 * n, 0);
-  for (const std::uint32_t pin : pinned) unknown[pin] = unknown[n + pin] = -1;
+  for (const ChartVertex pin : pinned) unknown[pin] = unknown[n + pin] = -1;
   int count = 0;
   std::vector<std::uint8_t> kind;
   for (std::size_t i = 0; i < 2 * n; ++i)

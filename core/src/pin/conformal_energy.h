@@ -20,7 +20,7 @@ Eigen::SparseMatrix<double> conformalEnergy(const DiskChart& chart,
 /// without a factor because of `memory`, when the iterations do not converge. Sets what a factor
 /// needs. Results do not depend on `pool`; null: one thread.
 bool relaxConformally(const Eigen::SparseMatrix<double>& energy,
-                      const std::vector<std::uint32_t>& pinned, std::vector<double>& uv,
+                      const std::vector<ChartVertex>& pinned, std::vector<double>& uv,
                       FactorMemory& memory, ThreadPool* pool = nullptr);
 
 }  // namespace abflat

@@ -11,12 +11,11 @@ namespace {
 /// (u, v) -> (a x - b y, b x + a y) + to, with (x, y) = (u, v) - from.
 struct Similarity {
   double a = 1, b = 0;
-  double fromU = 0, fromV = 0, toU = 0, toV = 0;
+  Point2 from{0, 0}, to{0, 0};
 
-  void apply(double* p) const {
-    const double x = p[0] - fromU, y = p[1] - fromV;
-    p[0] = a * x - b * y + toU;
-    p[1] = b * x + a * y + toV;
+  Point2 operator()(const Point2& p) const {
+    const double x = p[0] - from[0], y = p[1] - from[1];
+    return {a * x - b * y + to[0], b * x + a * y + to[1]};
   }
 };
 
@@ -25,15 +24,17 @@ Similarity bestSimilarity(const std::vector<double>& uv, const std::vector<Chart
   Similarity s;
   const auto n = static_cast<double>(pins.size());
   for (const ChartPin& p : pins) {
-    s.fromU += uv[2 * p.vertex] / n;
-    s.fromV += uv[2 * p.vertex + 1] / n;
-    s.toU += p.u / n;
-    s.toV += p.v / n;
+    const Point2 from = pointAt(uv, p.vertex);
+    for (std::size_t d = 0; d < 2; ++d) {
+      s.from[d] += from[d] / n;
+      s.to[d] += p.uv[d] / n;
+    }
   }
   double a = 0, b = 0, square = 0;
   for (const ChartPin& p : pins) {
-    const double x = uv[2 * p.vertex] - s.fromU, y = uv[2 * p.vertex + 1] - s.fromV;
-    const double u = p.u - s.toU, v = p.v - s.toV;
+    const Point2 from = pointAt(uv, p.vertex);
+    const double x = from[0] - s.from[0], y = from[1] - s.from[1];
+    const double u = p.uv[0] - s.to[0], v = p.uv[1] - s.to[1];
     a += x * u + y * v;
     b += x * v - y * u;
     square += x * x + y * y;
@@ -53,26 +54,23 @@ PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles
   out.uv = uv;
   out.memory.allowed = options.allowedBytes;
   const Similarity similarity = bestSimilarity(uv, pins);
-  for (std::size_t i = 0; i < uv.size(); i += 2) similarity.apply(&out.uv[i]);
+  for (const ChartVertex v : chart.vertices()) setPoint(out.uv, v, similarity(pointAt(uv, v)));
   if (pins.size() > 2) {
     std::vector<double> correction(uv.size(), 0);
-    std::vector<std::uint32_t> pinned;
+    std::vector<ChartVertex> pinned;
     for (const ChartPin& p : pins) {
-      const double u = p.u - out.uv[2 * p.vertex], v = p.v - out.uv[2 * p.vertex + 1];
-      correction[2 * p.vertex] = u;
-      correction[2 * p.vertex + 1] = v;
+      const Point2 now = pointAt(out.uv, p.vertex);
+      const Point2 by{p.uv[0] - now[0], p.uv[1] - now[1]};
+      setPoint(correction, p.vertex, by);
       pinned.push_back(p.vertex);
-      out.deviation = std::max(out.deviation, norm(u, v));
+      out.deviation = std::max(out.deviation, norm(by[0], by[1]));
     }
     out.isSolved = relaxConformally(conformalEnergy(chart, angles), pinned, correction, out.memory,
                                     options.pool);
     if (out.isSolved)
       for (std::size_t i = 0; i < uv.size(); ++i) out.uv[i] += correction[i];
   }
-  for (const ChartPin& p : pins) {
-    out.uv[2 * p.vertex] = p.u;
-    out.uv[2 * p.vertex + 1] = p.v;
-  }
+  for (const ChartPin& p : pins) setPoint(out.uv, p.vertex, p.uv);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/point2.h"
 #include "chart/disk_chart.h"
 #include "solve/factor_memory.h"
 
@@ -10,8 +11,8 @@ namespace abflat {
 
 /// A place for one vertex of a chart, in the chart's unit.
 struct ChartPin {
-  std::uint32_t vertex = 0;
-  double u = 0, v = 0;
+  ChartVertex vertex;
+  Point2 uv{0, 0};
 };
 
 struct PinnedLayout {

@@ -161,8 +161,8 @@ Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& option
   Comparison out;
   out.input = surface.summary;
   out.methods = std::move(rows.value);
-  out.vertexMap = chart.inputVertex;
-  out.triangles = chart.vertexOfCorner;
+  out.vertexMap.assign(chart.inputVertex.begin(), chart.inputVertex.end());
+  out.triangles.assign(chart.vertexOfCorner.begin(), chart.vertexOfCorner.end());
   return out;
 }
 

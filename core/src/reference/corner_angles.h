@@ -1,19 +1,17 @@
 #pragma once
 
-#include <vector>
-
 #include "chart/disk_chart.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
 
 /// 3D angle of every corner; those of triangles without area are made up and above 0.
-inline std::vector<double> drawableAngles(const DiskChart& chart) {
-  std::vector<double> out;
+inline IdVector<ChartCorner, double> drawableAngles(const DiskChart& chart) {
+  IdVector<ChartCorner, double> out;
   out.reserve(chart.vertexOfCorner.size());
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
+  for (const ChartTriangle f : chart.triangles())
     for (const double a :
-         anglesOrMadeUp(chart.positions, &chart.vertexOfCorner[3 * f], chart.angles[f]))
+         anglesOrMadeUp(chart.positions, verticesOf(chart.vertexOfCorner, f), chart.angles[f]))
       out.push_back(a);
   return out;
 }

@@ -14,10 +14,10 @@ double tangent(double x) { return portable::sin(x) / portable::cos(x); }
 
 /// 3D length of each half-edge. Vertices that coincide are taken to be as far apart as the closest
 /// two that do not.
-std::vector<double> edgeLengths(const DiskChart& chart) {
-  std::vector<double> length;
+IdVector<ChartCorner, double> edgeLengths(const DiskChart& chart) {
+  IdVector<ChartCorner, double> length;
   double shortest = std::numeric_limits<double>::infinity();
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+  for (const ChartCorner h : chart.corners()) {
     length.push_back(norm(
         edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
     if (length.back() > 0) shortest = std::min(shortest, length.back());
@@ -30,10 +30,10 @@ std::vector<double> edgeLengths(const DiskChart& chart) {
 }  // namespace
 
 HalfEdgeWeights meanValueWeights(const DiskChart& chart) {
-  const std::vector<double> angle = drawableAngles(chart), length = edgeLengths(chart);
-  HalfEdgeWeights out{std::vector<double>(chart.twin.size(), 0), false};
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
-    if (chart.twin[h] == kNone) continue;  // its first vertex is not interior
+  const IdVector<ChartCorner, double> angle = drawableAngles(chart), length = edgeLengths(chart);
+  HalfEdgeWeights out{IdVector<ChartCorner, double>(chart.twin.size(), 0), false};
+  for (const ChartCorner h : chart.corners()) {
+    if (!chart.twin[h].exists()) continue;  // its first vertex is not interior
     const double beside = angle[nextCorner(chart.twin[h])];
     out.weight[h] = (tangent(angle[h] / 2) + tangent(beside / 2)) / length[h];
   }
@@ -41,12 +41,12 @@ HalfEdgeWeights meanValueWeights(const DiskChart& chart) {
 }
 
 HalfEdgeWeights harmonicWeights(const DiskChart& chart) {
-  const std::vector<double> angle = drawableAngles(chart);
-  HalfEdgeWeights out{std::vector<double>(chart.twin.size(), 0), true};
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+  const IdVector<ChartCorner, double> angle = drawableAngles(chart);
+  HalfEdgeWeights out{IdVector<ChartCorner, double>(chart.twin.size(), 0), true};
+  for (const ChartCorner h : chart.corners()) {
     const double half = cotangent(angle[prevCorner(h)]) / 2;
     out.weight[h] += half;
-    if (chart.twin[h] != kNone) out.weight[chart.twin[h]] += half;
+    if (chart.twin[h].exists()) out.weight[chart.twin[h]] += half;
   }
   return out;
 }

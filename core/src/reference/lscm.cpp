@@ -1,5 +1,6 @@
 #include "reference/lscm.h"
 
+#include "base/point2.h"
 #include "mesh/triangle_geometry.h"
 #include "pin/conformal_energy.h"
 #include "reference/corner_angles.h"
@@ -7,7 +8,7 @@
 namespace abflat {
 namespace {
 
-double squaredDistance(const DiskChart& chart, std::uint32_t v, const Vec3& p) {
+double squaredDistance(const DiskChart& chart, ChartVertex v, const Vec3& p) {
   double sum = 0;
   for (std::size_t d = 0; d < 3; ++d) {
     const double x = chart.positions[3 * v + d] - p[d];
@@ -16,41 +17,41 @@ double squaredDistance(const DiskChart& chart, std::uint32_t v, const Vec3& p) {
   return sum;
 }
 
-std::uint32_t farthestFrom(const DiskChart& chart, const Vec3& p) {
-  std::uint32_t best = chart.vertexOfCorner[chart.boundary.front()];
-  for (const std::uint32_t h : chart.boundary) {
-    const std::uint32_t v = chart.vertexOfCorner[h];
+ChartVertex farthestFrom(const DiskChart& chart, const Vec3& p) {
+  ChartVertex best = chart.boundaryVertex(BoundaryIndex(0));
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex v = chart.vertexOfCorner[h];
     if (squaredDistance(chart, v, p) > squaredDistance(chart, best, p)) best = v;
   }
   return best;
 }
 
-Vec3 positionOf(const DiskChart& chart, std::uint32_t v) {
+Vec3 positionOf(const DiskChart& chart, ChartVertex v) {
   return {chart.positions[3 * v], chart.positions[3 * v + 1], chart.positions[3 * v + 2]};
 }
 
 }  // namespace
 
-std::array<std::uint32_t, 2> findPins(const DiskChart& chart) {
+std::array<ChartVertex, 2> findPins(const DiskChart& chart) {
   Vec3 middle{0, 0, 0};
-  for (const std::uint32_t h : chart.boundary)
+  for (const ChartCorner h : chart.boundary)
     for (std::size_t d = 0; d < 3; ++d)
       middle[d] += chart.positions[3 * chart.vertexOfCorner[h] + d] /
                    static_cast<double>(chart.boundary.size());
-  const std::uint32_t first = farthestFrom(chart, middle);
+  const ChartVertex first = farthestFrom(chart, middle);
   return {first, farthestFrom(chart, positionOf(chart, first))};
 }
 
 Embedding embedLscm(const DiskChart& chart) {
-  Embedding out{std::vector<double>(2 * static_cast<std::size_t>(chart.vertexCount()), 0), {}};
+  Embedding out{std::vector<double>(2 * chart.vertices().size(), 0), {}};
   const auto [left, right] = findPins(chart);
   if (left == right) {
     out.problem = "all boundary vertices coincide, so there is nothing to pin";
     return out;
   }
-  out.uv[2 * static_cast<std::size_t>(right)] = 1;
+  setPoint(out.uv, right, {1, 0});
   FactorMemory unlimited;
-  if (!relaxConformally(conformalEnergy(chart, drawableAngles(chart)), {left, right}, out.uv,
+  if (!relaxConformally(conformalEnergy(chart, drawableAngles(chart).raw()), {left, right}, out.uv,
                         unlimited))
     out.problem =
         "the linear system of the conformal energy cannot be solved: it is "

@@ -8,7 +8,7 @@ namespace abflat {
 
 /// Two boundary vertices far apart in 3D: the farthest from the middle of the boundary, and the
 /// farthest from that one. Independent of the numbering, up to ties.
-std::array<std::uint32_t, 2> findPins(const DiskChart& chart);
+std::array<ChartVertex, 2> findPins(const DiskChart& chart);
 
 /// Lévy, Petitjean, Ray, Maillot: "Least squares conformal maps for automatic texture atlas
 /// generation", 2002. The boundary is free, two pins on the u axis fix position, rotation and size.

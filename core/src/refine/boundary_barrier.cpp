@@ -23,7 +23,7 @@ struct BoundaryBarrier::Contact : BoundaryContact {
 
 BoundaryBarrier::BoundaryBarrier(const DiskChart& chart, double reach)
     : chart_(chart), area_(surfaceArea(chart)), reach_(reach) {
-  for (const std::uint32_t h : chart.boundary)
+  for (const ChartCorner h : chart.boundary)
     length_.push_back(norm(
         edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)])));
 }
@@ -31,10 +31,10 @@ BoundaryBarrier::BoundaryBarrier(const DiskChart& chart, double reach)
 std::vector<BoundaryBarrier::Contact> BoundaryBarrier::contacts(
     const std::vector<double>& uv) const {
   const std::vector<double> points = boundaryUv(chart_, uv);
-  const std::size_t n = points.size() / 2;
   std::vector<Contact> out;
-  for (const auto& [p, e] : findNearPairs(points, reach_)) {
-    const std::size_t before = (p + n - 1) % n, end = (e + 1) % n;
+  for (const NearPair& pair : findNearPairs(points, reach_)) {
+    const BoundaryIndex p(pair.point), e(pair.edge);
+    const BoundaryIndex before = chart_.before(p), end = chart_.after(e);
     const double least = std::min({length_[before], length_[p], length_[e]});
     const double reach = std::min(reach_, kShareOfEdge * least);
     const double *x = &points[2 * p], *a = &points[2 * e], *b = &points[2 * end];
@@ -45,9 +45,9 @@ std::vector<BoundaryBarrier::Contact> BoundaryBarrier::contacts(
     const double nx = x[0] - a[0] - share * ux, ny = x[1] - a[1] - share * uy;
     const double distance = norm(nx, ny);
     if (!(distance < reach)) continue;
-    const auto vertexAt = [&](std::size_t i) { return chart_.vertexOfCorner[chart_.boundary[i]]; };
-    Contact c{distanceContact({vertexAt(p), vertexAt(e), vertexAt(end)}, share, nx / distance,
-                              ny / distance),
+    Contact c{distanceContact(
+                  {chart_.boundaryVertex(p), chart_.boundaryVertex(e), chart_.boundaryVertex(end)},
+                  share, {nx / distance, ny / distance}),
               distance, reach, kStrength * reach * (length_[before] + length_[p]) / 2 / area_};
     out.push_back(c);
   }

@@ -29,7 +29,7 @@ class BoundaryBarrier {
 
   const DiskChart& chart_;
   double area_, reach_;
-  std::vector<double> length_;  ///< on the surface, per edge of the boundary
+  IdVector<BoundaryIndex, double> length_;  ///< of edges, on the surface
 };
 
 }  // namespace abflat

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <cstdint>
+#include <array>
 #include <vector>
 
+#include "base/point2.h"
 #include "base/portable_math.h"
+#include "mesh/ids.h"
 #include "solve/sparse_assembly.h"
 
 namespace abflat {
@@ -28,7 +30,7 @@ inline BarrierValue barrierAt(double x) {
 
 /// How a quantity changes when three vertices of the boundary move, u and v of each.
 struct BoundaryContact {
-  std::uint32_t vertex[3];
+  std::array<ChartVertex, 3> vertex;
   double change[6];
 
   double along(const std::vector<double>& movement) const {
@@ -62,15 +64,12 @@ struct BoundaryContact {
 
 /// Of places of an edge, `share` of the way from its first vertex to its second, and a vertex:
 /// their distance along a normal.
-inline BoundaryContact distanceContact(const std::uint32_t (&vertex)[3], double share, double nx,
-                                       double ny) {
+inline BoundaryContact distanceContact(const std::array<ChartVertex, 3>& vertex, double share,
+                                       const Point2& normal) {
   const double shares[3] = {1, share - 1, -share};
   BoundaryContact out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    out.vertex[k] = vertex[k];
-    out.change[2 * k] = shares[k] * nx;
-    out.change[2 * k + 1] = shares[k] * ny;
-  }
+  out.vertex = vertex;
+  for (std::size_t i = 0; i < 6; ++i) out.change[i] = shares[i / 2] * normal[i % 2];
   return out;
 }
 

@@ -35,9 +35,8 @@ ForeseenContacts::ForeseenContacts(const DiskChart& chart, const OutlineShape& s
 /// they are not on the right sides of each other `now`.
 ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& now,
                                                     const std::vector<double>& then,
-                                                    std::uint32_t point, std::uint32_t edge) const {
-  const auto n = static_cast<std::uint32_t>(now.size() / 2);
-  const std::uint32_t end = (edge + 1) % n;
+                                                    BoundaryIndex point, BoundaryIndex edge) const {
+  const BoundaryIndex end = chart_.after(edge);
   const double *x = &then[2 * point], *a = &then[2 * edge], *b = &then[2 * end];
   const double ux = b[0] - a[0], uy = b[1] - a[1], length = norm(ux, uy);
   Spring s{point, edge, false, {}, 0, 0, kStiffness * length / (distance_ * area_)};
@@ -45,11 +44,11 @@ ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& n
   const double along = ((x[0] - a[0]) * ux + (x[1] - a[1]) * uy) / (length * length);
   const double share = std::clamp(along, 0.0, 1.0);
   s.isBeside = share > 0 && share < 1;
-  const auto vertexAt = [&](std::uint32_t i) { return chart_.vertexOfCorner[chart_.boundary[i]]; };
   // Outwards: the surface is on the left.
-  s.contact = distanceContact({vertexAt(point), vertexAt(edge), vertexAt(end)}, share, uy / length,
-                              -ux / length);
-  const std::uint32_t places[3] = {point, edge, end};
+  s.contact = distanceContact(
+      {chart_.boundaryVertex(point), chart_.boundaryVertex(edge), chart_.boundaryVertex(end)},
+      share, {uy / length, -ux / length});
+  const BoundaryIndex places[3] = {point, edge, end};
   for (std::size_t i = 0; i < 6; ++i) s.gap += s.contact.change[i] * now[2 * places[i / 2] + i % 2];
   s.target = std::min(distance_, s.gap);
   return s;
@@ -138,20 +137,21 @@ std::vector<ForeseenContacts::Spring> ForeseenContacts::crossed(const std::vecto
                                                                 double length,
                                                                 bool& isCrossing) const {
   const std::vector<double> now = boundaryUv(chart_, uv);
-  const auto n = static_cast<std::uint32_t>(now.size() / 2);
   std::vector<Spring> out;
   for (const double moment : kMoments) {
     const std::vector<double> then = boundaryUv(chart_, moved(uv, step, moment * length));
     const Crossings crossings = findCrossings(then);
     isCrossing |= crossings.count > 0;
-    for (const auto& [i, j] : crossings.first)
-      for (const auto& [edge, other] : {std::pair{i, j}, std::pair{j, i}})
-        for (const std::uint32_t point : {other, (other + 1) % n}) {
-          if (point == edge || point == (edge + 1) % n) continue;
+    for (const auto& pair : crossings.first)
+      for (std::size_t k = 0; k < 2; ++k) {
+        const BoundaryIndex edge(pair[k]), other(pair[1 - k]);
+        for (const BoundaryIndex point : {other, chart_.after(other)}) {
+          if (point == edge || point == chart_.after(edge)) continue;
           Spring s = springAt(now, then, point, edge);
           s.moment = moment;
           if (s.gap > 0 && s.gap + s.contact.along(step) < 0) out.push_back(s);
         }
+      }
   }
   return out;
 }

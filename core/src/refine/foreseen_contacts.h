@@ -32,7 +32,7 @@ class ForeseenContacts {
 
  private:
   struct Spring {
-    std::uint32_t point, edge;  ///< along the boundary; the same twice: an angle
+    BoundaryIndex point, edge;  ///< the same twice: an angle
     bool isBeside;              ///< the point an inner place of the edge
     BoundaryContact contact;
     double gap;     ///< now
@@ -42,7 +42,7 @@ class ForeseenContacts {
   };
 
   Spring springAt(const std::vector<double>& now, const std::vector<double>& then,
-                  std::uint32_t point, std::uint32_t edge) const;
+                  BoundaryIndex point, BoundaryIndex edge) const;
   Spring springAt(const OutlineShape::Bound& bound, const std::vector<double>& uv) const;
   bool updateAngles(const std::vector<double>& uv, const std::vector<double>& step, double length);
   static bool isBefore(const Spring& a, const Spring& b);

@@ -4,29 +4,28 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/triangle_geometry.h"
+
 namespace abflat {
 namespace {
 
 constexpr std::size_t kGrain = 4096;  ///< triangles that are one piece of work
 
-/// valueOf(begin, end) of pieces of the triangles, in order.
+/// valueOf(triangles) of pieces of the triangles, in order.
 template <class ValueOf>
-std::vector<double> byPieces(std::size_t triangles, ThreadPool* pool, const ValueOf& valueOf) {
-  std::vector<double> out((triangles + kGrain - 1) / kGrain);
+std::vector<double> byPieces(const RestTriangles& rest, ThreadPool* pool, const ValueOf& valueOf) {
+  std::vector<double> out((rest.size() + kGrain - 1) / kGrain);
   parallelFor(pool, out.size(), [&](std::size_t i) {
-    out[i] = valueOf(i * kGrain, std::min(triangles, (i + 1) * kGrain));
+    out[i] = valueOf(
+        IdRange{ChartTriangle(i * kGrain), ChartTriangle(std::min(rest.size(), (i + 1) * kGrain))});
   });
   return out;
 }
 
-const double* at(const std::vector<double>& uv, std::uint32_t vertex) {
-  return &uv[2 * std::size_t{vertex}];
-}
-
-PlaneMap mapOf(const DiskChart& chart, const std::vector<RestTriangle>& rest,
-               const std::vector<double>& uv, std::size_t f) {
-  const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
-  return rest[f].mapTo(at(uv, v[0]), at(uv, v[1]), at(uv, v[2]));
+PlaneMap mapOf(const DiskChart& chart, const RestTriangles& rest, const std::vector<double>& uv,
+               ChartTriangle f) {
+  const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
+  return rest[f].mapTo(a, b, c);
 }
 
 double determinant(const PlaneMap& m) {
@@ -44,11 +43,11 @@ double firstRoot(double a, double b, double c) {
 
 }  // namespace
 
-double layoutEnergy(const DiskChart& chart, const std::vector<RestTriangle>& rest, double balance,
+double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, double balance,
                     const std::vector<double>& uv, ThreadPool* pool) {
-  const auto energyOf = [&](std::size_t begin, std::size_t end) {
+  const auto energyOf = [&](IdRange<ChartTriangle> piece) {
     double sum = 0;
-    for (std::size_t f = begin; f < end; ++f) {
+    for (const ChartTriangle f : piece) {
       if (rest[f].weight == 0) continue;
       const PlaneMap m = mapOf(chart, rest, uv, f);
       if (!(determinant(m) > 0)) return std::numeric_limits<double>::infinity();
@@ -57,15 +56,15 @@ double layoutEnergy(const DiskChart& chart, const std::vector<RestTriangle>& res
     return sum;
   };
   double sum = 0;
-  for (const double part : byPieces(rest.size(), pool, energyOf)) sum += part;
+  for (const double part : byPieces(rest, pool, energyOf)) sum += part;
   return sum;
 }
 
-double bestScale(const DiskChart& chart, const std::vector<RestTriangle>& rest, double balance,
+double bestScale(const DiskChart& chart, const RestTriangles& rest, double balance,
                  const std::vector<double>& uv) {
   if (balance == 0) return 1;
   double growing = 0, shrinking = 0;
-  for (std::size_t f = 0; f < rest.size(); ++f) {
+  for (const ChartTriangle f : rest.ids()) {
     if (rest[f].weight == 0) continue;
     const PlaneMap m = mapOf(chart, rest, uv, f);
     const double square = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
@@ -76,12 +75,11 @@ double bestScale(const DiskChart& chart, const std::vector<RestTriangle>& rest, 
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 
-double longestStep(const DiskChart& chart, const std::vector<RestTriangle>& rest,
-                   const std::vector<double>& uv, const std::vector<double>& direction, double most,
-                   ThreadPool* pool) {
-  const auto longestOf = [&](std::size_t begin, std::size_t end) {
+double longestStep(const DiskChart& chart, const RestTriangles& rest, const std::vector<double>& uv,
+                   const std::vector<double>& direction, double most, ThreadPool* pool) {
+  const auto longestOf = [&](IdRange<ChartTriangle> piece) {
     double longest = most;
-    for (std::size_t f = begin; f < end; ++f) {
+    for (const ChartTriangle f : piece) {
       if (rest[f].weight == 0) continue;
       const PlaneMap m = mapOf(chart, rest, uv, f), d = mapOf(chart, rest, direction, f);
       const double linear = 2 * (m[0] * d[0] + m[1] * d[1] - m[2] * d[2] - m[3] * d[3]);
@@ -89,8 +87,7 @@ double longestStep(const DiskChart& chart, const std::vector<RestTriangle>& rest
     }
     return longest;
   };
-  for (const double longest : byPieces(rest.size(), pool, longestOf))
-    most = std::min(most, longest);
+  for (const double longest : byPieces(rest, pool, longestOf)) most = std::min(most, longest);
   return most;
 }
 

@@ -7,10 +7,10 @@
 
 namespace abflat {
 
-/// What the outline has to keep. Per place along the boundary, see DiskChart.
+/// What the outline has to keep.
 struct OutlineRules {
-  std::vector<std::uint8_t> straight;  ///< 1: goes straight on; empty: nowhere
-  std::vector<double> bounds;  ///< the largest interior angle, times pi; from 2 on any; empty: any
+  StraightPlaces straight;
+  BoundaryBounds bounds;  ///< from 2 on any angle is allowed; empty: any
   /// Radians, that angles stay away from their bounds where that costs little. They begin so far
   /// away.
   double margin = 0;
@@ -37,7 +37,7 @@ class OutlineShape {
   SparseEntries entries() const;
 
   struct Bound {
-    std::uint32_t place;
+    BoundaryIndex place;
     double most, weight;
   };
   const std::vector<Bound>& bounds() const { return bounds_; }
@@ -53,16 +53,20 @@ class OutlineShape {
  private:
   /// Straight places come between.
   struct Run {
-    std::uint32_t from, to;
+    BoundaryIndex from, to;
   };
-  void findRuns(const std::vector<std::uint8_t>& straight);
+  void findRuns(const StraightPlaces& straight);
   void findBounds(const OutlineRules& rules);
-  std::uint32_t vertexAt(std::size_t place) const {
-    return chart_.vertexOfCorner[chart_.boundary[place % chart_.boundary.size()]];
+  /// A boundary vertex, the one before and the one after it.
+  std::array<ChartVertex, 3> cornerAt(BoundaryIndex i) const {
+    return {chart_.boundaryVertex(i), chart_.boundaryVertex(chart_.before(i)),
+            chart_.boundaryVertex(chart_.after(i))};
   }
-  /// use(place, share of the way) for what lies within a run.
+  /// use(vertex) for what lies within a run.
   template <class Use>
-  void within(const Run& run, const std::vector<double>& uv, const Use& use) const;
+  void within(const Run& run, const Use& use) const;
+  /// How far along a run a vertex lies, as a share of it.
+  double shareOf(const Run& run, ChartVertex vertex, const std::vector<double>& uv) const;
 
   const DiskChart& chart_;
   double margin_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/point2.h"
 #include "check/validity.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/boundary_barrier.h"
@@ -35,14 +36,14 @@ constexpr int kMostHalvings = 40;
 /// Of the energy: less is not to be told from its rounding.
 constexpr double kRounding = 1e-10;
 
-std::vector<std::uint32_t> placeOfRows(const std::vector<std::uint32_t>& ofVertices) {
+std::vector<std::uint32_t> rankOfRows(const IdVector<ChartVertex, std::uint32_t>& ofVertices) {
   std::vector<std::uint32_t> out;
-  for (const std::uint32_t place : ofVertices) out.insert(out.end(), 2, place);
+  for (const std::uint32_t rank : ofVertices) out.insert(out.end(), 2, rank);
   return out;
 }
 
 /// For layouts that are to stay that much smaller.
-std::vector<RestTriangle> scaledDown(std::vector<RestTriangle> rest, double scale) {
+RestTriangles scaledDown(RestTriangles rest, double scale) {
   for (RestTriangle& t : rest) {
     t.c1x *= scale;
     t.c1y *= scale;
@@ -64,7 +65,7 @@ class Refiner {
     findHeld();
     matrix_ = std::make_unique<ExtendedMatrix>(system_.matrix(), freeOf(shape_.entries()));
     makeSolver(matrix_->sum());
-    if (solver_->place()) system_.divide(*solver_->place());
+    if (solver_->eliminationRank()) system_.divide(*solver_->eliminationRank());
     if (!options.outline.isEmpty()) lookAhead();
   }
 
@@ -95,12 +96,13 @@ class Refiner {
     isFixed_ = options_.isFixed;
     if (std::find(isFixed_.begin(), isFixed_.end(), 1) != isFixed_.end()) return;
     isFixed_.assign(chart_.vertexCount(), 0);
-    held_ = chart_.vertexOfCorner[chart_.boundary.front()];
+    held_ = chart_.boundaryVertex(BoundaryIndex(0));
     isFixed_[held_] = 1;
+    const Point2 held = pointAt(uv_, held_);
     double most = 0;
-    for (std::uint32_t v = 0; v < chart_.vertexCount(); ++v) {
-      const double distance =
-          norm(uv_[2 * v] - uv_[2 * held_], uv_[2 * v + 1] - uv_[2 * held_ + 1]);
+    for (const ChartVertex v : chart_.vertices()) {
+      const Point2 p = pointAt(uv_, v);
+      const double distance = norm(p[0] - held[0], p[1] - held[1]);
       if (distance <= most) continue;
       most = distance;
       far_ = v;
@@ -122,13 +124,13 @@ class Refiner {
     system_.assemble({uv_, options_.balance, curvature}, isFixed_);
     gradient_ = system_.gradient();
     if (foreseen_) addContacts();
-    if (far_ == kNone) return;
-    const double x = uv_[2 * far_] - uv_[2 * held_], y = uv_[2 * far_ + 1] - uv_[2 * held_ + 1];
-    const double length = norm(x, y);
-    system_.pull(far_, -y / length, x / length, 1);
+    if (!far_.exists()) return;
+    const Point2 far = pointAt(uv_, far_), held = pointAt(uv_, held_);
+    const double x = far[0] - held[0], y = far[1] - held[1], length = norm(x, y);
+    system_.pull(far_, {-y / length, x / length}, 1);
   }
 
-  bool isFixedRow(int row) const { return isFixed_[static_cast<std::size_t>(row) / 2] != 0; }
+  bool isFixedRow(int row) const { return isFixed_[ChartVertex(row / 2)] != 0; }
 
   void addContacts() {
     contacts_.clear();
@@ -156,9 +158,9 @@ class Refiner {
   }
 
   void makeSolver(const Eigen::SparseMatrix<double>& matrix) {
-    const std::vector<std::uint32_t>& place =
-        options_.place.empty() ? chart_.place : options_.place;
-    solver_ = makeRowSolverWithin(matrix, kinds(), out_.memory, options_.pool, placeOfRows(place));
+    const IdVector<ChartVertex, std::uint32_t>& rank =
+        options_.eliminationRank.empty() ? chart_.eliminationRank : options_.eliminationRank;
+    solver_ = makeRowSolverWithin(matrix, kinds(), out_.memory, options_.pool, rankOfRows(rank));
   }
 
   /// False where the system has no solution.
@@ -208,7 +210,7 @@ class Refiner {
   }
 
   std::vector<std::uint8_t> kinds() const {
-    std::vector<std::uint8_t> out(2 * std::size_t{chart_.vertexCount()});
+    std::vector<std::uint8_t> out(2 * chart_.vertices().size());
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = i % 2;
     return out;
   }
@@ -272,7 +274,7 @@ class Refiner {
 
   const DiskChart& chart_;
   const RefineOptions& options_;
-  std::vector<RestTriangle> rest_;
+  RestTriangles rest_;
   std::vector<double> uv_, direction_;
   RefineSystem system_;
   OutlineShape shape_;
@@ -286,8 +288,8 @@ class Refiner {
   bool isFar_ = true;    ///< from the minimum
   bool isFull_ = false;  ///< the last step
   std::unique_ptr<RowSolver> solver_;
-  std::vector<std::uint8_t> isFixed_;
-  std::uint32_t held_ = kNone, far_ = kNone;
+  IdVector<ChartVertex, std::uint8_t> isFixed_;
+  ChartVertex held_, far_;
   double energy_ = 0, slope_ = 0;
   double lastGain_ = 0;  ///< that a full step promised; 0: there was none
   Refinement out_;
@@ -300,7 +302,7 @@ Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOp
 }
 
 double energyOf(const DiskChart& chart, const std::vector<double>& uv, double balance) {
-  const std::vector<RestTriangle> rest = restTriangles(chart, uv);
+  const RestTriangles rest = restTriangles(chart, uv);
   const double scale = bestScale(chart, rest, balance, uv);
   return layoutEnergy(chart, scaledDown(rest, scale), balance, uv);
 }

@@ -14,8 +14,8 @@ namespace abflat {
 
 struct RefineOptions {
   double balance = 0;  ///< see elementEnergy; nothing is to be done for 0
-  /// Per vertex: stays where it is; empty: none.
-  std::vector<std::uint8_t> isFixed;
+  /// Which vertices stay where they are; empty: none.
+  IdVector<ChartVertex, std::uint8_t> isFixed;
   OutlineRules outline;  ///< the layout has to keep to it from the start
   int maxSteps = 100;
   int maxSolves = std::numeric_limits<int>::max();  ///< of linear systems, in all steps together
@@ -24,8 +24,8 @@ struct RefineOptions {
   double tolerance = 4e-3;
   /// Of the energy: nor does this, once the boundary is held and a step takes several systems.
   double leastHeld = 0;
-  /// Per vertex, where it comes in an elimination order that is known; empty: that of the chart.
-  std::vector<std::uint32_t> place;
+  /// Where another is known than that of the chart; empty: none.
+  IdVector<ChartVertex, std::uint32_t> eliminationRank;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
   /// Hears of each step; false: no further one.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/triangle_geometry.h"
+
 namespace abflat {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::uint32_t kRegions = 16;
 using VertexColumns = std::array<PlaneMap, 2>;
 
 std::array<VertexColumns, 3> columnsOf(const RestTriangle& t) {
-  const std::array<double, 2> c[3] = {{-t.c1x, -t.c1y - t.c2y}, {t.c1x, t.c1y}, {0, t.c2y}};
+  const Point2 c[3] = {{-t.c1x, -t.c1y - t.c2y}, {t.c1x, t.c1y}, {0, t.c2y}};
   std::array<VertexColumns, 3> out;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [x, y] = c[k];
@@ -35,23 +37,23 @@ PlaneMap product(const std::array<double, 10>& h, const PlaneMap& x) {
 
 }  // namespace
 
-RefineSystem::RefineSystem(const DiskChart& chart, const std::vector<RestTriangle>& rest,
-                           ThreadPool* pool)
+RefineSystem::RefineSystem(const DiskChart& chart, const RestTriangles& rest, ThreadPool* pool)
     : chart_(chart), rest_(rest), pool_(pool) {
   buildPattern();
 }
 
-void RefineSystem::divide(const std::vector<std::uint32_t>& placeOfRow) {
+void RefineSystem::divide(const std::vector<std::uint32_t>& rankOfRow) {
   if (!isParallel(pool_) || chart_.triangleCount() < kRegions * kGrain) return;
   regionOfVertex_.resize(chart_.vertexCount());
-  for (std::uint32_t v = 0; v < chart_.vertexCount(); ++v)
+  for (const ChartVertex v : chart_.vertices())
     regionOfVertex_[v] =
-        static_cast<std::uint8_t>(kRegions * std::uint64_t{placeOfRow[2 * v]} / placeOfRow.size());
+        static_cast<std::uint8_t>(kRegions * std::uint64_t{rankOfRow[2 * v]} / rankOfRow.size());
   triangles_.resize(kRegions);
-  for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart_.vertexOfCorner[3 * f];
-    const std::uint8_t a = regionOfVertex_[v[0]], b = regionOfVertex_[v[1]],
-                       c = regionOfVertex_[v[2]];
+  for (const ChartTriangle f : chart_.triangles()) {
+    const auto regionAt = [&](std::size_t k) {
+      return regionOfVertex_[chart_.vertexOfCorner[cornerOf(f, k)]];
+    };
+    const std::uint8_t a = regionAt(0), b = regionAt(1), c = regionAt(2);
     triangles_[a].push_back(f);
     if (b != a) triangles_[b].push_back(f);
     if (c != a && c != b) triangles_[c].push_back(f);
@@ -60,20 +62,20 @@ void RefineSystem::divide(const std::vector<std::uint32_t>& placeOfRow) {
 
 void RefineSystem::buildPattern() {
   const std::uint32_t n = chart_.vertexCount();
-  using Later = std::pair<std::uint32_t, std::uint32_t>;  // a vertex and a half-edge to it
+  using Later = std::pair<ChartVertex, ChartCorner>;  // a vertex and a half-edge to it
   std::vector<std::uint32_t> begin(n + 1, 0);
   const auto forEdges = [&](const auto& use) {
-    for (std::uint32_t h = 0; h < chart_.twin.size(); ++h) {
-      if (chart_.twin[h] != kNone && chart_.twin[h] < h) continue;
-      const std::uint32_t a = chart_.vertexOfCorner[h], b = chart_.vertexOfCorner[nextCorner(h)];
+    for (const ChartCorner h : chart_.corners()) {
+      if (chart_.twin[h].exists() && chart_.twin[h] < h) continue;
+      const ChartVertex a = chart_.vertexOfCorner[h], b = chart_.vertexOfCorner[nextCorner(h)];
       use(h, std::min(a, b), std::max(a, b));
     }
   };
-  forEdges([&](std::uint32_t, std::uint32_t a, std::uint32_t) { ++begin[a + 1]; });
-  for (std::uint32_t v = 0; v < n; ++v) begin[v + 1] += begin[v];
+  forEdges([&](ChartCorner, ChartVertex a, ChartVertex) { ++begin[a + 1]; });
+  for (const ChartVertex v : chart_.vertices()) begin[v + 1] += begin[v];
   std::vector<Later> later(begin.back());
   std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
-  forEdges([&](std::uint32_t h, std::uint32_t a, std::uint32_t b) { later[fill[a]++] = {b, h}; });
+  forEdges([&](ChartCorner h, ChartVertex a, ChartVertex b) { later[fill[a]++] = {b, h}; });
 
   const Eigen::Index rows = 2 * static_cast<Eigen::Index>(n);
   matrix_.resize(rows, rows);
@@ -82,16 +84,16 @@ void RefineSystem::buildPattern() {
   int* start = matrix_.outerIndexPtr();
   int* row = matrix_.innerIndexPtr();
   int at = 0;
-  for (std::uint32_t v = 0; v < n; ++v) {
+  for (const ChartVertex v : chart_.vertices()) {
     std::sort(later.begin() + begin[v], later.begin() + begin[v + 1]);
     for (int d = 0; d < 2; ++d) {
       start[2 * v + static_cast<std::uint32_t>(d)] = at;
       for (int e = d; e < 2; ++e) row[at++] = 2 * static_cast<int>(v) + e;
       for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
         if (d == 0) {
-          const std::uint32_t h = later[i].second, o = chart_.twin[h];
+          const ChartCorner h = later[i].second, o = chart_.twin[h];
           entryOfEdge_[h] = static_cast<std::uint32_t>(at);
-          if (o != kNone) entryOfEdge_[o] = static_cast<std::uint32_t>(at);
+          if (o.exists()) entryOfEdge_[o] = static_cast<std::uint32_t>(at);
         }
         for (int e = 0; e < 2; ++e) row[at++] = 2 * static_cast<int>(later[i].first) + e;
       }
@@ -102,16 +104,16 @@ void RefineSystem::buildPattern() {
 }
 
 /// Into the rows of the vertices of a region only; columns of the matrix count as rows.
-void RefineSystem::addTriangle(const RefinePoint& at, std::uint32_t f, std::uint32_t region) {
+void RefineSystem::addTriangle(const RefinePoint& at, ChartTriangle f, std::uint32_t region) {
   const RestTriangle& rest = rest_[f];
   if (rest.weight == 0) return;
-  const std::uint32_t* v = &chart_.vertexOfCorner[3 * f];
-  const auto placeOf = [&](std::size_t k) { return &at.uv[2 * std::size_t{v[k]}]; };
+  const TriangleVertices v = verticesOf(chart_.vertexOfCorner, f);
   const auto isOwn = [&](std::size_t k) {
-    return regionOfVertex_.empty() || regionOfVertex_[v[k]] == region;
+    return regionOfVertex_.empty() || regionOfVertex_[ChartVertex(v[k])] == region;
   };
+  const auto p = pointsOf(at.uv, v);
   const ElementDerivatives d =
-      elementDerivatives(rest.mapTo(placeOf(0), placeOf(1), placeOf(2)), at.balance, at.curvature);
+      elementDerivatives(rest.mapTo(p[0], p[1], p[2]), at.balance, at.curvature);
   const std::array<VertexColumns, 3> columns = columnsOf(rest);
   std::array<VertexColumns, 3> products;
   const int* start = matrix_.outerIndexPtr();
@@ -134,7 +136,7 @@ void RefineSystem::addTriangle(const RefinePoint& at, std::uint32_t f, std::uint
     const std::size_t early = v[k] < v[l] ? k : l, late = v[k] < v[l] ? l : k;
     if (!isOwn(early)) continue;
     // The columns of the earlier vertex, one after the other.
-    double* first = value + entryOfEdge_[3 * f + k];
+    double* first = value + entryOfEdge_[cornerOf(f, k)];
     const std::uint32_t u = 2 * v[early];
     double* second = first + (start[u + 1] - start[u]) - 1;
     for (std::size_t e = 0; e < 2; ++e) {
@@ -144,7 +146,8 @@ void RefineSystem::addTriangle(const RefinePoint& at, std::uint32_t f, std::uint
   }
 }
 
-void RefineSystem::pull(std::uint32_t vertex, double x, double y, double stiffness) {
+void RefineSystem::pull(ChartVertex vertex, const Point2& direction, double stiffness) {
+  const auto [x, y] = direction;
   double* value = matrix_.valuePtr();
   const int* start = matrix_.outerIndexPtr();
   value[start[2 * vertex]] += stiffness * x * x;
@@ -152,28 +155,30 @@ void RefineSystem::pull(std::uint32_t vertex, double x, double y, double stiffne
   value[start[2 * vertex + 1]] += stiffness * y * y;
 }
 
-void RefineSystem::fix(const std::vector<std::uint8_t>& isFixed) {
+void RefineSystem::fix(const IdVector<ChartVertex, std::uint8_t>& isFixed) {
   const int* start = matrix_.outerIndexPtr();
   const int* row = matrix_.innerIndexPtr();
   double* value = matrix_.valuePtr();
   parallelRanges(pool_, 2 * isFixed.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
+      const bool isOwnFixed = isFixed[ChartVertex(c / 2)];
       for (int i = start[c]; i < start[c + 1]; ++i) {
         const auto r = static_cast<std::size_t>(row[i]);
-        if (isFixed[c / 2] || isFixed[r / 2]) value[i] = r == c ? 1 : 0;
+        if (isOwnFixed || isFixed[ChartVertex(r / 2)]) value[i] = r == c ? 1 : 0;
       }
-      if (isFixed[c / 2]) gradient_.data()[c] = 0;
+      if (isOwnFixed) gradient_.data()[c] = 0;
     }
   });
 }
 
-void RefineSystem::assemble(const RefinePoint& at, const std::vector<std::uint8_t>& isFixed) {
+void RefineSystem::assemble(const RefinePoint& at,
+                            const IdVector<ChartVertex, std::uint8_t>& isFixed) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
   gradient_.setZero();
   if (triangles_.empty())
-    for (std::uint32_t f = 0; f < chart_.triangleCount(); ++f) addTriangle(at, f, 0);
+    for (const ChartTriangle f : chart_.triangles()) addTriangle(at, f, 0);
   parallelFor(pool_, triangles_.size(), [&](std::size_t region) {
-    for (const std::uint32_t f : triangles_[region])
+    for (const ChartTriangle f : triangles_[region])
       addTriangle(at, f, static_cast<std::uint32_t>(region));
   });
   if (!isFixed.empty()) fix(isFixed);

@@ -24,6 +24,7 @@ struct RestTriangle {
 /// The chart's triangles as they are on the surface, weighted by area; weights sum to 1. Those
 /// without area there, and those that fill holes, are to stay as they are in `uv`, which they do
 /// with little weight.
-std::vector<RestTriangle> restTriangles(const DiskChart& chart, const std::vector<double>& uv);
+using RestTriangles = IdVector<ChartTriangle, RestTriangle>;
+RestTriangles restTriangles(const DiskChart& chart, const std::vector<double>& uv);
 
 }  // namespace abflat

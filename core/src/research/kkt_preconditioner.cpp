@@ -19,7 +19,7 @@ KktPreconditioner::KktPreconditioner(const AngleProblem& problem, const Constrai
     : problem_(problem), rows_(rows), schur_(problem, rows) {
   placeInBlock_.resize(rows.count());
   isWheel_.assign(rows.count(), 0);
-  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v)
+  for (const ChartVertex v : problem.vertices())
     for (std::uint32_t r = rows.ofVertex[v]; r < rows.ofVertex[v + 1]; ++r) {
       isWheel_[r] = r > rows.ofVertex[v];
       std::vector<std::uint32_t>& list = blocks_[isWheel_[r]].rows;
@@ -31,11 +31,11 @@ KktPreconditioner::KktPreconditioner(const AngleProblem& problem, const Constrai
 bool KktPreconditioner::factor(const Linearization& lin, const std::vector<std::uint8_t>& active,
                                const std::vector<double>& rowScale) {
   Linearization positive = lin;
-  for (std::size_t f = 0; f < positive.elements.size(); ++f) {
+  for (const ChartTriangle f : problem_.triangles()) {
     Element& e = positive.elements[f];
     std::array<double, 3>& h = e.hessian;
     for (std::size_t k = 0; k < 3; ++k)
-      h[k] = std::max(std::abs(h[k]), kLeastCurvature * problem_.weight[3 * f + k]);
+      h[k] = std::max(std::abs(h[k]), kLeastCurvature * problem_.weight[cornerOf(f, k)]);
     e.determinant = h[0] * h[1] + h[1] * h[2] + h[2] * h[0];
   }
   schur_.assemble(positive, active);
@@ -72,14 +72,14 @@ void KktPreconditioner::apply(const Eigen::VectorXd& in, Eigen::VectorXd& out) c
   // Rows of inactive bounds are identity rows and take no part in the elimination.
   std::vector<double> value(rows_.count());
   for (std::uint32_t r = 0; r < rows_.count(); ++r) value[r] = in[firstRow + r] / rowScale_[r];
-  const auto isOff = [&](std::uint32_t v) { return problem_.isBoundary[v] && !active_[v]; };
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+  const auto isOff = [&](ChartVertex v) { return problem_.isBoundary[v] && !active_[v]; };
+  for (const ChartTriangle f : problem_.triangles()) {
     const Element& e = elements_[f];
     std::array<double, 3> z = unitStep(e);
     for (unsigned k = 0; k < 3; ++k) z[k] *= in[corners + f];
     const std::array<double, 6> y = applyJacobian(e, z);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ChartVertex v = problem_.vertexOfCorner[cornerOf(f, k)];
       if (!isOff(v)) value[rows_.ofVertex[v]] -= y[2 * k];
       if (!problem_.isBoundary[v]) value[rows_.ofVertex[v] + 1] -= y[2 * k + 1];
     }
@@ -94,9 +94,9 @@ void KktPreconditioner::apply(const Eigen::VectorXd& in, Eigen::VectorXd& out) c
       value[b.rows[i]] = solved[static_cast<Eigen::Index>(i)];
   }
   for (std::uint32_t r = 0; r < rows_.count(); ++r) out[firstRow + r] = value[r] / rowScale_[r];
-  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+  for (const ChartVertex v : problem_.vertices())
     if (isOff(v)) value[rows_.ofVertex[v]] = 0;
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+  for (const ChartTriangle f : problem_.triangles()) {
     const Element& e = elements_[f];
     const std::array<double, 3> z =
         applyTransposedJacobian(e, gatherRows(problem_, rows_, value, f));
@@ -104,7 +104,7 @@ void KktPreconditioner::apply(const Eigen::VectorXd& in, Eigen::VectorXd& out) c
     out[corners + f] = in[corners + f] / inverseSum(e);
     for (unsigned k = 0; k < 3; ++k) {
       out[corners + f] -= unit[k] * z[k];
-      out[3 * f + k] = in[3 * f + k] / e.hessian[k];
+      out[cornerOf(f, k)] = in[cornerOf(f, k)] / e.hessian[k];
     }
   }
 }

@@ -43,15 +43,15 @@ class KktBuilder {
     return matrix;
   }
   std::size_t place(std::uint32_t row) const { return corners_ + triangles_ + row; }
-  bool isOff(std::uint32_t v) const { return at_.problem.isBoundary[v] && !at_.active[v]; }
+  bool isOff(ChartVertex v) const { return at_.problem.isBoundary[v] && !at_.active[v]; }
 
   void addTriangles() {
-    for (std::uint32_t f = 0; f < triangles_; ++f) {
+    for (const ChartTriangle f : at_.problem.triangles()) {
       const Element& e = at_.lin.elements[f];
       out_.rhs[static_cast<Eigen::Index>(corners_ + f)] = -e.triangleResidual;
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t c = 3 * f + k, v = at_.problem.vertexOfCorner[c];
-        const std::uint32_t n = 3 * f + (k + 1) % 3, p = 3 * f + (k + 2) % 3;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const ChartCorner c = cornerOf(f, k), n = nextCorner(c), p = prevCorner(c);
+        const ChartVertex v = at_.problem.vertexOfCorner[c];
         add(c, c, wheels_.empty() ? e.hessian[k] : 2 * at_.problem.weight[c]);
         out_.rhs[c] = -e.gradient[k];
         addPair(c, corners_ + f, 1);
@@ -66,7 +66,7 @@ class KktBuilder {
   }
 
   void addBoundaryAndWheels() {
-    for (std::uint32_t v = 0; v < at_.problem.vertexCount(); ++v) {
+    for (const ChartVertex v : at_.problem.vertices()) {
       const std::uint32_t r = rows_.ofVertex[v];
       if (isOff(v)) {
         add(place(r), place(r), 1);
@@ -85,22 +85,23 @@ class KktBuilder {
 
   void addWheelHessians() {
     std::vector<double> cot(corners_);
-    for (std::size_t c = 0; c < corners_; ++c) cot[c] = at_.lin.elements[c / 3].cot[c % 3];
+    for (const ChartCorner c : at_.problem.corners())
+      cot[c] = at_.lin.elements[triangleOf(c)].cot[placeInTriangle(c)];
     const VertexCorners fans = cornersOfVertices(at_.problem);
-    for (std::uint32_t v = 0; v < at_.problem.vertexCount(); ++v) {
+    for (const ChartVertex v : at_.problem.vertices()) {
       if (at_.problem.isBoundary[v]) continue;
       const std::uint32_t r = rows_.ofVertex[v] + 1;
       const double multiplier = at_.multipliers.row[r] / out_.rowScale[r];
       forEachSecondDerivative(
           fans, cot, wheels_[v], v,
-          [&](std::uint32_t i, std::uint32_t j, double value) { add(i, j, multiplier * value); });
+          [&](ChartCorner i, ChartCorner j, double value) { add(i, j, multiplier * value); });
     }
   }
 
   const NewtonPoint& at_;
   const ConstraintRows& rows_;
   const std::size_t corners_, triangles_;
-  std::vector<WheelProduct> wheels_;  ///< empty: logarithmic form
+  WheelProducts wheels_;  ///< empty: logarithmic form
   std::vector<Eigen::Triplet<double>> entries_;
   KktSystem out_;
 };

@@ -13,13 +13,14 @@ struct WheelProduct {
   double value() const { return next - prev; }
 };
 
-/// One per vertex; those of boundary vertices mean nothing.
-std::vector<WheelProduct> wheelProducts(const AngleProblem& problem,
-                                        const std::vector<double>& angles);
+/// Those of boundary vertices mean nothing.
+using WheelProducts = IdVector<ChartVertex, WheelProduct>;
+WheelProducts wheelProducts(const AngleProblem& problem, const std::vector<double>& angles);
 
 /// Corners round each vertex.
 struct VertexCorners {
-  std::vector<std::uint32_t> offset, corner;
+  std::vector<std::uint32_t> offset;  ///< of each vertex, in the next
+  std::vector<ChartCorner> corner;
 };
 VertexCorners cornersOfVertices(const AngleProblem& problem);
 
@@ -27,12 +28,12 @@ VertexCorners cornersOfVertices(const AngleProblem& problem);
 /// block on the corners of its rim, in contrast to the diagonal one of the logarithmic form.
 template <class Visit>
 void forEachSecondDerivative(const VertexCorners& corners, const std::vector<double>& cot,
-                             const WheelProduct& wheel, std::uint32_t v, Visit&& visit) {
-  for (std::uint32_t side = 1; side <= 2; ++side) {
-    const double p = side == 1 ? wheel.next : -wheel.prev;
+                             const WheelProduct& wheel, ChartVertex v, Visit&& visit) {
+  for (const bool isNext : {true, false}) {
+    const double p = isNext ? wheel.next : -wheel.prev;
     const auto rim = [&](std::uint32_t i) {
-      const std::uint32_t c = corners.corner[i];
-      return c - c % 3 + (c % 3 + side) % 3;
+      const ChartCorner c = corners.corner[i];
+      return isNext ? nextCorner(c) : prevCorner(c);
     };
     for (std::uint32_t i = corners.offset[v]; i < corners.offset[v + 1]; ++i)
       for (std::uint32_t j = corners.offset[v]; j < corners.offset[v + 1]; ++j)

@@ -36,7 +36,7 @@ bool hasStalled(const std::vector<NewtonStep>& history, int steps) {
 std::vector<double> startAngles(const AngleProblem& problem) {
   // Targets round a sharp interior spike may be beyond pi.
   constexpr double kMargin = 0.02;
-  std::vector<double> x = problem.target;
+  std::vector<double> x = problem.target.raw();
   for (double& angle : x) angle = std::min(angle, kPi - kMargin);
   return x;
 }
@@ -53,7 +53,7 @@ bool updateActive(const AngleProblem& problem, const ConstraintRows& rows, const
     active = now;
     if (!now) multiplier = 0;
   };
-  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+  for (const ChartVertex v : problem.vertices()) {
     const std::uint32_t r = rows.ofVertex[v];
     if (problem.isStraight[v])
       s.active[v] = 1;
@@ -145,8 +145,7 @@ class ActiveSet {
   void relinearize() { relinearize(isNear() ? Curvature::Exact : Curvature::Clamped); }
 
   void relinearize(Curvature curvature) {
-    linearize(problem(), rows(), s_.angles, s_.multipliers.row, lin_, curvature, nullptr,
-              options_.pool);
+    linearize(problem(), rows(), {s_.angles, s_.multipliers.row, curvature}, lin_, options_.pool);
     for (std::size_t i = 0; i < s_.multipliers.edge.size(); ++i)
       lin_.edgeResidual[i] -= problem().edgeCompliance * s_.multipliers.edge[i];
   }
@@ -182,7 +181,7 @@ class ActiveSet {
     if (now.step < kBlockedStep) {
       if (heavier_) return false;
       if (!raised_) raised_ = original_;
-      now.reweighted = raiseWeights(s_.angles, dx_, raised_->weight);
+      now.reweighted = raiseWeights(s_.angles, dx_, raised_->weight.raw());
     }
     for (std::size_t c = 0; c < dx_.size(); ++c) s_.angles[c] += now.step * dx_[c];
     moveTowards(s_.multipliers.row, next_.row, now.step);
@@ -208,7 +207,7 @@ class ActiveSet {
   /// The optimum for larger weights is known: it is kept, and the way to that of the original
   /// weights may be free from there.
   void tryOriginalWeights() {
-    s_.weight = std::move(raised_->weight);
+    s_.weight = std::move(raised_->weight.raw());
     raised_.reset();
     heavier_ = std::make_unique<AngleSolution>(s_);
     s_.weight.clear();

@@ -31,7 +31,9 @@ class AngleSolver {
   AngleSolution solveDelaunay(const AngleSolution& start);
 
   const FactorMemory& memory() const { return system_->memory(); }
-  std::vector<std::uint32_t> placeOfVertices() const { return system_->placeOfVertices(); }
+  IdVector<ChartVertex, std::uint32_t> eliminationRank() const {
+    return system_->eliminationRank();
+  }
 
  private:
   AngleSolution runActiveSet(const AngleSolution* start);

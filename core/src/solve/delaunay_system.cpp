@@ -53,11 +53,11 @@ void DelaunaySystem::numberEdges(const std::vector<std::uint8_t>& activeEdge) {
     if (activeEdge[i]) rowOfEdge_[i] = count_++;
 }
 
-DelaunaySystem::LocalRows DelaunaySystem::localRows(const NewtonPoint& at, std::uint32_t f) const {
+DelaunaySystem::LocalRows DelaunaySystem::localRows(const NewtonPoint& at, ChartTriangle f) const {
   LocalRows out;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = problem_.vertexOfCorner[3 * f + k], r = rows_.ofVertex[v];
-    const std::uint32_t edge = problem_.edgeOfCorner[3 * f + k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ChartVertex v = problem_.vertexOfCorner[cornerOf(f, k)];
+    const std::uint32_t r = rows_.ofVertex[v], edge = problem_.edgeOfCorner[cornerOf(f, k)];
     out[2 * k] = problem_.isBoundary[v] && !at.active[v] ? kNone : r;
     out[2 * k + 1] = problem_.isBoundary[v] ? kNone : r + 1;
     out[6 + k] = edge == kNone ? kNone : rowOfEdge_[edge];
@@ -68,7 +68,7 @@ DelaunaySystem::LocalRows DelaunaySystem::localRows(const NewtonPoint& at, std::
 void DelaunaySystem::assemble(const NewtonPoint& at) {
   entries_.clear();
   rhs_.setZero(count_);
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+  for (const ChartTriangle f : problem_.triangles()) {
     const Element& e = at.lin.elements[f];
     const LocalRows row = localRows(at, f);
     const auto b = jacobian(e);
@@ -84,7 +84,7 @@ void DelaunaySystem::assemble(const NewtonPoint& at) {
           entries_.emplace_back(row[r], row[c], dot(b[c], pb));
     }
   }
-  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+  for (const ChartVertex v : problem_.vertices())
     for (std::uint32_t r = rows_.ofVertex[v]; r < rows_.ofVertex[v + 1]; ++r) {
       if (problem_.isBoundary[v] && !at.active[v])
         entries_.emplace_back(r, r, 1);
@@ -105,11 +105,11 @@ void DelaunaySystem::backSubstitute(const NewtonPoint& at, std::vector<double>& 
                                     Multipliers& next) const {
   dx.resize(problem_.vertexOfCorner.size());
   next.triangle.resize(problem_.triangleCount());
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+  for (const ChartTriangle f : problem_.triangles()) {
     const Element& e = at.lin.elements[f];
     std::array<double, 3> z = applyTransposedJacobian(e, gatherRows(problem_, rows_, next.row, f));
     for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t edge = problem_.edgeOfCorner[3 * f + k];
+      const std::uint32_t edge = problem_.edgeOfCorner[cornerOf(f, k)];
       z[k] += e.gradient[k] + (edge == kNone ? 0 : next.edge[edge]);
     }
     const std::array<double, 3> projected = applyProjected(e, z), unit = unitStep(e);
@@ -117,7 +117,7 @@ void DelaunaySystem::backSubstitute(const NewtonPoint& at, std::vector<double>& 
     lambda = e.triangleResidual * e.hessian[0] * unit[0];
     for (unsigned k = 0; k < 3; ++k) {
       lambda -= unit[k] * z[k];
-      dx[3 * f + k] = -projected[k] - unit[k] * e.triangleResidual;
+      dx[cornerOf(f, k)] = -projected[k] - unit[k] * e.triangleResidual;
     }
   }
 }

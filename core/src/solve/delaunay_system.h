@@ -25,7 +25,7 @@ class DelaunaySystem : public NewtonStepSolver {
 
   void numberEdges(const std::vector<std::uint8_t>& activeEdge);
   /// Rows of triangle f in the system; kNone for those that do not exist or are not active.
-  LocalRows localRows(const NewtonPoint& at, std::uint32_t f) const;
+  LocalRows localRows(const NewtonPoint& at, ChartTriangle f) const;
   void assemble(const NewtonPoint& at);
   void backSubstitute(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) const;
 

@@ -54,9 +54,9 @@ class InteriorPoint {
  private:
   void start() {
     s_.barrierFloor = options_.barrierFloor;
-    s_.angles = problem_.target;
-    for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
-      double* x = &s_.angles[3 * f];
+    s_.angles = problem_.target.raw();
+    for (const ChartTriangle f : problem_.triangles()) {
+      double* x = &s_.angles[cornerOf(f, 0)];
       double sum = 0;
       for (int k = 0; k < 3; ++k) sum += x[k] = std::min(x[k], 0.99 * kPi);
       for (int k = 0; k < 3; ++k) x[k] *= kPi / sum;
@@ -72,7 +72,7 @@ class InteriorPoint {
     bounded_.assign(problem_.vertexCount(), 0);
     slack_.assign(problem_.vertexCount(), 0);
     slackStep_ = compliance_ = slack_;
-    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+    for (const ChartVertex v : problem_.vertices()) {
       if (!problem_.isBoundary[v] || !std::isfinite(problem_.angleSum[v])) continue;
       bounded_[v] = 1;
       if (problem_.isStraight[v]) continue;
@@ -82,9 +82,9 @@ class InteriorPoint {
   }
 
   /// Equations have no slack.
-  bool hasSlack(std::uint32_t v) const { return bounded_[v] && !problem_.isStraight[v]; }
+  bool hasSlack(ChartVertex v) const { return bounded_[v] && !problem_.isStraight[v]; }
 
-  double& multiplier(std::uint32_t v) { return s_.multipliers.row[rows_.ofVertex[v]]; }
+  double& multiplier(ChartVertex v) { return s_.multipliers.row[rows_.ofVertex[v]]; }
 
   bool isNear() const {
     return !s_.history.empty() && s_.history.back().constraint < kNearSolution &&
@@ -94,7 +94,7 @@ class InteriorPoint {
   void linearizeHere() { linearizeHere(isNear() ? Curvature::Exact : Curvature::Clamped); }
 
   void linearizeHere(Curvature curvature) {
-    linearize(problem_, rows_, s_.angles, s_.multipliers.row, lin_, curvature, &barrier_,
+    linearize(problem_, rows_, {s_.angles, s_.multipliers.row, curvature, &barrier_}, lin_,
               options_.common.pool);
   }
 
@@ -110,7 +110,7 @@ class InteriorPoint {
 
   /// g + s + J dx + ds = 0 with ds = tau/mu - (s/mu) mu+ eliminated.
   void addSlackTerms() {
-    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+    for (const ChartVertex v : problem_.vertices()) {
       if (!hasSlack(v)) continue;
       compliance_[v] = slack_[v] / multiplier(v);
       lin_.residual[rows_.ofVertex[v]] += slack_[v] + tauSlack_ / multiplier(v);
@@ -121,7 +121,7 @@ class InteriorPoint {
     dualStep_.resize(dx_.size());
     for (std::size_t c = 0; c < dx_.size(); ++c)
       dualStep_[c] = (barrier_.tau - barrier_.dual[c] * dx_[c]) / s_.angles[c] - barrier_.dual[c];
-    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+    for (const ChartVertex v : problem_.vertices())
       if (hasSlack(v))
         slackStep_[v] = tauSlack_ / multiplier(v) - compliance_[v] * next_.row[rows_.ofVertex[v]];
   }
@@ -134,7 +134,7 @@ class InteriorPoint {
       primal = shorten(kPi - s_.angles[c], -dx_[c], kFractionToBoundary, primal);
       dual = shorten(barrier_.dual[c], dualStep_[c], kFractionToBoundary, dual);
     }
-    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+    for (const ChartVertex v : problem_.vertices()) {
       if (!hasSlack(v)) continue;
       primal = shorten(slack_[v], slackStep_[v], slackFraction, primal);
       dual =
@@ -148,7 +148,7 @@ class InteriorPoint {
       s_.angles[c] += primal * dx_[c];
       barrier_.dual[c] += dual * dualStep_[c];
     }
-    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+    for (const ChartVertex v : problem_.vertices()) {
       slack_[v] += primal * slackStep_[v];
       for (std::uint32_t r = rows_.ofVertex[v]; r < rows_.ofVertex[v + 1]; ++r)
         s_.multipliers.row[r] +=
@@ -166,7 +166,7 @@ class InteriorPoint {
     now.constraint = constraintResidual(problem_, rows_, lin_, options_.common.pool);
     now.gradient = gradientResidual(problem_, rows_, lin_, s_.multipliers, options_.common.pool);
     s_.constraintResidual = now.constraint;
-    for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+    for (const ChartVertex v : problem_.vertices()) {
       s_.active[v] = bounded_[v] && (problem_.isStraight[v] || multiplier(v) > slack_[v]);
       now.active += s_.active[v];
     }

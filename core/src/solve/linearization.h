@@ -50,19 +50,24 @@ struct Linearization {
   double objective = 0;
   std::vector<double> logSine;  ///< per corner
 };
+/// Where it is linearised, and how.
+struct LinearizationPoint {
+  const std::vector<double>& angles;
+  const std::vector<double>& rowMultipliers;
+  Curvature curvature;
+  const Barrier* barrier = nullptr;
+};
 /// Here and below results do not depend on `pool`; null: one thread.
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
-               const std::vector<double>& x, const std::vector<double>& rowMultipliers,
-               Linearization& out, Curvature curvature, const Barrier* barrier = nullptr,
-               ThreadPool* pool = nullptr);
+               const LinearizationPoint& at, Linearization& out, ThreadPool* pool = nullptr);
 
 /// The six row values of triangle f's vertices; rows that do not exist (wheels on the boundary)
 /// read as 0.
 inline std::array<double, 6> gatherRows(const AngleProblem& problem, const ConstraintRows& rows,
-                                        const std::vector<double>& values, std::uint32_t f) {
+                                        const std::vector<double>& values, ChartTriangle f) {
   std::array<double, 6> y;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = problem.vertexOfCorner[3 * f + k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ChartVertex v = problem.vertexOfCorner[cornerOf(f, k)];
     y[2 * k] = values[rows.ofVertex[v]];
     y[2 * k + 1] = problem.isBoundary[v] ? 0 : values[rows.ofVertex[v] + 1];
   }

@@ -3,11 +3,11 @@
 namespace abflat {
 namespace {
 
-/// Per row, the place of its vertex.
-std::vector<std::uint32_t> placeOfRows(const AngleProblem& problem, const ConstraintRows& rows) {
+/// Per row, that of its vertex.
+std::vector<std::uint32_t> rankOfRows(const AngleProblem& problem, const ConstraintRows& rows) {
   std::vector<std::uint32_t> out;
-  for (std::size_t v = 0; v < problem.place.size(); ++v)
-    out.insert(out.end(), rows.ofVertex[v + 1] - rows.ofVertex[v], problem.place[v]);
+  for (const ChartVertex v : problem.eliminationRank.ids())
+    out.insert(out.end(), rows.ofVertex[v + 1] - rows.ofVertex[v], problem.eliminationRank[v]);
   return out;
 }
 
@@ -17,7 +17,7 @@ NewtonSystem::NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolve
     : rows_(numberRows(problem)),
       schur_(problem, rows_, pool),
       solver_(makeSolver(schur_.matrix(), pool)) {
-  if (solver_->place()) schur_.divide(*solver_->place());
+  if (solver_->eliminationRank()) schur_.divide(*solver_->eliminationRank());
 }
 
 NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes,
@@ -26,22 +26,22 @@ NewtonSystem::NewtonSystem(const AngleProblem& problem, std::uint64_t allowedByt
       schur_(problem, rows_, pool),
       memory_{allowedBytes},
       solver_(makeRowSolverWithin(schur_.matrix(), rowKinds(rows_), memory_, pool,
-                                  placeOfRows(problem, rows_))) {
-  if (solver_->place()) schur_.divide(*solver_->place());
+                                  rankOfRows(problem, rows_))) {
+  if (solver_->eliminationRank()) schur_.divide(*solver_->eliminationRank());
 }
 
-std::vector<std::uint32_t> NewtonSystem::placeOfVertices() const {
-  std::vector<std::uint32_t> out;
-  if (const std::vector<std::uint32_t>* place = solver_->place())
+IdVector<ChartVertex, std::uint32_t> NewtonSystem::eliminationRank() const {
+  IdVector<ChartVertex, std::uint32_t> out;
+  if (const std::vector<std::uint32_t>* ofRow = solver_->eliminationRank())
     for (std::size_t v = 0; v + 1 < rows_.ofVertex.size(); ++v)
-      out.push_back((*place)[rows_.ofVertex[v]]);
+      out.push_back((*ofRow)[rows_.ofVertex[v]]);
   return out;
 }
 
 bool NewtonSystem::step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) {
   schur_.assemble(at.lin, at.active);
   x_ = Eigen::Map<const Eigen::VectorXd>(at.multipliers.row.data(), rows_.count());
-  for (std::uint32_t v = 0; v < at.active.size(); ++v)
+  for (const ChartVertex v : at.problem.vertices())
     if (at.problem.isBoundary[v] && !at.active[v]) x_[rows_.ofVertex[v]] = 0;
   if (!solver_->solve(schur_.matrix(), schur_.rightHandSide(), at.tolerance, x_)) return false;
   next.row.assign(x_.begin(), x_.end());

@@ -26,8 +26,8 @@ class NewtonSystem : public NewtonStepSolver {
   const ConstraintRows& rows() const override { return rows_; }
   /// 0 bytes needed where no limit was given.
   const FactorMemory& memory() const { return memory_; }
-  /// Per vertex, where it comes in the order of elimination; empty where there is none.
-  std::vector<std::uint32_t> placeOfVertices() const;
+  /// See DiskChart; empty where there is none.
+  IdVector<ChartVertex, std::uint32_t> eliminationRank() const;
 
   bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) override;
   int linearIterations() const override { return solver_->iterations(); }

@@ -22,9 +22,10 @@ constexpr double kWorthwhile = 9;
 /// can tell from singular need more.
 constexpr int kMaxIterations = 30;
 
-Symbolic analyze(const SparseMatrix& m, ThreadPool* pool, std::vector<std::uint32_t> place = {}) {
+Symbolic analyze(const SparseMatrix& m, ThreadPool* pool,
+                 std::vector<std::uint32_t> eliminationRank = {}) {
   CholeskyAnalysisOptions options;
-  options.place = std::move(place);
+  options.place = std::move(eliminationRank);
   options.pool = pool;
   return std::make_shared<const CholeskySymbolic>(analyzePattern(
       {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}, options));
@@ -42,7 +43,9 @@ class DirectRowSolver : public RowSolver {
   DirectRowSolver(const Symbolic& symbolic, ThreadPool* pool)
       : factor_(symbolic, choleskyOptions(true, pool)) {}
 
-  const std::vector<std::uint32_t>* place() const override { return &factor_.symbolic().place; }
+  const std::vector<std::uint32_t>* eliminationRank() const override {
+    return &factor_.symbolic().place;
+  }
 
   bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double,
              Eigen::VectorXd& x) override {
@@ -75,7 +78,7 @@ class InexactRowSolver : public RowSolver {
                    std::function<std::unique_ptr<RowSolver>()> makeExact)
       : symbolic_(std::move(symbolic)), pool_(pool), makeExact_(std::move(makeExact)) {}
 
-  const std::vector<std::uint32_t>* place() const override { return &symbolic_->place; }
+  const std::vector<std::uint32_t>* eliminationRank() const override { return &symbolic_->place; }
 
   bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double tolerance,
              Eigen::VectorXd& x) override {
@@ -157,8 +160,9 @@ std::unique_ptr<RowSolver> makeRowSolver(const SparseMatrix& lower, ThreadPool* 
 
 std::unique_ptr<RowSolver> makeRowSolverWithin(const SparseMatrix& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,
-                                               ThreadPool* pool, std::vector<std::uint32_t> place) {
-  const Symbolic symbolic = analyze(lower, pool, std::move(place));
+                                               ThreadPool* pool,
+                                               std::vector<std::uint32_t> eliminationRank) {
+  const Symbolic symbolic = analyze(lower, pool, std::move(eliminationRank));
   constexpr std::uint64_t kEntry = sizeof(double) + sizeof(int);
   const std::uint64_t matrix = kEntry * static_cast<std::uint64_t>(lower.nonZeros());
   memory.needed = matrix + symbolic->factorBytes();

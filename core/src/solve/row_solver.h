@@ -22,8 +22,8 @@ class RowSolver {
   virtual void forget() {}
   /// Iterations of the last solve; 0 for a direct one.
   virtual int iterations() const { return 0; }
-  /// Rows of the matrix in the order of elimination, see CholeskySymbolic; null where unknown.
-  virtual const std::vector<std::uint32_t>* place() const { return nullptr; }
+  /// When each row is eliminated, see CholeskySymbolic::place; null where unknown.
+  virtual const std::vector<std::uint32_t>* eliminationRank() const { return nullptr; }
 };
 
 /// `lower` gives the pattern. Results do not depend on `pool`; null: one thread.
@@ -42,11 +42,11 @@ MakeRowSolver makeEigenRowSolver;
 
 /// As makeRowSolver where the factor fits, which is known before it is computed; where it does in
 /// single precision only, the inexact one, with MultigridRowSolver in place of direct solves;
-/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets what is needed in `memory`. `place`:
-/// per row, see CholeskyAnalysisOptions.
+/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets what is needed in `memory`.
+/// `eliminationRank`: per row, see CholeskyAnalysisOptions::place.
 std::unique_ptr<RowSolver> makeRowSolverWithin(const Eigen::SparseMatrix<double>& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,
                                                ThreadPool* pool = nullptr,
-                                               std::vector<std::uint32_t> place = {});
+                                               std::vector<std::uint32_t> eliminationRank = {});
 
 }  // namespace abflat

@@ -21,12 +21,11 @@ void SchurSystem::buildPattern() {
   // Larger neighbours per vertex: counting sort, then unique.
   std::vector<std::uint32_t> offset(vertices + 1, 0);
   const auto forEachEdge = [&](auto&& visit) {
-    for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f)
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = problem_.vertexOfCorner[3 * f + k];
-        const std::uint32_t b = problem_.vertexOfCorner[3 * f + (k + 1) % 3];
-        visit(std::min(a, b), std::max(a, b));
-      }
+    for (const ChartCorner c : problem_.corners()) {
+      const ChartVertex a = problem_.vertexOfCorner[c];
+      const ChartVertex b = problem_.vertexOfCorner[nextCorner(c)];
+      visit(std::min(a, b), std::max(a, b));
+    }
   };
   forEachEdge([&](std::uint32_t a, std::uint32_t) { ++offset[a + 1]; });
   for (std::uint32_t v = 0; v < vertices; ++v) offset[v + 1] += offset[v];
@@ -57,13 +56,13 @@ void SchurSystem::buildPattern() {
 }
 
 void SchurSystem::buildScatter() {
-  scatter_.reserve(21 * static_cast<std::size_t>(problem_.triangleCount()));
+  scatter_.reserve(21 * problem_.triangles().size());
   const int* outer = matrix_.outerIndexPtr();
   const int* inner = matrix_.innerIndexPtr();
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
+  for (const ChartTriangle f : problem_.triangles()) {
     std::array<std::uint32_t, 6> row;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = problem_.vertexOfCorner[3 * f + k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ChartVertex v = problem_.vertexOfCorner[cornerOf(f, k)];
       row[2 * k] = rows_.ofVertex[v];
       row[2 * k + 1] = problem_.isBoundary[v] ? kDropped : rows_.ofVertex[v] + 1;
     }
@@ -81,18 +80,19 @@ void SchurSystem::buildScatter() {
   }
 }
 
-void SchurSystem::divide(const std::vector<std::uint32_t>& placeOfRow) {
+void SchurSystem::divide(const std::vector<std::uint32_t>& rankOfRow) {
   if (!isParallel(pool_) || problem_.triangleCount() < kRegions * kGrain) return;
   regionOfVertex_.resize(problem_.vertexCount());
   const std::uint64_t rows = rows_.count();
-  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v)
+  for (const ChartVertex v : problem_.vertices())
     regionOfVertex_[v] =
-        static_cast<std::uint8_t>(kRegions * std::uint64_t{placeOfRow[rows_.ofVertex[v]]} / rows);
+        static_cast<std::uint8_t>(kRegions * std::uint64_t{rankOfRow[rows_.ofVertex[v]]} / rows);
   triangles_.resize(kRegions);
-  for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f) {
-    const std::uint32_t* v = &problem_.vertexOfCorner[3 * f];
-    const std::uint8_t a = regionOfVertex_[v[0]], b = regionOfVertex_[v[1]],
-                       c = regionOfVertex_[v[2]];
+  for (const ChartTriangle f : problem_.triangles()) {
+    const auto regionAt = [&](std::size_t k) {
+      return regionOfVertex_[problem_.vertexOfCorner[cornerOf(f, k)]];
+    };
+    const std::uint8_t a = regionAt(0), b = regionAt(1), c = regionAt(2);
     triangles_[a].push_back(f);
     if (b != a) triangles_[b].push_back(f);
     if (c != a && c != b) triangles_[c].push_back(f);
@@ -101,19 +101,19 @@ void SchurSystem::divide(const std::vector<std::uint32_t>& placeOfRow) {
 
 /// Into the rows of the vertices of a region only; columns of the matrix count as rows.
 void SchurSystem::assembleTriangle(const Linearization& lin,
-                                   const std::vector<std::uint8_t>& active, std::uint32_t f,
+                                   const std::vector<std::uint8_t>& active, ChartTriangle f,
                                    std::uint32_t region) {
   const Element& e = lin.elements[f];
   double* values = matrix_.valuePtr();
   std::array<bool, 3> off, own;  // off: vertices whose only row is inactive
-  std::array<std::uint32_t, 3> vertex;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    vertex[k] = problem_.vertexOfCorner[3 * f + k];
+  std::array<ChartVertex, 3> vertex;
+  for (std::size_t k = 0; k < 3; ++k) {
+    vertex[k] = problem_.vertexOfCorner[cornerOf(f, k)];
     off[k] = problem_.isBoundary[vertex[k]] && !active[vertex[k]];
     own[k] = regionOfVertex_.empty() || regionOfVertex_[vertex[k]] == region;
   }
   const std::array<double, 21> m = elementMatrix(e);
-  const std::uint32_t* place = &scatter_[21 * static_cast<std::size_t>(f)];
+  const std::uint32_t* place = &scatter_[21 * std::size_t{f}];
   unsigned i = 0;
   for (unsigned r = 0; r < 6; ++r)
     for (unsigned c = 0; c <= r; ++c, ++i)
@@ -125,7 +125,7 @@ void SchurSystem::assembleTriangle(const Linearization& lin,
   const std::array<double, 3> unit = unitStep(e);
   for (unsigned k = 0; k < 3; ++k) z[k] += unit[k] * e.triangleResidual;
   const std::array<double, 6> y = applyJacobian(e, z);
-  for (std::uint32_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k) {
     if (!own[k]) continue;
     rhs_[rows_.ofVertex[vertex[k]]] -= y[2 * k];
     if (!problem_.isBoundary[vertex[k]]) rhs_[rows_.ofVertex[vertex[k]] + 1] -= y[2 * k + 1];
@@ -134,7 +134,7 @@ void SchurSystem::assembleTriangle(const Linearization& lin,
 
 void SchurSystem::assembleBoundary(const std::vector<std::uint8_t>& active,
                                    const std::vector<double>& compliance) {
-  for (std::uint32_t v = 0; v < problem_.vertexCount(); ++v) {
+  for (const ChartVertex v : problem_.vertices()) {
     if (!problem_.isBoundary[v]) continue;
     double& diagonal = matrix_.valuePtr()[matrix_.outerIndexPtr()[rows_.ofVertex[v]]];
     if (active[v]) {
@@ -153,11 +153,10 @@ void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint
                  [&](std::size_t a, std::size_t b) { std::fill(values + a, values + b, 0.0); });
   std::copy(lin.residual.begin(), lin.residual.end(), rhs_.begin());
   if (regionOfVertex_.empty())
-    for (std::uint32_t f = 0; f < problem_.triangleCount(); ++f)
-      assembleTriangle(lin, active, f, 0);
+    for (const ChartTriangle f : problem_.triangles()) assembleTriangle(lin, active, f, 0);
   else
     parallelFor(pool_, kRegions, [&](std::size_t region) {
-      for (const std::uint32_t f : triangles_[region])
+      for (const ChartTriangle f : triangles_[region])
         assembleTriangle(lin, active, f, static_cast<std::uint32_t>(region));
     });
   assembleBoundary(active, compliance);
@@ -169,7 +168,7 @@ void SchurSystem::backSubstitute(const Linearization& lin,
   dx.resize(problem_.vertexOfCorner.size());
   triangleMultipliers.resize(problem_.triangleCount());
   parallelRanges(pool_, problem_.triangleCount(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+    for (const ChartTriangle f : IdRange{ChartTriangle(begin), ChartTriangle(end)}) {
       const Element& e = lin.elements[f];
       std::array<double, 3> z =
           applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
@@ -179,7 +178,7 @@ void SchurSystem::backSubstitute(const Linearization& lin,
       lambda = e.triangleResidual * e.hessian[0] * unit[0];
       for (unsigned k = 0; k < 3; ++k) {
         lambda -= unit[k] * z[k];
-        dx[3 * f + k] = -step[k] - unit[k] * e.triangleResidual;
+        dx[cornerOf(f, k)] = -step[k] - unit[k] * e.triangleResidual;
       }
     }
   });

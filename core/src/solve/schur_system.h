@@ -19,7 +19,7 @@ class SchurSystem {
 
   /// For assembling with several threads: each gets rows that are neighbours in the given order of
   /// elimination, which keeps regions of the mesh together.
-  void divide(const std::vector<std::uint32_t>& placeOfRow);
+  void divide(const std::vector<std::uint32_t>& rankOfRow);
 
   /// Inactive boundary rows become identity rows with right-hand side 0. `active` has one entry per
   /// vertex.
@@ -40,7 +40,7 @@ class SchurSystem {
   void buildPattern();
   void buildScatter();
   void assembleTriangle(const Linearization& lin, const std::vector<std::uint8_t>& active,
-                        std::uint32_t f, std::uint32_t region);
+                        ChartTriangle f, std::uint32_t region);
   void assembleBoundary(const std::vector<std::uint8_t>& active,
                         const std::vector<double>& compliance);
 
@@ -49,10 +49,11 @@ class SchurSystem {
   const AngleProblem& problem_;
   const ConstraintRows& rows_;
   ThreadPool* pool_;
-  std::vector<std::uint8_t> regionOfVertex_;  ///< whose rows one thread fills; empty: not divided
+  /// Whose rows one thread fills; empty: not divided.
+  IdVector<ChartVertex, std::uint8_t> regionOfVertex_;
   /// Per region those that contribute to its rows, ascending: each entry is summed in the order of
   /// the triangles, whoever does it.
-  std::vector<std::vector<std::uint32_t>> triangles_;
+  std::vector<std::vector<ChartTriangle>> triangles_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd rhs_;
   std::vector<std::uint32_t>

@@ -42,7 +42,7 @@ void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result) {
     for (std::size_t k = 0; k < 3; ++k)
       v[k] = welded.mesh
                  .faceVertices[welded.cornerFor[InputCorner(result.triangleCorners[3 * t + k])]];
-    return !isDegenerate(cornerAngles(welded.mesh.positions, v.data()));
+    return !isDegenerate(cornerAngles(welded.mesh.positions, v));
   };
   WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0};
   for (const UnwrapChart& chart : result.report.charts) {

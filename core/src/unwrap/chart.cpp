@@ -55,7 +55,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   // convex as others.
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
-  const std::vector<double> bounds(chart.boundary.size(), t);
+  const BoundaryBounds bounds(chart.boundary.size(), t);
   FlatChart out;
   RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
   refining.mayBeRough = true;

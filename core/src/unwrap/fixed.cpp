@@ -118,13 +118,13 @@ std::string placeText(const double* uv) {
 struct FixedChart {
   const DiskChart& chart;
   const std::vector<double>& uv;
-  std::function<InputFace(std::size_t)> face;
+  std::function<InputFace(ChartTriangle)> face;
 };
 
 Status checkTriangles(const FixedChart& c) {
-  for (std::uint32_t f = 0; f < c.chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &c.chart.vertexOfCorner[3 * f];
-    const int sign = orientation(&c.uv[2 * v[0]], &c.uv[2 * v[1]], &c.uv[2 * v[2]]);
+  for (const ChartTriangle f : c.chart.triangles()) {
+    const auto p = pointsOf(c.uv, verticesOf(c.chart.vertexOfCorner, f));
+    const int sign = orientation(p[0], p[1], p[2]);
     if (sign < 0 || (sign == 0 && !isDegenerate(c.chart.angles[f])))
       return invalid(nameOf(c.face(f)) + "'s texcoords are " +
                      (sign < 0 ? "mirrored" : "degenerate") +
@@ -144,11 +144,11 @@ Status checkTile(const FixedChart& c, bool hasTiles) {
   double tile[2] = {0, 0};
   for (std::size_t d = 0; d < 2 && hasTiles; ++d)
     tile[d] = std::clamp(std::floor((low[d] + high[d]) / 2), 0.0, d == 0 ? kLastColumn : kLastRow);
-  for (std::size_t h = 0; h < c.chart.vertexOfCorner.size(); ++h) {
-    const double* uv = &c.uv[2 * static_cast<std::size_t>(c.chart.vertexOfCorner[h])];
+  for (const ChartCorner h : c.chart.corners()) {
+    const double* uv = &c.uv[2 * std::size_t{c.chart.vertexOfCorner[h]}];
     for (std::size_t d = 0; d < 2; ++d)
       if (!(uv[d] >= tile[d] && uv[d] <= tile[d] + 1))
-        return invalid(nameOf(c.face(h / 3)) + "'s texcoord " + placeText(uv) + " is outside " +
+        return invalid(nameOf(c.face(triangleOf(h))) + "'s texcoord " + placeText(uv) + " is outside " +
                        (hasTiles ? "the tile of its island" : "the unit square") +
                        ". Move that island, or do not keep it");
   }
@@ -194,16 +194,15 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
     out.isFixed = out.isGiven = true;
     out.uv = givenUv(mesh.map, fixed, topology);
     out.unpacked.assign(out.uv.size(), NAN);
-    const FixedChart c{chart, out.uv, [&](std::size_t f) {
-                         return mesh.map.face(topology.triangles[ChartTriangle(f)]);
-                       }};
+    const FixedChart c{chart, out.uv,
+                       [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); }};
     if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
     out.solver = Solver::Given;
     out.area = areaOf(chart);
     out.distortion = ChartDistortion(measureDistortion(chart, out.uv));
     for (const SurfaceTriangle f : topology.triangles) faces.push_back(mesh.map.face(f));
-    for (const std::size_t v : chart.vertexOfCorner)
+    for (const ChartVertex v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});
   }
   const auto pair = findOverlap(triangles);

@@ -9,17 +9,16 @@
 #include "base/point2.h"
 #include "check/distortion.h"
 #include "check/validity.h"
+#include "mesh/triangle_geometry.h"
 
 namespace abflat {
 namespace {
 
 double signedArea(const DiskChart& chart, const std::vector<double>& uv) {
   double twice = 0;
-  for (std::uint32_t f = 0; f < chart.surfaceTriangles(); ++f) {
-    const double* p[3];
-    for (std::size_t k = 0; k < 3; ++k)
-      p[k] = &uv[2 * std::size_t{chart.vertexOfCorner[3 * f + k]}];
-    twice += (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
+    twice += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
   return twice / 2;
 }

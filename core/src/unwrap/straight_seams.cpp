@@ -20,10 +20,9 @@ bool goesOn(const Surface& surface, const Outlines& outlines, SurfaceCorner from
   return behind != to && outlines[ahead] == behind;
 }
 
-/// Per place of the chart's boundary.
-std::vector<std::uint8_t> goOn(const Surface& surface, const ChartTopology& chart,
-                               const Outlines& outlines) {
-  std::vector<std::uint8_t> out;
+/// Whether it does at each place of the chart's boundary.
+StraightPlaces goOn(const Surface& surface, const ChartTopology& chart, const Outlines& outlines) {
+  StraightPlaces out;
   ChartCorner before = chart.boundary.back();
   for (const ChartCorner h : chart.boundary) {
     out.push_back(goesOn(surface, outlines, chart.onSurface(before), chart.onSurface(h)));
@@ -33,61 +32,59 @@ std::vector<std::uint8_t> goOn(const Surface& surface, const ChartTopology& char
 }
 
 /// By how much the boundary turns on the surface at each place, to the left.
-std::vector<double> turns(const DiskChart& chart) {
-  std::vector<double> out;
-  for (const std::uint32_t h : chart.boundary) {
+using Turns = IdVector<BoundaryIndex, double>;
+Turns turns(const DiskChart& chart) {
+  Turns out;
+  for (const ChartCorner h : chart.boundary) {
     double turn = kPi;
-    for (std::uint32_t c = h; c != kNone; c = rotateCounterClockwise(chart.twin, c))
-      turn -= chart.angles[c / 3][c % 3];
+    for (ChartCorner c = h; c.exists(); c = rotateCounterClockwise(chart.twin, c))
+      turn -= chart.angles[triangleOf(c)][placeInTriangle(c)];
     out.push_back(turn);
   }
   return out;
 }
 
-/// Calls visit(begin, end) for each run of straight places, which are those from begin up to end,
-/// counted on beyond the last place.
+/// Calls visit(places) for each run of straight places.
 template <class Visit>
 void forEachRun(const StraightPlaces& straight, const Visit& visit) {
   const std::size_t n = straight.size();
   const auto first = std::find(straight.begin(), straight.end(), 0) - straight.begin();
   const auto start = static_cast<std::size_t>(first);
-  if (start == n) return visit(std::size_t{0}, n);
+  std::vector<BoundaryIndex> run;
   for (std::size_t i = start; i < start + n; ++i) {
-    if (straight[i % n] == 0) continue;
-    std::size_t end = i;
-    while (straight[end % n] != 0) ++end;
-    visit(i, end);
-    i = end;
+    const BoundaryIndex place(i % n);
+    if (straight[place] != 0) run.push_back(place);
+    const bool isEnd = straight[place] == 0 || i + 1 == start + n;
+    if (!isEnd || run.empty()) continue;
+    visit(run);
+    run.clear();
   }
 }
 
 /// The runs that turn by more than `most`, and how much the others turn at most.
-double releaseTurning(const std::vector<double>& turn, double most, StraightPlaces& straight) {
-  const std::size_t n = straight.size();
+double releaseTurning(const Turns& turn, double most, StraightPlaces& straight) {
   double left = 0;
   const StraightPlaces before = straight;
-  forEachRun(before, [&](std::size_t begin, std::size_t end) {
+  forEachRun(before, [&](const std::vector<BoundaryIndex>& run) {
     double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += turn[i % n];
+    for (const BoundaryIndex i : run) sum += turn[i];
     if (std::abs(sum) <= most)
       left = std::max(left, std::abs(sum));
     else
-      for (std::size_t i = begin; i < end; ++i) straight[i % n] = 0;
+      for (const BoundaryIndex i : run) straight[i] = 0;
   });
   return left;
 }
 
 /// Of the places between the ends of each chord the one that turns most.
-void releaseAtChords(const DiskChart& chart, const std::vector<double>& turn,
-                     StraightPlaces& straight) {
-  const std::size_t n = straight.size();
+void releaseAtChords(const DiskChart& chart, const Turns& turn, StraightPlaces& straight) {
   for (;;) {
     const std::vector<FlatChord> chords = flatChords(chart, straight);
     if (chords.empty()) return;
     for (const FlatChord& chord : chords) {
-      std::size_t sharpest = (chord.from + 1) % n;
+      BoundaryIndex sharpest = chart.after(chord.from);
       bool isOpen = false;  // by an earlier chord
-      for (std::size_t i = sharpest; i != chord.to; i = (i + 1) % n) {
+      for (BoundaryIndex i = sharpest; i != chord.to; i = chart.after(i)) {
         isOpen = isOpen || straight[i] == 0;
         if (std::abs(turn[i]) > std::abs(turn[sharpest])) sharpest = i;
       }
@@ -131,10 +128,10 @@ IdVector<ChartId, StraightSeams> straightSeams(
     const ChartTopology topology = set.topology(i);
     if (!isFixed.empty() && isFixed[topology.triangles.front()]) continue;
     const DiskChart chart = set.chart(i);
-    const std::vector<double> turn = turns(chart);
+    const Turns turn = turns(chart);
     StraightPlaces& places = out[i].places;
     places = goOn(surface, topology, outlines);
-    for (std::size_t k = 0; k < places.size(); ++k)
+    for (const BoundaryIndex k : places.ids())
       if (std::abs(turn[k]) > kCorner) places[k] = 0;
     const std::size_t ends = placesThatTurn(chart, places);
     double most = releaseTurning(turn, kMostTurn, places);

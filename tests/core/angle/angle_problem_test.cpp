@@ -15,10 +15,10 @@ TEST_CASE("targets sum to 2 pi inside and are the 3D angles on the boundary") {
   const PolygonMesh mesh = bumpyGrid(6, 5, 0.5, 1);
   const DiskChart chart = chartOf(mesh);
   const AngleProblem p = problemOf(chart, 1.2);
-  std::vector<double> sum(p.vertexCount(), 0), sum3d(p.vertexCount(), 0);
-  for (std::size_t c = 0; c < p.target.size(); ++c) {
-    const auto o = chart.vertexOfCorner[c], a = chart.vertexOfCorner[3 * (c / 3) + (c + 1) % 3],
-               b = chart.vertexOfCorner[3 * (c / 3) + (c + 2) % 3];
+  IdVector<ChartVertex, double> sum(p.vertexCount(), 0), sum3d(p.vertexCount(), 0);
+  for (const ChartCorner c : p.corners()) {
+    const ChartVertex o = chart.vertexOfCorner[c], a = chart.vertexOfCorner[nextCorner(c)],
+                      b = chart.vertexOfCorner[prevCorner(c)];
     double dot = 0, aa = 0, bb = 0;
     for (std::size_t d = 0; d < 3; ++d) {
       const double u = chart.positions[3 * a + d] - chart.positions[3 * o + d];
@@ -31,7 +31,7 @@ TEST_CASE("targets sum to 2 pi inside and are the 3D angles on the boundary") {
     CHECK(p.weight[c] * p.target[c] * p.target[c] == Approx(1));
     if (p.isBoundary[o]) CHECK(p.target[c] == Approx(alpha));
   }
-  for (std::uint32_t v = 0; v < p.vertexCount(); ++v) {
+  for (const ChartVertex v : p.vertices()) {
     CHECK(sum[v] == Approx(p.isBoundary[v] ? sum3d[v] : 2 * kPi));
     CHECK(p.angleSum[v] == Approx(p.isBoundary[v] ? 1.2 * kPi : 2 * kPi));
   }
@@ -40,7 +40,7 @@ TEST_CASE("targets sum to 2 pi inside and are the 3D angles on the boundary") {
 TEST_CASE("t of 2 and above leaves the boundary free") {
   for (double t : {2.0, 2.5}) {
     const AngleProblem p = problemOf(bumpyGrid(3, 3, 0.2, 1), t);
-    for (std::uint32_t v = 0; v < p.vertexCount(); ++v)
+    for (const ChartVertex v : p.vertices())
       CHECK(std::isinf(p.angleSum[v]) == bool(p.isBoundary[v]));
   }
 }

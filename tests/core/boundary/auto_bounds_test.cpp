@@ -86,7 +86,8 @@ TEST_CASE("auto unfolds boundaries that cross when they are free") {
 TEST_CASE("bounds of single vertices are kept, the others keep the common one") {
   const PolygonMesh mesh = bumpyGrid(6, 6, 0.3, 2);
   const DiskChart chart = chartOf(mesh);
-  const std::uint32_t vertex = chart.inputVertex[chart.vertexOfCorner[chart.boundary[7]]];
+  const BoundaryIndex place(7);
+  const std::uint32_t vertex = chart.inputVertex[chart.boundaryVertex(place)];
   const ChartReport free = flattened(mesh, 2);
   const ChartReport r = flattened(mesh, 2, Untangle::Auto, {{vertex, 0.7}});
   REQUIRE(r.valid);
@@ -95,13 +96,12 @@ TEST_CASE("bounds of single vertices are kept, the others keep the common one") 
   CHECK(r.angularDistortion > free.angularDistortion);
 
   ChartFlattener flattener(chart, {});
-  std::vector<double> t(chart.boundary.size(), 2);
-  t[7] = 0.7;
+  BoundaryBounds t(chart.boundary.size(), 2);
+  t[place] = 0.7;
   const Attempt a = flattener.attempt(t, nullptr);
   double angle = 0;
-  for (std::size_t c = 0; c < a.solution.angles.size(); ++c)
-    if (chart.vertexOfCorner[c] == chart.vertexOfCorner[chart.boundary[7]])
-      angle += a.solution.angles[c];
+  for (const ChartCorner c : chart.corners())
+    if (chart.vertexOfCorner[c] == chart.boundaryVertex(place)) angle += a.solution.angles[c];
   CHECK(angle == Approx(0.7 * kPi));
 }
 
@@ -116,12 +116,11 @@ TEST_CASE("bounds asked for are upper limits, however crossings are removed") {
       FlattenOptions options;
       options.t = t;
       options.untangle = u;
-      std::vector<double> asked(n, t == kAutoT ? 2 : t);
+      BoundaryBounds asked(n, t == kAutoT ? 2 : t);
       for (int i = 0; i < 5; ++i) {
-        const std::uint32_t place = static_cast<std::uint32_t>(random()) % n;
+        const BoundaryIndex place(static_cast<std::uint32_t>(random()) % n);
         asked[place] = 0.6 + 0.1 * static_cast<double>(random() % 10);
-        options.bounds.push_back(
-            {chart.inputVertex[chart.vertexOfCorner[chart.boundary[place]]], asked[place]});
+        options.bounds.push_back({chart.inputVertex[chart.boundaryVertex(place)], asked[place]});
       }
       const Result<FlattenResult> r = flatten(mesh, options);
       INFO(r.status.message);
@@ -144,17 +143,17 @@ TEST_CASE("bounds asked for are upper limits, however crossings are removed") {
 
 TEST_CASE("Tutte's embedding is not valid where it exceeds a bound, and says so") {
   const DiskChart chart = chartOf(bumpyGrid(8, 8, 0.3, 1));
-  std::vector<double> t(chart.boundary.size(), 2);
+  BoundaryBounds t(chart.boundary.size(), 2);
   const Attempt free = ChartFlattener(chart, {}).tutte(t, "asked for");
   CHECK(free.exceeded.count == 0);
-  t[3] = t[9] = 0.5;
-  t[12] = 1.2;
+  t[BoundaryIndex(3)] = t[BoundaryIndex(9)] = 0.5;
+  t[BoundaryIndex(12)] = 1.2;
   const Attempt a = ChartFlattener(chart, {}).tutte(t, "asked for");
   CHECK(a.exceeded.count == 2);
   CHECK(a.exceeded.most ==
         Approx(kPi * (1 - 2.0 / static_cast<double>(t.size()) - 0.5)).margin(0.1));
   CHECK_FALSE(a.valid());
-  CHECK(a.t[3] == 0.5);
+  CHECK(a.t[BoundaryIndex(3)] == 0.5);
   const ChartReport report = makeChartReport(chart, a, 1);
   CHECK_FALSE(report.valid);
   CHECK(report.problem.find("exceeds 2 of the requested bounds") != std::string::npos);
@@ -178,9 +177,9 @@ TEST_CASE("a warm start reaches the same layout as a cold one") {
   const DiskChart chart = chartOf(bumpyGrid(10, 10, 0.4, 3));
   ChartFlattener flattener(chart, {});
   const std::size_t n = chart.boundary.size();
-  const Attempt free = flattener.attempt(std::vector<double>(n, 2), nullptr);
-  const Attempt cold = flattener.attempt(std::vector<double>(n, 1), nullptr);
-  const Attempt warm = flattener.attempt(std::vector<double>(n, 1), &free);
+  const Attempt free = flattener.attempt(BoundaryBounds(n, 2), nullptr);
+  const Attempt cold = flattener.attempt(BoundaryBounds(n, 1), nullptr);
+  const Attempt warm = flattener.attempt(BoundaryBounds(n, 1), &free);
   CHECK(warm.solution.history.size() <= cold.solution.history.size());
   for (std::size_t i = 0; i < cold.uv.size(); ++i)
     CHECK(warm.uv[i] == Approx(cold.uv[i]).margin(1e-6));
@@ -190,7 +189,7 @@ TEST_CASE("Tutte's embedding is valid and labelled") {
   for (const PolygonMesh& mesh : {bumpyGrid(8, 8, 0.3, 1), cone(9, 1), sample("head")}) {
     const DiskChart chart = chartOf(mesh);
     const Attempt a =
-        ChartFlattener(chart, {}).tutte(std::vector<double>(chart.boundary.size(), 2), "asked for");
+        ChartFlattener(chart, {}).tutte(BoundaryBounds(chart.boundary.size(), 2), "asked for");
     CHECK(a.valid());
     CHECK(a.solver == Solver::Tutte);
     CHECK(a.fallbacks.size() == 1);

@@ -28,7 +28,7 @@ FlattenResult flattened(const PolygonMesh& mesh, double t, bool delaunay) {
 
 /// Edges whose two opposite angles, measured in the layout, exceed pi by more than rounding.
 std::size_t countViolated(const DiskChart& chart, const std::vector<double>& uv) {
-  const auto angleAt = [&](std::uint32_t corner) {
+  const auto angleAt = [&](ChartCorner corner) {
     const double* o = &uv[2 * chart.vertexOfCorner[corner]];
     const double* a = &uv[2 * chart.vertexOfCorner[nextCorner(corner)]];
     const double* b = &uv[2 * chart.vertexOfCorner[prevCorner(corner)]];
@@ -36,8 +36,8 @@ std::size_t countViolated(const DiskChart& chart, const std::vector<double>& uv)
     return std::atan2(x * w - y * z, x * z + y * w);
   };
   std::size_t count = 0;
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h)
-    if (chart.twin[h] != kNone && h < chart.twin[h])
+  for (const ChartCorner h : chart.corners())
+    if (chart.twin[h].exists() && h < chart.twin[h])
       count +=
           angleAt(prevCorner(h)) + angleAt(prevCorner(chart.twin[h])) > 3.14159265358979 + 1e-7;
   return count;

@@ -104,8 +104,7 @@ TEST_CASE("a slit that closes again is opened without another solution") {
     const DiskChart chart = chartOf(slitSheet(n));
     ChartFlattener flattener(chart, {});
     flattener.requireSeparation();
-    const Attempt closed =
-        flattener.attempt(std::vector<double>(chart.boundary.size(), 2), nullptr);
+    const Attempt closed = flattener.attempt(BoundaryBounds(chart.boundary.size(), 2), nullptr);
     REQUIRE(closed.validity.crossings.count > 0);
     const int steps = flattener.steps();
     const Attempt open = movedApart(flattener, closed);
@@ -128,10 +127,10 @@ TEST_CASE("bounds and straight runs are not given up to draw a boundary back") {
   const std::size_t n = chart.boundary.size();
   ChartFlattener flattener(chart, {});
   flattener.requireSeparation();
-  Attempt closed = flattener.attempt(std::vector<double>(n, 2), nullptr);
+  Attempt closed = flattener.attempt(BoundaryBounds(n, 2), nullptr);
   REQUIRE(closed.validity.crossings.count > 0);
   // What the layout has now, except where it is free anyway.
-  for (std::size_t i = 0; i < n; ++i)
+  for (const BoundaryIndex i : closed.t.ids())
     closed.t[i] = boundaryAngle(chart, closed.uv, chart.boundary[i]) / kPi;
   CHECK_FALSE(movedApart(flattener, closed).valid());
   closed.t.assign(n, 2);

@@ -77,17 +77,17 @@ TEST_CASE("the interior point holds straight vertices, too", "[straight]") {
   AngleProblem problem = buildAngleProblem(chart);
   const Result<StraightPlaces> straight = straightPlaces(chart, sheet.sides);
   REQUIRE(straight.ok());
-  setBounds(problem, chart, std::vector<double>(chart.boundary.size(), 0.9));
+  setBounds(problem, chart, BoundaryBounds(chart.boundary.size(), 0.9));
   setStraight(problem, chart, straight.value);
   AngleSolver solver(problem, {});
   const AngleSolution exact = solver.solve(nullptr), s = solver.solveWithFloor(1e-9);
   REQUIRE(exact.converged);
   REQUIRE(s.converged);
   CHECK(s.barrierFloor > 0);
-  std::vector<double> sum(chart.vertexCount(), 0);
-  for (std::size_t c = 0; c < s.angles.size(); ++c) sum[chart.vertexOfCorner[c]] += s.angles[c];
-  for (std::size_t i = 0; i < chart.boundary.size(); ++i) {
-    const double angle = sum[chart.vertexOfCorner[chart.boundary[i]]];
+  IdVector<ChartVertex, double> sum(chart.vertexCount(), 0);
+  for (const ChartCorner c : chart.corners()) sum[chart.vertexOfCorner[c]] += s.angles[c];
+  for (const BoundaryIndex i : chart.boundary.ids()) {
+    const double angle = sum[chart.boundaryVertex(i)];
     if (straight.value[i] != 0)
       CHECK(std::abs(angle - kPi) < 1e-9);
     else

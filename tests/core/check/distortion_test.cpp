@@ -15,7 +15,7 @@ namespace {
 /// The chart's own x and y through the matrix (a b; c d).
 std::vector<double> mapped(const DiskChart& chart, double a, double b, double c, double d) {
   std::vector<double> uv;
-  for (std::size_t v = 0; v < chart.vertexCount(); ++v) {
+  for (const ChartVertex v : chart.vertices()) {
     const double x = chart.positions[3 * v], y = chart.positions[3 * v + 1];
     uv.insert(uv.end(), {a * x + b * y, c * x + d * y});
   }
@@ -68,7 +68,7 @@ TEST_CASE("flipped triangles and boundary angles are seen") {
   CHECK(good.maxBoundaryAngle > 3);
   CHECK(checkValidity(chart, mapped(chart, 1, 0, 0, -1)).flippedTriangles == chart.triangleCount());
   // One interior vertex pushed out of its ring of triangles.
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+  for (const ChartVertex v : chart.vertices())
     if (std::abs(chart.positions[3 * v] - 3 / chart.unit) +
             std::abs(chart.positions[3 * v + 1] - 2 / chart.unit) <
         0.8 / chart.unit) {

@@ -23,14 +23,15 @@ Needles needles(unsigned side, std::size_t every, double gap, unsigned seed) {
   const PolygonMesh flat = bumpyGrid(side, side, 0, seed);
   Needles out;
   out.chart = makeDiskChart(flat, buildSurface(flat));
-  for (std::size_t v = 0; v < out.chart.vertexCount(); ++v)
+  for (const ChartVertex v : out.chart.vertices())
     for (std::size_t d = 0; d < 2; ++d)
       out.uv.push_back(out.chart.positions[3 * v + d] * 0.3 + 0.3);
   std::vector<bool> isUsed(out.chart.vertexCount(), false);
-  for (const std::uint32_t h : out.chart.boundary) isUsed[out.chart.vertexOfCorner[h]] = true;
-  for (std::size_t c = 0; c < out.chart.vertexOfCorner.size(); c += every) {
-    const std::uint32_t v = out.chart.vertexOfCorner[c];
-    const std::uint32_t w = out.chart.vertexOfCorner[nextCorner(static_cast<std::uint32_t>(c))];
+  for (const ChartCorner h : out.chart.boundary) isUsed[out.chart.vertexOfCorner[h]] = true;
+  for (const ChartCorner c : out.chart.corners()) {
+    if (c % every != 0) continue;
+    const ChartVertex v = out.chart.vertexOfCorner[c];
+    const ChartVertex w = out.chart.vertexOfCorner[nextCorner(c)];
     if (isUsed[v] || isUsed[w]) continue;
     std::vector<double> moved = out.uv;
     for (std::size_t d = 0; d < 2; ++d)
@@ -64,7 +65,7 @@ TEST_CASE("triangles thinner than the grid get area, and vertices stay close", "
     CHECK(repair.moved > 0);
     CHECK(repair.farthest <= 12 * kStep);
     std::size_t moved = 0;
-    for (std::size_t v = 0; v < n.chart.vertexCount(); ++v) {
+    for (const ChartVertex v : n.chart.vertices()) {
       for (std::size_t d = 0; d < 2; ++d) {
         CHECK(std::abs(n.uv[2 * v + d] - before[2 * v + d]) <= repair.farthest);
         CHECK(std::floor(n.uv[2 * v + d] / kStep) == n.uv[2 * v + d] / kStep);

@@ -24,14 +24,15 @@ double distance(const std::vector<double>& p, std::size_t stride, std::size_t a,
 
 std::vector<double> anglesOf(const DiskChart& chart) {
   std::vector<double> x;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f)
-    for (double a : cornerAngles(chart.positions, &chart.vertexOfCorner[3 * f])) x.push_back(a);
+  for (const ChartTriangle f : chart.triangles())
+    for (double a : cornerAngles(chart.positions, verticesOf(chart.vertexOfCorner, f)))
+      x.push_back(a);
   return x;
 }
 
 std::vector<double> solved(const DiskChart& chart, double t) {
   return ChartFlattener(chart, {})
-      .attempt(std::vector<double>(chart.boundary.size(), t), nullptr)
+      .attempt(BoundaryBounds(chart.boundary.size(), t), nullptr)
       .solution.angles;
 }
 

@@ -17,7 +17,7 @@ TEST_CASE("a triangle without area is drawn with its corners in the same order",
         std::vector<double> positions;
         for (const double x : {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, along, off, 0.0})
           positions.push_back(unit * x);
-        const std::uint32_t v[3] = {first, (first + 1) % 3, (first + 2) % 3};
+        const TriangleVertices v{first, (first + 1) % 3, (first + 2) % 3};
         const auto alpha = anglesOrMadeUp(positions, v, cornerAngles(positions, v));
         CHECK(alpha[0] + alpha[1] + alpha[2] == Approx(kPi).epsilon(1e-14));
         CHECK(std::min({alpha[0], alpha[1], alpha[2]}) == Approx(kMadeUpAngle).epsilon(1e-3));
@@ -31,7 +31,7 @@ TEST_CASE("a triangle without area is drawn with its corners in the same order",
 }
 
 TEST_CASE("a triangle that is a point is drawn as an equal one, and others as they are", "[mesh]") {
-  const std::uint32_t v[3] = {0, 1, 2};
+  const TriangleVertices v{0, 1, 2};
   const std::vector<double> point(9, 2.5);
   for (const double a : anglesOrMadeUp(point, v, cornerAngles(point, v))) CHECK(a == kPi / 3);
   const std::vector<double> needle = {0, 0, 0, 1, 0, 0, 0.3, 1e-6, 0};

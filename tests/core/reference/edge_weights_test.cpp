@@ -18,7 +18,7 @@ namespace {
 
 std::vector<bool> interiorOf(const DiskChart& chart) {
   std::vector<bool> out(chart.vertexCount(), true);
-  for (const std::uint32_t h : chart.boundary) out[chart.vertexOfCorner[h]] = false;
+  for (const ChartCorner h : chart.boundary) out[chart.vertexOfCorner[h]] = false;
   return out;
 }
 
@@ -29,8 +29,8 @@ Embedding onCircle(const DiskChart& chart, const HalfEdgeWeights& weights) {
 /// Area times squared size of the gradient of both coordinates, from triangles in their own planes.
 double dirichlet(const DiskChart& chart, const std::vector<double>& uv) {
   double sum = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+  for (const ChartTriangle f : chart.triangles()) {
+    const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
     const Vec3 p = edgeVector(chart.positions, v[0], v[1]),
                q = edgeVector(chart.positions, v[0], v[2]);
     const double x1 = norm(p), x2 = dot(p, q) / x1, y2 = norm(cross(p, q)) / x1;
@@ -51,7 +51,7 @@ TEST_CASE("mean value and harmonic weights have linear precision") {
   const DiskChart chart = chartOf(flat), turned = chartOf(transformed(flat, 3e-5, {1, 2, 3}));
   const std::vector<bool> isInterior = interiorOf(chart);
   std::vector<double> wanted, fixed;
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+  for (const ChartVertex v : chart.vertices())
     for (std::size_t d = 0; d < 2; ++d) {
       wanted.push_back(chart.positions[3 * v + d]);
       fixed.push_back(isInterior[v] ? 0 : wanted.back());
@@ -68,13 +68,13 @@ TEST_CASE("Tutte puts every interior vertex at the mean of its neighbours") {
   const DiskChart chart = chartOf(bumpyGrid(8, 6, 0.7, 2));
   const std::vector<double> uv = embedTutte(chart).uv;
   std::vector<double> sum(uv.size(), 0), degree(chart.vertexCount(), 0);
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
-    const std::uint32_t a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
+  for (const ChartCorner h : chart.corners()) {
+    const ChartVertex a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
     for (std::size_t d = 0; d < 2; ++d) sum[2 * a + d] += uv[2 * b + d];
     ++degree[a];
   }
   const std::vector<bool> isInterior = interiorOf(chart);
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+  for (const ChartVertex v : chart.vertices())
     for (std::size_t d = 0; isInterior[v] && d < 2; ++d)
       CHECK(sum[2 * v + d] / degree[v] == Approx(uv[2 * v + d]).margin(1e-12));
 }
@@ -104,8 +104,8 @@ TEST_CASE("all weights share an outline: a circle spaced by edge length") {
   const std::vector<double> harmonic = onCircle(chart, harmonicWeights(chart)).uv;
   const double radius = std::sqrt(surfaceArea(chart) / kPi);
   double ratio = 0;
-  for (const std::uint32_t h : chart.boundary) {
-    const std::uint32_t a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
     for (std::size_t d = 0; d < 2; ++d) {
       CHECK(mean[2 * a + d] == tutte[2 * a + d]);
       CHECK(harmonic[2 * a + d] == tutte[2 * a + d]);
@@ -154,7 +154,8 @@ TEST_CASE("weights that cannot be solved are a problem, not numbers") {
   const DiskChart chart = chartOf(bumpyGrid(4, 4, 0.3, 6));
   for (const bool isSymmetric : {true, false})
     for (const double weight : {0.0, std::nan("")}) {
-      const HalfEdgeWeights bad{std::vector<double>(chart.twin.size(), weight), isSymmetric};
+      const HalfEdgeWeights bad{IdVector<ChartCorner, double>(chart.twin.size(), weight),
+                                isSymmetric};
       CHECK_FALSE(onCircle(chart, bad).problem.empty());
     }
 }

@@ -24,8 +24,8 @@ double deviation(const DiskChart& chart, const Eigen::VectorXd& x) {
   const std::size_t n = chart.vertexCount();
   const auto at = [&](std::size_t i) { return x[static_cast<Eigen::Index>(i)]; };
   double sum = 0;
-  for (std::uint32_t f = 0; f < chart.triangleCount(); ++f) {
-    const std::uint32_t* v = &chart.vertexOfCorner[3 * f];
+  for (const ChartTriangle f : chart.triangles()) {
+    const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
     const Vec3 p = edgeVector(chart.positions, v[0], v[1]),
                q = edgeVector(chart.positions, v[0], v[2]);
     const double x1 = norm(p), x2 = dot(p, q) / x1, y2 = norm(cross(p, q)) / x1;
@@ -63,7 +63,7 @@ Eigen::VectorXd finiteDifferences(const DiskChart& chart, Eigen::VectorXd x) {
 
 TEST_CASE("the conformal energy and its gradient are those of the triangles' maps") {
   const DiskChart chart = chartOf(bumpyGrid(6, 5, 0.6, 1));
-  const Eigen::SparseMatrix<double> energy = conformalEnergy(chart, drawableAngles(chart));
+  const Eigen::SparseMatrix<double> energy = conformalEnergy(chart, drawableAngles(chart).raw());
   std::mt19937 random(1);
   std::normal_distribution<double> gauss;
   for (int repeat = 0; repeat < 5; ++repeat) {
@@ -111,7 +111,7 @@ TEST_CASE("the pins are far apart, on the boundary, and the same under other num
   };
   double farthest = 0;
   std::set<std::uint32_t> boundary;
-  for (const std::uint32_t h : chart.boundary) {
+  for (const ChartCorner h : chart.boundary) {
     boundary.insert(chart.vertexOfCorner[h]);
     farthest = std::max(farthest, span(a, chart.vertexOfCorner[h]));
   }

@@ -21,9 +21,9 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 
 /// Places of one side of a grid, but for its corners.
-std::vector<std::uint8_t> oneSide(const DiskChart& chart, std::size_t from, std::size_t length) {
-  std::vector<std::uint8_t> out(chart.boundary.size(), 0);
-  for (std::size_t i = 1; i < length; ++i) out[(from + i) % out.size()] = 1;
+StraightPlaces oneSide(const DiskChart& chart, std::size_t from, std::size_t length) {
+  StraightPlaces out(chart.boundary.size(), 0);
+  for (std::size_t i = 1; i < length; ++i) out[BoundaryIndex((from + i) % out.size())] = 1;
   return out;
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("a refined outline keeps its bounds and straight parts", "[refine]") {
       if (seed % 2 == 1 || t == 2) flattener.requireStraight(oneSide(chart, seed, 7));
       FlattenOptions options;
       options.t = t;
-      const std::vector<double> bounds(chart.boundary.size(), t);
+      const BoundaryBounds bounds(chart.boundary.size(), t);
       Attempt attempt = flattenChart(flattener, bounds, options);
       REQUIRE(attempt.valid());
       const Attempt before = attempt;
@@ -137,7 +137,7 @@ TEST_CASE("a refined outline keeps its bounds and straight parts", "[refine]") {
       // With the outline held as it was less is gained.
       RefineOptions held = withBalance(0.5);
       held.isFixed.assign(chart.vertexCount(), 0);
-      for (const std::uint32_t h : chart.boundary) held.isFixed[chart.vertexOfCorner[h]] = 1;
+      for (const ChartCorner h : chart.boundary) held.isFixed[chart.vertexOfCorner[h]] = 1;
       CHECK(attempt.refined->energy < refine(chart, before.uv, held).energy);
       CHECK(attempt.refined->limit.find("keeps its shape") == std::string::npos);
     }

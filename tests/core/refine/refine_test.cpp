@@ -21,7 +21,7 @@ namespace {
 double lengthDifference(const DiskChart& chart, const std::vector<double>& a,
                         const std::vector<double>& b) {
   double most = 0;
-  for (std::uint32_t h = 0; h < chart.twin.size(); ++h) {
+  for (const ChartCorner h : chart.corners()) {
     const std::size_t p = 2 * chart.vertexOfCorner[h], q = 2 * chart.vertexOfCorner[nextCorner(h)];
     const double x = std::hypot(a[p] - a[q], a[p + 1] - a[q + 1]);
     const double y = std::hypot(b[p] - b[q], b[p + 1] - b[q + 1]);
@@ -47,7 +47,7 @@ PolygonMesh rolledSheet() {
 TEST_CASE("gradient and matrix of a layout agree with differences of its energy", "[refine]") {
   const DiskChart chart = chartOf(bumpyGrid(4, 3, 0.6, 9));
   const std::vector<double> uv = conformalLayout(chart);
-  const std::vector<RestTriangle> rest = restTriangles(chart, uv);
+  const RestTriangles rest = restTriangles(chart, uv);
   for (const double balance : {0.0, 0.2, 1.0}) {
     RefineSystem system(chart, rest);
     system.assemble({uv, balance}, {});
@@ -104,7 +104,7 @@ TEST_CASE("what rough angles are refined to is as good, after fewer steps", "[re
   int fewer = 0;
   for (unsigned seed = 0; seed < 8; ++seed) {
     const DiskChart chart = chartOf(bumpyGrid(9 + seed, 14, 0.2 * (seed + 1), seed));
-    const std::vector<double> free(chart.boundary.size(), 2);
+    const BoundaryBounds free(chart.boundary.size(), 2);
     ChartFlattener flattener(chart, {});
     const Attempt rough = flattener.roughAttempt(free);
     const Attempt exact = flattener.attempt(free, nullptr);
@@ -155,12 +155,12 @@ TEST_CASE("refining depends neither on the unit, nor on numbers, nor on where th
   std::vector<double> moved(uv.size());
   std::vector<std::uint32_t> ofInput(mesh.vertexCount());
   for (std::uint32_t v = 0; v < renamed.vertexCount(); ++v) ofInput[renamed.inputVertex[v]] = v;
-  const auto now = [&](std::uint32_t v) { return ofInput[other.vertex[chart.inputVertex[v]]]; };
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+  const auto now = [&](ChartVertex v) { return ofInput[other.vertex[chart.inputVertex[v]]]; };
+  for (const ChartVertex v : chart.vertices())
     for (std::size_t d = 0; d < 2; ++d) moved[2 * std::size_t{now(v)} + d] = uv[2 * v + d];
   const Refinement found = refine(renamed, moved, options);
   std::vector<double> back(uv.size());
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+  for (const ChartVertex v : chart.vertices())
     for (std::size_t d = 0; d < 2; ++d) back[2 * v + d] = found.uv[2 * std::size_t{now(v)} + d];
   CHECK(lengthDifference(chart, wanted.uv, back) < 1e-4);
   CHECK(found.energy == Approx(wanted.energy).epsilon(1e-8));
@@ -185,10 +185,10 @@ TEST_CASE("vertices that are fixed stay where they are", "[refine]") {
   const std::vector<double> uv = conformalLayout(chart);
   RefineOptions options = withBalance(0.5);
   options.isFixed.assign(chart.vertexCount(), 0);
-  for (const std::uint32_t h : chart.boundary) options.isFixed[chart.vertexOfCorner[h]] = 1;
+  for (const ChartCorner h : chart.boundary) options.isFixed[chart.vertexOfCorner[h]] = 1;
   const Refinement r = refine(chart, uv, options);
   CHECK(r.energy < r.energyBefore);
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v)
+  for (const ChartVertex v : chart.vertices())
     if (options.isFixed[v]) {
       CHECK(r.uv[2 * v] == uv[2 * v]);
       CHECK(r.uv[2 * v + 1] == uv[2 * v + 1]);
@@ -234,7 +234,7 @@ TEST_CASE("derivatives of the barrier agree with differences", "[refine]") {
   const DiskChart chart = chartOf(bumpyGrid(6, 1, 0, 1));
   // A strip bent to a ring whose ends nearly touch.
   std::vector<double> uv;
-  for (std::uint32_t v = 0; v < chart.vertexCount(); ++v) {
+  for (const ChartVertex v : chart.vertices()) {
     const double turn = (v % 7) / 6.0005, radius = (1 + v / 7) / chart.unit;
     const double angle = turn * 2 * 3.141592653589793;
     uv.insert(uv.end(), {radius * std::sin(angle), -radius * std::cos(angle)});

@@ -71,9 +71,9 @@ TEST_CASE("first and second derivatives of the product wheels match central diff
     for (std::size_t c = 0; c < n; ++c) cot[c] = 1 / std::tan(x[c]);
     return cot;
   };
-  const auto gradient = [&](const std::vector<double>& x, std::uint32_t v) {
+  const auto gradient = [&](const std::vector<double>& x, ChartVertex v) {
     Linearization lin;
-    linearize(problem, rows, x, point.multipliers.row, lin, Curvature::Exact);
+    linearize(problem, rows, {x, point.multipliers.row, Curvature::Exact}, lin);
     const std::vector<std::uint8_t> active(problem.vertexCount(), 1);
     const KktSystem kkt =
         buildKkt({problem, x, point.multipliers, lin, active, {}}, rows, Formulation::Product);
@@ -82,13 +82,13 @@ TEST_CASE("first and second derivatives of the product wheels match central diff
     for (std::size_t c = 0; c < n; ++c) g[c] = kkt.matrix.coeff(row, static_cast<int>(c));
     return g;
   };
-  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+  for (const ChartVertex v : problem.vertices()) {
     if (problem.isBoundary[v]) continue;
     const std::vector<double> g = gradient(point.x, v);
     std::vector<double> hessian(n * n, 0);
     forEachSecondDerivative(
         fans, cotangents(point.x), wheelProducts(problem, point.x)[v], v,
-        [&](std::uint32_t i, std::uint32_t j, double value) { hessian[i * n + j] += value; });
+        [&](ChartCorner i, ChartCorner j, double value) { hessian[i * n + j] += value; });
     for (std::size_t c = 0; c < n; ++c) {
       std::vector<double> above = point.x, below = point.x;
       above[c] += 1e-6;

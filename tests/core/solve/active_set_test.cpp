@@ -36,17 +36,17 @@ void checkOptimal(const AngleProblem& problem, const AngleSolution& s) {
   const ConstraintRows rows = numberRows(problem);
   REQUIRE(s.converged);
   std::vector<double> sum(problem.vertexCount(), 0), wheel(problem.vertexCount(), 0);
-  for (std::uint32_t f = 0; f < problem.triangleCount(); ++f) {
+  for (const ChartTriangle f : problem.triangles()) {
     const double* x = &s.angles[3 * f];
     CHECK(std::abs(x[0] + x[1] + x[2] - kPi) < 1e-10);
     for (std::uint32_t k = 0; k < 3; ++k) {
       CHECK(x[k] > 0);
-      const std::uint32_t v = problem.vertexOfCorner[3 * f + k];
+      const ChartVertex v = problem.vertexOfCorner[cornerOf(f, k)];
       sum[v] += x[k];
       wheel[v] += std::log(std::sin(x[(k + 1) % 3])) - std::log(std::sin(x[(k + 2) % 3]));
     }
   }
-  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+  for (const ChartVertex v : problem.vertices()) {
     const double mu = s.multipliers.row[rows.ofVertex[v]];
     if (problem.isBoundary[v]) {
       CHECK(sum[v] <= problem.angleSum[v] + 1e-10);
@@ -58,11 +58,12 @@ void checkOptimal(const AngleProblem& problem, const AngleSolution& s) {
       CHECK(std::abs(wheel[v]) < 1e-10);
     }
   }
-  for (std::uint32_t f = 0; f < problem.triangleCount(); ++f)
+  for (const ChartTriangle f : problem.triangles())
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t c = 3 * f + k, n = problem.vertexOfCorner[3 * f + (k + 1) % 3],
-                          p = problem.vertexOfCorner[3 * f + (k + 2) % 3];
-      const auto wheelMultiplier = [&](std::uint32_t v) {
+      const ChartCorner c = cornerOf(f, k);
+      const ChartVertex n = problem.vertexOfCorner[nextCorner(c)],
+                        p = problem.vertexOfCorner[prevCorner(c)];
+      const auto wheelMultiplier = [&](ChartVertex v) {
         return problem.isBoundary[v] ? 0 : s.multipliers.row[rows.ofVertex[v] + 1];
       };
       const double a = problem.target[c];
@@ -147,7 +148,8 @@ TEST_CASE("angles that would leave their range weigh more until the way is free"
     if (!s.converged || reweighted == 0) continue;
     ++raised;
     checkOptimal(problem, s);
-    for (std::size_t c = 0; c < s.weight.size(); ++c) CHECK(s.weight[c] >= problem.weight[c]);
+    for (const ChartCorner c : IdRange<ChartCorner>(s.weight.size()))
+      CHECK(s.weight[c] >= problem.weight[c]);
   }
   CHECK(raised > 0);
 }

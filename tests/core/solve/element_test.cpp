@@ -51,7 +51,7 @@ struct Case {
         rows(numberRows(problem)),
         point(problem, rows, seed),
         dense{problem, rows} {
-    linearize(problem, rows, point.x, point.multipliers.row, lin, curvature);
+    linearize(problem, rows, {point.x, point.multipliers.row, curvature}, lin);
   }
 };
 
@@ -61,7 +61,7 @@ TEST_CASE("residuals and objective match the constraints written one by one") {
   for (unsigned seed : {1u, 2u}) {
     const Case k(bumpyGrid(4, 3, 0.4, seed), 1.1, seed);
     const Eigen::VectorXd h = k.dense.constraints(toEigen(k.point.x));
-    for (std::uint32_t f = 0; f < k.problem.triangleCount(); ++f)
+    for (const ChartTriangle f : k.problem.triangles())
       CHECK(k.lin.elements[f].triangleResidual == Approx(h[f]).margin(1e-13));
     for (std::uint32_t r = 0; r < k.rows.count(); ++r)
       CHECK(k.lin.residual[r] == Approx(h[k.problem.triangleCount() + r]).margin(1e-13));
@@ -73,13 +73,13 @@ TEST_CASE("constraint Jacobians match central differences") {
   const Case k(bumpyGrid(4, 3, 0.4, 3), 1.1, 3);
   const Eigen::MatrixXd j = k.dense.jacobian(toEigen(k.point.x)).bottomRows(k.rows.count());
   Eigen::MatrixXd assembled = Eigen::MatrixXd::Zero(j.rows(), j.cols());
-  for (std::uint32_t f = 0; f < k.problem.triangleCount(); ++f)
+  for (const ChartTriangle f : k.problem.triangles())
     for (std::uint32_t c = 0; c < 3; ++c) {
       std::array<double, 3> unit{0, 0, 0};
       unit[c] = 1;
       const std::array<double, 6> y = applyJacobian(k.lin.elements[f], unit);
       for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = k.problem.vertexOfCorner[3 * f + i];
+        const ChartVertex v = k.problem.vertexOfCorner[cornerOf(f, i)];
         assembled(k.rows.ofVertex[v], 3 * f + c) += y[2 * i];
         if (!k.problem.isBoundary[v]) assembled(k.rows.ofVertex[v] + 1, 3 * f + c) += y[2 * i + 1];
       }
@@ -106,14 +106,14 @@ TEST_CASE("gradient and diagonal Hessian of the Lagrangian match central differe
   const Eigen::VectorXd x = toEigen(k.point.x), m = allMultipliers(k.point.multipliers);
   const Eigen::VectorXd g = k.dense.gradient(x, m);
   double worst = 0;
-  for (std::uint32_t f = 0; f < k.problem.triangleCount(); ++f) {
+  for (const ChartTriangle f : k.problem.triangles()) {
     const Element& e = k.lin.elements[f];
     const auto z =
         applyTransposedJacobian(e, gatherRows(k.problem, k.rows, k.point.multipliers.row, f));
     for (std::uint32_t c = 0; c < 3; ++c) {
       const double analytic = e.gradient[c] + z[c] + k.point.multipliers.triangle[f];
       CHECK(analytic == Approx(g[3 * f + c]).margin(1e-6));
-      worst = std::max(worst, std::abs(analytic) * k.problem.target[3 * f + c] / 2);
+      worst = std::max(worst, std::abs(analytic) * k.problem.target[cornerOf(f, c)] / 2);
       constexpr double kStep = 1e-5;
       Eigen::VectorXd above = x, below = x;
       above[3 * f + c] += kStep;
@@ -155,7 +155,7 @@ TEST_CASE("the Schur step equals the step of the full KKT system") {
     std::vector<std::uint8_t> active(k.problem.vertexCount(), 0);
     std::vector<Eigen::Index> used;
     for (Eigen::Index f = 0; f < k.problem.triangleCount(); ++f) used.push_back(f);
-    for (std::uint32_t v = 0; v < k.problem.vertexCount(); ++v) {
+    for (const ChartVertex v : k.problem.vertices()) {
       active[v] = k.problem.isBoundary[v] && random() % 3 == 0;
       if (k.problem.isBoundary[v] && !active[v]) continue;
       for (std::uint32_t r = k.rows.ofVertex[v]; r < k.rows.ofVertex[v + 1]; ++r)

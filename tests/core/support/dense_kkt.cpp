@@ -10,11 +10,11 @@ Eigen::VectorXd DenseProblem::constraints(const Eigen::VectorXd& x) const {
   const auto triangles = static_cast<Eigen::Index>(problem.triangleCount());
   Eigen::VectorXd h = Eigen::VectorXd::Zero(triangles + rows.count());
   for (Eigen::Index f = 0; f < triangles; ++f) h[f] = x[3 * f] + x[3 * f + 1] + x[3 * f + 2] - kPi;
-  for (std::uint32_t v = 0; v < problem.vertexCount(); ++v) {
+  for (const ChartVertex v : problem.vertices()) {
     const Eigen::Index r = triangles + rows.ofVertex[v];
     h[r] = -problem.angleSum[v];
     for (Eigen::Index c = 0; c < x.size(); ++c) {
-      if (problem.vertexOfCorner[static_cast<std::size_t>(c)] != v) continue;
+      if (problem.vertexOfCorner[ChartCorner(c)] != v) continue;
       const Eigen::Index f = 3 * (c / 3);
       h[r] += x[c];
       if (!problem.isBoundary[v])
@@ -27,7 +27,7 @@ Eigen::VectorXd DenseProblem::constraints(const Eigen::VectorXd& x) const {
 double DenseProblem::objective(const Eigen::VectorXd& x) const {
   double sum = 0;
   for (Eigen::Index c = 0; c < x.size(); ++c) {
-    const double a = problem.target[static_cast<std::size_t>(c)];
+    const double a = problem.target[ChartCorner(c)];
     sum += (x[c] - a) * (x[c] - a) / (a * a);
   }
   return sum;

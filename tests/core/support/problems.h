@@ -14,7 +14,7 @@ inline DiskChart chartOf(const PolygonMesh& mesh) {
 }
 inline AngleProblem problemOf(const DiskChart& chart, double t) {
   AngleProblem problem = buildAngleProblem(chart);
-  setBounds(problem, chart, std::vector<double>(chart.boundary.size(), t));
+  setBounds(problem, chart, BoundaryBounds(chart.boundary.size(), t));
   return problem;
 }
 inline AngleProblem problemOf(const PolygonMesh& mesh, double t) {
@@ -27,7 +27,7 @@ struct RandomPoint {
   Multipliers multipliers;
 
   RandomPoint(const AngleProblem& problem, const ConstraintRows& rows, unsigned seed)
-      : x(problem.target) {
+      : x(problem.target.raw()) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> change(-0.1, 0.1);
     for (double& angle : x) angle *= 1 + change(random);

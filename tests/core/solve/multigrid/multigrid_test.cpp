@@ -35,10 +35,10 @@ struct NewtonMatrix {
     const ConstraintRows rows = numberRows(problem);
     SchurSystem schur(problem, rows);
     Linearization lin;
-    linearize(problem, rows, problem.target, std::vector<double>(rows.count(), 0.0), lin,
-              Curvature::Clamped);
+    const std::vector<double> none(rows.count(), 0.0);
+    linearize(problem, rows, {problem.target.raw(), none, Curvature::Clamped}, lin);
     std::vector<std::uint8_t> active(problem.vertexCount());
-    for (std::uint32_t v = 0; v < problem.vertexCount(); ++v)
+    for (const ChartVertex v : problem.vertices())
       active[v] = problem.isBoundary[v] && lin.residual[rows.ofVertex[v]] > 0;
     schur.assemble(lin, active);
     lower = schur.matrix();
