@@ -34,7 +34,7 @@ TEST_CASE("what angles are below their bounds changes as differences say", "[ref
   std::vector<double> uv = conformalLayout(chart);
   OutlineRules rules;
   rules.bounds.assign(chart.boundary.size(), 1.9);
-  rules.bounds[3] = 2;
+  rules.bounds[BoundaryIndex(3)] = 2;
   rules.margin = 3;
   const OutlineShape shape(chart, rules);
   REQUIRE(shape.bounds().size() == chart.boundary.size() - 1);

@@ -154,7 +154,7 @@ TEST_CASE("refining depends neither on the unit, nor on numbers, nor on where th
   const DiskChart renamed = chartOf(other.mesh);
   std::vector<double> moved(uv.size());
   std::vector<std::uint32_t> ofInput(mesh.vertexCount());
-  for (std::uint32_t v = 0; v < renamed.vertexCount(); ++v) ofInput[renamed.inputVertex[v]] = v;
+  for (const ChartVertex v : renamed.vertices()) ofInput[renamed.inputVertex[v]] = v;
   const auto now = [&](ChartVertex v) { return ofInput[other.vertex[chart.inputVertex[v]]]; };
   for (const ChartVertex v : chart.vertices())
     for (std::size_t d = 0; d < 2; ++d) moved[2 * std::size_t{now(v)} + d] = uv[2 * v + d];
@@ -200,7 +200,7 @@ TEST_CASE("what is fixed gives the scale: a layout of another size keeps its for
   const std::vector<double> uv = conformalLayout(chart);
   RefineOptions options = withBalance(0.5);
   options.isFixed.assign(chart.vertexCount(), 0);
-  options.isFixed[14] = options.isFixed[140] = 1;
+  options.isFixed[ChartVertex(14)] = options.isFixed[ChartVertex(140)] = 1;
   const Refinement r = refine(chart, uv, options);
   CHECK(r.energy < r.energyBefore);
   for (const double scale : {0.125, 8.0}) {
