@@ -49,7 +49,7 @@ export function progressOf(output) {
 export async function fuzz(target, seconds) {
   const corpus = join(HOME, 'corpus', target);
   mkdirSync(FOUND, { recursive: true });
-  writeSeeds(target, corpus);
+  await writeSeeds(target, corpus);
   const kept = join(ROOT, 'tests/fuzz/findings', target);
   if (existsSync(kept)) cpSync(kept, corpus, { recursive: true });
   const before = new Set(findingsOf(target));

@@ -2,14 +2,11 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { COMPRESSIONS, compressed, io } from '../support/compressed-gltf.mjs';
 import { randomNumbers } from '../support/disks.mjs';
 import { GlbMaker } from '../support/glb.mjs';
-import { addMesh, emptyDocument, primitiveOf, randomRows } from '../support/gltf.mjs';
 import { PLY_FORMATS, plyBytes } from '../support/ply.mjs';
 import { CUBE, CUBE_OF_PARTS, fan, grid, TETRAHEDRON, TRIANGLE } from '../support/small-meshes.mjs';
 import { binaryStl, textStl, trianglesOf } from '../support/stl.mjs';
-import { sphere } from '../support/surfaces.mjs';
 
 const SQUARE = [
   [0, 0, 0],
@@ -98,19 +95,6 @@ function squareGlb(Indices, mode, indices) {
   return maker.glb();
 }
 
-/** A small ball with what compressions treat in ways of their own. */
-async function ballGlb(how) {
-  const document = emptyDocument();
-  const surface = sphere(1);
-  const count = surface.positions.length;
-  const primitive = primitiveOf(document, surface)
-    .setAttribute('NORMAL', randomRows(document, 'VEC3', Float32Array, count))
-    .setAttribute('TEXCOORD_0', randomRows(document, 'VEC2', Float32Array, count))
-    .setAttribute('JOINTS_0', randomRows(document, 'VEC4', Uint8Array, count));
-  addMesh(document, 'ball', primitive);
-  return compressed(Buffer.from(await io.writeBinary(document)), how);
-}
-
 const MATERIALS = `mtllib a.mtl\n${CUBE_OF_PARTS}\0newmtl most\nKd 1 0 0.5\nmap_Kd -s 1 1 1 a.png\nd 0.5\nnewmtl last\nTr 0.1\nPm 1\n`;
 
 const OBJ = [
@@ -132,7 +116,6 @@ const TARGETS = {
     squareGlb(Uint8Array, 4, [0, 1, 2, 0, 2, 3]),
     squareGlb(Uint16Array, 5, [0, 1, 3, 2]),
     squareGlb(Uint32Array, 6, [0, 1, 2, 3]),
-    ...(await Promise.all(Object.keys(COMPRESSIONS).map(ballGlb))),
   ],
   materials: [MATERIALS],
   unwrap: randomBytes(200),
@@ -146,10 +129,17 @@ function randomBytes(count) {
   );
 }
 
+/** Loaded when they are needed: the names of targets are known before packages are installed. */
+async function furtherSeeds(target) {
+  if (target !== 'gltf') return [];
+  const { compressedSeeds } = await import('./compressed-seeds.mjs');
+  return compressedSeeds();
+}
+
 /** Writes the seeds of a target into a folder. */
-export function writeSeeds(target, folder) {
+export async function writeSeeds(target, folder) {
   mkdirSync(folder, { recursive: true });
-  for (const [i, bytes] of TARGETS[target].entries())
+  for (const [i, bytes] of [...TARGETS[target], ...(await furtherSeeds(target))].entries())
     writeFileSync(join(folder, `seed-${i}`), bytes);
 }
 
