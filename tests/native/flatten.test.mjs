@@ -281,7 +281,10 @@ test('with little memory there is the same layout, and the report says what was 
     return { report, uv: uv.map((line) => line.split(' ').slice(1).map(Number)) };
   };
   const little = await run('1M');
-  assert.match(little.report.charts[0].fallbacks[0], /needs \d.* MB, but only 1 MB are allowed.*multigrid/);
+  assert.match(
+    little.report.charts[0].fallbacks[0],
+    /needs \d.* MB, but only 1 MB are allowed.*multigrid/,
+  );
   assert.equal(little.report.options.memory, 1);
   const enough = await run('1G');
   assert.deepEqual(enough.report.charts[0].fallbacks, []);

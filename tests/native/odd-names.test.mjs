@@ -39,10 +39,7 @@ test('a name that begins with a dash is told apart from an option', async (t) =>
   writeFileSync(at('-x.obj'), grid(3));
   const bare = await runAbflat(['inspect', '-x.obj'], { cwd: at() });
   assert.equal(bare.code, 2);
-  assert.match(
-    bare.stderr,
-    /there is no option '-x\.obj'\. If that is a file, write \.\/-x\.obj/,
-  );
+  assert.match(bare.stderr, /there is no option '-x\.obj'\. If that is a file, write \.\/-x\.obj/);
   for (const args of [['./-x.obj'], ['--', '-x.obj']])
     assert.equal((await runAbflat(['inspect', ...args], { cwd: at() })).code, 0);
 });

@@ -306,7 +306,10 @@ test('with little memory there is the same layout, and the report says what was 
   const enough = await abflat.flatten(mesh, { t: 2 });
   assert.deepEqual(enough.report.charts[0].fallbacks, []);
   const little = await abflat.flatten(mesh, { t: 2, memory: 1 });
-  assert.match(little.report.charts[0].fallbacks[0], /needs \d.* MB, but only 1 MB are allowed.*multigrid/);
+  assert.match(
+    little.report.charts[0].fallbacks[0],
+    /needs \d.* MB, but only 1 MB are allowed.*multigrid/,
+  );
   little.uv.forEach((x, i) => {
     assert.ok(Math.abs(x - enough.uv[i]) < 1e-6);
   });

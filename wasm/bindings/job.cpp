@@ -252,8 +252,7 @@ Status sampleJob(Job& job, double detail) {
     }
     names.append(names.empty() ? "" : ", ").append(sample.name);
   }
-  return {StatusCode::InvalidOption,
-          "there is no sample \"" + job.name + "\". Use " + names};
+  return {StatusCode::InvalidOption, "there is no sample \"" + job.name + "\". Use " + names};
 }
 
 }  // namespace abflat::bindings

@@ -51,7 +51,8 @@ Status diskStatus(const PolygonMesh& mesh, const Surface& s, const Components& c
   }
   if (m.components > 1)
     return {StatusCode::MultipleComponents,
-            plural(m.components, "component") + ". Use unwrap, or keep only one: the second begins at face " +
+            plural(m.components, "component") +
+                ". Use unwrap, or keep only one: the second begins at face " +
                 std::to_string(s.triangulation.face[components.firstTriangle[ComponentId(1)]])};
   if (m.boundaryLoops == 0)
     return {StatusCode::ClosedSurface,

@@ -22,8 +22,7 @@ Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
                 FixedTriangles& out) {
   if (faces.empty()) return {};
   const PolygonMesh& input = map.input();
-  if (input.faceTexcoords.empty())
-    return invalid("the mesh has no texcoords to keep");
+  if (input.faceTexcoords.empty()) return invalid("the mesh has no texcoords to keep");
   IdVector<InputFace, std::uint8_t> isNamed(input.faceCount(), 0);
   for (const std::uint32_t face : faces) {
     const InputFace f(face);
@@ -148,8 +147,8 @@ Status checkTile(const FixedChart& c, bool hasTiles) {
     const double* uv = &c.uv[2 * std::size_t{c.chart.vertexOfCorner[h]}];
     for (std::size_t d = 0; d < 2; ++d)
       if (!(uv[d] >= tile[d] && uv[d] <= tile[d] + 1))
-        return invalid(nameOf(c.face(triangleOf(h))) + "'s texcoord " + placeText(uv) + " is outside " +
-                       (hasTiles ? "the tile of its island" : "the unit square") +
+        return invalid(nameOf(c.face(triangleOf(h))) + "'s texcoord " + placeText(uv) +
+                       " is outside " + (hasTiles ? "the tile of its island" : "the unit square") +
                        ". Move that island, or do not keep it");
   }
   return {};

@@ -12,11 +12,11 @@ namespace {
 
 Status outside(InputVertex vertex, std::size_t coordinate, double value) {
   char digits[kMostDoubleChars];
-  return {StatusCode::InvalidOption, "the pins push vertex " + std::to_string(vertex) +
-                                         " outside the unit square: " +
-                                         (coordinate % 2 == 0 ? "u" : "v") + " is " +
-                                         std::string(digits, writeDouble(digits, value)) +
-                                         ". Move the pins of its chart inward or closer together"};
+  return {StatusCode::InvalidOption,
+          "the pins push vertex " + std::to_string(vertex) +
+              " outside the unit square: " + (coordinate % 2 == 0 ? "u" : "v") + " is " +
+              std::string(digits, writeDouble(digits, value)) +
+              ". Move the pins of its chart inward or closer together"};
 }
 
 }  // namespace

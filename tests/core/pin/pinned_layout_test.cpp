@@ -181,7 +181,8 @@ TEST_CASE("pins that make no sense are named", "[pin]") {
   CHECK_THAT(message({{3, {0, 0}}}), Contains("vertex 3 is the only pinned vertex"));
   CHECK_THAT(message({{3, {0, 0}}, {99, {1, 0}}}),
              Contains("vertex 99") && Contains("26 vertices"));
-  CHECK_THAT(message({{3, {0, 0}}, {25, {1, 0}}}), Contains("vertex 25") && Contains("no flattened face"));
+  CHECK_THAT(message({{3, {0, 0}}, {25, {1, 0}}}),
+             Contains("vertex 25") && Contains("no flattened face"));
   CHECK_THAT(message({{3, {0, 0}}, {3, {1, 0}}}), Contains("vertex 3 is pinned twice"));
   CHECK_THAT(message({{3, {0, 0}}, {7, {1, 0}}, {9, {0, 0}}}), Contains("vertices 3 and 9"));
   CHECK_THAT(message({{3, {0, NAN}}, {7, {1, 0}}}), Contains("vertex 3") && Contains("finite"));

@@ -193,8 +193,7 @@ TEST_CASE("fixed charts are in tiles of their own where there are several", "[fi
   for (std::size_t i = 0; i < mesh.texcoords.size(); i += 2) mesh.texcoords[i] += 2;
   UnwrapOptions options = severalCharts();
   options.fixedFaces = {0};
-  CHECK(unwrap(mesh, options).status.message.find("outside the unit square") !=
-        std::string::npos);
+  CHECK(unwrap(mesh, options).status.message.find("outside the unit square") != std::string::npos);
   options.udim = true;
   options.texelDensity = 2 * first.report.atlas.texelDensity;
   const UnwrapResult r = unwrapped(mesh, options);
