@@ -42,7 +42,8 @@ Refinement reference(const PolygonMesh& mesh, double balance) {
   SolverOptions solver;
   solver.pool = &pool;
   ChartFlattener flattener(chart, solver);
-  const Attempt start = flattenChart(flattener, BoundaryBounds(chart.boundary.size(), 2), {});
+  const Attempt start =
+      flattenChart(flattener, automaticGoal(BoundaryBounds(chart.boundary.size(), 2)));
   flattener.endSolving();
   RefineOptions options;
   options.balance = balance;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "boundary/move_apart.h"
 #include "boundary/untangle.h"
@@ -41,7 +43,7 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
   if (found && isCloseTo(best, attempt)) return best;
   if (untangle != Untangle::Global) {
     Attempt local = untangleLocal(flattener, attempt);
-    if (local.solution.cancelled) return local;
+    if (local.isCancelled()) return local;
     const bool isBetter = !found || local.distortion.angular < best.distortion.angular;
     if (local.valid() && isBetter) best = std::move(local);
     found = best.valid();
@@ -50,7 +52,7 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
   if (untangle != Untangle::Local && !isGoodEnough && !flattener.isSpent()) {
     const double limit = found ? best.distortion.angular : std::numeric_limits<double>::infinity();
     Attempt global = untangleGlobal(flattener, attempt, limit);
-    if (global.solution.cancelled) return global;
+    if (global.isCancelled()) return global;
     if (global.valid() && global.distortion.angular < limit) {
       best = std::move(global);
       found = true;
@@ -61,30 +63,31 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
   return attempt;
 }
 
-/// Bounds lowered for all vertices alike; not valid where none of them helps.
-Attempt lastResort(ChartFlattener& flattener, const BoundaryBounds& t) {
+/// Bounds lowered for all vertices alike; none where none of them helps.
+std::optional<Attempt> lastResort(ChartFlattener& flattener, const BoundaryBounds& t) {
   for (const double limit : kLastResorts) {
     BoundaryBounds tighter = t;
     for (double& x : tighter) x = std::min(x, limit);
     Attempt a = flattener.attempt(tighter, nullptr);
-    if (a.solution.cancelled || a.isGivenUp) return a;
+    if (a.isCancelled()) return a;
+    if (a.isGivenUp()) return std::nullopt;
     if (!a.valid()) continue;
     a.fallbacks.push_back("no valid layout with a free boundary; lowered all bounds to " +
                           std::to_string(limit).substr(0, 3) + " pi");
     return a;
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace
 
 bool isTangled(const Attempt& a) {
-  return a.validity.crossings.count > 0 && a.validity.flippedTriangles == 0 && a.solution.converged;
+  return a.validity.crossings.count > 0 && a.validity.flippedTriangles == 0 && a.converged();
 }
 
 Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
                   const Effort& effort) {
-  if (untangle == Untangle::None || untangle == Untangle::Auto || attempt.solution.cancelled ||
+  if (untangle == Untangle::None || untangle == Untangle::Auto || attempt.isCancelled() ||
       !isTangled(attempt) || attempt.distortion.symmetricDirichlet > effort.mostStretch)
     return attempt;
   const auto first = static_cast<int>(attempt.solution.history.size());
@@ -101,14 +104,14 @@ Attempt flattenAutomatically(ChartFlattener& flattener, const BoundaryBounds& t,
 
 Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds& t,
                   Untangle untangle, const Effort& effort) {
-  if (first.valid() || first.solution.cancelled) return first;
+  if (first.valid() || first.isCancelled()) return first;
   Attempt best = untangled(flattener, std::move(first), untangle, effort);
-  if (best.valid() || best.solution.cancelled) return best;
+  if (best.valid() || best.isCancelled()) return best;
   if (effort.mayStayTangled && isTangled(best)) return best;
   flattener.allowSteps(kLastSteps);
-  Attempt last = lastResort(flattener, t);
+  std::optional<Attempt> last = lastResort(flattener, t);
   flattener.allowAllSteps();
-  if (last.valid() || last.solution.cancelled) return last;
+  if (last) return std::move(*last);
   return flattener.tutte(t, "no bounds give a valid layout from angles");
 }
 

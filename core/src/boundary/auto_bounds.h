@@ -7,6 +7,14 @@
 
 namespace abflat {
 
+/// What the outline of a layout is asked for.
+struct OutlineGoal {
+  BoundaryBounds t;
+  bool isAuto = false;  ///< bounds may be lowered, as far as a crossing takes it
+  Untangle untangle = Untangle::None;
+  bool isDelaunay = false;  ///< condition (9) is asked for as well
+};
+
 /// What untangling may cost.
 struct Effort {
   /// Newton steps, for each that the layout with crossings took, and at least.

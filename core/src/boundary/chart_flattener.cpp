@@ -152,11 +152,12 @@ SolverOptions ChartFlattener::counting(SolverOptions options) {
   return options;
 }
 
-/// Ended by the limit of steps, not by the caller.
-bool ChartFlattener::isGivenUp(Attempt& a) const {
-  if (!a.solution.cancelled || isStopped_) return false;
-  a.solution.cancelled = a.solution.converged = false;  // it has no layout
-  return a.isGivenUp = true;
+/// Ended by the caller, or by the limit of steps.
+Attempt ChartFlattener::withoutLayout(const BoundaryBounds& t) const {
+  Attempt out;
+  out.ending = isStopped_ ? Ending::Cancelled : Ending::GivenUp;
+  out.t = t;
+  return out;
 }
 
 double ChartFlattener::leastDistance(const std::vector<double>& uv) const {
@@ -178,7 +179,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
   a.solution = isDelaunay ? solver_->solveDelaunay(warm->solution)
                           : solver_->solve(warm ? &warm->solution : nullptr);
   timings_.solve += watch.lap();
-  if (a.solution.cancelled && (isGivenUp(a) || a.solution.cancelled)) return a;
+  if (a.solution.cancelled) return withoutLayout(t);
   if (std::string note = withoutFactorNote(solver_->memory()); !note.empty() && !isDelaunay)
     a.fallbacks.push_back(std::move(note));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
@@ -194,7 +195,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
     watch.lap();
     b.solution = solver_->solveWithFloor(floor);
     timings_.solve += watch.lap();
-    if (b.solution.cancelled && (isGivenUp(b) || b.solution.cancelled)) return b;
+    if (b.solution.cancelled) return withoutLayout(t);
     b.fallbacks.push_back(withFloor(
         "angles were too small to draw; used the interior point with a barrier floor of %g",
         floor));
@@ -252,7 +253,6 @@ Attempt ChartFlattener::tutte(const BoundaryBounds& t, const std::string& reason
   a.solver = Solver::Tutte;
   a.uv = embedTutte(chart_).uv;
   timings_.layout += watch.lap();
-  a.solution.converged = true;
   measure(a);
   a.exceeded = exceededBounds(chart_, a.uv, t);
   a.fallbacks.push_back(reason + "; used Tutte's embedding on a circle instead");

@@ -30,10 +30,18 @@ struct Exceeded {
 Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
                         const BoundaryBounds& t);
 
+/// How far an attempt came.
+enum class Ending : std::uint8_t {
+  LaidOut,    ///< its layout has been checked and measured
+  GivenUp,    ///< no layout: it would take more Newton steps than are allowed
+  Cancelled,  ///< no layout: the caller wants none
+};
+
 /// A layout for certain bounds, and what it took.
 struct Attempt {
+  Ending ending = Ending::LaidOut;
   BoundaryBounds t;
-  AngleSolution solution;
+  AngleSolution solution;  ///< without angles where the layout is Tutte's
   std::vector<double> uv;  ///< in chart units
   Validity validity;
   Distortion distortion;
@@ -43,11 +51,15 @@ struct Attempt {
   std::optional<RefineReport> refined;
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
-  bool isGivenUp = false;         ///< more Newton steps would be needed than are allowed
   bool wasValidUnpinned = false;  ///< with pins only
   Exceeded exceeded;  ///< of the bounds asked for, where nothing holds the layout to them
 
-  bool valid() const { return validity.valid() && solution.converged && exceeded.count == 0; }
+  bool isCancelled() const { return ending == Ending::Cancelled; }
+  bool isGivenUp() const { return ending == Ending::GivenUp; }
+  bool converged() const {
+    return ending == Ending::LaidOut && (solver == Solver::Tutte || solution.converged);
+  }
+  bool valid() const { return converged() && validity.valid() && exceeded.count == 0; }
 };
 
 /// checkValidity(), where parts of the boundary that are as good as touching count as crossings, so
@@ -133,7 +145,7 @@ class ChartFlattener {
  private:
   /// Counts steps, and ends the solution with the last that is allowed.
   SolverOptions counting(SolverOptions options);
-  bool isGivenUp(Attempt& a) const;
+  Attempt withoutLayout(const BoundaryBounds& t) const;
   void setAllBounds(const BoundaryBounds& t);
   void layOutAndCheck(Attempt& a);
   Validity check(const std::vector<double>& uv) const;

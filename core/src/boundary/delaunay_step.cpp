@@ -22,7 +22,7 @@ std::vector<std::array<std::uint32_t, 2>> inputEdges(const DiskChart& chart,
 
 /// Why a Delaunay layout is not taken; empty when it is.
 std::string objection(const Attempt& next, const Attempt& before) {
-  if (!next.solution.converged) return "no layout with this connectivity was found";
+  if (!next.converged()) return "no layout with this connectivity was found";
   if (next.validity.flippedTriangles > 0) return "its angles are too small to draw";
   if (before.valid() && !next.valid())
     return "its boundary crosses itself; a smaller t, or t = auto, prevents that";
@@ -52,9 +52,9 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
   for (const double margin : kMargins) {
     flattener.requireDelaunay(margin);
     Attempt next = untangled(flattener, flattener.attempt(attempt.t, &attempt), untangle);
-    if (next.solution.cancelled) return next;
+    if (next.isCancelled()) return next;
     why = objection(next, attempt);
-    if (!next.solution.converged) break;
+    if (!next.converged()) break;
     if (!why.empty()) continue;
     report.violated = checkDelaunay(chart, next.uv).violated.size();
     if (report.violated > 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 
 #include "base/constants.h"
@@ -19,8 +20,6 @@ constexpr int kRelaxations = 3;    ///< bisections afterwards
 
 /// What remains to be gained is not worth further solutions where it is less, of the distortion.
 constexpr double kNegligible = 0.002;
-
-bool cancelled(const Attempt& a) { return a.solution.cancelled; }
 
 /// A pair of crossing edges, and what closes between them.
 struct Guilty {
@@ -165,31 +164,31 @@ BoundaryBounds between(const BoundaryBounds& a, const BoundaryBounds& b, double 
 
 Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, double distortionLimit) {
   const BoundaryBounds& asked = crossing.t;
-  Attempt invalid = crossing, valid;
+  Attempt invalid = crossing;
+  std::optional<Attempt> valid;
   double high = std::min(2.0, *std::max_element(asked.begin(), asked.end())), low = 0;
-  bool found = false;
   // Down in growing steps, then bisection.
-  for (double drop = 0.1; !found && high > 1; drop *= 2) {
+  for (double drop = 0.1; !valid && high > 1; drop *= 2) {
     const double t = std::max(1.0, high - drop);
     Attempt a = flattener.attempt(lowered(asked, t), &invalid);
-    if (cancelled(a) || (found = a.valid())) {
+    if (a.valid()) {
       valid = std::move(a);
       low = t;
       break;
     }
-    if (a.isGivenUp || a.distortion.angular > distortionLimit) return a;
+    if (a.isCancelled() || a.isGivenUp() || a.distortion.angular > distortionLimit) return a;
     invalid = std::move(a);
     high = t;
   }
-  if (!found || cancelled(valid)) return found || cancelled(valid) ? valid : invalid;
+  if (!valid) return invalid;
   while (high - low > kStepOfT * 1.0001) {
     if (invalid.distortion.angular > distortionLimit) break;
     // On the grid of hundredths, so that the answer is a number a person would type.
     double t = std::round((low + high) / 2 / kStepOfT) * kStepOfT;
     if (t <= low || t >= high) break;
-    Attempt a = flattener.attempt(lowered(asked, t), &valid);
-    if (cancelled(a)) return a;
-    if (a.isGivenUp) break;
+    Attempt a = flattener.attempt(lowered(asked, t), &*valid);
+    if (a.isCancelled()) return a;
+    if (a.isGivenUp()) break;
     if (a.valid()) {
       valid = std::move(a);
       low = t;
@@ -198,7 +197,7 @@ Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, doubl
       high = t;
     }
   }
-  return valid;
+  return std::move(*valid);
 }
 
 Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
@@ -206,7 +205,7 @@ Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
   Tightening tightening(flattener, crossing.t.size());
   for (int round = 0; round < kMaxRounds; ++round) {
     Attempt next = flattener.attempt(tightening.next(last), &last);
-    if (cancelled(next) || next.isGivenUp) return next;
+    if (next.isCancelled() || next.isGivenUp()) return next;
     if (next.valid()) {
       Attempt best = std::move(next);
       BoundaryBounds loose = last.t;
@@ -214,8 +213,8 @@ Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
       for (int i = 0; i < kRelaxations && best.distortion.angular > atMostGained; ++i) {
         const BoundaryBounds middle = between(loose, best.t, 0.5);
         Attempt a = flattener.attempt(middle, &best);
-        if (cancelled(a)) return a;
-        if (a.isGivenUp) break;
+        if (a.isCancelled()) return a;
+        if (a.isGivenUp()) break;
         if (a.valid())
           best = std::move(a);
         else
@@ -224,7 +223,7 @@ Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
       return best;
     }
     // Where the triangles are no longer fine, tightening further does not help.
-    if (next.validity.flippedTriangles > 0 || !next.solution.converged) return next;
+    if (next.validity.flippedTriangles > 0 || !next.converged()) return next;
     last = std::move(next);
   }
   return last;

@@ -42,7 +42,7 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
   constexpr int kDrawable =
       12;  // orders of magnitude that doubles hold beside the errors of the layout
-  if (!a.solution.converged) {
+  if (!a.converged()) {
     char text[120];
     std::snprintf(text, sizeof text,
                   "the solver did not converge: constraint residual %.2g after %zu steps",
@@ -103,7 +103,7 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
   r.iterations = static_cast<int>(s.history.size());
   r.history = s.history;
   r.constraintResidual = s.constraintResidual;
-  r.converged = s.converged;
+  r.converged = attempt.converged();
   setMeasures(r, attempt.validity, attempt.distortion);
   r.delaunay = attempt.delaunay;
   r.refined = attempt.refined;

@@ -82,81 +82,133 @@ Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
   return out;
 }
 
+/// One run, stage by stage.
+class Flattening {
+ public:
+  Flattening(const PolygonMesh& mesh, const FlattenOptions& options)
+      : mesh_(mesh), options_(options), monitor_(options.progress) {}
+
+  Result<FlattenResult> run() {
+    if (Status s = check(); !s.ok()) return s;
+    if (Status s = seeDisk(); !s.ok()) return s;
+    if (Status s = readWishes(); !s.ok()) return s;
+    if (Status s = layOut(); !s.ok()) return s;
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  static Status aborted() { return {StatusCode::Aborted, "cancelled"}; }
+
+  Status check() {
+    Result<SolverChoice> chosen = chosenSolver(options_);
+    if (!chosen.ok()) return chosen.status;
+    choice_ = std::move(chosen.value);
+    if (options_.delaunay && options_.balance > 0)
+      return {StatusCode::InvalidOption,
+              "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
+              "them"};
+    return validateArrays(mesh_);
+  }
+
+  Status seeDisk() {
+    const auto goesOn = [this] { return monitor_.tell(Stage::Connectivity, 0); };
+    if (!goesOn()) return aborted();
+    Result<Prepared> prepared = prepare(mesh_, Pulse(goesOn));
+    if (!prepared.ok()) return prepared.status;
+    prepared_ = std::move(prepared.value);
+    return {};
+  }
+
+  /// Straight runs, bounds and pins, by places of the chart.
+  Status readWishes() {
+    const DiskChart& chart = prepared_.chart;
+    Result<StraightPlaces> straight = straightPlaces(chart, options_.straight);
+    if (!straight.ok()) return straight.status;
+    Result<BoundaryBounds> t = requestedBounds(chart, options_, straight.value);
+    if (!t.ok()) return t.status;
+    Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
+        pinsOfCharts(mesh_, prepared_.texcoords, options_.pins);
+    if (!pins.ok()) return pins.status;
+    straight_ = std::move(straight.value);
+    bounds_ = std::move(t.value);
+    pins_ = std::move(pins.value.front());
+    connectivitySeconds_ = watch_.lap();
+    return {};
+  }
+
+  Status layOut() {
+    if (!monitor_.tellStage(Stage::Solve)) return aborted();
+    const DiskChart& chart = prepared_.chart;
+    ThreadPool pool(usefulThreads(options_.threads, chart.triangleCount()));
+    SolverOptions solver;
+    solver.pool = &pool;
+    solver.onStep = [this](int, const NewtonStep& now) { return monitor_.tellStep(now); };
+    solver.allowedBytes = allowedBytes(options_.memory);
+    ChartFlattener flattener(
+        chart, solver, [this](Stage stage) { monitor_.tellStage(stage); }, choice_);
+    flattener.requireStraight(straight_);
+    const double setUp = watch_.lap();
+    best_ = bestLayout(flattener, solver);
+    if (best_.isCancelled() || monitor_.stopped()) return aborted();
+    out_.report.timings = flattener.timings();
+    out_.report.timings.solve += setUp;
+    out_.report.timings.connectivity = connectivitySeconds_;
+    out_.report.threads = pool.threads();
+    out_.straight = straightVertices(chart, straight_);
+    return monitor_.tell(Stage::Check, 0.92) ? Status() : aborted();
+  }
+
+  Attempt bestLayout(ChartFlattener& flattener, const SolverOptions& solver) {
+    const OutlineGoal goal = outlineGoal(options_, bounds_);
+    const RefineWishes refining{
+        options_.balance,    bounds_,     pins_,
+        solver.allowedBytes, solver.pool, [this] {
+                                  return monitor_.tellStage(Stage::Refine); }};
+    if (pins_.empty()) return flattenAndRefine(flattener, goal, {}, refining);
+    Attempt out = flattenChart(flattener, goal);
+    pin(flattener, pins_, {solver.allowedBytes, solver.pool}, out);
+    refineChart(flattener, refining, out);
+    if (out.isCancelled()) return out;
+    if (const Exceeded e = exceededBounds(prepared_.chart, out.uv, bounds_); e.count > 0)
+      out.fallbacks.push_back("pins: " + exceededText(e));
+    return out;
+  }
+
+  void finish() {
+    const DiskChart& chart = prepared_.chart;
+    watch_.lap();
+    out_.uv = inMeshUnit(chart, best_);
+    const double largestT = *std::max_element(best_.t.begin(), best_.t.end());
+    out_.report.charts.push_back(makeChartReport(chart, best_, largestT));
+    out_.report.timings.check += watch_.lap();
+    out_.report.input = std::move(prepared_.summary);
+    out_.report.options = options_;
+    out_.report.valid = out_.report.charts.front().valid;
+    out_.vertexMap.assign(chart.inputVertex.begin(), chart.inputVertex.end());
+    out_.triangles.assign(chart.vertexOfCorner.begin(), chart.vertexOfCorner.end());
+    const auto& ofCorner = prepared_.texcoords.ofCorner;
+    out_.cornerUv.assign(ofCorner.begin(), ofCorner.end());
+  }
+
+  const PolygonMesh& mesh_;
+  const FlattenOptions& options_;
+  Monitor monitor_;
+  Stopwatch watch_;
+  SolverChoice choice_;
+  Prepared prepared_;
+  StraightPlaces straight_;
+  BoundaryBounds bounds_;
+  std::vector<ChartPin> pins_;
+  double connectivitySeconds_ = 0;
+  Attempt best_;
+  FlattenResult out_;
+};
+
 }  // namespace
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
-  Stopwatch watch;
-  Monitor monitor(options.progress);
-  const Status aborted{StatusCode::Aborted, "cancelled"};
-  const Result<SolverChoice> chosen = chosenSolver(options);
-  if (!chosen.ok()) return chosen.status;
-  if (options.delaunay && options.balance > 0)
-    return Status{
-        StatusCode::InvalidOption,
-        "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
-        "them"};
-  if (Status s = validateArrays(mesh); !s.ok()) return s;
-  if (!monitor.tell(Stage::Connectivity, 0)) return aborted;
-
-  Result<Prepared> prepared =
-      prepare(mesh, Pulse([&] { return monitor.tell(Stage::Connectivity, 0); }));
-  if (!prepared.ok()) return prepared.status;
-  const DiskChart& chart = prepared.value.chart;
-  Result<StraightPlaces> straight = straightPlaces(chart, options.straight);
-  if (!straight.ok()) return straight.status;
-  const Result<BoundaryBounds> t = requestedBounds(chart, options, straight.value);
-  if (!t.ok()) return t.status;
-  const Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
-      pinsOfCharts(mesh, prepared.value.texcoords, options.pins);
-  if (!pins.ok()) return pins.status;
-  FlattenResult out;
-  Timings& timings = out.report.timings;
-  const double connectivity = watch.lap();
-
-  if (!monitor.tellStage(Stage::Solve)) return aborted;
-  ThreadPool pool(usefulThreads(options.threads, chart.triangleCount()));
-  SolverOptions solver;
-  solver.pool = &pool;
-  solver.onStep = [&](int, const NewtonStep& now) { return monitor.tellStep(now); };
-  solver.allowedBytes = allowedBytes(options.memory);
-  ChartFlattener flattener(
-      chart, solver, [&](Stage stage) { monitor.tellStage(stage); }, chosen.value);
-  flattener.requireStraight(std::move(straight.value));
-  const double setUp = watch.lap();
-  const RefineWishes refining{
-      options.balance,     t.value, pins.value.front(),
-      solver.allowedBytes, &pool,   [&] { return monitor.tellStage(Stage::Refine); }};
-  Attempt best = refining.pins.empty() ? flattenAndRefine(flattener, t.value, options, {}, refining)
-                                       : flattenChart(flattener, t.value, options);
-  if (!refining.pins.empty()) {
-    pin(flattener, refining.pins, {solver.allowedBytes, &pool}, best);
-    refineChart(flattener, refining, best);
-  }
-  if (best.solution.cancelled || monitor.stopped()) return aborted;
-  if (best.pins)
-    if (const Exceeded e = exceededBounds(chart, best.uv, t.value); e.count > 0)
-      best.fallbacks.push_back("pins: " + exceededText(e));
-  timings = flattener.timings();
-  timings.solve += setUp;
-  timings.connectivity = connectivity;
-
-  if (!monitor.tell(Stage::Check, 0.92)) return aborted;
-  watch.lap();
-  out.uv = inMeshUnit(chart, best);
-  const double common = *std::max_element(best.t.begin(), best.t.end());
-  out.report.charts.push_back(makeChartReport(chart, best, common));
-  timings.check += watch.lap();
-
-  out.report.input = std::move(prepared.value.summary);
-  out.report.options = options;
-  out.report.threads = pool.threads();
-  out.report.valid = out.report.charts.front().valid;
-  out.vertexMap.assign(chart.inputVertex.begin(), chart.inputVertex.end());
-  out.triangles.assign(chart.vertexOfCorner.begin(), chart.vertexOfCorner.end());
-  const auto& ofCorner = prepared.value.texcoords.ofCorner;
-  out.cornerUv.assign(ofCorner.begin(), ofCorner.end());
-  out.straight = straightVertices(chart, flattener.straight());
-  return out;
+  return Flattening(mesh, options).run();
 }
 
 }  // namespace abflat

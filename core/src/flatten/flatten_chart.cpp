@@ -47,24 +47,26 @@ unsigned usefulThreads(int wanted, std::size_t faces) {
   return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
 }
 
-Untangle untangleOf(const FlattenOptions& options) {
-  return options.t == kAutoT && options.untangle == Untangle::Auto ? Untangle::Best
-                                                                   : options.untangle;
+OutlineGoal automaticGoal(const BoundaryBounds& t) { return {t, true, Untangle::Best, false}; }
+
+OutlineGoal outlineGoal(const FlattenOptionValues& options, const BoundaryBounds& t) {
+  const bool isAuto = options.t == kAutoT;
+  const Untangle usual = isAuto ? Untangle::Best : Untangle::None;
+  return {t, isAuto, options.untangle == Untangle::Auto ? usual : options.untangle,
+          options.delaunay};
 }
 
-Attempt flattenChart(ChartFlattener& flattener, const BoundaryBounds& t,
-                     const FlattenOptions& options, const Effort& effort) {
-  const bool isAuto = options.t == kAutoT;
-  const Untangle untangle = untangleOf(options);
-  Attempt best = isAuto ? flattenAutomatically(flattener, t, untangle, effort)
-                        : untangled(flattener, flattener.attempt(t, nullptr), untangle, effort);
-  if (!options.delaunay || best.solution.cancelled) return best;
-  return madeDelaunay(flattener, std::move(best), untangle);
+Attempt flattenChart(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort) {
+  Attempt best =
+      goal.isAuto ? flattenAutomatically(flattener, goal.t, goal.untangle, effort)
+                  : untangled(flattener, flattener.attempt(goal.t, nullptr), goal.untangle, effort);
+  if (!goal.isDelaunay || best.isCancelled()) return best;
+  return madeDelaunay(flattener, std::move(best), goal.untangle);
 }
 
 void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const PinOptions& options,
          Attempt& attempt) {
-  if (pins.empty() || attempt.solution.cancelled) return;
+  if (pins.empty() || attempt.isCancelled()) return;
   const DiskChart& chart = flattener.chart();
   std::vector<ChartPin> inUnits = pins;
   for (ChartPin& p : inUnits)

@@ -15,12 +15,14 @@ std::uint64_t allowedBytes(double megabytes);
 /// Fewer than asked for where a mesh is so small that starting a thread takes longer than it saves.
 unsigned usefulThreads(int wanted, std::size_t faces);
 
-/// One chart with the bounds and all that the options ask for beyond them.
-Attempt flattenChart(ChartFlattener& flattener, const BoundaryBounds& t,
-                     const FlattenOptions& options, const Effort& effort = {});
+/// With bounds that are free, and what follows from t = auto.
+OutlineGoal automaticGoal(const BoundaryBounds& t);
 
-/// How crossings are removed under these options.
-Untangle untangleOf(const FlattenOptions& options);
+/// What the options ask for beside the bounds.
+OutlineGoal outlineGoal(const FlattenOptionValues& options, const BoundaryBounds& t);
+
+/// One chart with the outline that is asked for, as far as that can be.
+Attempt flattenChart(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort = {});
 
 /// Moves the attempt's layout to where its pins are, and checks and measures it anew. Without pins
 /// it stays.

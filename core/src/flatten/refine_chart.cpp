@@ -188,31 +188,31 @@ class RefiningTime {
 
 }  // namespace
 
-Attempt flattenAndRefine(ChartFlattener& flattener, const BoundaryBounds& t,
-                         const FlattenOptions& options, const Effort& effort,
+Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort,
                          const RefineWishes& wishes) {
-  const bool isFree = options.t == kAutoT && !isBounded(wishes) && flattener.straight().empty() &&
-                      wishes.pins.empty();
+  const bool isFree =
+      goal.isAuto && !isBounded(wishes) && flattener.straight().empty() && wishes.pins.empty();
   if (!(wishes.balance > 0) || !isFree) {
-    Attempt out = flattenChart(flattener, t, options, effort);
+    Attempt out = flattenChart(flattener, goal, effort);
     refineChart(flattener, wishes, out);
     return out;
   }
-  Attempt first = wishes.mayBeRough ? flattener.roughAttempt(t) : flattener.attempt(t, nullptr);
+  Attempt first =
+      wishes.mayBeRough ? flattener.roughAttempt(goal.t) : flattener.attempt(goal.t, nullptr);
   if (isTangled(first)) {
     const RefiningTime time(flattener);
     Attempt out = refined(flattener, optionsFor(flattener, wishes, Outline::Free), first);
     if (out.valid()) return out;
   }
-  if (wishes.mayBeRough && !first.valid() && !first.solution.cancelled)
-    first = flattener.attempt(t, first.solution.converged ? &first : nullptr);
-  Attempt out = madeValid(flattener, std::move(first), t, untangleOf(options), effort);
+  if (wishes.mayBeRough && !first.valid() && !first.isCancelled())
+    first = flattener.attempt(goal.t, first.converged() ? &first : nullptr);
+  Attempt out = madeValid(flattener, std::move(first), goal.t, goal.untangle, effort);
   refineChart(flattener, wishes, out);
   return out;
 }
 
 void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
-  if (!(wishes.balance > 0) || attempt.solution.cancelled) return;
+  if (!(wishes.balance > 0) || attempt.isCancelled()) return;
   // Most charts of some meshes are a triangle, or flat.
   constexpr double kRounding = 1e-9;
   if (attempt.distortion.symmetricDirichlet <= 1 + kRounding && attempt.valid()) return;

@@ -20,8 +20,7 @@ struct RefineWishes {
 
 /// A chart flattened as flattenChart() does, and refined. A free boundary that crosses itself may
 /// well no longer do so once lengths are kept: that is tried before it is untangled.
-Attempt flattenAndRefine(ChartFlattener& flattener, const BoundaryBounds& t,
-                         const FlattenOptions& options, const Effort& effort,
+Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort,
                          const RefineWishes& wishes);
 
 /// Trades angles of a valid layout for lengths, and checks and measures it anew. What was asked for

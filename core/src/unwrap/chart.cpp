@@ -49,21 +49,20 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   ChartFlattener flattener(chart, solver, [&](Stage) { goesOn(); });
   flattener.requireSeparation();
   flattener.requireStraight(wishes.straight);
-  FlattenOptions wanted;
-  wanted.t = options.t;
   // n angles that may be others than pi sum to (n - 2) pi: a chart with few of them cannot be as
   // convex as others.
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);
+  const OutlineGoal goal = options.t == kAutoT ? automaticGoal(bounds) : OutlineGoal{bounds};
   FlatChart out;
   RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
   refining.mayBeRough = true;
   const Effort effort = effortFor(patience, chart, options);
   const bool isPinned = !wishes.pins.empty();
-  Attempt attempt = isPinned ? flattenChart(flattener, bounds, wanted, effort)
-                             : flattenAndRefine(flattener, bounds, wanted, effort, refining);
-  if (attempt.solution.cancelled) return out;
+  Attempt attempt = isPinned ? flattenChart(flattener, goal, effort)
+                             : flattenAndRefine(flattener, goal, effort, refining);
+  if (attempt.isCancelled()) return out;
   out.isTangled = patience == Patience::Little && isTangled(attempt);
   if (isPinned) {
     Attempt alone = attempt;

@@ -99,7 +99,7 @@ TEST_CASE("an outline that bounds hold finds its form in few steps", "[refine]")
     wishes.pool = &pool;
     FlattenOptions options;
     options.t = 1;
-    Attempt attempt = flattenChart(flattener, wishes.bounds, options);
+    Attempt attempt = flattenChart(flattener, outlineGoal(options, wishes.bounds));
     REQUIRE(attempt.valid());
     refineChart(flattener, wishes, attempt);
     REQUIRE(attempt.refined);
@@ -121,7 +121,7 @@ TEST_CASE("a refined outline keeps its bounds and straight parts", "[refine]") {
       FlattenOptions options;
       options.t = t;
       const BoundaryBounds bounds(chart.boundary.size(), t);
-      Attempt attempt = flattenChart(flattener, bounds, options);
+      Attempt attempt = flattenChart(flattener, outlineGoal(options, bounds));
       REQUIRE(attempt.valid());
       const Attempt before = attempt;
       RefineWishes wishes;

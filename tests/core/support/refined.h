@@ -16,7 +16,7 @@ inline std::vector<double> conformalLayout(const DiskChart& chart) {
   ChartFlattener flattener(chart, options);
   flattener.requireSeparation();
   const Attempt a =
-      flattenChart(flattener, BoundaryBounds(chart.boundary.size(), 2), FlattenOptions());
+      flattenChart(flattener, automaticGoal(BoundaryBounds(chart.boundary.size(), 2)));
   REQUIRE(a.valid());
   return a.uv;
 }
