@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
 
 namespace abflat {
 
@@ -51,10 +50,9 @@ bool parseDouble(std::string_view word, double& value) {
 }
 
 char* writeReal(char* out, double value) {
-  // Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give the same
-  // bytes.
-  const std::string text = nlohmann::json(value).dump();
-  return std::copy(text.begin(), text.end(), out);
+  // Grisu2. Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give
+  // the same bytes.
+  return nlohmann::detail::to_chars(out, out + kMostDoubleChars, value);
 }
 
 char* writeDouble(char* out, double value) {
