@@ -75,7 +75,7 @@ for (const how of Object.keys(COMPRESSIONS))
     assert.deepEqual(flaws(atlas, 512), []);
     const { notes } = JSON.parse(readFileSync(at('r.json')));
     const [note] = notes.filter((each) => NOTE.test(each));
-    assert.equal(run.stderr, `abflat: ${note}\n`);
+    assert.equal(run.stderr, `abflat: ${note}.\n`);
   });
 
 test('the files have all that the extensions offer', async () => {
@@ -267,7 +267,7 @@ test('what is wrong with compressed bytes is said in a sentence', async (t) => {
       draco((json) => {
         dracoOf(json).bufferView = 1e6;
       }),
-      `${place}\\.bufferView is 1000000, but there are \\d+ bufferViews`,
+      `${place}\\.bufferView is 1000000, but there are only \\d+ bufferViews`,
     ],
     [
       meshopt(([first]) => {

@@ -36,7 +36,9 @@ function checkEnd({ code, signal, stderr }, at, output) {
     return report.valid === (code === 0) || code === 1 ? '' : `exit ${code}, valid ${report.valid}`;
   }
   if (existsSync(at(output))) return `exit ${code}, but there is an output`;
-  return /^abflat: [^\n]+\n$/.test(stderr) ? '' : `exit ${code} says ${stderr.slice(0, 300)}`;
+  // Options that contradict each other are pointed to the help.
+  const oneSentence = /^abflat: [^\n]+\n(Run 'abflat \w+ --help' for usage\.\n)?$/;
+  return oneSentence.test(stderr) ? '' : `exit ${code} says ${stderr.slice(0, 300)}`;
 }
 
 /** The same of what came out. */

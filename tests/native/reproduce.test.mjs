@@ -209,9 +209,9 @@ describe('folders', () => {
       ],
       [['--meshes', 'missing', '--out', 'out'], 3, /missing: there is no such folder/],
       [['--meshes', 'file', '--out', 'out'], 3, /file: it is not a folder/],
-      [['--out', 'file'], 5, /cannot make the folder file/],
-      [['--out', 'file/deep'], 5, /cannot make the folder file\/deep/],
-      [['--out', '/proc/abflat'], 5, /cannot make the folder \/proc\/abflat/],
+      [['--out', 'file'], 5, /cannot create the folder file/],
+      [['--out', 'file/deep'], 5, /cannot create the folder file\/deep/],
+      [['--out', '/proc/abflat'], 5, /cannot create the folder \/proc\/abflat/],
       [[], 2, /--out is required/],
       [['--out', 'out', '--only', 'poems'], 2, /tables,convergence,figures/],
     ]) {

@@ -288,7 +288,7 @@ test('what cannot be done is one sentence', async (t) => {
     [
       ['in.obj', '--seams', 'file=far.txt'],
       2,
-      /the seam 0-99 names vertex 99, but there are only 8/,
+      /seam 0-99 refers to vertex 99, but there are only 8/,
     ],
     [['in.obj', '--seams', 'file=diagonal.txt'], 2, /seam 0-7 is not an edge of any face/],
     [['in.obj', '--seams', 'file=missing.txt'], 3, /missing\.txt/],
