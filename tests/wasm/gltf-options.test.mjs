@@ -172,7 +172,7 @@ test('what goes wrong leaves the document as it was, and is said with its place'
   const indices = second.getIndices().getArray();
   const first = indices[4];
   indices[4] = 60000;
-  await fails(/mesh 0 \("character"\), primitive 1: triangle 1 has vertex 60000/);
+  await fails(/mesh 0 \("character"\), primitive 1: triangle 1 refers to vertex 60000/);
   indices[4] = first;
   second.getAttribute('POSITION').getArray()[7] = Number.NaN;
   await fails(/mesh 0 \("character"\), primitive 1: vertex 2 /);
@@ -191,7 +191,7 @@ test('a layout of one’s own goes into a document as well', async () => {
   const layout = await abflat.unwrap(mesh, { seamEdges: Uint32Array.of(0, 12) });
   assert.throws(
     () => setTexcoords(mesh, { ...layout, indices: layout.indices.slice(3) }),
-    /has 23 triangles, the document 24/,
+    /has 23 triangles, but the document has 24/,
   );
   setTexcoords(mesh, layout);
   assertSameButTexcoord(document, before);

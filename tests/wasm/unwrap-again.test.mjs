@@ -82,8 +82,8 @@ test('known: what is no result, or that of another mesh, is refused', async () =
     [null, /result of unwrap; its unpacked/],
     [{ ...cube, indices: [0, 1, 2] }, /its indices is not a Uint32Array/],
     [{ ...cube, report: {} }, /report\.options\.t/],
-    [{ ...cube, vertexMap: cube.vertexMap.slice(1) }, /not of this mesh.*coordinates/],
-    [await abflat.unwrap(arraysOf(sphere(6))), /not of this mesh.*triangles/],
+    [{ ...cube, vertexMap: cube.vertexMap.slice(1) }, /belongs to another mesh.*coordinates/],
+    [await abflat.unwrap(arraysOf(sphere(6))), /belongs to another mesh.*triangles/],
   ])
     await assertFails(abflat, abflat.unwrap(arraysOf(CUBE), { known }), 'InvalidOption', pattern);
 });

@@ -30,7 +30,7 @@ const REFUSED = [
   [{ fixedFaces: [0] }, /fixedFaces must be a Uint32Array/],
   [{ fixedFaces: 'all' }, /fixedFaces must be 'uv' or a Uint32Array/],
   [{ fixedFaces: 'uv' }, /fixedFaces: the mesh has no texcoords to keep/],
-  [{ fixedFaces: Uint32Array.of(0) }, /the mesh has none/],
+  [{ fixedFaces: Uint32Array.of(0) }, /the mesh has no texcoords/],
   [{ udim: true }, /texel density/],
   [{ texelDensity: 0 }, /texelDensity must be a number above 0/],
   [{ obj: 1 }, /obj/],
