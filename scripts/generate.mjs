@@ -40,9 +40,9 @@ export function renderAll(root) {
       text,
     ]),
     ['wasm/bindings/generated/field.h', renderField(schema)],
-    ['wasm/src/generated.ts', renderTypeScript(schema)],
-    ['wasm/src/generated-report.ts', renderReportTypes(schema)],
-    ['wasm/src/generated-arrays.ts', renderResultArrays(schema)],
+    ['wasm/src/base/generated.ts', renderTypeScript(schema)],
+    ['wasm/src/base/generated-report.ts', renderReportTypes(schema)],
+    ['wasm/src/base/generated-arrays.ts', renderResultArrays(schema)],
   ]);
   for (const path of documents(root)) {
     const text = readFileSync(join(root, path), 'utf8');

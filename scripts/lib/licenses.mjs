@@ -7,10 +7,10 @@ import { ROOT } from './paths.mjs';
 const FOLDER = join(ROOT, 'scripts/licenses');
 
 /** What each product contains. Names with a slash are npm packages, with their own LICENSE or, where they come without, the one in FOLDER. */
-const CORE = ['eigen', 'fast_float', 'nlohmann-json'];
+const CORE = ['eigen', 'fast_float'];
 const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
-  native: [...CORE, 'cli11', 'draco', 'meshoptimizer', 'zlib'],
+  native: [...CORE, 'nlohmann-json', 'cli11', 'draco', 'meshoptimizer', 'zlib'],
   wasm: WASM,
   web: [
     ...WASM,

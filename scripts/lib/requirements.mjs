@@ -134,8 +134,8 @@ export const REQUIREMENTS = [
   },
   {
     name: 'nlohmann-json',
-    purpose: 'page',
-    why: 'writes the report',
+    purpose: 'build',
+    why: 'reads and writes glTF',
     present: () => header('nlohmann/json.hpp'),
     apt: ['nlohmann-json3-dev'],
     dnf: ['json-devel'],

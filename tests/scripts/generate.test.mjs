@@ -22,13 +22,13 @@ const REPORT_SCHEMA = 'core/schema/report.json';
 const OUTPUTS = [
   'core/include/abflat/generated/status_code.h',
   'core/include/abflat/generated/flatten_options.h',
-  'wasm/src/generated.ts',
+  'wasm/src/base/generated.ts',
   'core/include/abflat/generated/names.h',
   'core/include/abflat/generated/chart_report.h',
   'core/include/abflat/generated/unwrap_report.h',
   'wasm/bindings/generated/field.h',
-  'wasm/src/generated-report.ts',
-  'wasm/src/generated-arrays.ts',
+  'wasm/src/base/generated-report.ts',
+  'wasm/src/base/generated-arrays.ts',
 ];
 
 function generate(root, ...args) {

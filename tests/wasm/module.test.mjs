@@ -74,7 +74,7 @@ test('what C++ calls takes the arguments that it is given', () => {
 test('the builds have the names of the package', () => {
   const [, body] = API.match(/abflatBuild\(\) \{(.*?)^\}/ms);
   const names = [...body.matchAll(/return "(\w+)"/g)].map(([, name]) => name);
-  const [, list] = read('wasm/src/builds.ts').match(/BUILDS\b[^=]*= \[(.*?)\]/s);
+  const [, list] = read('wasm/src/base/builds.ts').match(/BUILDS\b[^=]*= \[(.*?)\]/s);
   const builds = [...list.matchAll(/'(\w+)'/g)].map(([, name]) => name);
   assert.deepEqual(names.sort(), builds.sort());
 });

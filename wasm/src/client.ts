@@ -1,11 +1,11 @@
 // The caller's side of the protocol: a queue in front of one worker, which is started when there is something to do
 // and replaced when it was stopped.
 
-import { buildOf } from './build-of.js';
-import { AbflatError } from './errors.js';
+import { buildOf } from './base/build-of.js';
+import { AbflatError } from './base/errors.js';
+import type { Answer, AnyProgress, FromWorker, Request } from './messages/protocol.js';
 import type { Address, Platform, WorkerHandle } from './platform.js';
-import type { Answer, AnyProgress, FromWorker, Request } from './protocol.js';
-import type { AbortSignalLike } from './types.js';
+import type { AbortSignalLike } from './types/index.js';
 
 const terminated = () => new DOMException('terminate() was called.', 'AbortError');
 

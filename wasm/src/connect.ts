@@ -1,29 +1,11 @@
-import { buildOf } from './build-of.js';
-import { type Build, bestBuild, whyNoThreads } from './builds.js';
+import { buildOf } from './base/build-of.js';
+import { type Build, bestBuild, whyNoThreads } from './base/builds.js';
+import { AbflatError, messageOf } from './base/errors.js';
+import { STATUS_NAMES } from './base/generated.js';
+import { MAX_MEMORY } from './base/memory.js';
 import { Client } from './client.js';
-import { AbflatError, messageOf } from './errors.js';
-import { STATUS_NAMES } from './generated.js';
-import { takeFile, takeMesh } from './input.js';
-import { MAX_MEMORY } from './memory.js';
-import type { Address, Platform } from './platform.js';
-import type { Description, LayoutRequest, Request } from './protocol.js';
-import type {
-  Abflat,
-  CallOptions,
-  CompareOptions,
-  Comparison,
-  CreateOptions,
-  FlattenOptions,
-  FlattenResult,
-  LoadedMesh,
-  MeshFile,
-  MeshInput,
-  MeshSummary,
-  SampleOptions,
-  TriangleMesh,
-  UnwrapOptions,
-  UnwrapResult,
-} from './types.js';
+import { takeFile, takeMesh } from './messages/input.js';
+import type { Description, LayoutRequest, Request } from './messages/protocol.js';
 import {
   boundNumbers,
   chartNumbers,
@@ -44,7 +26,25 @@ import {
   seamVertices,
   straightNumbers,
   unwrapNumbers,
-} from './validate.js';
+} from './messages/validate.js';
+import type { Address, Platform } from './platform.js';
+import type {
+  Abflat,
+  CallOptions,
+  CompareOptions,
+  Comparison,
+  CreateOptions,
+  FlattenOptions,
+  FlattenResult,
+  LoadedMesh,
+  MeshFile,
+  MeshInput,
+  MeshSummary,
+  SampleOptions,
+  TriangleMesh,
+  UnwrapOptions,
+  UnwrapResult,
+} from './types/index.js';
 import { wasmName } from './wasm-file.js';
 
 /** Loads the module, starts a worker and waits until it answers. */

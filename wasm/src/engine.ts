@@ -1,13 +1,13 @@
 // One instance of the WebAssembly module. Runs in the worker, where it may block.
 
 import type { NativeModule } from './abflat.js';
-import { buildOf } from './build-of.js';
-import type { Build } from './builds.js';
-import { AbflatError, messageOf } from './errors.js';
-import { STATUS_NAMES } from './generated.js';
+import { buildOf } from './base/build-of.js';
+import type { Build } from './base/builds.js';
+import { AbflatError, messageOf } from './base/errors.js';
+import { STATUS_NAMES } from './base/generated.js';
+import { MIN_MEMORY, megabytes, PAGE } from './base/memory.js';
 import type { Glues } from './glue.js';
 import { Heap, OutOfMemory, readString } from './heap.js';
-import { MIN_MEMORY, megabytes, PAGE } from './memory.js';
 import type {
   Answer,
   AnyProgress,
@@ -17,7 +17,7 @@ import type {
   OwnedMesh,
   Request,
   UnwrapRequest,
-} from './protocol.js';
+} from './messages/protocol.js';
 import type {
   Comparison,
   FlattenResult,
@@ -29,7 +29,7 @@ import type {
   TriangleMesh,
   UnwrapReport,
   UnwrapResult,
-} from './types.js';
+} from './types/index.js';
 
 interface Hooks {
   onProgress(progress: AnyProgress): void;

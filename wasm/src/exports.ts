@@ -1,7 +1,7 @@
 // What the package exports beside createAbflat.
 
-export { type Build, bestBuild } from './builds.js';
-export { AbflatError, type LostPart } from './errors.js';
+export { type Build, bestBuild } from './base/builds.js';
+export { AbflatError, type LostPart } from './base/errors.js';
 export {
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,
@@ -16,6 +16,6 @@ export {
   UNWRAP_OPTIONS,
   type UnwrapOptionValues,
   type UnwrapStage,
-} from './generated.js';
-export { SAMPLE_NAMES, type SampleName } from './samples.js';
-export type * from './types.js';
+} from './base/generated.js';
+export { SAMPLE_NAMES, type SampleName } from './base/samples.js';
+export type * from './types/index.js';

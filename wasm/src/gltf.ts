@@ -1,13 +1,19 @@
 // Unwraps documents of glTF-Transform.
 
 import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core';
-import { AbflatError } from './errors.js';
+import { AbflatError } from './base/errors.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
 import { setTexcoords } from './gltf/texcoords.js';
 import { freeTexcoord } from './gltf/texture-sets.js';
-import { neededFor } from './needed-arrays.js';
-import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types.js';
-import { checkAbflat, checkBoolean, checkFunction, checkObject, shown } from './validate.js';
+import { neededFor } from './messages/needed-arrays.js';
+import {
+  checkAbflat,
+  checkBoolean,
+  checkFunction,
+  checkObject,
+  shown,
+} from './messages/validate.js';
+import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types/index.js';
 
 export {
   type DocumentMesh,

@@ -1,5 +1,5 @@
 import type createNative from './abflat.js';
-import type { Build } from './builds.js';
+import type { Build } from './base/builds.js';
 
 /** The script that Emscripten wrote for a build. Minified names may differ between builds, so each module needs its own. */
 export interface Glue {

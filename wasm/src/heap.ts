@@ -1,8 +1,8 @@
 // What goes into the memory of the WebAssembly module, and what is read from there.
 
 import type { NativeModule } from './abflat.js';
-import { RESULT_ARRAYS } from './generated-arrays.js';
-import type { KnownArrays, OwnedMesh } from './protocol.js';
+import { RESULT_ARRAYS } from './base/generated-arrays.js';
+import type { KnownArrays, OwnedMesh } from './messages/protocol.js';
 
 export type ResultName = keyof typeof RESULT_ARRAYS;
 export type ResultArray<Name extends ResultName> = InstanceType<

@@ -2,7 +2,7 @@
 
 import { connect } from './connect.js';
 import { node } from './platform-node.js';
-import type { Abflat, CreateOptions } from './types.js';
+import type { Abflat, CreateOptions } from './types/index.js';
 
 export * from './exports.js';
 

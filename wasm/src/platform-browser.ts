@@ -1,7 +1,7 @@
-import type { Build } from './builds.js';
-import { AbflatError, messageOf } from './errors.js';
+import type { Build } from './base/builds.js';
+import { AbflatError, messageOf } from './base/errors.js';
+import type { FromWorker } from './messages/protocol.js';
 import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
-import type { FromWorker } from './protocol.js';
 import { wasmFile } from './wasm-file.js';
 
 /** Where no address was given. */

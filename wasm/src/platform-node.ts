@@ -2,10 +2,10 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
-import { AbflatError, messageOf } from './errors.js';
+import { AbflatError, messageOf } from './base/errors.js';
+import type { FromWorker } from './messages/protocol.js';
 import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
 import { browser } from './platform-browser.js';
-import type { FromWorker } from './protocol.js';
 import { wasmFile } from './wasm-file.js';
 
 /** Where no address was given. */

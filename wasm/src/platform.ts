@@ -1,7 +1,7 @@
-import type { Build } from './builds.js';
-import type { AbflatError } from './errors.js';
-import type { FromWorker, ToWorker } from './protocol.js';
-import type { UrlLike } from './types.js';
+import type { Build } from './base/builds.js';
+import type { AbflatError } from './base/errors.js';
+import type { FromWorker, ToWorker } from './messages/protocol.js';
+import type { UrlLike } from './types/index.js';
 
 export type Address = string | UrlLike;
 

@@ -1,7 +1,7 @@
 // What the Web Workers share.
 
 import type { Glues } from './glue.js';
-import type { ToWorker } from './protocol.js';
+import type { ToWorker } from './messages/protocol.js';
 import { serve } from './serve.js';
 
 export function serveWeb(glues: Glues): void {

@@ -1,10 +1,10 @@
 // The worker's side of the protocol, the same in browsers and Node.
 
+import { AbflatError, messageOf } from './base/errors.js';
+import { KEPT_MEMORY } from './base/memory.js';
 import { Engine } from './engine.js';
-import { AbflatError, messageOf } from './errors.js';
 import type { Glues } from './glue.js';
-import { KEPT_MEMORY } from './memory.js';
-import type { Answer, AnyProgress, FromWorker, Request, ToWorker } from './protocol.js';
+import type { Answer, AnyProgress, FromWorker, Request, ToWorker } from './messages/protocol.js';
 
 /** About 30 a second. */
 const PROGRESS_PAUSE_MS = 33;

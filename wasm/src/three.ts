@@ -1,10 +1,10 @@
 // Helpers for three.js.
 
 import { BufferAttribute, BufferGeometry } from 'three';
-import { AbflatError } from './errors.js';
-import { normalized } from './normalized.js';
-import { pickRows } from './rows.js';
-import type { Layout, MeshArrays } from './types.js';
+import { AbflatError } from './base/errors.js';
+import { normalized } from './base/normalized.js';
+import { pickRows } from './base/rows.js';
+import type { Layout, MeshArrays } from './types/index.js';
 
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
 

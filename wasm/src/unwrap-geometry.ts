@@ -7,11 +7,11 @@ import {
   InstancedBufferGeometry,
   type InterleavedBufferAttribute,
 } from 'three';
-import { AbflatError } from './errors.js';
-import { neededFor } from './needed-arrays.js';
-import { indexArray, pickRows } from './rows.js';
-import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types.js';
-import { checkAbflat, checkMemory, checkObject, checkString } from './validate.js';
+import { AbflatError } from './base/errors.js';
+import { indexArray, pickRows } from './base/rows.js';
+import { neededFor } from './messages/needed-arrays.js';
+import { checkAbflat, checkMemory, checkObject, checkString } from './messages/validate.js';
+import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types/index.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 

@@ -1,5 +1,5 @@
-import type { Build } from './builds.js';
-import { AbflatError } from './errors.js';
+import type { Build } from './base/builds.js';
+import { AbflatError } from './base/errors.js';
 
 /** Bundlers find the files by exactly these expressions; not in builds.ts, which the worker loads as well. */
 export function wasmFile(build: Build): URL {

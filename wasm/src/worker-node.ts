@@ -3,7 +3,7 @@
 import { parentPort } from 'node:worker_threads';
 import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
-import type { ToWorker } from './protocol.js';
+import type { ToWorker } from './messages/protocol.js';
 import { serve } from './serve.js';
 
 if (!parentPort) throw new Error('This file is the worker of abflat; import abflat instead.');

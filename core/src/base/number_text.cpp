@@ -3,9 +3,14 @@
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "base/shortest_digits.h"
 
 namespace abflat {
 
@@ -49,16 +54,67 @@ bool parseDouble(std::string_view word, double& value) {
   return !word.empty() && scanDouble(word.data(), end, value) == end;
 }
 
+namespace {
+
+/// 0.digits * 10^point.
+struct Decimal {
+  std::string_view digits;
+  int point;
+};
+
+/// Of a text like "d.ddde+7", in which the point moves before the digits.
+Decimal takeApart(char* begin, const char* end) {
+  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+  const std::size_t e = text.find('e');
+  std::int64_t exponent = 0;
+  parseInteger(text.substr(e + 1), exponent);
+  const bool hasPoint = e > 1;
+  if (hasPoint) std::swap(begin[0], begin[1]);
+  return {text.substr(0, e).substr(hasPoint ? 1 : 0), static_cast<int>(exponent) + 1};
+}
+
+char* append(char* out, std::string_view text) { return std::copy(text.begin(), text.end(), out); }
+
+char* appendPlain(char* out, std::string_view digits, int point) {
+  const int count = static_cast<int>(digits.size());
+  if (point <= 0) return append(std::fill_n(append(out, "0."), -point, '0'), digits);
+  if (count <= point) return append(std::fill_n(append(out, digits), point - count, '0'), ".0");
+  out = append(out, digits.substr(0, static_cast<std::size_t>(point)));
+  *out++ = '.';
+  return append(out, digits.substr(static_cast<std::size_t>(point)));
+}
+
+/// The exponent has at least two digits, as printf writes it.
+char* appendScientific(char* out, std::string_view digits, int exponent) {
+  *out++ = digits[0];
+  if (digits.size() > 1) {
+    *out++ = '.';
+    out = append(out, digits.substr(1));
+  }
+  *out++ = 'e';
+  *out++ = exponent < 0 ? '-' : '+';
+  exponent = std::abs(exponent);
+  if (exponent < 10) *out++ = '0';
+  return std::to_chars(out, out + 3, exponent).ptr;
+}
+
+}  // namespace
+
 char* writeReal(char* out, double value) {
-  // Grisu2. Not std::to_chars: Emscripten's library has none for doubles, and native and wasm give
-  // the same bytes.
-  return nlohmann::detail::to_chars(out, out + kMostDoubleChars, value);
+  if (std::signbit(value)) *out++ = '-';
+  if (value == 0) return append(out, "0.0");
+  std::array<char, kMostShortestChars> text;
+  const Decimal decimal = takeApart(text.data(), writeShortest(text.data(), std::abs(value)));
+  constexpr int kLeastPlain = -4, kMostPlain = std::numeric_limits<double>::digits10;
+  if (kLeastPlain < decimal.point && decimal.point <= kMostPlain)
+    return appendPlain(out, decimal.digits, decimal.point);
+  return appendScientific(out, decimal.digits, decimal.point - 1);
 }
 
 char* writeDouble(char* out, double value) {
   if (!std::isfinite(value)) {
     const std::string_view text = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
-    return std::copy(text.begin(), text.end(), out);
+    return append(out, text);
   }
   char* const end = writeReal(out, value);
   return end - out > 2 && end[-1] == '0' && end[-2] == '.' ? end - 2 : end;

@@ -22,8 +22,8 @@ const char* scanDouble(const char* begin, const char* end, double& value);
 
 constexpr std::size_t kMostDoubleChars = 32, kMostIntegerChars = 10;
 
-/// Writes a text of at most kMostDoubleChars that reads back as the same double, and returns its
-/// end. The same everywhere, and nearly always the shortest.
+/// Writes a text of at most kMostDoubleChars with the fewest digits that read back as the same
+/// double, and returns its end. The same everywhere.
 char* writeDouble(char* out, double value);
 /// The same of a finite double, with ".0" where it is whole.
 char* writeReal(char* out, double value);

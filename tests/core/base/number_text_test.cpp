@@ -1,11 +1,14 @@
 #include "base/number_text.h"
 
+#include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +21,16 @@ namespace {
 std::string textOf(double value) {
   char text[kMostDoubleChars];
   return {text, writeDouble(text, value)};
+}
+
+/// How many, without zeros at the ends.
+int digitsOf(const std::string& text) {
+  std::string digits;
+  for (const char c : text.substr(0, text.find('e')))
+    if (c >= '0' && c <= '9') digits += c;
+  const std::size_t first = digits.find_first_not_of('0');
+  if (first == std::string::npos) return 0;
+  return static_cast<int>(digits.find_last_not_of('0') - first) + 1;
 }
 
 }  // namespace
@@ -42,12 +55,43 @@ TEST_CASE("doubles survive being written and read") {
   }
 }
 
+TEST_CASE("no text with fewer digits reads back as the same double, and none is nearer") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> sizes(-12, 12), numbers(-1, 1);
+  for (int i = 0; i < 20000; ++i) {
+    double value = numbers(random) * std::pow(10, sizes(random));
+    if (i % 2 == 1) value = static_cast<float>(value);  // these often lie between two texts
+    const std::string text = textOf(value);
+    const int digits = digitsOf(text);
+    char printed[64];
+    std::snprintf(printed, sizeof printed, "%.*e", std::max(digits - 1, 0), value);
+    INFO(text << " " << printed);
+    CHECK(std::strtod(text.c_str(), nullptr) == std::strtod(printed, nullptr));
+    if (digits < 2) continue;
+    std::snprintf(printed, sizeof printed, "%.*e", digits - 2, value);
+    CHECK(std::strtod(printed, nullptr) != value);
+  }
+}
+
 TEST_CASE("short numbers have short texts, and what is no number has one") {
   const double infinity = std::numeric_limits<double>::infinity();
-  const std::pair<double, const char*> cases[] = {
-      {0.1, "0.1"},        {-0.0, "-0"},         {1, "1"},        {-20, "-20"}, {0.5, "0.5"},
-      {100000, "100000"},  {1e22, "1e+22"},      {1e-5, "1e-05"}, {1.5, "1.5"}, {infinity, "inf"},
-      {-infinity, "-inf"}, {std::nan(""), "nan"}};
+  const std::pair<double, const char*> cases[] = {{0.1, "0.1"},
+                                                  {-0.0, "-0"},
+                                                  {1, "1"},
+                                                  {-20, "-20"},
+                                                  {0.5, "0.5"},
+                                                  {100000, "100000"},
+                                                  {123456.75, "123456.75"},
+                                                  {0.00012, "0.00012"},
+                                                  {1e15, "1e+15"},
+                                                  {-1.5e-7, "-1.5e-07"},
+                                                  {2.5e123, "2.5e+123"},
+                                                  {1e22, "1e+22"},
+                                                  {1e-5, "1e-05"},
+                                                  {1.5, "1.5"},
+                                                  {infinity, "inf"},
+                                                  {-infinity, "-inf"},
+                                                  {std::nan(""), "nan"}};
   for (const auto& [value, text] : cases) CHECK(textOf(value) == text);
   for (const std::uint32_t value : {0u, 7u, 10u, 4294967295u}) {
     char text[kMostIntegerChars];

@@ -3,7 +3,6 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
-export const SOURCES = join(ROOT, 'wasm/src');
 export const DIST = join(ROOT, 'wasm/dist');
 export const NATIVE = join(ROOT, 'build/native/abflat');
 export const MESHES = join(ROOT, '../shared/meshes');

@@ -1,9 +1,9 @@
 // A document of glTF-Transform as one mesh.
 
 import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core';
-import { AbflatError } from '../errors.js';
-import type { MeshArrays } from '../types.js';
-import { checkMemory } from '../validate.js';
+import { AbflatError } from '../base/errors.js';
+import { checkMemory } from '../messages/validate.js';
+import type { MeshArrays } from '../types/index.js';
 import { type Placement, placements, put } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 

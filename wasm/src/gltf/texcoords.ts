@@ -1,10 +1,10 @@
 // A layout back into the document that its mesh came from.
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
-import { AbflatError } from '../errors.js';
-import { normalized } from '../normalized.js';
-import { indexArray, pickRows } from '../rows.js';
-import type { Layout } from '../types.js';
+import { AbflatError } from '../base/errors.js';
+import { normalized } from '../base/normalized.js';
+import { indexArray, pickRows } from '../base/rows.js';
+import type { Layout } from '../types/index.js';
 import { cornersOf, type DocumentMesh, type DocumentPart, turned } from './document-mesh.js';
 import { freeTexcoord } from './texture-sets.js';
 import { TRIANGLES } from './triangles.js';

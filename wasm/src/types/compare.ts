@@ -1,7 +1,7 @@
 // `compare`: the same mesh by several methods.
 
-import type { CompareStage, MethodKey } from '../generated.js';
-import type { ComparisonReport } from '../generated-report.js';
+import type { CompareStage, MethodKey } from '../base/generated.js';
+import type { ComparisonReport } from '../base/generated-report.js';
 import type { CallOptions, Progress } from './layout.js';
 
 export type { MethodKey };

@@ -1,7 +1,7 @@
 // `flatten`: one layout of a disk.
 
-import type { FlattenOptionValues } from '../generated.js';
-import type { Report, VertexBound } from '../generated-report.js';
+import type { FlattenOptionValues } from '../base/generated.js';
+import type { Report, VertexBound } from '../base/generated-report.js';
 import type { Layout, LayoutOptions, Progress } from './layout.js';
 
 /** What follows vertex `from` on the boundary, with the surface on the left, up to vertex `to`. */

@@ -1,6 +1,6 @@
 // What calls that give a layout have in common.
 
-import type { FlattenStage } from '../generated.js';
+import type { FlattenStage } from '../base/generated.js';
 
 /** What calls need of an AbortSignal, whichever library declares it. */
 export interface AbortSignalLike {

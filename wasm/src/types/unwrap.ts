@@ -1,7 +1,7 @@
 // `unwrap`: an atlas of any mesh.
 
-import type { UnwrapOptionValues, UnwrapStage } from '../generated.js';
-import type { UnwrapReport } from '../generated-report.js';
+import type { UnwrapOptionValues, UnwrapStage } from '../base/generated.js';
+import type { UnwrapReport } from '../base/generated-report.js';
 import type { Layout, LayoutOptions, Progress } from './layout.js';
 
 /** `stage` and `fraction` tell where the run is; numbers of Newton's method are 0. */

@@ -1,19 +1,19 @@
 // The types of the package: the worker, its calls and what they take and give.
 
-import type { Build } from './builds.js';
-import type { MeshSummary } from './generated-report.js';
-import type { CompareOptions, Comparison } from './types/compare.js';
-import type { FlattenOptions, FlattenResult } from './types/flatten.js';
-import type { AbortSignalLike, CallOptions } from './types/layout.js';
-import type { LoadedMesh, MeshFile, MeshInput, TriangleMesh } from './types/mesh.js';
-import type { UnwrapOptions, UnwrapResult } from './types/unwrap.js';
+import type { Build } from '../base/builds.js';
+import type { MeshSummary } from '../base/generated-report.js';
+import type { CompareOptions, Comparison } from './compare.js';
+import type { FlattenOptions, FlattenResult } from './flatten.js';
+import type { AbortSignalLike, CallOptions } from './layout.js';
+import type { LoadedMesh, MeshFile, MeshInput, TriangleMesh } from './mesh.js';
+import type { UnwrapOptions, UnwrapResult } from './unwrap.js';
 
-export type * from './generated-report.js';
-export type * from './types/compare.js';
-export type * from './types/flatten.js';
-export type * from './types/layout.js';
-export type * from './types/mesh.js';
-export type * from './types/unwrap.js';
+export type * from '../base/generated-report.js';
+export type * from './compare.js';
+export type * from './flatten.js';
+export type * from './layout.js';
+export type * from './mesh.js';
+export type * from './unwrap.js';
 
 export interface SampleOptions {
   signal?: AbortSignalLike;

@@ -1,8 +1,8 @@
 // Checks the mesh that a caller passes and makes the call its owner.
 
-import { AbflatError, messageOf } from './errors.js';
+import { AbflatError, messageOf } from '../base/errors.js';
+import type { MeshArrays } from '../types/index.js';
 import type { OwnedArrays, OwnedFile, OwnedMesh } from './protocol.js';
-import type { MeshArrays } from './types.js';
 import { bytesIn, checkBoolean, checkMemory, shown, tagOf } from './validate.js';
 
 interface Owned<T extends OwnedMesh> {

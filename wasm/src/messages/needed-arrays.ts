@@ -1,4 +1,4 @@
-import type { MeshArrays, UnwrapOptions } from './types.js';
+import type { MeshArrays, UnwrapOptions } from '../types/index.js';
 
 /** A mesh without what these options do not look at. */
 export function neededFor(

@@ -1,7 +1,7 @@
 // What client and worker say to each other. One call at a time: the worker answers it before the client sends the next.
 
-import type { Build } from './builds.js';
-import type { StatusName } from './generated.js';
+import type { Build } from '../base/builds.js';
+import type { StatusName } from '../base/generated.js';
 import type {
   CompareProgress,
   Comparison,
@@ -11,7 +11,7 @@ import type {
   TriangleMesh,
   UnwrapProgress,
   UnwrapResult,
-} from './types.js';
+} from '../types/index.js';
 
 export interface OwnedFile {
   bytes: Uint8Array;

@@ -1,7 +1,7 @@
 // Checks what callers pass as options.
 
-import { BUILDS } from './builds.js';
-import { AbflatError } from './errors.js';
+import { BUILDS } from '../base/builds.js';
+import { AbflatError } from '../base/errors.js';
 import {
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,
@@ -9,10 +9,10 @@ import {
   UNWRAP_DEFAULTS,
   UNWRAP_OPTIONS,
   type UnwrapOptionValues,
-} from './generated.js';
-import { MAX_MEMORY, MIN_MEMORY } from './memory.js';
+} from '../base/generated.js';
+import { MAX_MEMORY, MIN_MEMORY } from '../base/memory.js';
+import type { KnownLayout } from '../types/index.js';
 import type { KnownArrays, PinNumbers } from './protocol.js';
-import type { KnownLayout } from './types.js';
 
 const OF_CALL = ['signal', 'transfer'];
 const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', 'roundsForGltf', ...OF_CALL];
