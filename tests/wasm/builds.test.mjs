@@ -77,7 +77,7 @@ for (const [what, options, code, pattern] of REFUSED) {
 }
 
 test('a module without the label of this package is refused', async () => {
-  const { buildOf } = await import(join(DIST, 'build-of.js'));
+  const { buildOf } = await import(join(DIST, 'base/build-of.js'));
   const empty = await WebAssembly.compile(new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]));
   assert.throws(() => buildOf(empty), { name: 'AbflatError', code: 'UnreadableFile' });
 });

@@ -178,7 +178,7 @@ test('what goes wrong leaves the document as it was, and is said with its place'
   await fails(/mesh 0 \("character"\), primitive 1: vertex 2 /);
   second.getAttribute('POSITION').getArray()[7] = 0;
   second.setAttribute('COLOR_0', randomRows(document, 'VEC3', Float32Array, 5));
-  await fails(/primitive 1: COLOR_0 has 5 rows/);
+  await fails(/primitive 1: COLOR_0 has 5 elements/);
 });
 
 test('a layout of one’s own goes into a document as well', async () => {

@@ -12,7 +12,7 @@ import {
   writeFileSync,
 } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
@@ -45,7 +45,7 @@ function filesFrom(entry) {
     files.add(name);
     const text = readFileSync(join(DIST, name), 'utf8');
     for (const [, specifier] of text.matchAll(IMPORTS)) {
-      if (specifier.startsWith('./')) visit(specifier.slice(2));
+      if (specifier.startsWith('.')) visit(join(dirname(name), specifier));
       else assert.fail(`${name} imports ${specifier}`);
     }
   };
@@ -71,7 +71,7 @@ for (const [build, name] of Object.entries(BUILDS)) {
   });
 }
 
-test('the entries for browsers import only files beside them', () => {
+test('the entries for browsers import only files of the package', () => {
   assert.ok(filesFrom('index.js').size > 1);
   for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.js`));
 });
@@ -103,7 +103,7 @@ test('the entry for glTF-Transform has types of it alone', () => {
 for (const module of MODULES.slice(0, 2)) {
   test(`${module} knows its label, the status codes and samples of the package`, async () => {
     const { Engine } = await import(join(DIST, 'engine.js'));
-    const { buildOf } = await import(join(DIST, 'build-of.js'));
+    const { buildOf } = await import(join(DIST, 'base/build-of.js'));
     const { plain } = await import(join(DIST, 'glue-plain.js'));
     const { simd } = await import(join(DIST, 'glue-simd.js'));
     const wasm = await WebAssembly.compile(readFileSync(join(DIST, module)));

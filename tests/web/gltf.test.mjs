@@ -119,7 +119,7 @@ test('uv that textures use stay as they are unless the user wants them replaced'
   await assertValidFile(kept);
   assert.match(
     await textOf(page, '#run-text'),
-    /^New UVs are in TEXCOORD_1, textures keep theirs\. Exported painted-uv\.glb/,
+    /^New UVs are in TEXCOORD_1; textures keep theirs\. Exported painted-uv\.glb/,
   );
 
   await page.selectOption('#texcoord', '0');

@@ -129,7 +129,7 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
   await settled(page);
   await page.click('#more-toggle');
   await click(page, '#more-keep-uv');
-  assert.match(await textOf(page, '#alert'), /face 1's texcoords are mirrored/);
+  assert.match(await textOf(page, '#alert'), /face 1's UVs are mirrored/);
   await page.locator('#layout-note').waitFor();
   assert.match(await textOf(page, '#layout-note'), /^Still showing folded\.obj, /);
   // The message leaves the buttons below the views free.

@@ -67,7 +67,7 @@ test('of meshes that are dropped together one is opened, and the others are offe
   const page = await openPage(t);
   await dropFiles(page, { 'one.obj': grid(3), 'two.obj': grid(4), 'three.obj': grid(5) });
   await shows(page, 'one.obj');
-  assert.match(await textOf(page, '#notice'), /this is one\.obj/);
+  assert.match(await textOf(page, '#notice'), /^Opened one\.obj\./);
   await page.getByRole('button', { name: 'Open three.obj' }).click();
   await shows(page, 'three.obj');
   assert.equal((await metrics(page)).Faces, '50');
