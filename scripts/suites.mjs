@@ -23,11 +23,14 @@ const WITHOUT = {
   folder: 'native',
   env: {},
 };
+/** Tests that measure quality on many meshes take minutes with sanitizers and run nothing that others do not. */
+const NOT_QUALITY = '~[quality]';
 const SANITIZED = {
   title: (what) => `${what}, sanitizers`,
   purposes: ['build', 'test', 'fuzz'],
   folder: 'sanitize',
   env: SANITIZER_ENV,
+  filter: NOT_QUALITY,
 };
 
 /** Of all fuzzers together. */
@@ -83,7 +86,10 @@ function catch2(folder, needs, { kind = WITHOUT } = {}) {
     purposes: kind.purposes,
     needs,
     jobs: (options) =>
-      catchJobs(join(BUILD, kind.folder, 'tests/abflat_core_tests'), kind.env, options),
+      catchJobs(join(BUILD, kind.folder, 'tests/abflat_core_tests'), kind.env, {
+        ...options,
+        filter: kind.filter,
+      }),
   };
 }
 

@@ -12,10 +12,10 @@ const SECONDS = 40 * 60;
 /** All tests of Catch2: without an argument it leaves those out that are tagged [.long]. */
 const EVERYTHING = '*';
 
-/** A Catch2 program; its totals count test cases. With `long` also those tagged [.long]. */
-export function catchJobs(program, env = {}, { long = false } = {}) {
+/** A Catch2 program; its totals count test cases. `filter` selects tests by tag; with `long`, those tagged [.long] run as well. */
+export function catchJobs(program, env = {}, { long = false, filter } = {}) {
   const runAll = async () => {
-    const args = long ? [EVERYTHING] : [];
+    const args = [filter ?? (long ? EVERYTHING : [])].flat();
     const { code, output } = await run(program, args, { capture: true, env, seconds: SECONDS });
     return { ...settle(catchTotals(output), code), output };
   };

@@ -8,7 +8,7 @@ import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { FOLDED_DISKS, judge, MILD_DISKS, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const COUNT = isInstrumented ? 48 : 300;
+const COUNT = isInstrumented ? 16 : 300;
 /** Flattens and checks that exit code, report and judge (where there is one) tell the same story. */
 async function flattened(at, input, t) {
   const args = ['flatten', input, '-o', 'out.obj', '--t', String(t), '--report', 'r.json'];

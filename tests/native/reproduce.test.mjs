@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { parseCsv } from '../support/csv.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { fan, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
@@ -151,7 +151,7 @@ describe('pictures', () => {
   });
 });
 
-describe('convergence', () => {
+describe('convergence', { skip: isInstrumented && 'takes a minute with sanitizers' }, () => {
   test('every method ends at the same objective, plain ones after more iterations', async (t) => {
     const at = prepared(t, { 'bumps.obj': grid(6) });
     const total = {};

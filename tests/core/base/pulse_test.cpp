@@ -99,7 +99,8 @@ TEST_CASE("a run that is cancelled while it sees the surface ends there") {
   }
 }
 
-TEST_CASE("calls become more with the mesh while seams are sought and charts flattened") {
+TEST_CASE("calls become more with the mesh while seams are sought and charts flattened",
+          "[quality]") {
   const auto calls = [](unsigned n, int threads) {
     std::map<Stage, int> out;
     double fraction = 0;

@@ -87,7 +87,7 @@ TEST_CASE("thousands of small charts, and tiny ones beside large ones", "[pack]"
   CHECK(complaint(shapes, packing, at(128, 2)) == "");
 }
 
-TEST_CASE("as many texels as charts is enough room", "[pack]") {
+TEST_CASE("as many texels as charts is enough room", "[pack][quality]") {
   std::vector<PackShape> shapes = makePackShapes("triangles", 400, 3, 1);
   for (const int padding : {0, 1, 2, 3}) {
     const int least = 20 + 19 * padding + 2 * ((padding + 1) / 2);
@@ -153,7 +153,7 @@ TEST_CASE("threads do not change a packing", "[pack]") {
 }
 
 TEST_CASE("with a bound of work all charts are packed, and the better the more it allows",
-          "[pack]") {
+          "[pack][quality]") {
   for (const std::size_t count : {2, 5, 25, 100, 300}) {
     if (count > cases(300u, 25u)) continue;
     const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 3);

@@ -96,7 +96,7 @@ TEST_CASE("the abflat rows are those of flatten") {
   }
 }
 
-TEST_CASE("a free abflat layout keeps angles better than every other one") {
+TEST_CASE("a free abflat layout keeps angles better than every other one", "[quality]") {
   for (const Sample& sample : samples()) {
     const Comparison c = compared(sample.make(1));
     const MethodResult& free = c.methods[2];

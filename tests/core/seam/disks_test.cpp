@@ -94,7 +94,7 @@ void checkAllDisks(PolygonMesh mesh) {
 
 }  // namespace
 
-TEST_CASE("every chart of a smooth surface is a disk", "[seams]") {
+TEST_CASE("every chart of a smooth surface is a disk", "[seams][quality]") {
   checkAllDisks(isosurface(20, rings(0)));
   for (const unsigned genus : {1u, 2u, 3u, 6u})
     if (genus <= cases(6u, 2u)) checkAllDisks(isosurface(12 + 6 * genus, rings(genus)));

@@ -62,7 +62,7 @@ Flattened flattened(const Cuttable& c, const Seams& seams) {
 
 }  // namespace
 
-TEST_CASE("charts flatten validly, as little distorted as was predicted", "[seams]") {
+TEST_CASE("charts flatten validly, as little distorted as was predicted", "[seams][quality]") {
   const PolygonMesh meshes[] = {isosurface(24, rings(0)), isosurface(26, rings(1)),
                                 isosurface(30, rings(3)), isosurface(28, noise(2, 4)),
                                 torus(24, 60)};
@@ -78,7 +78,7 @@ TEST_CASE("charts flatten validly, as little distorted as was predicted", "[seam
   }
 }
 
-TEST_CASE("a smaller bound means longer seams and less distortion", "[seams]") {
+TEST_CASE("a smaller bound means longer seams and less distortion", "[seams][quality]") {
   const Cuttable c(isosurface(28, noise(2, 7)));
   double length = 0, stretch = 10;
   for (const double bound : {1.08, 1.03, 1.008}) {
@@ -160,7 +160,7 @@ TEST_CASE("finding seams stops when it is told to, with charts that are disks", 
   for (const PolygonMesh& chart : chartsOf(c, seams)) CHECK(inspect(chart).disk.ok());
 }
 
-TEST_CASE("rounds hardly grow with the number of peaks", "[seams]") {
+TEST_CASE("rounds hardly grow with the number of peaks", "[seams][quality]") {
   const auto roundsFor = [](unsigned n) {
     const Cuttable c(spikes(n));
     SeamReport report;
@@ -173,7 +173,7 @@ TEST_CASE("rounds hardly grow with the number of peaks", "[seams]") {
   CHECK(many <= 2 * few);
 }
 
-TEST_CASE("seams of real meshes meet the yardsticks", "[seams]") {
+TEST_CASE("seams of real meshes meet the yardsticks", "[seams][quality]") {
   // Charts and length by xatlas with its defaults on the same meshes.
   struct Yardstick {
     const char* file;

@@ -103,7 +103,7 @@ TEST_CASE("charts hang together by a part of their seam where all of it cannot b
   CHECK(report.stretch <= tight.maxStretch);
 }
 
-TEST_CASE("joined charts keep the bounds, and no seam is added", "[merge]") {
+TEST_CASE("joined charts keep the bounds, and no seam is added", "[merge][quality]") {
   for (const PolygonMesh& mesh : {isosurface(24, rings(2)), isosurface(28, noise(2, 4))}) {
     const Cuttable c(mesh);
     SeamOptions tight;

@@ -85,7 +85,8 @@ TEST_CASE("a mesh that is not its own image has no plane of symmetry", "[seams][
   CHECK_FALSE(findMirror(Cuttable(bumpyGrid(9, 7, 0.0, 3)).seamMesh));
 }
 
-TEST_CASE("seams of a symmetric mesh are symmetric where that is asked for", "[seams][symmetry]") {
+TEST_CASE("seams of a symmetric mesh are symmetric where that is asked for",
+          "[seams][symmetry][quality]") {
   const PolygonMesh mesh = symmetricAnimal();
   for (const PolygonMesh& m : {mesh, transformed(mesh, 7, {1, 2, 3}), renumbered(mesh, 5).mesh}) {
     const Cuttable c(m);

@@ -151,7 +151,8 @@ TEST_CASE("with straight seams charts whose seams end elsewhere are solved as we
   }
 }
 
-TEST_CASE("straight seams after other automatic ones are those that solving gives", "[known]") {
+TEST_CASE("straight seams after other automatic ones are those that solving gives",
+          "[known][quality]") {
   std::vector<PolygonMesh> meshes = {torus(24, 16), cylinder(20, 14), bumpyGrid(24, 20, 0.9, 3)};
   for (const char* file : {"spot-uv.obj", "beetle-nonmanifold.obj", "teapot-5parts.obj"})
     if (PolygonMesh mesh = sharedMesh(file); mesh.faceCount() > 0) meshes.push_back(mesh);

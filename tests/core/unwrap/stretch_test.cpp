@@ -45,7 +45,7 @@ bool hasNote(const UnwrapResult& r, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("no chart is stretched more than is allowed, once it is flat", "[unwrap]") {
+TEST_CASE("no chart is stretched more than is allowed, once it is flat", "[unwrap][quality]") {
   for (const PolygonMesh& mesh : meshes())
     for (const double bound : {1.02, 1.04, 1.15}) {
       UnwrapOptions options;
