@@ -6,9 +6,9 @@
 
 namespace abflat {
 
-/// The charts of a run, and where they are in the atlas.
+/// The charts of a run, and their places in the atlas.
 struct PackedCharts {
-  double unit;  ///< what a length of 1 is in the mesh
+  double unit;  ///< the length of 1 in the mesh
   ThreadPool& pool;
   LaidCharts& charts;
   Packing& packing;
