@@ -37,7 +37,7 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
   /// them. Islands are bounded by edges with different texcoords on their two sides.
   std::vector<std::uint32_t> fixedFaces;
-  /// Charts of `known` that stay exactly where they are, likewise.
+  /// Charts of `known` that stay exactly where they are, as above.
   std::vector<std::uint32_t> fixedCharts;
   /// Rounds texcoords to single precision before they are checked, since files and graphics cards
   /// hold them so; 1 - v is then exact in single precision as well. Skipped if it would make a

@@ -30,7 +30,7 @@ RoomCuts findRoomCuts(const LaidCharts& charts, const OpenSurface& open,
 /// Opens the surface along the cuts, and the holes that they reach.
 void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurface& open);
 
-/// Closes what opens charts further than `seams` did. `before`: the charts then.
+/// Closes what opens charts further than `seams` did. `before`: the charts at that time.
 void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isAsked,
               const Seams& seams, OpenSurface& open);
 
