@@ -75,7 +75,8 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
   sortStably(order.data(), order.data() + order.size(),
              [&](std::uint32_t a, std::uint32_t b) { return boxes[a].low[0] < boxes[b].low[0]; });
   const auto at = [&](std::size_t i) { return &uv[6 * i]; };
-  // From left to right: any triangle that overlaps the current one is still open in one of its rows.
+  // From left to right: any triangle that overlaps the current one is still open in one of its
+  // rows.
   const Rows rows(boxes);
   std::vector<std::vector<std::uint32_t>> open(rows.count());
   for (const std::uint32_t i : order)
