@@ -22,7 +22,7 @@ struct FlatSurface {
 class PieceFitting {
  public:
   PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit);
-  PieceFitting(const PieceFitting& other);  // defined elsewhere, since there is much to copy
+  PieceFitting(const PieceFitting& other);  // out of line: there is much to copy
   ~PieceFitting();
 
   /// Approximate side of the smallest square that holds the pieces as they are.
