@@ -50,7 +50,7 @@ struct Linearization {
   double objective = 0;
   std::vector<double> logSine;  ///< per corner
 };
-/// Where it is linearised, and how.
+/// Where and how to linearise.
 struct LinearizationPoint {
   const std::vector<double>& angles;
   const std::vector<double>& rowMultipliers;
