@@ -6,7 +6,8 @@ namespace abflat {
 
 /// Finds bounds between free and convex that leave no crossing, with as little distortion as
 /// possible.
-/// || Both functions start from `crossing`, a layout whose triangles are fine but whose boundary
+///
+/// Both functions start from `crossing`, a layout whose triangles are fine but whose boundary
 /// crosses itself. They return a valid attempt, or an invalid one if none was found. All tries are
 /// warm-started.
 

@@ -8,9 +8,8 @@
 
 namespace abflat {
 
-/// Where a surface comes from. The one owner of the way from its triangles and corners through
-/// triangulation and welding to the mesh that the user gave, and of the way back. Refers to all
-/// three.
+/// Where a surface comes from. The single owner of the mapping from its triangles and corners
+/// through triangulation and welding to the user's mesh, and back. Refers to all three.
 class SurfaceMap {
  public:
   SurfaceMap(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface)

@@ -30,7 +30,8 @@ struct PinOptions {
 };
 
 /// Fits a layout with the given angles (radians, size 3F) to two or more pins at different places.
-/// || It starts with the best similarity in the least-squares sense, which never mirrors; it meets
+///
+/// It starts with the best similarity in the least-squares sense, which never mirrors; it meets
 /// two pins exactly. With more pins, what is left is distributed by minimising the conformal energy
 /// with respect to the flat triangles, as a correction. So a layout that already meets its pins
 /// stays as it is, digit for digit apart from the similarity's rounding.
