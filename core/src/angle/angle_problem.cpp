@@ -10,7 +10,7 @@ namespace abflat {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
+constexpr std::size_t kGrain = 2048;  ///< triangles per piece of work
 
 /// Weight of the angles of triangles that fill holes, relative to those of the surface: low, so
 /// that a hole takes the shape it wants. Where an even lower weight would make a difference,

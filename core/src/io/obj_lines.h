@@ -15,7 +15,7 @@ struct ObjLine {
   std::size_t number = 0;      ///< of its first physical line, counted from 1
   std::string_view text;       ///< with its line end
   std::string_view arguments;  ///< between keyword and comment (may hold joined line ends)
-  std::string_view comment;    ///< with its #, without the line end; empty when there is none
+  std::string_view comment;    ///< with its #, without the line end; empty if there is none
   bool isJoined = false;       ///< consists of several physical lines
 };
 

@@ -38,7 +38,7 @@ void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv
     to = writeInteger(to, cornerUv[next++] + 1);
     if (from != last && *from == '/') ++from;
     while (from != last && !isBlank(*from) && *from != '/') ++from;
-    // A slash with nothing behind it is dropped.
+    // A slash with nothing after it is dropped.
     if (from != last && *from == '/' && (from + 1 == last || isBlank(from[1]))) ++from;
     while (from != last && !isBlank(*from)) *to++ = *from++;
   }

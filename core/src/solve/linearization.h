@@ -57,7 +57,7 @@ struct LinearizationPoint {
   Curvature curvature;
   const Barrier* barrier = nullptr;
 };
-/// Here and below results do not depend on `pool`; null: one thread.
+/// From here on, results do not depend on `pool`; null: one thread.
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
                const LinearizationPoint& at, Linearization& out, ThreadPool* pool = nullptr);
 

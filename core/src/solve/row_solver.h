@@ -14,8 +14,8 @@ namespace abflat {
 class RowSolver {
  public:
   virtual ~RowSolver() = default;
-  /// `lower` is the lower triangle. x is a guess on entry and the solution on return; no entry of b
-  /// - A x needs to be below `tolerance`. False if there is no solution.
+  /// `lower` is the lower triangle. x is a guess on entry and the solution on return, which is good
+  /// enough if no entry of b - A x is above `tolerance`. False if there is no solution.
   virtual bool solve(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
                      double tolerance, Eigen::VectorXd& x) = 0;
   /// Says that what is known from earlier matrices is of no use for the next one.
