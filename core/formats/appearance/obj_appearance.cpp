@@ -182,8 +182,7 @@ MaterialLook lookNamed(const std::string& name, const std::vector<Library>& libr
 
 void readObjAppearance(std::string_view bytes, const PolygonMesh& mesh,
                        const ReadResource& readResource, Appearance& out) {
-  std::vector<std::string>
-      lines;  // arguments of mtllib, which some programs repeat for each object
+  std::vector<std::string> lines;  // of mtllib; some programs repeat them for each object
   ObjAppearanceReader(mesh, out).run(bytes, lines);
   Libraries libraries(readResource, out);
   std::set<std::string_view> known;

@@ -71,10 +71,9 @@ struct Document {
   std::vector<Accessor> accessors;
   std::vector<std::vector<Primitive>> meshes;
   std::vector<Node> nodes;
-  std::optional<std::vector<std::size_t>>
-      roots;                              ///< nodes of the scene; nullopt if there is no scene
-  std::vector<std::string> packings;      ///< what the file was compressed with: "Draco"
-  std::vector<std::size_t> decodedViews;  ///< views whose bytes were compressed
+  std::optional<std::vector<std::size_t>> roots;  ///< of the scene, if there is one
+  std::vector<std::string> packings;              ///< what the file was compressed with: "Draco"
+  std::vector<std::size_t> decodedViews;          ///< views whose bytes were compressed
 
   std::string_view viewBytes(std::size_t view) const { return bytesOf(views[view], buffers); }
 };

@@ -61,9 +61,8 @@ constexpr std::uint32_t kNoChart = 0xffffffffu;
 /// Two tables of vertices. The texcoord table is as short as possible; the output vertices are the
 /// input vertices, plus one for each further texcoord of a vertex.
 struct UnwrapResult {
-  std::vector<double> uv;  ///< 2 per texcoord, in the square of a tile
-  std::vector<double>
-      unpacked;  ///< the same before packing: charts have their 3D area; NaN for fixed charts
+  std::vector<double> uv;        ///< 2 per texcoord, in the square of a tile
+  std::vector<double> unpacked;  ///< the same before packing, at 3D area; NaN for fixed charts
   std::vector<std::uint32_t> cornerUv;  ///< texcoord of each input face corner
   /// Per input face, index into report.charts: the chart of its first triangle, or of a neighbour
   /// if it has no triangle; kNoChart if it has no neighbour either.

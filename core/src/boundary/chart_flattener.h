@@ -52,8 +52,7 @@ struct Attempt {
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
   bool wasValidUnpinned = false;  ///< only set for pinned layouts
-  Exceeded
-      exceeded;  ///< relative to the bounds asked for, if nothing forces the layout to keep them
+  Exceeded exceeded;  ///< of the bounds asked for, if nothing forces the layout to keep them
 
   bool isCancelled() const { return ending == Ending::Cancelled; }
   bool isGivenUp() const { return ending == Ending::GivenUp; }

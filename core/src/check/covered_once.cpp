@@ -47,8 +47,7 @@ class Sweep {
 
  private:
   struct Active {
-    mutable std::uint32_t
-        edge;  ///< mutable: the order does not change when the next edge of the curve takes over
+    mutable std::uint32_t edge;  ///< changing to the curve's next edge keeps the order
   };
   struct Point {
     std::uint32_t number;

@@ -45,8 +45,7 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
 void findCharts(CutSurface& s) {
   const IdRange<SurfaceTriangle> triangles(s.twin.size() / 3);
   s.chartOfTriangle.resize(triangles.size());
-  s.triangleOrder.resize(triangles.size() +
-                         1);  // one extra slot, written for triangles that are not new
+  s.triangleOrder.resize(triangles.size() + 1);  // a slot for triangles that are not new
   std::uint32_t found = 0;
   for (const SurfaceTriangle start : triangles) {
     if (s.chartOfTriangle[start].exists()) continue;
@@ -60,8 +59,7 @@ void findCharts(CutSurface& s) {
       for (const SurfaceCorner h : cornersOf(triangle)) {
         const SurfaceCorner o = s.twin[h];
         const SurfaceTriangle next = o.exists() ? triangleOf(o) : triangle;
-        const bool isNew = !s.chartOfTriangle[next]
-                                .exists();  // branch-free, since a branch would be unpredictable
+        const bool isNew = !s.chartOfTriangle[next].exists();  // no branch: unpredictable
         s.chartOfTriangle[next] = isNew ? id : s.chartOfTriangle[next];
         s.triangleOrder[found] = next;
         found += isNew;

@@ -31,8 +31,7 @@ struct SeamMesh {
   /// Cost of a seam along a half-edge: its length, less if it is hidden. kBarredCost where holes
   /// have to stay filled, infinite within a polygon.
   IdVector<SurfaceCorner, double> cost;
-  IdVector<SurfaceCorner, double>
-      weight;  ///< cotangent of the edge, positive; the same as its twin's
+  IdVector<SurfaceCorner, double> weight;  ///< cotangent of the edge, positive; equal to its twin's
   IdVector<SurfaceVertex, double> vertexArea;  ///< a third of the area of the triangles around it
   IdVector<SurfaceVertex, double> angleSum;
   /// The hole that a triangle fills, none if it is part of the surface; empty if no hole is filled.

@@ -117,8 +117,7 @@ class Filler {
   SeamMesh& mesh_;
   IdVector<RimIndex, SurfaceCorner> side_;  ///< half-edge of the surface's boundary along each side
   IdVector<RimIndex, SurfaceVertex> vertex_;
-  IdVector<RimIndex, double>
-      angle_;  ///< at each vertex, the same in every triangle that fills the hole
+  IdVector<RimIndex, double> angle_;  ///< at each vertex, in every filling triangle
   double seamCost_;
 };
 

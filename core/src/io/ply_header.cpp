@@ -199,8 +199,7 @@ class HeaderReader {
 
   std::string_view bytes_, rest_, fileName_;
   PlyHeader header_;
-  std::set<std::string_view> elementNames_,
-      propertyNames_;  ///< the latter are those of the last element
+  std::set<std::string_view> elementNames_, propertyNames_;  ///< the latter: of the last element
 };
 
 }  // namespace

@@ -21,9 +21,8 @@ double angleAt(const PolygonMesh& mesh, const CornerTable& table, SurfaceCorner 
 
 VertexPairs findNotches(const PolygonMesh& mesh, const Surface& surface) {
   constexpr double kNothing = 0x1p-40;  // relative to the edge; a sine of pi is less
-  constexpr double kBent =
-      0.3;  // deviation from a full turn; a corner of a dodecahedron deviates by 0.63
-  constexpr std::size_t kLeast = 3;  // edges that must be left of a boundary
+  constexpr double kBent = 0.3;         // from a full turn; a corner of a dodecahedron: 0.63
+  constexpr std::size_t kLeast = 3;     // edges that must be left of a boundary
   VertexPairs out;
   for (const SurfaceLoop& loop : surface.boundaryLoops) {
     const std::size_t n = loop.size(), before = out.size();

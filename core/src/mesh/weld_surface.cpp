@@ -189,8 +189,7 @@ class Merger {
   std::vector<std::uint32_t> of_;       ///< per vertex, the one that represents its coordinates
   std::vector<std::uint32_t> grouped_;  ///< places
   std::vector<std::uint32_t> faceOfCorner_;
-  std::vector<std::uint32_t>
-      firstCorner_;  ///< of each place in cornersAt_, which only has corners for grouped places
+  std::vector<std::uint32_t> firstCorner_;  ///< per place, in cornersAt_; grouped places only
   std::vector<std::uint32_t> cornersAt_;
 };
 

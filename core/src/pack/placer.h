@@ -79,8 +79,7 @@ struct PlaceStart {
 struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
-  double mostMissing =
-      -1;  ///< total area of items that may stay without a place; negative: none may
+  double mostMissing = -1;  ///< area of items that may stay without a place; negative: none may
   const PlaceStart* start = nullptr;  ///< initial state of the first tile; null: use `taken`
   std::function<bool(std::size_t placed)> onPlaced;  ///< returning false cancels
 };

@@ -38,8 +38,7 @@ class ChordFinder {
   std::vector<SurfaceTriangle> order_;
   IdVector<SurfaceTriangle, SurfaceCorner> parent_;  ///< from each triangle towards the root
   IdVector<SurfaceTriangle, double> area_;           ///< of each subtree
-  IdVector<OpenVertex, BoundaryIndex>
-      alongLoop_;  ///< position of the boundary vertices seen so far
+  IdVector<OpenVertex, BoundaryIndex> alongLoop_;    ///< of the boundary vertices seen so far
 };
 
 }  // namespace abflat

@@ -11,7 +11,7 @@ namespace abflat {
 struct SeamPart {
   SeamMesh mesh;
   IdVector<SurfaceCorner, SurfaceCorner>
-      wholeHalfEdge;  ///< the whole's half-edge for each one of the part
+      wholeHalfEdge;  ///< in the whole, per half-edge of the part
   IdVector<SurfaceVertex, SurfaceVertex> wholeVertex;
 
   /// Re-expresses this part, whose whole was the mesh of `between`, in terms of the whole of

@@ -218,8 +218,7 @@ class Merger {
   /// Solves for the unions of the charts that the runs, which are already opened, separate.
   /// `apart`: the surface before that.
   Trial tryOut(const std::vector<Run>& runs, CutSurface apart) {
-    constexpr std::size_t kMost =
-        2;  // times as many triangles: the elimination order is that of the whole
+    constexpr std::size_t kMost = 2;  // times as many: the elimination order is for the whole
     CutSurface s = cutAlong(mesh_, seams_, pulse_);
     IdVector<CutChartId, std::uint8_t> isUnion(s.charts.size(), 0);
     for (const Run& run : runs) isUnion[s.chartOf(run.edges.front())] = 1;

@@ -41,9 +41,8 @@ struct FlatChart {
   double area = 0;               ///< of the chart's surface, in the mesh's unit
   ChartDistortion distortion;    ///< before rounding
   std::unique_ptr<UncommonParts> uncommon;
-  std::string problem;  ///< why it is not valid, one sentence; empty if it is valid
-  double enlarged =
-      1;  ///< size relative to other charts, so that rounding keeps its triangles apart
+  std::string problem;              ///< why it is not valid, one sentence; empty if it is valid
+  double enlarged = 1;              ///< relative to other charts, to keep its triangles apart
   double movedBy = 0;               ///< largest move of a vertex, along one axis
   std::uint32_t movedVertices = 0;  ///< vertices moved to keep triangles apart after rounding
   int iterations = 0;               ///< of the solver

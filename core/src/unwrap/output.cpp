@@ -189,8 +189,7 @@ void fillTexcoords(const Texcoords& texcoords, double unit, FlatCharts& flat, Un
     chart.uv = chart.unpacked = std::vector<double>();
   }
   out.cornerUv.assign(texcoords.ofCorner.begin(), texcoords.ofCorner.end());
-  std::uint32_t corner =
-      kNone;  // of faces that are gone completely, with no other face in their place
+  std::uint32_t corner = kNone;  // of faces that are gone, with no other in their place
   for (std::uint32_t& texcoord : out.cornerUv) {
     if (texcoord != kNone) continue;
     if (corner == kNone) {

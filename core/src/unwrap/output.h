@@ -15,8 +15,8 @@ Texcoords numberTexcoords(const CutMesh& mesh);
 /// Measures, in the atlas, how straight the parts are that were asked to be straight.
 void measureStraight(const ChartSet& set, FlatCharts& flat);
 
-/// Moves the texcoords of charts that lie in the atlas to the result. `unit`: the length of 1 in
-/// the user's mesh.
+/// Moves the texcoords of charts that lie in the atlas to the result. `unit`: what a length of 1 is
+/// in the user's mesh.
 void fillTexcoords(const Texcoords& texcoords, double unit, FlatCharts& flat, UnwrapResult& out);
 
 /// Fills in the result's faces, corners and triangles.

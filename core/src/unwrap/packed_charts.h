@@ -8,7 +8,7 @@ namespace abflat {
 
 /// The charts of a run, and their places in the atlas.
 struct PackedCharts {
-  double unit;  ///< the length of 1 in the mesh
+  double unit;  ///< what a length of 1 is in the mesh
   ThreadPool& pool;
   LaidCharts& charts;
   Packing& packing;

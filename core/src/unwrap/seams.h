@@ -13,7 +13,7 @@
 
 namespace abflat {
 
-/// A note that the surface is cut between two faces. `unit`: the length of 1 in the mesh.
+/// A note that the surface is cut between two faces. `unit`: what a length of 1 is in the mesh.
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit);
 
 /// The surface, its holes filled, with the seams that cut it to disks.

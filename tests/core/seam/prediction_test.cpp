@@ -74,8 +74,7 @@ TEST_CASE("what a ring covers twice is measured, and found to cross", "[seams]")
     ring.push_back({2 * std::cos(i * 0.0174532925), 2 * std::sin(i * 0.0174532925)});
   for (int i = 450; i >= 0; i -= 2)
     ring.push_back({std::cos(i * 0.0174532925), std::sin(i * 0.0174532925)});
-  for (Point2& p : ring)
-    p = {p[0] + 0.001 * p[1], p[1] - 0.013 * p[0]};  // so that no edges coincide
+  for (Point2& p : ring) p = {p[0] + 0.001 * p[1], p[1] - 0.013 * p[0]};  // no edges coincide
   const Shape shape = measureShape(ring);
   CHECK(shape.overlap == Approx(0.2).epsilon(0.05));
   CHECK(!shape.crossings.empty());
