@@ -72,8 +72,7 @@ inline bool isCornerTexcoords(const PlyProperty& property) {
 Result<PlyHeader> readPlyHeader(std::string_view bytes, std::string_view fileName);
 
 /// The first line of the rest of a header, including its end. If lines end in "\r" alone, as on old
-/// Macs, a "
-/// " after the last one is data.
+/// Macs, a "\n" after the last one is data.
 std::string_view headerLine(std::string_view rest, std::string_view lineEnd);
 
 }  // namespace abflat

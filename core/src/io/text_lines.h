@@ -25,9 +25,7 @@ inline bool isUtf16(std::string_view text) {
   return (text[0] == 0) == (text[2] == 0) && (text[1] == 0) == (text[3] == 0);
 }
 
-/// Size of the first line including its end, which is "
-/// ", "\r
-/// ", "\r" or the end of the text.
+/// Size of the first line including its end, which is "\n", "\r\n", "\r" or the end of the text.
 inline std::size_t lineSize(std::string_view text) {
   const char *begin = text.data(), *end = begin + text.size(), *at = begin;
   while (at != end && *at != '\n' && *at != '\r') ++at;
@@ -36,9 +34,7 @@ inline std::size_t lineSize(std::string_view text) {
   return static_cast<std::size_t>(at - begin) + (isPair ? 2 : 1);
 }
 
-/// The line end of a line that includes it: "
-/// ", "\r
-/// ", "\r" or nothing.
+/// The line end of a line that includes it: "\n", "\r\n", "\r" or nothing.
 inline std::string_view lineEnd(std::string_view line) {
   if (line.empty() || (line.back() != '\n' && line.back() != '\r')) return {};
   const bool isPair = line.size() > 1 && line.substr(line.size() - 2) == "\r\n";
