@@ -29,8 +29,8 @@ export class Heap {
   }
 
   /**
-   * Copies the mesh to the module and lets go of its buffers, so that they can be freed while the
-   * module works.
+   * Copies the mesh to the module and lets go of its largest arrays, so that they can be freed
+   * while the module works.
    */
   writeMesh(job: number, mesh: OwnedMesh): void {
     this.#checkBytes(bytesOf(mesh));

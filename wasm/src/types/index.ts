@@ -50,15 +50,15 @@ export interface CreateOptions {
   /** The most memory that the worker may use for a mesh, in bytes: 16 MB to 4 GB. Default: 4 GB. */
   maxMemory?: number;
   /**
-   * Where the package's `dist` folder is, if a bundler does not copy the files it needs; in Node a
-   * path works too.
+   * Location of the package's `dist` folder, if a bundler does not copy the files it needs; in Node
+   * a path works too.
    */
   baseUrl?: string | UrlLike;
   /**
-   * Where abflat.wasm, or the file of another build, is if it is not beside the module; in Node a
+   * Location of abflat.wasm, or of another build's file, if it is not beside the module; in Node a
    * path works too.
    */
   wasmUrl?: string | UrlLike;
-  /** Where `worker.js` is if it is not beside the module. It can run every build. */
+  /** Location of `worker.js`, if it is not beside the module. It can run every build. */
   workerUrl?: string | UrlLike;
 }

@@ -19,7 +19,7 @@ export interface Palette {
   frame: Color;
   /** Between charts. */
   seam: Color;
-  /** Of what a click on the surface would cut. */
+  /** For edges that a click on the surface would cut. */
   cut: Color;
   charts: Color[];
   /** Low to high. */
