@@ -10,9 +10,9 @@ export interface SeamSources {
 /** What the user wants cut. */
 export interface SeamChoice {
   sources: SeamSources;
-  /** Two vertices per edge: these, and not those of the sources. */
+  /** Two vertices per edge; these replace the seams of the sources. */
   edges: Uint32Array | null;
-  /** Automatic seams beside `edges`. */
+  /** Automatic seams in addition to `edges`. */
   isCutFurther?: boolean;
 }
 
