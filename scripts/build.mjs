@@ -35,7 +35,7 @@ const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
 
 const FIRST_PAGE = join(BUILD, 'first-page');
 
-/** What tests of the core and of the command line run. */
+/** The targets that the core and command line tests run. */
 export const TESTED = ['abflat', 'abflat_core_tests', 'abflat_replay'];
 
 /** Without `tests`, Catch2 is not required, which only the tests need. */

@@ -137,7 +137,7 @@ export function fullText(option) {
   return `${option.text}: ${option.choices.map(({ name, text }) => `${name} = ${text}`).join('; ')}`;
 }
 
-/** The option's command line flag; a boolean's flag is named after what it switches. */
+/** The option's command line flag; a boolean's flag is named after the effect of giving it. */
 export function flagOf({ name, default: value }) {
   return `--${value === true ? 'no-' : ''}${kebabCase(name)}`;
 }

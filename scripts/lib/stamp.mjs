@@ -60,7 +60,7 @@ export function stamp(name) {
 }
 
 /**
- * Runs `make` unless `inputs` are as they were at its last success and every output exists. Returns
+ * Runs `make` unless `inputs` are unchanged since its last success and every output exists. Returns
  * whether it ran.
  */
 export async function unlessFresh(name, inputs, outputs, make) {

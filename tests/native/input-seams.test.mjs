@@ -77,7 +77,8 @@ const CUBE = {
 test('corners without texcoords, or with unusable ones, are an island of their own', async (t) => {
   const at = tempFolder(t);
   const v = CUBE.positions.map((p) => `v ${p.join(' ')}`).join('\n');
-  // Side 0 has texcoords; the others have none, numbers that are none, or indices of nothing.
+  // Side 0 has texcoords; the others have none, texcoords that are not numbers, or indices of
+  // nothing.
   const uv = 'vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt nan nan\nvt x\n';
   const corners = [
     [1, 2, 3, 4],

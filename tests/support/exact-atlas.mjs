@@ -31,7 +31,8 @@ function wholeNumbers(values) {
 export function turn(a, b, c) {
   const left = (b[0] - a[0]) * (c[1] - a[1]);
   const right = (b[1] - a[1]) * (c[0] - a[0]);
-  // Each factor and product is off by a few 2^-53; products below the smallest normal numbers by more.
+  // Each factor and product is off by a few 2^-53; products below the smallest normal number by
+  // more.
   if (Math.abs(left - right) > 1e-14 * (Math.abs(left) + Math.abs(right)) + 1e-290)
     return Math.sign(left - right);
   const [ax, ay, bx, by, cx, cy] = wholeNumbers([...a, ...b, ...c]);

@@ -165,7 +165,9 @@ export function windows(count) {
   return sheet(11 * count, 15, (u, v) => [11 * count * u, 15 * v, 0], isGone);
 }
 
-/** A tube of radius 1, or what its radius is at each height, with the squares of the middle that `isGone`. */
+/**
+ * A tube of radius 1, or with the given radius at each height, without the squares that `isGone`.
+ */
 export function tube(height, radius = () => 1, isGone = undefined) {
   const place = (u, v) => {
     const [a, r] = [2 * Math.PI * u, radius(v)];
@@ -209,7 +211,7 @@ export function boxArray(n) {
   return together(parts);
 }
 
-/** Every corner has a vertex of its own, as in STL. */
+/** Every corner has its own vertex, as in STL. */
 export function unwelded({ positions, faces }) {
   const out = { positions: [], faces: [] };
   for (const face of faces)
@@ -217,7 +219,10 @@ export function unwelded({ positions, faces }) {
   return out;
 }
 
-/** A triangle of that share of the face amid every tenth one, and six between both. */
+/**
+ * In every tenth face, a copy of it scaled down to `size` at its middle, with six triangles in
+ * between.
+ */
 export function withTinyTriangles({ positions, faces }, size = 5e-7) {
   const out = { positions: [...positions], faces: [] };
   for (const [f, face] of faces.entries()) {

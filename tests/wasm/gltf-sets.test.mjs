@@ -34,7 +34,10 @@ function listening(document) {
   return said;
 }
 
-/** A ball with the sets `sets`, whose material has a texture for colours that samples `sampled`. */
+/**
+ * A ball with the texcoord sets `sets`, whose material has a base colour texture that samples the
+ * set `sampled`.
+ */
 function painted({ sets = [0], sampled } = {}) {
   const document = emptyDocument();
   const ball = primitiveOf(document, sphere(5));

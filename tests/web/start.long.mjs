@@ -54,7 +54,10 @@ let folder;
 let copy;
 let server;
 
-/** The repository without anything built; npm packages are those of here, but the package and the page its own. */
+/**
+ * The repository without anything built; npm packages are linked from here, except the package and
+ * the page, which are the copy's own.
+ */
 function copyRepository() {
   const { stdout } = spawnSync(
     'git',

@@ -94,7 +94,7 @@ export class Client {
       this.#worker.setBusy(true);
       this.#worker.post({ type: 'call', request: call.request }, call.transfer);
     } catch (error) {
-      // A browser may refuse to start a worker, and values that cannot be cloned are refused as well.
+      // A browser may refuse to start a worker, and values that cannot be cloned are refused too.
       this.#dropWorker();
       this.#settle((ended) => ended.reject(error));
     }

@@ -21,7 +21,7 @@ export const start = () => createAbflat({ maxMemory: MEMORY });
 
 const KNOWN = grid(3);
 
-/** What a call that must always work gives. */
+/** The bytes that a call which must always work returns. */
 export async function knownBytes(abflat) {
   const { uv, indices } = await abflat.unwrap(KNOWN, { padding: 4 });
   return Buffer.concat([new Uint8Array(uv.buffer), new Uint8Array(indices.buffer)]).toString(

@@ -144,7 +144,7 @@ class Copies {
     private readonly replaced: Set<Accessor>,
   ) {}
 
-  /** All attributes and morph targets but `except`. */
+  /** All attributes and morph targets except `except`. */
   replace(primitive: Primitive, except: Accessor): void {
     const { rows, vertexCount } = this.block;
     if (rows.length === vertexCount) return;

@@ -1,4 +1,4 @@
-// Which sets of coordinates the textures of a document use.
+// Which texcoord sets the textures of a document use.
 
 import type { Document, ExtensionProperty, Primitive, TextureInfo } from '@gltf-transform/core';
 import { isOfTriangles } from './triangles.js';

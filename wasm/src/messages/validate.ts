@@ -51,7 +51,8 @@ export function shown(value: unknown): string {
 }
 
 /**
- * Throws if the array has lost its memory: its buffer was transferred, or became smaller than it.
+ * Throws if an array has lost its memory: its buffer was transferred, or has become smaller than
+ * the array.
  */
 export function checkMemory(name: string, view: ArrayBufferView): void {
   try {

@@ -28,7 +28,7 @@ export interface Progress {
   fraction: number;
 }
 
-/** A place in the layout for a vertex of the input. */
+/** A fixed place in the layout for an input vertex. */
 export interface Pin {
   vertex: number;
   uv: readonly [number, number];

@@ -1,4 +1,4 @@
-// `unwrap`: an atlas of any mesh.
+// `unwrap`: an atlas for any mesh.
 
 import type { UnwrapOptionValues, UnwrapStage } from '../base/generated.js';
 import type { UnwrapReport } from '../base/generated-report.js';

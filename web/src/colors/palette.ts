@@ -15,7 +15,7 @@ export interface Palette {
   edge: Color;
   flipped: Color;
   tightened: Color;
-  /** Round the unit square. */
+  /** Around the unit square. */
   frame: Color;
   /** Between charts. */
   seam: Color;

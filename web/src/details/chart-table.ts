@@ -6,7 +6,7 @@ import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './cha
 
 /** Nobody reads more rows, and they would be slow. */
 const MOST_ROWS = 200;
-/** What there is most of comes first. */
+/** Columns to sort by; initially, charts with the most faces come first. */
 const BY_NUMBER = 0;
 const BY_FACES = 1;
 

@@ -11,7 +11,7 @@ const TABS_OF: Record<Mode, Tab[]> = {
   unwrap: ['charts'],
 };
 
-/** The pane that opens beside the layout: one of its tabs at a time. */
+/** The pane that opens beside the layout and shows one of its tabs at a time. */
 export class Details {
   private readonly pane = element('details', HTMLElement);
   private readonly toggle = element('details-toggle', HTMLButtonElement);

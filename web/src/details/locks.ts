@@ -5,7 +5,7 @@ import type { Kept } from '../model/settings';
 /** Which charts are locked, across the atlases of one mesh. */
 export class Locks {
   private shown: UnwrapResult | null = null;
-  /** Charts of this atlas that were locked when it was made. */
+  /** Charts of the atlas on screen that were locked when it was made. */
   private locked: Uint32Array = new Uint32Array();
   private wish: Kept | undefined;
 

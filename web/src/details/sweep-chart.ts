@@ -21,7 +21,10 @@ const LEAST = 0.95;
 const MOST = 2;
 const TICKS = [1, 1.2, 1.4, 1.6, 1.8, 2];
 
-/** Distortion against t. `current` is the t of the layout on screen; `choose` is called with the t of a point. */
+/**
+ * Distortion over t. `current` is the t of the layout on screen; `choose` is called with the t of a
+ * point.
+ */
 export function sweepChart(
   points: SweepPoint[],
   current: number,

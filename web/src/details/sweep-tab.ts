@@ -7,7 +7,7 @@ import { SWEEP_T, type SweepPoint, sweepChart } from './sweep-chart';
 
 const HINT = 'Select a point to use its t.';
 
-/** Distortion against t, point by point. */
+/** Distortion over t, point by point. */
 export class SweepTab {
   private readonly button = element('sweep', HTMLButtonElement);
   private readonly text = element('sweep-text', HTMLElement);

@@ -5,7 +5,7 @@ import { NOT_LOADED } from '../base/lost';
 
 export type Compression = 'Draco' | 'meshopt';
 
-/** Keyed by the names that glTF-Transform asks for. */
+/** Each decoder is under the name that glTF-Transform asks for. */
 const LOADERS: Record<Compression, () => Promise<Record<string, unknown>>> = {
   Draco: async () => ({ 'draco3d.decoder': await loadDraco() }),
   meshopt: async () => ({ 'meshopt.decoder': await loadMeshopt() }),

@@ -45,7 +45,8 @@ export function boundingBox(points: Float64Array, size: number, vertices: Uint32
 /** Edges with exactly one triangle, as pairs of vertices in the direction of their triangle. */
 export function boundaryEdges(indices: Uint32Array): Uint32Array {
   const next = (h: number) => (h % 3 === 2 ? h - 2 : h + 1);
-  // A hash table of half-edges: the first one of each edge, with how often the edge was met, up to 2.
+  // A hash table of half-edges: the first one of each edge, and how often the edge has occurred, up
+  // to 2.
   let slotCount = 16;
   while (slotCount < 2 * indices.length) slotCount *= 2;
   const slots = new Int32Array(slotCount).fill(-1);
@@ -112,7 +113,7 @@ export function triangleAreas(p: Float64Array, size: number, indices: Uint32Arra
   return areas;
 }
 
-/** Unit normals per vertex, weighted by area; 0 where there is no area. */
+/** Unit normals per vertex, weighted by area; 0 if there is no area. */
 export function vertexNormals(mesh: DisplayMesh): Float32Array {
   const areas = areaVectors(mesh);
   const sums = new Float64Array(mesh.positions.length);

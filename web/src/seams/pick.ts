@@ -15,7 +15,10 @@ interface Candidate {
   point: Vector3;
 }
 
-/** The vertex under a pixel: one of `wanted` in reach, otherwise the nearest of the triangle there; -1 where there is none. */
+/**
+ * The vertex under a pixel: one of `wanted` that is in reach and visible, otherwise the nearest
+ * corner of the triangle there; -1 if there is none.
+ */
 export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable<number>): number {
   const near: Candidate[] = [];
   for (const v of wanted) {

@@ -7,7 +7,7 @@ export interface SeamSources {
   sharp: number | null;
 }
 
-/** What the user wants cut. */
+/** The cuts that the user wants. */
 export interface SeamChoice {
   sources: SeamSources;
   /** Two vertices per edge; these replace the seams of the sources. */

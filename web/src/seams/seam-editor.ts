@@ -69,7 +69,7 @@ export class SeamEditor {
     this.update();
   }
 
-  /** The model has changed, or the atlas. */
+  /** Called when the model or the atlas has changed. */
   update(): void {
     this.targets = null;
     this.tools.setHistory(this.model?.canUndo ?? false, this.model?.canRedo ?? false);

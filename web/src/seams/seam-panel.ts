@@ -110,7 +110,7 @@ export class SeamPanel {
     if (mesh === this.mesh) this.surface ??= { graph, solid: new Solid(solid) };
   }
 
-  /** There is nothing to edit until the open mesh has an atlas. */
+  /** Hides the editor: there is nothing to edit until the open mesh has an atlas. */
   hide(): void {
     this.isUnwrapped = false;
     this.files.setEnabled(false);

@@ -50,7 +50,10 @@ export function failure(source: Source, settings: Settings | null, message: stri
   return `${titleOf(source)} was not ${what}: ${text}.`;
 }
 
-/** The charts of an atlas; the t of a layout, and what the automatic choice came to. */
+/**
+ * The number of charts of an atlas, or the t of a layout with the value that the automatic choice
+ * found.
+ */
 export function layoutInfo(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return boundInfo(outcome);
   const { charts, atlas } = outcome.result.report;

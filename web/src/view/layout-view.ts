@@ -13,7 +13,7 @@ import { TileLabels } from './tile-labels';
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
 
-/** Css pixels: charts may be many and small. */
+/** Css pixels; thin for atlases, whose charts may be many and small. */
 const OUTLINE = 2.25;
 const THIN_OUTLINE = 1.25;
 

@@ -14,7 +14,7 @@ import { Stage } from './stage';
 import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
 
 const FIELD_OF_VIEW = 32;
-/** Share of the view's width or height that a fitted mesh takes. */
+/** Fraction of the view's width or height that a fitted mesh fills. */
 const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
