@@ -286,7 +286,7 @@ function hubs(random, size) {
     for (let k = 0; k < valence; k++) faces.push([hub, hub + 1 + k, hub + 1 + ((k + 1) % valence)]);
     if (h === 0) continue;
     const left = hub - valence - 1;
-    const [a, b] = [left + valence, left + 1]; // right side of the previous cone, below and above the axis
+    const [a, b] = [left + valence, left + 1]; // right side of previous cone, below and above axis
     const [c, d] = [hub + 1 + valence / 2 - 1, hub + 1 + valence / 2];
     faces.push([a, d, c], [a, c, b]);
   }

@@ -54,7 +54,7 @@ export class SlicedSurface {
   show(arrays: SurfaceArrays, arrived: () => void): void {
     for (const buffer of this.arriving?.buffers ?? []) this.gl.deleteBuffer(buffer);
     const geometry = new BufferGeometry();
-    geometry.boundingSphere = new Sphere(); // the renderer would loop over all corners to sort by it
+    geometry.boundingSphere = new Sphere(); // else the renderer loops over all corners to sort
     const left: Arriving['left'] = [];
     for (const [name, size] of Object.entries(SIZES)) {
       const array = arrays[name as keyof SurfaceArrays];
