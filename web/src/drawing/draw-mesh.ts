@@ -6,7 +6,7 @@ import { axesOf, frontOf } from './front';
 import { farthest, outline } from './outline';
 import type { FlatPicture, Picture } from './picture';
 
-/** A mesh that was opened. */
+/** Draws a mesh that was opened. */
 export function drawMesh(picture: Picture): Drawing {
   const { mesh } = picture;
   const unit = toUnitSphere(mesh);
@@ -56,7 +56,7 @@ function surface(
   };
 }
 
-/** `FRAME` of each chart, where there is one. */
+/** `FRAME` of each chart, if there are any. */
 function chartFrames(
   mesh: { positions: Float32Array; indices: Uint32Array },
   charts: Uint32Array,

@@ -18,8 +18,9 @@ function lengths(p: Float64Array, size: number, vertices: Uint32Array): [number,
 }
 
 /**
- * Per triangle, the root mean square over its corners of the relative change of the angle. The square's mean over
- * all triangles is the angular distortion of the report. 0 for a triangle without area in 3D.
+ * Per triangle, the root mean square over its corners of the relative change of the angle. The mean
+ * of the squares over all triangles is the angular distortion in the report. 0 for a triangle
+ * without area in 3D.
  */
 export function angleErrors({ positions, indices, uv }: FlatMesh): Float32Array {
   const errors = new Float32Array(indices.length / 3);

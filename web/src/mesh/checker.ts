@@ -1,6 +1,9 @@
 import { boundingBox, type FlatMesh, triangleAreas } from './mesh';
 
-/** Checker cells along the diagonal of the mesh's box, where the layout neither shrinks nor grows it. */
+/**
+ * Checker cells along the diagonal of the mesh's box, if the layout neither shrinks nor enlarges
+ * it.
+ */
 const CELLS = 36;
 
 /** Length in uv over length in 3D: the geometric mean over the surface. */
@@ -17,7 +20,10 @@ function meanScale({ positions, indices, uv }: FlatMesh): number {
   return total > 0 ? Math.exp(sum / total) : 1;
 }
 
-/** uv in checker cells, 2 per vertex. The cell suits the typical place of the surface, not the most stretched one. */
+/**
+ * uv in checker cells, 2 per vertex. The cell size suits typical parts of the surface rather than
+ * the most stretched one.
+ */
 export function checkerCells(mesh: FlatMesh): Float32Array {
   const { min, max } = boundingBox(mesh.positions, 3, mesh.indices);
   const diagonal = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);

@@ -1,7 +1,7 @@
 import { type Abflat, AbflatError, type MeshInput, type Report } from 'abflat';
 import type { FlattenSettings } from '../model/settings';
 
-/** The report of a layout; null when t is too small for the mesh. */
+/** The report of a layout; null if t is too small for the mesh. */
 export async function flattenIfPossible(
   abflat: Abflat,
   input: MeshInput,

@@ -44,7 +44,10 @@ const FRAGMENT = /* glsl */ `
   }
 `;
 
-/** Material of the uv layout. Its geometry has no index and the attributes error (angle error), chart (number of its colour) and piece (number of the chart itself). */
+/**
+ * Material of the uv layout. Its geometry has no index and has the attributes error (angle error),
+ * chart (number of its colour) and piece (number of the chart itself).
+ */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,
