@@ -29,7 +29,7 @@ export class Heap {
   }
 
   /**
-   * Copies the mesh to the module and lets go of its largest arrays, so that they can be freed
+   * Copies the mesh to the module and lets go of its arrays, so that they can be freed
    * while the module works.
    */
   writeMesh(job: number, mesh: OwnedMesh): void {
@@ -50,6 +50,8 @@ export class Heap {
     if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
+    mesh.texcoords = undefined;
+    mesh.materials = undefined;
   }
 
   writeKnown(job: number, { t, balance, straightSeams, arrays }: KnownArrays): void {

@@ -41,7 +41,7 @@ struct Appearance {
   std::vector<double> colors;              ///< linear red, green, blue and alpha per vertex
   std::vector<std::uint32_t> faceObjects;  ///< per face, into objectNames
   std::vector<std::string> objectNames;
-  std::vector<MaterialLook> materials;  ///< by faceMaterials; number 0 if the mesh has none
+  std::vector<MaterialLook> materials;  ///< by number in faceMaterials; 0 also if none
   std::vector<ImageFile> images;
   std::vector<std::string> notes;  ///< what was not found, one sentence each
 };

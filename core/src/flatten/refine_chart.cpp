@@ -65,7 +65,7 @@ std::string limitOf(const Refinement& found) {
   return found.isHeldApart ? "parts of the boundary are held apart" : "";
 }
 
-/// What stopped an outline whose form has settled.
+/// Why an outline stopped once its form had settled.
 std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
                     const std::vector<double>& uv) {
   BoundaryBounds nearly = rules.bounds;

@@ -35,7 +35,7 @@ class PieceFitting {
 
   const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
-  /// Of the cuts, divided by the root of the surface's area.
+  /// Length of the cuts, divided by the root of the surface area.
   double length() const { return cutter_.length() / size_; }
   double cost() const { return costOf(count(), length()); }
   /// A cut costs its length plus a fixed amount: two charts are harder to paint on.

@@ -31,7 +31,10 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   const hit = solid.firstHit(sight.ray(at));
   if (!hit) return -1;
   const corners = solid.indices.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
-  const pixels = (v: number) => distance(sight.pixel(solid.points, v) ?? at, at);
+  const pixels = (v: number) => {
+    const pixel = sight.pixel(solid.points, v); // none behind the eye
+    return pixel ? distance(pixel, at) : Infinity;
+  };
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
 }
 
