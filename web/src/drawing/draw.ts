@@ -9,6 +9,7 @@ export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing 
     mesh: drawFlatMesh(picture, chartCount),
     layout: drawLayout(picture, chartCount),
     marks: drawMarks(picture),
+    spreads: picture.heat.spreads,
     chartColors: picture.chartColors ?? null,
   };
 }

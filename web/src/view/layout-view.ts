@@ -2,13 +2,16 @@ import { OrthographicCamera, Scene } from 'three';
 import type { Palette } from '../colors/palette';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
 import { EdgeLines } from './edge-lines';
+import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { PanZoom } from './pan-zoom';
 import { DOT, PointMarks, RING } from './point-marks';
+import { isMeasure, type Shading } from './shading';
 import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
 import { TileLabels } from './tile-labels';
+import { gridTexture } from './uv-grid';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
@@ -88,6 +91,8 @@ export class LayoutView {
     this.isAtlas = isAtlas;
     this.colorBoundary();
     this.material.uniforms.showsCharts.value = isAtlas;
+    this.material.uniforms.uvMiddle.value.set(...layout.middle);
+    this.material.uniforms.uvUnit.value = layout.unit;
     this.boundary.setWidth(isAtlas ? THIN_OUTLINE : OUTLINE);
     this.boundary.show(layout.edges);
     this.resisting.show(layout.resisting);
@@ -114,8 +119,18 @@ export class LayoutView {
     this.stage.invalidate();
   }
 
-  setDistortion(shows: boolean): void {
-    this.material.uniforms.showsError.value = shows;
+  setShading(shading: Shading): void {
+    const { uniforms } = this.material;
+    uniforms.showsHeat.value = isMeasure(shading);
+    uniforms.showsGrid.value = shading === 'grid';
+    if (isMeasure(shading)) showMeasure(this.material, shading);
+    if (shading === 'grid') uniforms.grid.value ??= gridTexture();
+    this.stage.invalidate();
+  }
+
+  /** Lights some triangles of the heat map only; null: all. */
+  choose(chosen: Chosen | null): void {
+    choose(this.material, chosen);
     this.stage.invalidate();
   }
 

@@ -6,12 +6,15 @@ import { facingOf } from '../mesh/mesh';
 import { type Drawing, type FirstView, type FlatDrawing, FRAME } from '../model/drawing';
 import { EdgeLines } from './edge-lines';
 import { fitInView } from './fit-in-view';
+import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { DOT, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seam-overlay';
+import { isMeasure, type Shading } from './shading';
 import { Sight } from './sight';
 import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
+import { gridTexture } from './uv-grid';
 
 const FIELD_OF_VIEW = 32;
 /** Share of the view's width or height that a fitted mesh takes. */
@@ -56,7 +59,7 @@ export class MeshView {
   private isAtlas = false;
   private palette: Palette | null = null;
   private flatPaint: SurfacePaint = SurfacePaint.Checker;
-  private showsDistortion = false;
+  private shading: Shading = 'plain';
   private wireOpacity = 0.5;
   private showsWireframe = false;
 
@@ -96,6 +99,10 @@ export class MeshView {
       this.colorBoundary();
       this.flatPaint = this.isAtlas ? SurfacePaint.Charts : SurfacePaint.Checker;
       this.isFlat = flat !== null;
+      if (mesh.cells) {
+        this.material.uniforms.uvOrigin.value.set(...mesh.cells.origin);
+        this.material.uniforms.uvCell.value = mesh.cells.cell;
+      }
       this.setUniforms();
     });
     this.frames = mesh.frames;
@@ -141,9 +148,17 @@ export class MeshView {
     this.paint();
   }
 
-  setDistortion(shows: boolean): void {
-    this.showsDistortion = shows;
+  setShading(shading: Shading): void {
+    this.shading = shading;
+    if (isMeasure(shading)) showMeasure(this.material, shading);
+    if (shading === 'grid') this.material.uniforms.grid.value ??= gridTexture();
     this.paint();
+  }
+
+  /** Lights some triangles of the heat map only; null: all. */
+  choose(chosen: Chosen | null): void {
+    choose(this.material, chosen);
+    this.stage.invalidate();
   }
 
   /** Shows one chart clearer than the others; null: all alike. */
@@ -207,9 +222,13 @@ export class MeshView {
     this.stage.invalidate();
   }
 
+  private get paintOfLayout(): SurfacePaint {
+    if (isMeasure(this.shading)) return SurfacePaint.Heat;
+    return this.shading === 'grid' ? SurfacePaint.Grid : this.flatPaint;
+  }
+
   private setUniforms(): void {
-    const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : this.flatPaint;
-    this.material.uniforms.paint.value = this.isFlat ? flatPaint : SurfacePaint.Clay;
+    this.material.uniforms.paint.value = this.isFlat ? this.paintOfLayout : SurfacePaint.Clay;
     this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
   }
 

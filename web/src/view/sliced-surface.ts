@@ -13,7 +13,7 @@ const SLICE = 1 << 17;
 /** Milliseconds of a frame in which they do: more would keep the page from answering. */
 const UPLOADING = 8;
 
-const SIZES = { position: 3, normal: 3, uv: 2, error: 1, chart: 1, piece: 1 };
+const SIZES = { position: 3, normal: 3, uv: 2, heat: 3, chart: 1, piece: 1 };
 
 /** What there is of each corner of the triangles. */
 export type SurfaceArrays = { position: Float32Array } & Partial<

@@ -5,7 +5,7 @@ import type { Outcome, Source } from '../model/model';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
-import { RAMP_MOST } from './shader-parts';
+import { ShadingControl } from './shading-control';
 
 /** Both pictures and the buttons that belong to them. */
 export class Views {
@@ -13,19 +13,23 @@ export class Views {
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
   private isDisk = true;
+  private readonly shading: ShadingControl;
 
   /** Throws NoWebGl when the browser offers no WebGL 2. */
   constructor() {
     const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);
     this.layout = new LayoutView(element('layout-canvas', HTMLCanvasElement));
+    const both = [this.mesh, this.layout];
+    this.shading = new ShadingControl(
+      (shading) => {
+        for (const view of both) view.setShading(shading);
+      },
+      (chosen) => {
+        for (const view of both) view.choose(chosen);
+      },
+    );
     bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
-    bindToggle('distortion', (isOn) => {
-      this.mesh.setDistortion(isOn);
-      this.layout.setDistortion(isOn);
-      element('legend', HTMLElement).hidden = !isOn;
-    });
-    element('legend-most', HTMLElement).textContent = `${100 * RAMP_MOST}\u202f% and more`;
     const turnRound = () => this.mesh.turnRound();
     element('other-side', HTMLButtonElement).addEventListener('click', turnRound);
     element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
@@ -74,6 +78,7 @@ export class Views {
     // The point of view was chosen when the mesh was opened.
     this.mesh.show(drawing);
     this.layout.show(drawing, isNew);
+    this.shading.show(drawing);
     showMarksLegend(marked);
   }
 }
