@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Builds the command line program, the WebAssembly package and the page; each only where something
+// Builds the command line program, the WebAssembly package and the page, each only if something
 // changed.
 // Usage: build.mjs [native] [wasm] [web]   (default: all; web includes wasm)
 
@@ -20,13 +20,13 @@ const COMMON_INPUTS = [
   'scripts/licenses',
   'scripts/lib/licenses.mjs',
 ];
-/** Folders below build/ and the settings that make them differ. */
+/** Folders below build/ and the settings in which they differ. */
 const WASM_BUILDS = {
   wasm: { ABFLAT_WASM_SIMD: 'OFF' },
   'wasm-simd': { ABFLAT_WASM_SIMD: 'ON' },
   'wasm-threads': { ABFLAT_WASM_SIMD: 'ON', ABFLAT_THREADS: 'ON' },
 };
-/** Runs in all browsers of the last years, with and without isolation: good enough to begin with. */
+/** Runs in all browsers of recent years, with and without isolation: good enough to start with. */
 const FIRST_BUILD = 'wasm-simd';
 const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
   const name = folder === 'wasm-threads' ? 'abflat-threads' : 'abflat';
@@ -35,10 +35,10 @@ const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
 
 const FIRST_PAGE = join(BUILD, 'first-page');
 
-/** What tests of the core and of the command line run. */
+/** The targets that the core and command line tests run. */
 export const TESTED = ['abflat', 'abflat_core_tests', 'abflat_replay'];
 
-/** Without `tests` nothing is asked of Catch2, which only the tests need. */
+/** Without `tests`, Catch2 is not required, which only the tests need. */
 export async function buildNative({ tests = false } = {}) {
   await cmakeBuild('native', {
     settings: tests ? { ABFLAT_TESTS: 'ON' } : {},
@@ -49,7 +49,9 @@ export async function buildNative({ tests = false } = {}) {
   return NATIVE_PROGRAM;
 }
 
-/** The same and the fuzzers, by clang, with sanitizers and the counters that libFuzzer reads. */
+/**
+ * The same plus the fuzzers, built by clang with sanitizers and the counters that libFuzzer reads.
+ */
 export async function buildSanitized() {
   await cmakeBuild('sanitize', {
     settings: { ABFLAT_SANITIZE: 'ON', ABFLAT_FUZZ: 'ON', CMAKE_CXX_COMPILER: findClang() },
@@ -65,10 +67,13 @@ function compileWasm(folder) {
 /** Whether every module has been built once, now or earlier. */
 export const hasAllWasm = () => WASM_MODULES.every((path) => existsSync(join(ROOT, path)));
 
-/** The page with one module in place of all, in a folder of its own that later builds leave alone. */
+/**
+ * Builds the page with one module standing in for all, in a folder of its own that later builds
+ * leave alone.
+ */
 export async function buildFirstPage() {
   await compileWasm(FIRST_BUILD);
-  // What is built now is not what these stamps are for.
+  // These stamps are for a complete build, which this is not.
   for (const step of ['wasm-package', 'web']) stamp(step).clear();
   const only = FIRST_BUILD.replace('wasm-', '');
   await npmBuild('wasm', ['--only', only]);
@@ -94,7 +99,7 @@ export async function buildWasm() {
   return WASM_DIST;
 }
 
-/** Needs buildWasm before. */
+/** Requires buildWasm to have run before. */
 export async function buildWeb() {
   const inputs = [
     ...COMMON_INPUTS,

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Which lines and branches of the core the tests of core and command line reach. Fails below what is demanded.
+// Measures which lines and branches of the core the core and command line tests reach. Fails if
+// coverage is below the required level.
 
 import { mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Turns core/schema into C++, TypeScript and the marked tables of the documentation.
-// With --check nothing is written: exit 1 and the names of the files that differ.
+// Turns core/schema into C++, TypeScript and the marked tables of the documentation. With --check,
+// writes nothing: exits with 1 and names the files that differ.
 
 import {
   existsSync,
@@ -25,7 +25,7 @@ const REPO = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const SCHEMA = 'core/schema';
 const DOC_FOLDERS = ['.', 'docs', 'native', 'wasm', 'web'];
 
-/** Every file that the schema decides, as a map from path to its whole text. */
+/** Every file that the schema determines, as a map from path to full text. */
 export function renderAll(root) {
   const schema = readSchema(root);
   const files = new Map([

@@ -13,7 +13,7 @@ await runMain(async () => {
   await setup(['build', 'lint']);
   if (!fix) for (const build of CHECKED_BUILDS) await build();
   const jobs = fix ? formatJobs({ fix }) : checkJobs();
-  // Each is a suite of its own, so that it is shown as soon as it is through.
+  // Each is a suite of its own, so that it is shown as soon as it finishes.
   const alone = jobs.map((job) => ({ title: job.name, jobs: [job] }));
   const show = ({ title, parts: [{ output }] }) => process.stdout.write(`== ${title}\n${output}`);
   const records = await runPool(alone, Number(fix ? 1 : JOBS), show);

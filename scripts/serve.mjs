@@ -29,7 +29,7 @@ const TYPES = {
   '.woff2': 'font/woff2',
 };
 
-/** The file that a request path names inside `folder`; undefined when there is none. */
+/** The file that a request path refers to inside `folder`; undefined if there is none. */
 export function fileFor(folder, requestPath) {
   let path;
   try {
@@ -44,7 +44,7 @@ export function fileFor(folder, requestPath) {
   return existsSync(full) && statSync(full).isFile() ? full : undefined;
 }
 
-/** The first of the folders that has what a request path names, and the file. */
+/** The first of the folders that has the requested path, and the file. */
 function find(folders, requestPath) {
   for (const folder of folders) {
     const file = fileFor(folder, requestPath);
@@ -53,20 +53,26 @@ function find(folders, requestPath) {
   return {};
 }
 
-/** What Vite names after its content never changes: with it the page goes on when the connection is lost. */
+/**
+ * Files that Vite names after their content never change; caching them keeps the page working when
+ * the connection is lost.
+ */
 const FOREVER = 'public, max-age=31536000, immutable';
 
 const isHashed = (folder, file) => relative(folder, file).split(sep)[0] === 'assets';
 
-/** What the page is sent with. */
+/** Headers that the page is served with. */
 export const HEADERS = JSON.parse(readFileSync(join(ROOT, 'web/headers.json'), 'utf8'));
 
-/** Of these, what a browser asks of a page that wants threads: nothing of other origins that did not agree to it. */
+/**
+ * Those that a browser requires of a page that uses threads: it must not load anything from other
+ * origins that did not opt in.
+ */
 export const ISOLATED = Object.fromEntries(
   Object.entries(HEADERS).filter(([name]) => name.startsWith('Cross-Origin')),
 );
 
-/** `folders` are looked through in their order; more may be put in later. */
+/** `folders` are searched in order; more may be added later. */
 export function createStaticServer(folders, headers = {}) {
   return createServer((request, response) => {
     if (request.method !== 'GET' && request.method !== 'HEAD') {
@@ -90,7 +96,7 @@ export function createStaticServer(folders, headers = {}) {
   });
 }
 
-/** Listens on `port`, or on the next free one when `fallback`; returns the port. */
+/** Listens on `port`, or with `fallback` on the next free one; returns the port. */
 export function listen(server, host, port, fallback) {
   return new Promise((resolve, reject) => {
     let current = port;

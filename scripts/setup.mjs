@@ -12,7 +12,7 @@ import { filesBelow, fingerprint } from './lib/stamp.mjs';
 
 const LEAST_NODE = 20;
 const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage', 'fuzz'];
-/** What is looked for unless something is named: coverage and fuzzing are seldom wanted. */
+/** What to check for if nothing is named: coverage and fuzzing are rarely needed. */
 const USUAL = ['build', 'test', 'lint'];
 
 export async function setup(purposes = USUAL) {
@@ -20,7 +20,7 @@ export async function setup(purposes = USUAL) {
   if (major < LEAST_NODE) {
     throw new Failure(`abflat needs Node ${LEAST_NODE} or newer; this is ${process.version}.`);
   }
-  // Neither needs the other, and both mostly wait for the network.
+  // Neither depends on the other, and both mostly wait for the network.
   const done = await Promise.allSettled([installSystemPackages(purposes), installNodeModules()]);
   const failed = done.find(({ status }) => status === 'rejected');
   if (failed) throw failed.reason;
@@ -58,19 +58,19 @@ async function aptInstall(packages) {
   if (!isRoot && !which('sudo')) {
     throw new Failure(`Run as root: apt-get install ${packages.join(' ')}`);
   }
-  // sudo drops the environment, so it is set behind it.
+  // sudo drops the environment, so it is set after sudo.
   const prefix = [...(isRoot ? [] : ['sudo']), 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
   const apt = (args) => mustRun(prefix[0], [...prefix.slice(1), ...args]);
   console.log(
     `Installing with apt-get${isRoot ? '' : ' (asks for your password)'}: ${packages.join(' ')}`,
   );
   await apt(['update', '-q']);
-  // Without a pseudo terminal dpkg prints no progress bar into logs.
+  // Without a pseudo-terminal, dpkg writes no progress bar into logs.
   const quiet = ['-q', '-o', 'Dpkg::Use-Pty=0'];
   await apt(['install', ...quiet, '-y', '--no-install-recommends', ...packages]);
 }
 
-/** What to install by hand, with the package names of the manager that is there. */
+/** What to install by hand, with the package names of the available manager. */
 function advice(requirements) {
   const managers = { dnf: 'sudo dnf install', pacman: 'sudo pacman -S', brew: 'brew install' };
   const manager = Object.keys(managers).find((name) => which(name));

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
-// Sets up and builds what the page needs, and serves it. The first time it is there as soon as one WebAssembly module is;
-// the others follow meanwhile. Usage: npm start [-- --host [ADDRESS] --port N]
+// Sets up and builds what the page needs, and serves it. The first time, the page is available as
+// soon as one WebAssembly module is built; the others follow in the meantime. Usage: npm start [--
+// --host [ADDRESS] --port N]
 
 import { buildFirstPage, buildWasm, buildWeb, hasAllWasm } from './build.mjs';
 import { WEB_DIST } from './lib/paths.mjs';
@@ -13,7 +14,10 @@ async function buildAll() {
   await buildWeb();
 }
 
-/** Serves what there is, and everything once it is built. What a page that is open may still ask for stays. */
+/**
+ * Serves what exists so far, and everything once it is built. Files that an open page may still
+ * request stay.
+ */
 async function serveMeanwhile(args) {
   const folders = [await buildFirstPage()];
   const address = await serve(args, folders);

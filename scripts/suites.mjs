@@ -1,4 +1,4 @@
-// All test suites. A line makes one: its name is its folder below tests/.
+// All test suites, one per line. A suite's name is its folder below tests/.
 
 import { join } from 'node:path';
 import { buildBench } from '../tests/bench/support/meshes.mjs';
@@ -10,7 +10,7 @@ import { BUILD } from './lib/paths.mjs';
 import { findChrome, findClang } from './lib/requirements.mjs';
 import { catchJobs, fuzzJobs, nodeJobs } from './lib/suites.mjs';
 
-/** A finding ends the program in a way that no documented exit code can be taken for. */
+/** A finding ends the program in a way that cannot be mistaken for a documented exit code. */
 const SANITIZER_ENV = {
   ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
   UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
@@ -33,10 +33,10 @@ const SANITIZED = {
   filter: NOT_QUALITY,
 };
 
-/** Of all fuzzers together. */
+/** For all fuzzers together. */
 const FUZZED_SECONDS = 60;
 
-/** Where instrumented programs write what they have run through. */
+/** Where instrumented programs write their execution counts. */
 export const PROFILES = join(BUILD, 'coverage/profiles');
 const COVERED = {
   title: (what) => `${what}, coverage`,
@@ -61,7 +61,10 @@ const coveredProgram = () =>
 const countingProgram = () =>
   cmakeBuild('steps', { settings: { ABFLAT_STEPS: 'ON' }, targets: ['abflat_scaling'] });
 
-/** Files of tests/FOLDER for node, some of them at a time; `waits`: see runPool. `env` is asked for once all is built. */
+/**
+ * Test files of tests/FOLDER for node, several at a time; `waits`: see runPool. `env` is called
+ * once everything is built.
+ */
 function node(
   folder,
   needs,
@@ -109,13 +112,13 @@ export const SUITES = [
   node('scripts', []),
 ];
 
-/** What only `npm run test:long` runs beside those, with the long tests of both. */
+/** What only `npm run test:long` runs in addition, with the long tests of both. */
 export const LONG_SUITES = [
   node('bundlers', [buildWasm]),
   node('scaling', [countingProgram], { what: 'steps' }),
 ];
 
-/** What runs again with an instrumented program. */
+/** What is run again with an instrumented program. */
 export const SANITIZED_SUITES = [
   catch2('core', [buildSanitized], { kind: SANITIZED }),
   node('native', [buildSanitized], { kind: SANITIZED }),
@@ -129,7 +132,7 @@ export const SANITIZED_SUITES = [
   },
 ];
 
-/** What `npm run coverage` counts. */
+/** What `npm run coverage` measures. */
 export const COVERED_SUITES = [
   catch2('core', [coveredProgram], { kind: COVERED }),
   node('native', [coveredProgram], { kind: COVERED }),
@@ -147,7 +150,7 @@ const LINT = {
 
 const without = (...names) => SUITES.filter(({ name }) => !names.includes(name));
 
-/** Names for several at once. */
+/** Names for groups of suites. */
 export const GROUPS = {
   default: SUITES,
   node: without('core', 'web'),

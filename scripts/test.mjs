@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Builds what the tests need and runs them, as many side by side as there are cores. Each suite is
-// shown when it is complete. The last line is the sum: "N passed, N failed, N skipped".
+// Builds what the tests need and runs them, as many in parallel as there are cores. Each suite is
+// shown once it is complete. The last line is the total: "N passed, N failed, N skipped".
 // Usage: test.mjs [SUITE or GROUP ...] [--long]
 // Suites and groups are those of suites.mjs (default: the group "default").
 
@@ -11,7 +11,7 @@ import { Failure, runMain } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 import { GROUPS, LONG_SUITES, SUITES } from './suites.mjs';
 
-/** The closing lines of node's reporter, which are said once for the whole suite here. */
+/** The closing lines of node's reporter, removed since they are printed once per suite here. */
 const COUNTS = /^ℹ (tests|suites|pass|fail|cancelled|skipped|todo|duration_ms) [\d.]+\n/gm;
 
 const describe = ({ passed, failed, skipped }) =>
@@ -25,7 +25,7 @@ function add(results) {
   return sum;
 }
 
-/** The suites that are named, each once. */
+/** The named suites, each once. */
 function choose(names) {
   const named = new Map([...SUITES, ...LONG_SUITES].map((suite) => [suite.name, [suite]]));
   const known = new Map([...named, ...Object.entries(GROUPS)]);
@@ -39,7 +39,10 @@ function choose(names) {
 
 const secondsSince = (start) => (performance.now() - start) / 1000;
 
-/** Builds what the suites need. Resolves to the builds that failed, and why; notes how long each took. */
+/**
+ * Builds what the suites need and notes how long each build took. Resolves to the builds that
+ * failed, and why.
+ */
 async function buildFor(suites, times) {
   const broken = new Map();
   for (const build of new Set(suites.flatMap(({ needs }) => needs))) {
@@ -56,7 +59,7 @@ async function buildFor(suites, times) {
   return broken;
 }
 
-/** The jobs of a suite, or one that has failed because something could not be built. */
+/** The jobs of a suite, or one failed job if something could not be built. */
 function jobsOf({ needs, jobs }, broken, options) {
   const reason = needs.map((build) => broken.get(build)).find(Boolean);
   if (reason === undefined) return jobs(options);
@@ -72,7 +75,7 @@ function show({ title, parts }) {
   }
 }
 
-/** Whether all is well. */
+/** Prints the summary; returns whether everything passed. */
 function summarize(records, times) {
   console.log('\n== Summary');
   for (const [step, seconds] of times)

@@ -1,5 +1,7 @@
-// Compiles the TypeScript into dist/ and puts the WebAssembly modules of build/wasm* and the licences beside it.
-// Usage: build.mjs [--only BUILD]   BUILD then stands in for the others, which may be missing or old
+// Compiles the TypeScript into dist/ and adds the WebAssembly modules of build/wasm* and the
+// licences.
+// Usage: build.mjs [--only BUILD]   BUILD then stands in for the others, which may be missing or
+// old
 
 import { execFileSync } from 'node:child_process';
 import { readdirSync, rmSync } from 'node:fs';
@@ -14,7 +16,10 @@ import { BUILDS, missingModule, NAMES, placeModules } from './modules.mjs';
 const HERE = dirname(fileURLToPath(import.meta.url));
 const DIST = join(HERE, 'dist');
 
-/** Workers in one file each, beside the script of Emscripten: one request less for each module, and nothing that bundlers share. */
+/**
+ * Bundles each worker into one file, beside Emscripten's script: one request less per module, and
+ * nothing shared for bundlers to follow.
+ */
 function joinWorkers() {
   const workers = readdirSync(DIST).filter((name) => /^worker.*\.js$/.test(name));
   buildSync({

@@ -1,4 +1,5 @@
-// The WebAssembly modules of build/wasm*, with their scripts, as the package names them.
+// The WebAssembly modules of build/wasm* and their scripts, under the names they have in the
+// package.
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -6,7 +7,9 @@ import { fileURLToPath } from 'node:url';
 import { transformSync } from 'esbuild';
 
 const BUILD = join(dirname(fileURLToPath(import.meta.url)), '../build');
-/** Folder below build/, base name there and in dist/ of every build in src/builds.ts. */
+/**
+ * For every build in src/builds.ts: folder below build/, base name there, and base name in dist/.
+ */
 const MODULES = {
   plain: { folder: 'wasm', built: 'abflat', name: 'abflat' },
   simd: { folder: 'wasm-simd', built: 'abflat', name: 'abflat-simd' },
@@ -18,26 +21,32 @@ export const NAMES = Object.values(MODULES).map(({ name }) => name);
 
 const pathOf = ({ folder, built }, ending) => join(BUILD, folder, `${built}${ending}`);
 
-/** A file that `builds` lack, if any. */
+/** A file that is missing for `builds`, if any. */
 export const missingModule = (builds) =>
   builds
     .flatMap((build) => ['.mjs', '.wasm'].map((ending) => pathOf(MODULES[build], ending)))
     .find((path) => !existsSync(path));
 
-/** The module with a section "abflat.build" that says which build it is; all lengths fit in one byte. */
+/**
+ * Adds a section "abflat.build" to the module that says which build it is; all lengths fit in one
+ * byte.
+ */
 function labelled(bytes, build) {
   const name = Buffer.from('abflat.build');
   const content = Buffer.concat([Buffer.from([name.length]), name, Buffer.from(build)]);
   return Buffer.concat([bytes, Buffer.from([0, content.length]), content]);
 }
 
-/** As bundlers have to see it: the address of a script that is there as it is, no module of theirs. */
+/**
+ * Tells bundlers that this is the address of a script that stays as it is, not a module of theirs.
+ */
 const IGNORED = '/* webpackIgnore: true */ /* turbopackIgnore: true */ /* @vite-ignore */';
 
 /**
- * What a thread begins with, so that bundlers leave its import alone and a thread that cannot start is an error of its worker, which
- * ends the run: of a promise that nobody looks at, nobody would hear. The engine always says which script is to be loaded, so there is
- * no other one.
+ * The script that a thread starts with, changed so that bundlers leave its import alone and so that
+ * a thread that cannot start causes an error of its worker, which ends the run; an unhandled
+ * rejection would go unnoticed. The engine always says which script to load, so there is no
+ * fallback.
  */
 function ownStarter(text, file) {
   const found = text.match(
@@ -52,8 +61,9 @@ function ownStarter(text, file) {
 }
 
 /**
- * Emscripten's script, small: its names say nothing, while ours stay readable. The engine instantiates the module itself, so bundlers
- * need not find one here. Newer releases of Emscripten start threads from the script by its name.
+ * Emscripten's script, minified: its names mean nothing, while ours stay readable. The engine
+ * instantiates the module itself, so bundlers need not find one here. Newer releases of Emscripten
+ * start threads from this script, by its name.
  */
 function ownScript(text, built, name) {
   const address = new RegExp(
@@ -64,8 +74,9 @@ function ownScript(text, built, name) {
 }
 
 /**
- * Puts the modules of `builds` into `dist`. The first one stands in for those that are not among them, under their names: a module says
- * which one it is, so whoever wants another is told so and takes the next.
+ * Puts the modules of `builds` into `dist`. The first one stands in for missing ones, under their
+ * names: a module says which build it is, so a caller that wants another is told so and takes the
+ * next.
  */
 export function placeModules(dist, builds = BUILDS) {
   for (const [wanted, { name }] of Object.entries(MODULES)) {
@@ -74,9 +85,10 @@ export function placeModules(dist, builds = BUILDS) {
     const read = (ending) => readFileSync(pathOf(module, ending), 'utf8');
     const wasm = readFileSync(pathOf(module, '.wasm'));
     writeFileSync(join(dist, `${name}.wasm`), labelled(wasm, build));
-    // Not .mjs, which some servers send without a type.
+    // Not .mjs, which some servers send without a content type.
     writeFileSync(join(dist, `${name}.js`), ownScript(read('.mjs'), module.built, name));
-    // What a thread begins with; newer releases of Emscripten have it in the module's script.
+    // The script that a thread starts with; newer releases of Emscripten have it in the module's
+    // script.
     if (existsSync(pathOf(module, '.worker.js')))
       writeFileSync(
         join(dist, `${name}.worker.js`),

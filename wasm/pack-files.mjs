@@ -1,4 +1,5 @@
-// Files of the repository that are part of the package as well: beside package.json only while it is packed.
+// Files of the repository that are also part of the package: copied beside package.json only while
+// it is packed.
 // Usage: pack-files.mjs add | remove
 
 import { copyFileSync, rmSync } from 'node:fs';

@@ -31,9 +31,9 @@ int ended(const Status& status) {
 
 int main(int argc, char** argv) {
   using namespace abflat;
-  // A reader that goes away is an output that cannot be written, which has its own exit code.
+  // A reader that goes away makes the output unwritable, which has its own exit code.
   std::signal(SIGPIPE, SIG_IGN);
-  // So is a file that grows beyond what the user's limits allow.
+  // So does a file that grows beyond the user's limits.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return std::visit(cli::Runner{}, cli::parseArguments(argc, argv));

@@ -1,7 +1,7 @@
-// Sources that can be read together, one after another as one translation unit: most of the time of
-// clang-tidy goes into headers, which are then read once.
+// Sources that can be read together, one after another, as one translation unit: clang-tidy spends
+// most of its time on headers, which are then read only once.
 
-/** The name that a line at the margin declares, if it does. */
+/** The name that an unindented line declares, if any. */
 function declared(line) {
   const type = line.match(/^(?:template <.*> )?(?:struct|class|union|enum(?: class)?|using) (\w+)/);
   const other = line.match(/^[\w:][^={(]*?(\w+)(?:\[[^\]]*\])*(?: =|\(|\{|;|$)/);
@@ -10,7 +10,7 @@ function declared(line) {
 
 const namesIn = (text) => new Set(text.split('\n').map(declared).filter(Boolean));
 
-/** Names that a source declares for itself alone, in its unnamed namespace or as static. */
+/** Names that are local to a source: in its unnamed namespace, or static. */
 export function ownNames(text) {
   const blocks = text.match(/^namespace \{$[\s\S]*?^\} {2}\/\/ namespace$/gm) ?? [];
   const statics = text.match(/^static .*$/gm) ?? [];
@@ -29,8 +29,9 @@ function knownNames({ text, headers }) {
 }
 
 /**
- * Splits `sources` (`{ text, headers, flags }`, where `headers` are the texts of all headers) into lists of at most
- * `most`. Those of one list have the same flags, and none knows a name that another one declares for itself.
+ * Splits `sources` (`{ text, headers, flags }`, where `headers` are the texts of all headers) into
+ * lists of at most `most`. All sources of a list have the same flags, and none knows a name that is
+ * local to another.
  */
 export function batches(sources, most) {
   const found = [];

@@ -20,7 +20,10 @@ const CPP_FOLDERS = [
 ];
 const BIOME = join(ROOT, 'node_modules/.bin/biome');
 
-/** What the checks need: the compile commands, and the types, which both builds check. */
+/**
+ * Builds that the checks need: for the compile commands, and for the types, which both builds
+ * check.
+ */
 export const CHECKED_BUILDS = [buildNative, buildWasm, buildWeb];
 
 const cppFiles = () => filesBelow(CPP_FOLDERS).filter((path) => /\.(h|cpp)$/.test(path));
@@ -46,13 +49,13 @@ function job(name, check) {
   return { name, run: () => runCheck().catch(asFailed) };
 }
 
-/** A check that could not be carried out has failed; the others still run. */
+/** A check that could not run counts as failed; the others still run. */
 function asFailed(error) {
   if (!(error instanceof Failure)) throw error;
   return { passed: 0, failed: 1, skipped: 0, output: `${error.message}\n` };
 }
 
-/** Those that format, or say what is not formatted. */
+/** The checks that format, or report what is not formatted. */
 export const formatJobs = ({ fix = false } = {}) =>
   Object.entries(COMMANDS).map(([name, commandOf]) =>
     job(name, async () => {
@@ -67,7 +70,10 @@ async function checkLayers() {
   return { isClean: faults.length === 0, output: faults.map((fault) => `${fault}\n`).join('') };
 }
 
-/** All checks, with `long` deeper ones. clang-tidy is as many jobs as there are cores, which share its work. */
+/**
+ * All checks, deeper ones with `long`. clang-tidy is split into as many jobs as there are cores,
+ * which share its work.
+ */
 export function checkJobs({ long = false } = {}) {
   let worker;
   const tidy = () => {

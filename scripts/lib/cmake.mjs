@@ -10,15 +10,15 @@ import { mustRun, which } from './run.mjs';
 export const JOBS = String(process.env.ABFLAT_JOBS ?? availableParallelism());
 
 /**
- * Builds into build/NAME. `settings` are CMake variables that must hold (the folder is configured
- * again when they do not), `first` those that only a new folder gets. `wrapper` (emcmake) is put
- * before cmake when configuring.
+ * Builds into build/NAME. `settings` are CMake variables that must hold (otherwise the folder is
+ * configured again), `first` those that only a new folder gets. `wrapper` (emcmake) is put before
+ * cmake when configuring.
  */
 export async function cmakeBuild(name, options = {}) {
   const { wrapper = [], settings = {}, first = {}, env = {}, targets = [] } = options;
   const folder = join(BUILD, name);
   const isNew = !isConfigured(folder);
-  // CMake refuses a folder that was configured elsewhere or only half.
+  // CMake rejects a folder that was configured elsewhere or only partly.
   if (isNew) rmSync(folder, { recursive: true, force: true });
   if (isNew || !holds(folder, settings)) {
     const generator = isNew ? ['-G', which('ninja') ? 'Ninja' : 'Unix Makefiles'] : [];
@@ -47,7 +47,7 @@ function holds(folder, settings) {
   );
 }
 
-/** Environment for emcc: its optimiser loads acorn from Debian's folder where emcc is Debian's. */
+/** Environment for emcc: Debian's emcc needs acorn from Debian's folder for its optimiser. */
 export function emscriptenEnv() {
   if (!existsSync(DEBIAN_NODE_MODULES)) return {};
   return {

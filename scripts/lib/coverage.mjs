@@ -1,14 +1,17 @@
-// What clang counts of an instrumented program: https://clang.llvm.org/docs/SourceBasedCodeCoverage.html
+// Reads what clang counts in an instrumented program:
+// https://clang.llvm.org/docs/SourceBasedCodeCoverage.html
 
 import { existsSync, readdirSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import { ROOT } from './paths.mjs';
 import { Failure, mustRun, run, which } from './run.mjs';
 
-/** What programs write their counts to: few files, which processes that run at once share. */
+/**
+ * Where programs write their counts: a few files, shared by processes that run at the same time.
+ */
 export const profileIn = (folder) => join(folder, '%4m.profraw');
 
-/** A program of LLVM, which Debian may have with its version only. */
+/** An LLVM tool, which Debian may only have with a version in its name. */
 function tool(name) {
   const clang = which('clang++');
   const inBin = clang && readdirSync(dirname(clang)).find((each) => each.startsWith(`${name}-`));
@@ -18,8 +21,9 @@ function tool(name) {
 }
 
 /**
- * Totals of lines and branches, as `{ covered, count }`, for each source below `root`/core/src, worst first. Names that are not absolute, as compiler caches
- * may leave them, begin where the first program is.
+ * Totals of lines and branches, as `{ covered, count }`, for each source below `root`/core/src,
+ * worst first. Relative names, which compiler caches may leave, are resolved against the folder of
+ * the first program.
  */
 export async function readCoverage(folder, programs, root = ROOT) {
   const names = existsSync(folder) ? readdirSync(folder) : [];
@@ -30,7 +34,8 @@ export async function readCoverage(folder, programs, root = ROOT) {
   const [first, ...others] = programs;
   const objects = [first, ...others.flatMap((program) => ['-object', program])];
   const args = ['export', '-summary-only', `-instr-profile=${merged}`, ...objects];
-  // Differing versions of a header's function are said on standard error, which is no part of the text.
+  // Differing versions of a header's function are reported on standard error, which is not part of
+  // the text.
   const { code, output } = await run(tool('llvm-cov'), args, { capture: 'stdout' });
   if (code !== 0) throw new Failure(`llvm-cov failed:\n${output}`);
   const sources = join(root, 'core/src/');
@@ -52,7 +57,7 @@ export async function readCoverage(folder, programs, root = ROOT) {
 
 export const missed = ({ covered, count }) => count - covered;
 
-/** Of all files together. */
+/** Total over all files. */
 export function sum(files, key) {
   const total = { covered: 0, count: 0 };
   for (const file of files) {

@@ -43,7 +43,7 @@ function renderHeader(name, structs, types) {
   return `${[...parts, '}  // namespace abflat'].join('\n')}\n`;
 }
 
-/** The struct that a type stands for in C++: a view is kept whole. */
+/** The struct that stores a type in C++: a view is stored in full. */
 function storedType(type, types) {
   const { struct } = types.get(type) ?? {};
   return struct?.viewOf ?? type;
@@ -66,7 +66,7 @@ function cppType({ type, list, null: isNullable }, types) {
   return struct && isNullable ? `std::optional<${base}>` : base;
 }
 
-/** What a field is before anything is known. */
+/** The value of a field before anything is known. */
 function initializer(field, types) {
   if (field.default === 'NaN') return ' = std::numeric_limits<double>::quiet_NaN()';
   if ('default' in field) return ` = ${field.default}`;
@@ -77,7 +77,7 @@ function initializer(field, types) {
   return ['number', 'integer', 'count', 'index', 'long'].includes(field.type) ? ' = 0' : '';
 }
 
-/** The fields of a struct in C++; those of a group have its name before their own. */
+/** The fields of a struct in C++; fields of a group are prefixed with its name. */
 function membersOf({ fields }) {
   return fields
     .filter((field) => isIn(field, 'cpp'))
@@ -92,7 +92,7 @@ function grouped({ name, text, fields }) {
   }));
 }
 
-/** A sentence in lines that are not too long. */
+/** Wraps a sentence into lines that are not too long. */
 function comment(text, indent) {
   const lines = [''];
   for (const word of sentence(text).split(' ')) {
@@ -111,7 +111,9 @@ function structText(struct, types) {
   return `${comment(struct.text, '')}\nstruct ${struct.name}${base} {\n${lines.join('\n')}\n};\n`;
 }
 
-/** What tells a visitor of a field. Some are not in JSON, or are written by hand. */
+/**
+ * The code that reports a field to a visitor. Some fields are not in JSON, or are written by hand.
+ */
 function visitLines(field, types) {
   if (field.type === 'group')
     return [

@@ -12,7 +12,7 @@ const CPP_TYPES = { number: 'double', integer: 'int', boolean: 'bool' };
 const cppType = (option) =>
   option.type === 'choice' ? pascalCase(option.name) : CPP_TYPES[option.type];
 
-/** What JSON escapes, C++ reads the same way. */
+/** C++ reads JSON's escapes the same way. */
 const literal = (text) => JSON.stringify(text);
 
 function enumClass(name, comment, entries, type = 'int') {
@@ -98,10 +98,12 @@ function choiceParts({ name, text, choices }) {
   ];
 }
 
-/** GCC up to 12 takes a name of a scoped enum for one of the namespace around it. */
+/** GCC up to 12 mistakes a name of a scoped enum for one of the enclosing namespace. */
 const NO_SHADOW = '#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "-Wshadow"\n';
 
-/** Enums of reports and progress; a byte each, as there may be as many charts as triangles. */
+/**
+ * Enums for reports and progress, one byte each, since there may be as many charts as triangles.
+ */
 export function renderNames({ enums }) {
   const parts = enums.flatMap(({ name, text, values }) => [
     enumClass(
@@ -163,7 +165,10 @@ function infoRow(option) {
   return `    {${cells.join(', ')}},`;
 }
 
-/** What a number must be, and what becomes of it. Nothing is cast before it is known to fit. */
+/**
+ * The condition that a number must meet, and its converted value. Nothing is cast before it is
+ * known to fit.
+ */
 function settingOf(option) {
   const type = cppType(option);
   const isWhole = 'value == std::trunc(value)';
@@ -182,13 +187,15 @@ function settingOf(option) {
   }
 }
 
-/** From the number by which JavaScript passes every option: choices by their index, words by their value. */
+/**
+ * Sets an option from the number that JavaScript passes for it: choices by index, words by value.
+ */
 function setCase(option, index) {
   const [isFine, fitting] = settingOf(option);
   return `    case ${index}:\n      if (!(${isFine})) return false;\n      options.${option.name} = ${fitting};\n      return true;`;
 }
 
-/** Number of a word or choice as written on a command line. */
+/** The number of a word or choice as written on a command line. */
 function wordCases(option, index) {
   const words =
     option.type === 'choice'
@@ -200,7 +207,7 @@ function wordCases(option, index) {
   );
 }
 
-/** What a number with a letter behind it, "3G", is in the option's unit. */
+/** The value of a number with a unit letter, such as "3G", in the option's unit. */
 function unitCases({ unit }, index) {
   return Object.entries(UNITS[unit] ?? {}).map(
     ([letter, size]) => `  if (index == ${index} && letter == '${letter}') return ${size};`,
@@ -233,7 +240,7 @@ function visitLine(option) {
   return `${words.join('')}  visit("${option.name}", ${value});`;
 }
 
-/** What the headers of all sets of options share. */
+/** Shared by the headers of all option sets. */
 const OPTION_INFO = [
   '/// An option for people: names, default and range as on the command line.',
   'struct OptionInfo {\n  const char* name;\n  const char* flag;\n  const char* defaultText;\n  const char* range;\n  const char* help;\n  bool isSwitch;  ///< takes no value\n  bool isChoice;  ///< takes one of the words of its range\n};\n',
@@ -241,7 +248,10 @@ const OPTION_INFO = [
   'struct OptionInfos {\n  const OptionInfo* first;\n  int count;\n\n  const OptionInfo& operator[](int index) const { return first[index]; }\n};\n',
 ];
 
-/** The functions find their set by the type of the values; where they do not need them the parameter has no name. */
+/**
+ * The functions are overloaded on the type of the values; if they do not use the values, the
+ * parameter has no name.
+ */
 function optionFunctions(values, options) {
   return [
     `inline OptionInfos optionInfos(const ${values}&) {\n  static constexpr OptionInfo kInfos[] = {\n${options.map(infoRow).join('\n')}\n  };\n  return {kInfos, ${options.length}};\n}\n`,

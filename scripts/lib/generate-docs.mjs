@@ -87,7 +87,7 @@ function table(head, rows) {
 }
 
 /**
- * The document with its regions filled, undefined when it has none. Throws on an unknown or open
+ * The document with its regions filled, undefined if it has none. Throws on an unknown or unclosed
  * region.
  */
 export function fillRegions(text, schema, path) {

@@ -17,7 +17,7 @@ export function renderReportTypes(schema) {
   return `${TS_HEADER}\nimport type {\n${lines}\n} from './generated.js';\n\n${text}`;
 }
 
-/** The names that generated.ts has. */
+/** The names that generated.ts defines. */
 function sharedNames(schema) {
   const known = typesOf(withoutResearch(schema));
   return new Set([...known].filter(([, type]) => type.names || type.options).map(([name]) => name));

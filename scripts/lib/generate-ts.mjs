@@ -60,7 +60,7 @@ function tsType(option) {
   return [OPTION_TYPES[option.type], ...Object.keys(option.words ?? {}).map(literal)].join(' | ');
 }
 
-/** What a caller may pass, checked against the row below it by type. */
+/** What a caller may pass, checked by type against the row below it. */
 function infoFields(option) {
   const fields = ['type', 'default', ...BOUNDS].filter((key) => key in option);
   const entries = fields.map((key) => `${key}: ${literal(option[key])}`);
@@ -126,7 +126,7 @@ export function renderTypeScript(schema) {
   return `${parts.join('\n').trimEnd()}\n`;
 }
 
-/** The arrays that the module gives, by name: their numbers and the types of their elements. */
+/** The arrays that the module returns, by name: their numbers and element types. */
 export function renderResultArrays({ resultArrays }) {
   const kinds = { number: 'Float64Array', index: 'Uint32Array', byte: 'Uint8Array' };
   const rows = resultArrays.map(

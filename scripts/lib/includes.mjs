@@ -1,4 +1,5 @@
-// What a source of C++ is made of: itself and the headers of this project that it includes, directly or not.
+// The files that make up a C++ source: itself and this project's headers that it includes, directly
+// or indirectly.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -9,7 +10,10 @@ const FOLDERS = ['core/src', 'core/formats', 'core/include', 'native/src'].map((
 );
 const INCLUDE = /^[ \t]*#[ \t]*include[ \t]+"([^"]+)"/gm;
 
-/** A function from a file to the sorted list of all files that decide about it; others' headers are left out. */
+/**
+ * Returns a function from a file to the sorted list of all files that affect it, without
+ * third-party headers.
+ */
 export function includeScanner(folders = FOLDERS) {
   const direct = new Map();
   const resolve = (name, from) =>

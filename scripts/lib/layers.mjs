@@ -1,4 +1,5 @@
-// Which room of the house may use which: the tables of ARCHITECTURE.md, top to bottom, compared with includes and imports.
+// Compares the tables of ARCHITECTURE.md, which say which room may use which from top to bottom,
+// with includes and imports.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
@@ -45,7 +46,10 @@ function namesIn(file, text) {
   return [...matches].map(([, first, second]) => first ?? second);
 }
 
-/** The file that a name means, as a path below `root`; none where it is not one of the project's. */
+/**
+ * The file that a name refers to, as a path below `root`; undefined if it is not one of the
+ * project's.
+ */
 function fileOf(name, from, root, folder) {
   if (/\.(h|cpp)$/.test(from)) {
     const candidates = [join(dirname(from), name), join(folder, name), join(PUBLIC, name)];
@@ -55,7 +59,7 @@ function fileOf(name, from, root, folder) {
   return [path, `${path}.ts`].find((each) => CODE.test(each) && existsSync(join(root, each)));
 }
 
-/** A room is a folder; what lies beside the rooms is a room of its own, `.`. */
+/** A room is a folder; files beside the rooms form a room of their own, `.`. */
 function roomOf(file, folder) {
   const [first, ...rest] = relative(folder, file).split('/');
   return rest.length > 0 ? first : '.';
@@ -66,7 +70,9 @@ function rowOf(file, { folder, rowOf: rooms, headerRow }) {
   return headerRow.get(relative(`${PUBLIC}/abflat`, file)) ?? Number.POSITIVE_INFINITY;
 }
 
-/** A circle of files that use each other, from and to the first; none where there is none. */
+/**
+ * A cycle of files that use each other, from the first one back to it; undefined if there is none.
+ */
 function circleIn(uses) {
   const done = new Set();
   const path = [];
@@ -111,7 +117,7 @@ function faultsIn(table, root) {
       const isSameRoom =
         other.startsWith(`${folder}/`) && roomOf(other, folder) === roomOf(file, folder);
       const own = rowOf(file, table);
-      // A public header belongs to the room that keeps its promise.
+      // A public header belongs to the room that implements it.
       const isOwnHeader = other.startsWith(`${PUBLIC}/`) && rowOf(other, table) === own;
       if (!isSameRoom && !isOwnHeader && !(rowOf(other, table) > own))
         faults.push(`${file} uses ${other}, which is not below it`);
@@ -122,7 +128,7 @@ function faultsIn(table, root) {
   return faults;
 }
 
-/** One sentence for each arrow that does not point down. */
+/** One sentence for each dependency that does not point down. */
 export function layerFaults(root) {
   const tables = layersIn(readFileSync(join(root, DOCUMENT), 'utf8'));
   if (tables.length === 0) return [`${DOCUMENT} has no table of layers`];

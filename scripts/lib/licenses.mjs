@@ -6,7 +6,10 @@ import { ROOT } from './paths.mjs';
 
 const FOLDER = join(ROOT, 'scripts/licenses');
 
-/** What each product contains. Names with a slash are npm packages, with their own LICENSE or, where they come without, the one in FOLDER. */
+/**
+ * What each product contains. Names with a slash are npm packages, with their own LICENSE or, if
+ * they come without one, the one in FOLDER.
+ */
 const CORE = ['eigen', 'fast_float'];
 const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {

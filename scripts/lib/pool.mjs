@@ -1,12 +1,12 @@
-// Runs the jobs of several suites side by side, and shows each suite in one piece.
+// Runs the jobs of several suites in parallel, and shows each suite in one piece.
 
 /**
- * Runs `suites` (`{ title, jobs, waits }`), at most `slots` jobs at a time and in their order, so that the
- * first jobs of one suite fill the gaps that the last ones of another leave. Jobs of a suite that
- * `waits` most of the time run one at a time beside the others, and in their slots once these are
- * done. A job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped, output }`. `show` is called with
- * each suite as it is complete: `{ title, parts }`, where a part is a job's name, result and
- * seconds. Resolves to all of these in the order of the suites.
+ * Runs `suites` (`{ title, jobs, waits }`), at most `slots` jobs at a time and in order, so that
+ * the first jobs of one suite fill the gaps left by the last ones of another. Jobs of a suite that
+ * mostly `waits` run one at a time beside the others, and use their slots once those are done. A
+ * job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped, output }`. `show` is called
+ * with each suite when it is complete: `{ title, parts }`, where a part holds a job's name, result
+ * and seconds. Resolves to all of these in the order of the suites.
  */
 export async function runPool(suites, slots, show) {
   const records = suites.map(({ title, jobs }) => ({

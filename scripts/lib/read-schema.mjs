@@ -7,7 +7,7 @@ import { checkSchema } from './schema.mjs';
 
 const FILES = ['core/schema/abflat.json', 'core/schema/report.json'];
 
-/** Of the repository in the folder `root`. */
+/** Reads the schema of the repository in the folder `root`. */
 export function readSchema(root) {
   const parts = FILES.map((path) => JSON.parse(readFileSync(join(root, path), 'utf8')));
   return resolveStructs(checkSchema(Object.assign({}, ...parts)));

@@ -1,4 +1,5 @@
-// The structs of reports: what core/schema/report.json may contain, and what each field is in full.
+// The structs of reports: what core/schema/report.json may contain, and the full form of each
+// field.
 
 import { optionSets, pascalCase } from './schema.mjs';
 
@@ -14,7 +15,9 @@ export const PLAIN_TYPES = {
   pair: { cpp: 'std::array<std::uint32_t, 2>', ts: '[number, number]', words: 'pair of integers' },
   numbers: { cpp: 'std::vector<double>', ts: 'Float64Array', words: 'list of numbers' },
 };
-/** Where a struct or a field may be: in the C++ library, in JSON of the program, in the package. */
+/**
+ * Where a struct or a field may appear: in the C++ library, in the program's JSON, in the package.
+ */
 const PRODUCTS = ['cpp', 'cli', 'package'];
 const FIELD_KEYS = [
   ...['name', 'type', 'list', 'fields', 'text', 'unit', 'default', 'in'],
@@ -48,7 +51,9 @@ export function typesOf(schema) {
   return types;
 }
 
-/** The schema with every field of every struct spelled out, or one sentence about what is wrong. */
+/**
+ * The schema with every field of every struct spelled out. Throws one sentence about what is wrong.
+ */
 export function resolveStructs(schema) {
   const done = new Map();
   for (const struct of schema.structs) {
@@ -82,7 +87,7 @@ function viewed(field, view) {
   return { ...field, null: view.null, nullIn: view.nullIn };
 }
 
-/** A field that is a text, or has `like`, is that of another struct. */
+/** A field given as text, or with `like`, is copied from another struct. */
 function alike(field, owner, done) {
   if (typeof field === 'string') return find(done, field, owner);
   if (!('like' in field)) return field;

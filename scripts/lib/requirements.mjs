@@ -1,4 +1,4 @@
-// What abflat needs from the system: how to see that it is there, why, and where it comes from.
+// What abflat needs from the system: how to detect it, what it is for, and where to get it.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
@@ -37,14 +37,14 @@ function isSnapStub(path) {
   return statSync(path).size < 16384 && readFileSync(path, 'utf8').includes('snap install');
 }
 
-/** A Chromium or Chrome to test with: CHROME_PATH, then PATH, then usual places. */
+/** A Chromium or Chrome to test with: CHROME_PATH, then PATH, then the usual places. */
 export function findChrome() {
   if (process.env.CHROME_PATH) return process.env.CHROME_PATH;
   const onPath = CHROME_NAMES.map(which).filter(Boolean);
   return [...onPath, ...CHROME_PLACES.filter(isProgram)].find((path) => !isSnapStub(path));
 }
 
-/** clang++ where what it links into programs that count or check themselves is installed. */
+/** clang++, if the libraries that it links into instrumented programs are installed too. */
 export function findClang() {
   const clang = which('clang++');
   if (clang === undefined) return undefined;
@@ -54,7 +54,7 @@ export function findClang() {
   return files.some((name) => name.startsWith('libclang_rt.profile')) ? clang : undefined;
 }
 
-/** Debian's emcc does not bring the acorn module that its optimiser loads. */
+/** Debian's emcc does not come with the acorn module that its optimiser loads. */
 export const DEBIAN_NODE_MODULES = '/usr/share/nodejs';
 
 function emccWorks() {
@@ -66,9 +66,9 @@ function emccWorks() {
 }
 
 /**
- * `purpose` is what it is needed for; building all needs what the page needs as well. `apt`, `dnf`,
- * `pacman`, `brew` are package names there; a manager without an entry does not have it, then `other`
- * says where it comes from.
+ * `purpose`: what it is needed for; a full build also needs what the page needs. `apt`, `dnf`,
+ * `pacman`, `brew`: its package names there; a manager without an entry does not have it, and
+ * `other` says where to get it.
  */
 export const REQUIREMENTS = [
   {
@@ -95,7 +95,7 @@ export const REQUIREMENTS = [
     name: 'Ninja or Make',
     purpose: 'page',
     why: 'runs the compiler for CMake',
-    // Make waits for a whole target before it begins the next.
+    // Make finishes each target before it starts the next.
     present: () => which('ninja') ?? (which('apt-get') ? undefined : which('make')),
     apt: ['ninja-build'],
     dnf: ['ninja-build'],

@@ -1,14 +1,14 @@
-// Child processes: found on PATH, run without a shell, their failure reported as one sentence.
+// Child processes: found on PATH, run without a shell, with failures reported as one sentence.
 
 import { spawn } from 'node:child_process';
 import { accessSync, constants, statSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { ROOT } from './paths.mjs';
 
-/** A failure whose message is all that a person needs: no stack trace. */
+/** A failure whose message says all that the user needs to know: no stack trace. */
 export class Failure extends Error {}
 
-/** Full path of a program on PATH, undefined when there is none. */
+/** Full path of a program on PATH, undefined if there is none. */
 export function which(program) {
   for (const folder of (process.env.PATH ?? '').split(delimiter)) {
     const path = join(folder, program);
@@ -29,8 +29,8 @@ export function isProgram(path) {
 
 /**
  * Runs a program and returns `{ code, output }`. Options: `cwd`, `env` (added to the environment),
- * `capture` (collect stdout + stderr in `output` instead of showing them; 'stdout': that alone, stderr is
- * dropped), `echo` (collect and show), `seconds` (then it is ended).
+ * `capture` (collect stdout + stderr in `output` instead of showing them; 'stdout': only stdout,
+ * stderr is dropped), `echo` (collect and show), `seconds` (time limit, after which it is stopped).
  */
 export function run(program, args, options = {}) {
   const { cwd = ROOT, env = {}, capture = false, echo = false, seconds = 0 } = options;
@@ -38,7 +38,7 @@ export function run(program, args, options = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
       cwd,
-      // PWD may name the folder through a link, which CMake would then take for another folder.
+      // PWD may name the folder through a symbolic link, which CMake would take for another folder.
       env: { ...process.env, PWD: cwd, ...env },
       stdio: piped ? ['ignore', 'pipe', 'pipe'] : 'inherit',
     });

@@ -27,7 +27,7 @@ const LIBRARIES = {
     license: 'Apache-2.0',
     versionOf: () => versionInHeader('draco/core/draco_version.h', /kDracoVersion\[\] = "([^"]+)"/),
   },
-  // 180 is 0.18.
+  // The number 180 means 0.18.
   meshoptimizer: {
     license: 'MIT',
     versionOf: () =>
@@ -80,7 +80,7 @@ function packageOf(folder) {
   return { name, version, license, url: homepage, purl };
 }
 
-/** Of `product`: native, wasm or web. The same bytes for the same contents. */
+/** `product`: native, wasm or web. The same contents give the same bytes. */
 export function billOfMaterials(product) {
   const { version } = JSON.parse(readFileSync(join(ROOT, 'wasm/package.json'), 'utf8'));
   const components = contentsOf(product)

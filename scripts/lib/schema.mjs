@@ -30,7 +30,7 @@ export function checkSchema(schema) {
   return { ...schema, unwrapOptions };
 }
 
-/** An option that is a name only is that of flattening. */
+/** An option given only by name is the one of flattening. */
 function resolved(option, { flattenOptions }) {
   if (typeof option !== 'string') return option;
   const found = flattenOptions.find(({ name }) => name === option);
@@ -38,7 +38,7 @@ function resolved(option, { flattenOptions }) {
   return found;
 }
 
-/** The sets of options: what they are called, what they hold, and which of it another set has defined. */
+/** The sets of options: their names, their options, and which of those another set has defined. */
 export function optionSets({ flattenOptions, unwrapOptions }) {
   return [
     {
@@ -57,8 +57,8 @@ export function optionSets({ flattenOptions, unwrapOptions }) {
 }
 
 /**
- * The schema without what is for research, which the npm package does not have. The numbers of the
- * others are those of C++, so they come first.
+ * The schema without what is for research, which the npm package lacks. The remaining ones keep the
+ * numbers they have in C++, so they must come first.
  */
 export function withoutResearch(schema) {
   const kept = (options) =>
@@ -125,7 +125,10 @@ export function rangeText(option) {
   return [parts, ...Object.keys(option.words ?? {})].filter(Boolean).join(', or ');
 }
 
-/** Units in which an option may be written on a command line, "3G", by their size in its own unit. */
+/**
+ * Units that an option may be written with on a command line, as in "3G", and their size in the
+ * option's own unit.
+ */
 export const UNITS = { MB: { M: 1, G: 1024, T: 1024 * 1024 } };
 
 /** The text of an option with the meaning of its choices. */
@@ -134,7 +137,7 @@ export function fullText(option) {
   return `${option.text}: ${option.choices.map(({ name, text }) => `${name} = ${text}`).join('; ')}`;
 }
 
-/** The option on a command line; a boolean is named after what giving it does. */
+/** The option's command line flag; a boolean's flag is named after the effect of giving it. */
 export function flagOf({ name, default: value }) {
   return `--${value === true ? 'no-' : ''}${kebabCase(name)}`;
 }

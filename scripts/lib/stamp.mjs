@@ -1,4 +1,4 @@
-// Remembers what a step was made from, so that it can be left out when nothing changed.
+// Remembers what a step was made from, so that it can be skipped if nothing changed.
 
 import { createHash } from 'node:crypto';
 import {
@@ -15,7 +15,10 @@ import { BUILD, ROOT } from './paths.mjs';
 
 const NOT_SOURCES = new Set(['node_modules', 'dist', 'build', '.git', '.cache']);
 
-/** All files below files and folders (relative to the root), sorted; missing ones left out. */
+/**
+ * All files below the given files and folders (relative to the root), sorted; missing ones are
+ * skipped.
+ */
 export function filesBelow(paths, root = ROOT) {
   const found = [];
   const visit = (path) => {
@@ -57,7 +60,7 @@ export function stamp(name) {
 }
 
 /**
- * Runs `make` unless `inputs` are as they were at its last success and every output exists. Returns
+ * Runs `make` unless `inputs` are unchanged since its last success and every output exists. Returns
  * whether it ran.
  */
 export async function unlessFresh(name, inputs, outputs, make) {

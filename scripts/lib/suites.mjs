@@ -1,5 +1,5 @@
-// The parts of a test suite that can run side by side, as jobs: `{ name, run }`, where `run` resolves to
-// `{ passed, failed, skipped, output }`.
+// The parts of a test suite that can run in parallel, as jobs: `{ name, run }`, where `run`
+// resolves to `{ passed, failed, skipped, output }`.
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
@@ -9,10 +9,13 @@ import { BUILD, ROOT } from './paths.mjs';
 import { run } from './run.mjs';
 
 const SECONDS = 40 * 60;
-/** All tests of Catch2: without an argument it leaves those out that are tagged [.long]. */
+/** All tests of Catch2, which by default leaves out those tagged [.long]. */
 const EVERYTHING = '*';
 
-/** A Catch2 program; its totals count test cases. `filter` selects tests by tag; with `long`, those tagged [.long] run as well. */
+/**
+ * A Catch2 program; its totals count test cases. `filter` selects tests by their tags; `long`
+ * includes those tagged [.long].
+ */
 export function catchJobs(program, env = {}, { long = false, filter } = {}) {
   const runAll = async () => {
     const args = [filter ?? (long ? EVERYTHING : [])].flat();
@@ -41,7 +44,7 @@ export function testFiles(folder, { long = false } = {}) {
   return names.sort().map((name) => join('tests', folder, name));
 }
 
-/** A job for each file of a folder. `kind` tells apart several runs of one folder. */
+/** A job for each file of a folder. `kind` distinguishes several runs of one folder. */
 export function nodeJobs(folder, env = {}, { long = false, kind = '' } = {}) {
   const files = testFiles(folder, { long });
   if (files.length === 0) return [noTests(folder)];
@@ -72,7 +75,7 @@ async function runNodeTests(file, env, kind) {
   return { ...settle(tapTotals(existsSync(tap) ? readFileSync(tap, 'utf8') : ''), code), output };
 }
 
-/** A job for each fuzzer, which share the time. */
+/** A job for each fuzzer; they share the time. */
 export function fuzzJobs(seconds) {
   const share = Math.ceil(seconds / TARGET_NAMES.length);
   return TARGET_NAMES.map((target) => ({

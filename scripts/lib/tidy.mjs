@@ -1,5 +1,5 @@
-// clang-tidy over the sources of core and native. Sources are read in batches; those that were clean are left out
-// until they, or a header that they include, change.
+// Runs clang-tidy on the sources of core and native. Sources are read in batches; clean ones are
+// skipped until they, or a header that they include, change.
 
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
@@ -11,14 +11,14 @@ import { fingerprint, stamp } from './stamp.mjs';
 
 const FOLDER = join(BUILD, 'tidy');
 const MOST = 12;
-/** By this name the analyzer knows that what it includes is to be looked at like itself. */
+/** The analyzer recognizes this name and checks included files like the file itself. */
 const BATCH = 'UnifiedSource.cpp';
-/** A batch includes sources, which is what this check warns of. */
+/** A batch includes sources, which this check would warn about. */
 const BATCH_CHECKS = '--checks=-bugprone-suspicious-include';
 
 /**
- * How far the analyzer looks into each function: its own limits for a quick and for a deep look, which takes three
- * times as long.
+ * How far the analyzer explores each function: its own limits for a quick and for a deep analysis,
+ * which takes three times as long.
  */
 const QUICK_NODES = 75000;
 const DEEP_NODES = 225000;
@@ -29,7 +29,7 @@ const analyzerArgs = (nodes) =>
 
 const escaped = (path) => path.replaceAll(/[.+*?^$()[\]{}|\\]/g, '\\$&');
 
-/** The sources that were compiled, each once, in the way that batches wants them and with their stamps. */
+/** The compiled sources, each once, in the form that batches() expects and with their stamps. */
 function sources(database, nodes) {
   const filesOf = includeScanner();
   const common = `${nodes} ${fingerprint([join(ROOT, '.clang-tidy')])}`;
@@ -52,7 +52,7 @@ function sources(database, nodes) {
     });
 }
 
-/** Runs clang-tidy on a file that is compiled as `source` is. */
+/** Runs clang-tidy on a file that is compiled like `source`. */
 async function clangTidy(file, { flags, directory }, folder, args) {
   const command = `${flags} -o checked.o -c ${file}`;
   const database = JSON.stringify([{ directory, command, file }]);
@@ -61,8 +61,8 @@ async function clangTidy(file, { flags, directory }, folder, args) {
 }
 
 /**
- * Reads the sources of a batch as one, or each alone where that cannot be. Resolves to the sources that are clean
- * and to what is said about the others. `folder` is for files of its own.
+ * Checks the sources of a batch as one, or each alone if that does not work. Resolves to the clean
+ * sources and to the output about the others. `folder` is for its own files.
  */
 export async function checkBatch(list, folder, { root = ROOT, nodes = DEEP_NODES } = {}) {
   mkdirSync(folder, { recursive: true });
@@ -72,7 +72,7 @@ export async function checkBatch(list, folder, { root = ROOT, nodes = DEEP_NODES
   const args = analyzerArgs(nodes);
   const together = await clangTidy(file, list[0], folder, [BATCH_CHECKS, filter, ...args]);
   if (together.code === 0) return { clean: list, output: '' };
-  // Errors and warnings of the compiler may come of names that only meet here.
+  // Compiler errors and warnings may come from names that only meet here.
   if (!together.output.includes('[clang-diagnostic-'))
     return { clean: [], output: together.output };
   const clean = [];

@@ -1,4 +1,4 @@
-// The measures that the benchmark of atlases prints, where they are known.
+// The measures that the atlas benchmark prints, in cases where their values are known.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,7 +6,7 @@ import { measureAtlas } from './support/atlas_measures.mjs';
 
 const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-12, `${value}, ${wanted}`);
 
-/** A unit square of two triangles, folded along its diagonal by nothing. */
+/** A unit square of two triangles, with no fold along its diagonal. */
 const positions = [
   [0, 0, 0],
   [1, 0, 0],
@@ -33,7 +33,7 @@ test('an isometry of any scale has energy 1 and no seam', () => {
 test('a stretch by 2 has the energy of its singular values', () => {
   const texcoords = positions.map(([x, y]) => [2 * x, y]);
   const { symmetricDirichlet } = measureAtlas({ triangles: whole, positions, texcoords });
-  // At the scale that keeps the area: sqrt(2) and 1 / sqrt(2).
+  // At the area-preserving scale: sqrt(2) and 1 / sqrt(2).
   near(symmetricDirichlet, (2 + 0.5 + 0.5 + 2) / 4);
 });
 

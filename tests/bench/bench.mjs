@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Times and memory from file to file over sizes, beside one factorisation of a Laplacian.
+// Time and memory from file to file for several sizes, compared with one factorisation of a
+// Laplacian.
 // Usage: npm run bench -- [--sizes 10k,100k] [--repeat N] [--csv [FILE]] [--check]; see --help
 
 import { readFileSync, rmSync } from 'node:fs';
@@ -19,7 +20,7 @@ import {
 
 const CSV = join(ROOT, 'tests/bench/results/native.csv');
 const RECORDED = join(ROOT, 'tests/bench/recorded.json');
-/** The yardsticks are measured on one thread, as we are but for one column. */
+/** The yardsticks run on one thread, as we do in all but one column. */
 const ENV = { OPENBLAS_NUM_THREADS: '1', OMP_NUM_THREADS: '1' };
 
 const KEYS = [

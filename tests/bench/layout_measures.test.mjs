@@ -1,4 +1,5 @@
-// The measures of published evaluations, where they are known, and what follows from them.
+// The measures of published evaluations, in cases where their values are known, and what follows
+// from them.
 
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -7,7 +8,9 @@ import { layoutOf, measureLayout } from './support/layout_measures.mjs';
 const near = (value, wanted, what) =>
   assert.ok(Math.abs(value - wanted) < 1e-9, `${what}: ${value}, not ${wanted}`);
 
-/** n x n unit squares in the plane, two triangles each, and texcoords by a map of the plane. */
+/**
+ * n x n unit squares in the plane, two triangles each, with texcoords given by a map of the plane.
+ */
 function grid(n, map) {
   const at = (i, j) => i + j * (n + 1);
   const positions = Array.from({ length: (n + 1) ** 2 }, (_, k) => [
@@ -28,7 +31,10 @@ function grid(n, map) {
   });
 }
 
-/** The faces for which `isOther` get texcoords of their own, `shift` to the right and `scale` times as large. */
+/**
+ * Gives the faces for which `isOther` holds separate texcoords, shifted to the right by `shift` and
+ * scaled by `scale`.
+ */
 function torn({ triangles, positions, texcoords }, isOther, shift, scale = 1) {
   const copies = texcoords.map(([u, v]) => [scale * u + shift, scale * v]);
   return {
@@ -96,7 +102,8 @@ describe('several charts', () => {
   });
 
   test('a toothed seam turns at each tooth', () => {
-    // One triangle of each square of the first row: the seam goes along diagonals and sides by turns, and touches the boundary between.
+    // One triangle of each square of the first row: the seam alternates between diagonals and
+    // sides, and touches the boundary in between.
     const toothed = torn(whole, (f) => f > 7 || f % 2 === 1, 0.5);
     const length = 4 * Math.SQRT2 + 3;
     const { seam3, turning } = measureLayout(toothed);

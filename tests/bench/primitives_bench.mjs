@@ -1,6 +1,8 @@
 #!/usr/bin/env node
-// Unwrapping the geometries of three.js: time per face beside that of a generated surface without symmetries.
-// Usage: npm run bench:primitives -- [--families sphere,cone] [--sizes 1000,40000,500000] [--repeat 1] [--limit 60]
+// Unwraps the geometries of three.js: time per face compared with a generated surface without
+// symmetries.
+// Usage: npm run bench:primitives -- [--families sphere,cone] [--sizes 1000,40000,500000] [--repeat
+// 1] [--limit 60]
 
 import { spawnSync } from 'node:child_process';
 import { rmSync } from 'node:fs';
@@ -45,7 +47,7 @@ function optionsOf(args) {
   return { families, sizes, repeat: Number(values.repeat), limit: Number(values.limit) };
 }
 
-/** The quickest of several runs on one thread; without seconds where the limit was too short. */
+/** The fastest of several runs on one thread; without seconds if the time limit was exceeded. */
 function measure(name, { path, faces }, { repeat, limit }) {
   const output = path.replace(/\.obj$/, '-uv.obj');
   const args = ['unwrap', path, '-o', output, '--report', '-', '--quiet', '--threads', '1'];

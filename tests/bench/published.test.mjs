@@ -1,4 +1,4 @@
-// What the benchmark beside published figures marks, and which of its runs it takes.
+// Which figures the benchmark against published results marks, and which of its runs it picks.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

@@ -1,6 +1,8 @@
 #!/usr/bin/env node
-// Unwrapping beside the published figures of other programs, on the same public meshes: PartUV's table, and OptCuts at equal stretch.
-// Usage: npm run bench:published -- [options of abflat unwrap]   meshes are in ABFLAT_PUBLISHED_MESHES, or in ../shared/meshes2
+// Compares unwrapping with the published figures of other programs, on the same public meshes: with
+// PartUV's table, and with OptCuts at equal stretch.
+// Usage: npm run bench:published -- [options of abflat unwrap]
+// Meshes are in ABFLAT_PUBLISHED_MESHES, or in ../shared/meshes2.
 
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,12 +24,12 @@ import { unwrapped } from './support/unwrap_runs.mjs';
 const MESHES = process.env.ABFLAT_PUBLISHED_MESHES ?? join(ROOT, '../shared/meshes2');
 const FOLDER = join(BUILD, 'bench');
 const REPEAT = 3;
-/** Bounds on the stretch of a chart, for a mean over the mesh that is no higher than OptCuts'. */
+/** Bounds on a chart's stretch, chosen for a mean over the mesh that is no higher than OptCuts'. */
 const STRETCHES = [1.0225, 1.025, 1.0275, 1.03];
-/** It cuts for stretch alone, not for packing. */
+/** OptCuts only cuts to reduce stretch, not for packing. */
 const AS_OPTCUTS = ['--balance', '1', '--min-utilization', '0'];
 
-/** Options that the table beside OptCuts has for itself. */
+/** Options that the comparison with OptCuts sets itself. */
 const OWN_OF_OPTCUTS = ['--balance', '--min-utilization', '--max-stretch'];
 
 const marked = (key, digits) => (row) =>
@@ -75,7 +77,7 @@ const OPTCUTS_LEGEND = `
 *: SD/4 above OptCuts', seam3 more than 1.2 times as long, or s more than a 50th
 seam3: length of chart outlines on the surface over the root of its area, so that seams count twice`;
 
-/** Undefined, with a sentence, where there is no such mesh. */
+/** Prints a sentence and returns undefined if there is no such mesh. */
 function fileOf(mesh) {
   const path = join(MESHES, `${mesh}.obj`);
   if (existsSync(path)) return path;

@@ -1,6 +1,8 @@
 #!/usr/bin/env node
-// Refining for lengths beside solving for angles: seconds, threads, and how near the least energy it ends.
-// Usage: npm run bench:refine -- [--meshes head-5000,../shared/meshes/face.obj+1] [--balances 0.2,1] [--repeat 3]
+// Compares refining for lengths with solving for angles: seconds, threads, and how close it ends to
+// the least energy.
+// Usage: npm run bench:refine -- [--meshes head-5000,../shared/meshes/face.obj+1] [--balances
+// 0.2,1] [--repeat 3]
 
 import { existsSync } from 'node:fs';
 import { basename, join } from 'node:path';
@@ -13,7 +15,7 @@ import { printTable } from './support/results.mjs';
 const PROGRAM = join(BUILD, 'native/tests/abflat_refine_bench');
 const SHARED = join(ROOT, '../shared/meshes');
 
-/** Disks of 5 k to 500 k faces: generated heads, and others subdivided. */
+/** Disks with 5 k to 500 k faces: generated heads, and others that are subdivided. */
 const MESHES = [
   'head-5000',
   'cow-cut.off',

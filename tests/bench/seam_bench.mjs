@@ -1,7 +1,9 @@
 #!/usr/bin/env node
-// How seams look: a picture of each mesh from four sides beside its layout, and what can be measured of that.
-// Usage: npm run bench:seams -- FOLDER MESH... [-- options of abflat unwrap]   writes FOLDER/NAME.png: the layout, the mesh from the front and
-// from the right; from above, from the left and from behind. Seams are red, boundaries blue.
+// Shows how seams look: a picture of each mesh from four sides beside its layout, with measures of
+// them.
+// Usage: npm run bench:seams -- FOLDER MESH... [-- options of abflat unwrap]
+// Writes FOLDER/NAME.png: the layout, the mesh from the front and from the right; from above, from
+// the left and from behind. Seams are red, boundaries blue.
 
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
 import { join, parse } from 'node:path';

@@ -1,4 +1,4 @@
-// The benchmark that draws seams: a picture has them, the surface and its boundary.
+// The benchmark that draws seams: its picture shows the seams, the surface and its boundary.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -16,7 +16,7 @@ const bench = (...args) =>
     encoding: 'utf8',
   });
 
-/** Pixels of a part of the sheet that look like that. */
+/** Counts the pixels in a part of the sheet for which `looksLike` holds. */
 function count({ width, height, at }, column, row, looksLike) {
   const [w, h] = [width / 3, height / 2];
   let found = 0;

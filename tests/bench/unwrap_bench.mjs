@@ -1,6 +1,7 @@
 #!/usr/bin/env node
-// Unwrapping beside xatlas (the npm package watlas) on the same meshes, measured alike.
-// Usage: npm run bench:unwrap -- [--meshes knot-90k,iso-64] [--threads 1] [--repeat 3] [--max-stretch 1.04] [--alone] [--csv [FILE]]
+// Compares unwrapping with xatlas (the npm package watlas) on the same meshes, measured alike.
+// Usage: npm run bench:unwrap -- [--meshes knot-90k,iso-64] [--threads 1] [--repeat 3]
+// [--max-stretch 1.04] [--alone] [--csv [FILE]]
 
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

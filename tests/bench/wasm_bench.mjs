@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// The npm package in Node and Chromium beside the native program on the same meshes.
+// Compares the npm package in Node and Chromium with the native program on the same meshes.
 // Usage: npm run bench:wasm -- [options of npm run bench]
 
 import { readFileSync, rmSync } from 'node:fs';
@@ -76,7 +76,7 @@ async function measure(mesh, { t, repeatFor }) {
   const self = fileURLToPath(import.meta.url);
   const natively = (program) => jsonOf(mesh.name, program, ['plain', ...args]);
   const inNode = (build) => jsonOf(mesh.name, process.execPath, [self, build, ...args]);
-  // Before and after, so that a machine that gets busy meanwhile shows.
+  // Measured before and after, to reveal whether the machine got busy in between.
   const before = await natively(PROGRAM);
   const simd = await inNode('simd');
   const plain = await inNode('plain');

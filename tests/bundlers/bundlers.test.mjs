@@ -1,5 +1,5 @@
-// The package under every bundler, on plain pages and on those that are cross-origin isolated: nothing hangs, nothing is missing in silence.
-// Installs the bundlers from the npm registry the first time.
+// The package with every bundler, on plain and on cross-origin isolated pages: nothing hangs, and
+// nothing is silently missing. Installs the bundlers from the npm registry the first time.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -14,7 +14,7 @@ import { bin, ENV, FOLDER, INSTALLED, install, project, run } from './project.mj
 
 const executablePath = findChrome();
 const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
-/** What an isolated page runs. */
+/** The build that an isolated page runs. */
 const BEST = availableParallelism() > 1 ? 'threads' : 'simd';
 
 let browser;
@@ -61,7 +61,7 @@ async function serve(folder, headers) {
   return `http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}`;
 }
 
-/** What a page shows in the end. */
+/** What a page finally shows. */
 async function shown(address) {
   const page = await browser.newPage();
   try {
@@ -162,7 +162,7 @@ const next = (config) => ({
     export const GET = async () => new Response(await show());`,
 });
 
-/** The address of a server that next starts. */
+/** Starts `next` as a server; returns its address. */
 function start(root) {
   const child = spawn(bin('next'), ['start', '--port', '0'], { cwd: root, env: ENV });
   ends.push(() => child.kill());
@@ -181,7 +181,7 @@ function start(root) {
 
 const EXTERNAL = "serverExternalPackages: ['abflat'],";
 const RUNS = /^simd, valid: true$/;
-/** How it is built, how it is configured, and what its server then says. */
+/** How it is built, its configuration, and what its server then says. */
 const NEXT = {
   Turbopack: [['build'], '', RUNS],
   webpack: [['build', '--webpack'], '', /^not valid: UnreadableFile .*serverExternalPackages/],

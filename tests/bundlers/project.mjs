@@ -1,11 +1,12 @@
-// Projects of strangers: the package as npm packs it, installed beside the bundlers, in a folder outside of the workspace.
+// Projects of package users: the package as npm packs it, installed beside the bundlers, in a
+// folder outside the workspace.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT } from '../wasm/support/paths.mjs';
 
-/** Exact, so that a new release of one of them breaks nothing here. */
+/** Exact versions, so that a new release of one of them breaks nothing here. */
 const VERSIONS = {
   '@rollup/plugin-node-resolve': '16.0.3',
   esbuild: '0.28.2',
@@ -23,14 +24,14 @@ export const FOLDER = join(ROOT, 'build/bundlers');
 
 export const ENV = { ...process.env, NEXT_TELEMETRY_DISABLED: '1' };
 
-/** Runs a program to its end; fails with what it said. */
+/** Runs a program to its end; throws with its output if it fails. */
 export function run(command, args, cwd) {
   const { status, stdout, stderr } = spawnSync(command, args, { cwd, encoding: 'utf8', env: ENV });
   if (status !== 0) throw new Error(`${command} ${args.join(' ')}:\n${stdout}\n${stderr}`);
   return stdout;
 }
 
-/** Installs the bundlers if they are not there, and the package as it is now. */
+/** Installs the bundlers if they are missing, and the package in its current state. */
 export function install() {
   mkdirSync(FOLDER, { recursive: true });
   const manifest = join(FOLDER, 'package.json');

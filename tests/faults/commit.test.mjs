@@ -1,4 +1,5 @@
-// Outputs appear together or not at all: whatever system call fails, and wherever the program is interrupted.
+// Outputs appear together or not at all, whichever system call fails and wherever the program is
+// interrupted.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -8,7 +9,7 @@ import { tempFolder } from '../support/temp-folder.mjs';
 import { callsOf, contentsOf, eachOf, runWithFault, withoutFaults } from './support.mjs';
 
 const INPUT = fan(6);
-/** Two outputs replace something, one does not. */
+/** Two of the outputs replace an existing file, one does not. */
 const OLD = { 'in.obj': INPUT, 'out.obj': 'an old mesh', 'report.json': 'an old report' };
 const OUTPUTS = ['-o', 'out.obj', '--report', 'report.json', '--write-seams', 'seams.txt'];
 const ARGS = ['unwrap', 'in.obj', ...OUTPUTS, '-q'];
@@ -24,7 +25,7 @@ function prepared(at, name) {
 
 const isOld = (files) => JSON.stringify(files) === JSON.stringify(OLD);
 
-/** New: all of them, complete. */
+/** Asserts that all outputs are new and complete. */
 function assertNew(files, context) {
   assert.deepEqual(Object.keys(files).sort(), NAMES, context);
   assert.equal(files['in.obj'], INPUT, context);
@@ -33,7 +34,7 @@ function assertNew(files, context) {
   assert.notEqual(files['report.json'], OLD['report.json'], context);
 }
 
-/** Every fault at every call that it makes sense for; `check(run, files, context)`. */
+/** Injects every fault at every call that it applies to; `check(run, files, context)`. */
 async function atEveryCall(t, faultsOf, check) {
   const at = tempFolder(t);
   mkdirSync(at('runs'));
@@ -65,7 +66,7 @@ test(
       (run, files, context) => {
         assert.ok([0, 3, 5].includes(run.code), context);
         if (run.code === 0) return assertNew(files, context);
-        // An input that cannot be read is in the report that was asked for.
+        // A failure to read the input is reported in the requested report.
         const report = run.code === 3 ? JSON.parse(files['report.json']).error : null;
         assert.equal(report?.code, run.code === 3 ? 'UnreadableFile' : undefined, context);
         assert.deepEqual({ ...files, 'report.json': OLD['report.json'] }, OLD, context);

@@ -1,4 +1,4 @@
-// Disks that are full or cannot be written to, limits of the user, and interruption while it works.
+// Disks that are full or read-only, user limits, and interruption while running.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -13,14 +13,14 @@ import { contentsOf } from './support.mjs';
 const OLD = 'what was there before';
 const isRoot = process.getuid?.() === 0;
 
-/** A folder with a mesh of some size and an older result. */
+/** A folder with a mesh of the given size and an older result. */
 function prepared(at, size = 40) {
   writeFileSync(at('in.obj'), grid(size));
   writeFileSync(at('out.obj'), OLD);
   return contentsOf(at());
 }
 
-/** Calls `work` with a small file system of its own, mounted in a folder; skips where that is not allowed. */
+/** Calls `work` with a small file system mounted in a folder; skips if mounting is not allowed. */
 async function onDisk(t, options, work) {
   const at = tempFolder(t);
   const disk = (name = '') => at(`disk/${name}`);

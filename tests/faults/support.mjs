@@ -9,7 +9,10 @@ import { PROGRAM, runAbflat } from '../support/run-abflat.mjs';
 
 const FOLDER = dirname(fileURLToPath(import.meta.url));
 
-/** Builds the library that makes calls fail; `{ library }`, or `{ problem }` where that cannot be. */
+/**
+ * Builds the library that makes calls fail; returns `{ library }`, or `{ problem }` if it cannot be
+ * built.
+ */
 function buildShim() {
   if (process.platform !== 'linux') return { problem: 'LD_PRELOAD is needed, as on Linux' };
   const folder = mkdtempSync(join(tmpdir(), 'abflat-shim-'));
@@ -30,7 +33,7 @@ function buildShim() {
 
 const shim = buildShim();
 
-/** Why there can be no faults here, for `skip`. */
+/** Why faults cannot be injected here, for `skip`. */
 export const withoutFaults = shim.problem;
 
 const withShim = (at, variables) => {
@@ -38,7 +41,7 @@ const withShim = (at, variables) => {
   return ['env', '-C', at(), ...Object.entries(env).map(([name, value]) => `${name}=${value}`)];
 };
 
-/** The watched calls of a run, in their order: 'open', 'write', 'rename', ... */
+/** The watched calls of a run, in order: 'open', 'write', 'rename', ... */
 export async function callsOf(at, args) {
   const log = at('../calls.log');
   const run = await runAbflat(args, { wrapper: withShim(at, { ABFLAT_FAULT_LOG: log }) });
@@ -55,7 +58,7 @@ export function runWithFault(at, args, call, fault) {
   return runAbflat(args, { wrapper: withShim(at, variables) });
 }
 
-/** Names and contents of all files of a folder. */
+/** Names and contents of all files in a folder. */
 export const contentsOf = (folder) =>
   Object.fromEntries(
     readdirSync(folder).map((name) => [name, readFileSync(join(folder, name), 'latin1')]),

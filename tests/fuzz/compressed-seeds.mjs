@@ -1,10 +1,10 @@
-// glTF files in every compression. Apart from the other seeds, because it needs packages of npm.
+// glTF files in every compression. Separate from the other seeds because it needs npm packages.
 
 import { COMPRESSIONS, compressed, io } from '../support/compressed-gltf.mjs';
 import { addMesh, emptyDocument, primitiveOf, randomRows } from '../support/gltf.mjs';
 import { sphere } from '../support/surfaces.mjs';
 
-/** A small ball with what compressions treat in ways of their own. */
+/** A small ball with attributes that compressions treat specially. */
 async function ballGlb(how) {
   const document = emptyDocument();
   const surface = sphere(1);

@@ -1,7 +1,8 @@
 // Runs the fuzzers for a while.
-// Inputs that are worth keeping stay in build/fuzz/corpus, so that the next run goes on from there.
-// What ends a target is in build/fuzz/found; a file is run again by build/sanitize/fuzzers/fuzz_TARGET FILE
-// (of the package by tests/fuzz/javascript/replay.mjs FILE) and, once mended, kept in tests/fuzz/findings/TARGET.
+// Inputs worth keeping stay in build/fuzz/corpus, so that the next run continues from there. Inputs
+// that end a target are in build/fuzz/found; run such a file again with
+// build/sanitize/fuzzers/fuzz_TARGET FILE (for the package, tests/fuzz/javascript/replay.mjs FILE)
+// and, once it is fixed, keep it in tests/fuzz/findings/TARGET.
 
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,7 +15,7 @@ export const FOUND = join(HOME, 'found');
 /** Calls of the npm package, which libFuzzer does not see. */
 export const PACKAGE_TARGET = 'javascript';
 
-/** Of one input: what a target may take before that is a finding as well. */
+/** Seconds that one input may take; more counts as a finding as well. */
 const SECONDS = 60;
 const LIMITS = [
   `-timeout=${SECONDS}`,
@@ -22,17 +23,17 @@ const LIMITS = [
   '-rss_limit_mb=2048',
   '-malloc_limit_mb=1024',
 ];
-/** Bytes of an input at most. */
+/** Most bytes of an input. */
 const LENGTHS = { unwrap: 1200, flatten: 1200 };
 const USUAL_LENGTH = 8192;
-/** Those below run with every `npm test`. */
+/** Seeds below this run with every `npm test`. */
 const FIRST_SEED = 1000;
 
 const filesIn = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
 const fuzzerOf = (target) => join(BUILD, 'sanitize/fuzzers', `fuzz_${target}`);
 const findingsOf = (target) => filesIn(FOUND).filter((name) => name.startsWith(`${target}-`));
 
-/** Reads the lines that libFuzzer prints while it forks: "#123: cov: 45 ft: 67 corp: 8 ...". */
+/** Reads the lines that libFuzzer prints in fork mode: "#123: cov: 45 ft: 67 corp: 8 ...". */
 export function progressOf(output) {
   const lines = [...output.matchAll(/^#(\d+):? .*?cov: (\d+) .*?corp: (\d+)/gm)];
   if (lines.length === 0) return { executions: 0, before: 0, after: 0, corpus: 0 };
@@ -45,7 +46,7 @@ export function progressOf(output) {
   };
 }
 
-/** Resolves to what was run and what was found, by their file names. */
+/** Resolves to what was run and the file names of findings. */
 export async function fuzz(target, seconds) {
   const corpus = join(HOME, 'corpus', target);
   mkdirSync(FOUND, { recursive: true });
@@ -76,9 +77,12 @@ export async function fuzz(target, seconds) {
   return { target, seconds, ...progressOf(output), found, output };
 }
 
-/** The same of the npm package. A seed is a call, so there is no corpus: each run goes on where the last one ended. */
+/**
+ * The same for the npm package. A seed is a call, so there is no corpus: each run continues where
+ * the last one ended.
+ */
 export async function fuzzPackage(seconds) {
-  // The package may not be built before it is asked for.
+  // The package may not be built until this is called.
   const { fuzzCalls } = await import('./javascript/fuzz-calls.mjs');
   const place = join(HOME, 'next-seed');
   const first = existsSync(place) ? Number(readFileSync(place, 'utf8')) : FIRST_SEED;

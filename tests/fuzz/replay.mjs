@@ -1,4 +1,4 @@
-// Runs abflat_replay, which needs no fuzzer.
+// Runs abflat_replay, which does not need a fuzzer.
 
 import assert from 'node:assert/strict';
 import { dirname, join } from 'node:path';
@@ -7,7 +7,7 @@ import { PROGRAM } from '../support/run-abflat.mjs';
 
 const REPLAY = join(dirname(PROGRAM), 'tests/abflat_replay');
 
-/** Fails where a property does not hold; returns the last lines of what was said. */
+/** Fails if a property does not hold; returns the last lines of output. */
 export async function replay(...args) {
   const { code, output } = await run(REPLAY, args, { capture: true, seconds: 3000 });
   const said = output
@@ -18,7 +18,7 @@ export async function replay(...args) {
   return said;
 }
 
-/** Random meshes with random options, all of which are different in each run of another seed. */
+/** Random meshes with random options; runs with different seeds have different ones. */
 export async function replayRandom(target, count, seed) {
   const said = await replay(target, '--random', String(count), '--seed', String(seed));
   const results = Number(said.match(/(\d+) with a result/)?.[1]);

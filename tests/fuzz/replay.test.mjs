@@ -1,5 +1,5 @@
-// What fuzzing has found stays mended, and random meshes with random options keep the properties
-// that the fuzzers look for. `abflat_replay TARGET --show SEED` shows the mesh of a failure.
+// Bugs found by fuzzing stay fixed, and random meshes with random options keep the properties that
+// the fuzzers check. `abflat_replay TARGET --show SEED` shows the mesh of a failure.
 
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-// Files to begin with: small, and one of each kind that a reader tells apart.
+// Files to start from: small, and one of each kind that a reader distinguishes.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -129,7 +129,7 @@ function randomBytes(count) {
   );
 }
 
-/** Loaded when they are needed: the names of targets are known before packages are installed. */
+/** Loaded only when needed: the names of targets must be known before packages are installed. */
 async function furtherSeeds(target) {
   if (target !== 'gltf') return [];
   const { compressedSeeds } = await import('./compressed-seeds.mjs');

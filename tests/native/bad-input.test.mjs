@@ -1,4 +1,4 @@
-// Input that is broken or extreme: the documented exit code and a sentence, or a valid result.
+// Broken or extreme input: the documented exit code and a sentence, or a valid result.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -13,7 +13,7 @@ const HEAD = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n';
 const plyText = (points = '0 0 0\n1 0 0\n0 1 0\n', faces = '3 0 1 2\n') =>
   `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n${points || '0 0 0\n1 0 0\n0 1 0\n'}${faces}`;
 
-/** name, file, content, exit code, what the sentence must say. */
+/** Name, file, content, exit code, and what the sentence must say. */
 const REFUSED = [
   ['OBJ cut off inside a vertex', 'a.obj', `${HEAD}v 1 1`, 3, /a\.obj:4: .*truncated/],
   ['OBJ cut off inside a face', 'a.obj', `${HEAD}f 1 2`, 3, /a\.obj:4: .*2 corners/],

@@ -1,4 +1,5 @@
-// What is written is what was checked: files of every format, judged exactly and without the program.
+// What is written is what was checked: files of every format, judged exactly and independently of
+// the program.
 
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
@@ -28,7 +29,7 @@ const scaled = (mesh, by) => ({
   positions: mesh.positions.map((p) => p.map((x) => x * by)),
 });
 
-/** Polygons with a lifted middle, every face with vertices of its own. */
+/** Polygons with a raised middle; every face has its own vertices. */
 function tents(seed) {
   const random = randomNumbers(seed);
   const turned = random();
@@ -142,7 +143,7 @@ test('the judge finds what is wrong', () => {
   assert.deepEqual(judge([s.toReversed()]).flipped, [0]);
   assert.deepEqual(judge([moved(0.6, 0)]).outside, [0]);
   assert.deepEqual(judge([[s[0], s[1], [0.25, 0]]]).flat, [0]);
-  // By as little as doubles can tell.
+  // By the least that doubles can represent.
   const below = 0.5 - 2 ** -54;
   assert.equal(turn([0, 0], [1, 1], [0.5, 0.5]), 0);
   assert.equal(turn([0, 0], [1, 1], [below, 0.5]), 1);

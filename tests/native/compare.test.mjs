@@ -127,7 +127,7 @@ test('wrong meshes and targets have their exit codes, and leave no file', async 
   assert.equal(await code('in.obj', '--json', 'no/such/folder.json'), 5);
 });
 
-/** Relative; the judge adds up in another order. */
+/** Relative, because the judge sums in another order. */
 const close = (a, b) => Math.abs(a - b) <= 1e-6 * Math.max(Math.abs(a), Math.abs(b), 1e-6);
 
 for (const file of ['nefertiti.off', 'hemisphere.obj', 'cow-cut.off'])

@@ -1,4 +1,5 @@
-// glTF compressed by Draco and meshopt: read as their own decoders read it, and written plain.
+// glTF compressed by Draco and meshopt: read as their own decoders read it, and written
+// uncompressed.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -21,7 +22,7 @@ import { tempFolder } from '../support/temp-folder.mjs';
 const FILTERS = ['OCTAHEDRAL', 'QUATERNION', 'EXPONENTIAL'];
 const NOTE = /^in\.\w+ was compressed with (Draco|meshopt); the output is uncompressed$/;
 
-/** Unwraps a file of a folder and gives what it wrote to the validator and to glTF-Transform. */
+/** Unwraps a file in a folder and passes the output to the validator and to glTF-Transform. */
 async function unwrapped(at, input = 'in.glb', output = 'out.glb') {
   const args = ['unwrap', input, '-o', output, '--report', 'r.json', '--resolution', '512'];
   const run = await runAbflat([...args, '--texcoord', '0'], { cwd: at() });
@@ -38,7 +39,10 @@ async function inspected(at, bytes) {
 
 const drawn = (document) => primitivesOf(document).filter((primitive) => primitive.getMode() >= 4);
 
-/** Whether the scene mirrors primitives: quantizing gives them nodes in another order. */
+/**
+ * Whether the scene mirrors primitives. Checked by area, because quantizing gives them nodes in
+ * another order.
+ */
 const isBackwards = (primitives) =>
   atlasOf(primitives).reduce(
     (sum, [a, b, c]) => sum + (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]),
@@ -136,7 +140,7 @@ test('KHR_meshopt_compression is the same by another name', async (t) => {
   assertSameButTexcoord(document, await io.readBinary(new Uint8Array(bytes)));
 });
 
-/** A change to the JSON of a file that was compressed in a way; its bytes stay. */
+/** Applies a change to the JSON of a file compressed in this way; its bytes stay. */
 async function changed(how, change) {
   const { json, buffer } = parseGltf(await compressed(richGltf().glb(), how));
   change(json, buffer);
@@ -171,7 +175,7 @@ test('primitives that share a Draco mesh share what it holds', async (t) => {
   const { json, buffer } = parseGltf(before);
   const [first, second] = json.meshes[0].primitives;
   json.meshes[0].primitives.push({ ...first, material: 1 });
-  // Another compressed mesh claims the accessors of the first: it gets its own.
+  // Another compressed mesh claims the first one's accessors, and gets its own.
   Object.assign(second, { attributes: first.attributes, indices: first.indices });
   writeFileSync(at('in.glb'), glbOf(json, buffer));
   const { document } = await unwrapped(at);
@@ -195,7 +199,9 @@ test('a file that only names a compression is plain', async (t) => {
   assert.deepEqual(compressionsIn(bytes), []);
 });
 
-/** The head of a Draco mesh of 1.4 billion triangles, by its method (0: sequential, 1: edgebreaker). */
+/**
+ * The header of a Draco mesh with 1.4 billion triangles, by method (0: sequential, 1: edgebreaker).
+ */
 function hugeDraco(method) {
   const version = [2, 2];
   const [mesh, noFlags, traversal] = [[1], [0, 0], method === 1 ? [0, 3] : []];

@@ -1,4 +1,4 @@
-// Delaunay layouts, checked in whole numbers on the texcoords as they stand in the file.
+// Delaunay layouts, checked with integers on the texcoords exactly as they are in the file.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -7,10 +7,10 @@ import { runAbflat } from '../support/run-abflat.mjs';
 import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** Every double of a layout is a whole number of these. */
+/** Every double of a layout is an integer multiple of 1 / UNITS. */
 const UNITS = 2 ** 200;
 
-/** Texcoords as whole numbers, and triangles of texcoord numbers. */
+/** Texcoords as integers, and triangles as triples of texcoord numbers. */
 function readLayout(path) {
   const points = [];
   const triangles = [];
@@ -22,7 +22,7 @@ function readLayout(path) {
   return { points, triangles };
 }
 
-/** Above 0 when d lies inside the circle through a, b, c, which turn counter-clockwise. */
+/** Above 0 if d lies inside the circle through a, b, c, which are in counter-clockwise order. */
 function inCircle(a, b, c, d) {
   const rows = [a, b, c].map(([x, y]) => [x - d[0], y - d[1]]);
   const lift = rows.map(([x, y]) => x * x + y * y);

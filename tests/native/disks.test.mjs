@@ -1,4 +1,5 @@
-// Disks from harmless to hostile: the automatic t must always give a valid layout, a fixed t a valid layout or the reason.
+// Disks from harmless to hostile: the automatic t must always give a valid layout, a fixed t either
+// a valid layout or the reason.
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -9,7 +10,7 @@ import { FOLDED_DISKS, judge, MILD_DISKS, sharedMesh, withoutShared } from '../s
 import { tempFolder } from '../support/temp-folder.mjs';
 
 const COUNT = isInstrumented ? 16 : 300;
-/** Flattens and checks that exit code, report and judge (where there is one) tell the same story. */
+/** Flattens and checks that exit code, report and judge (if available) agree. */
 async function flattened(at, input, t) {
   const args = ['flatten', input, '-o', 'out.obj', '--t', String(t), '--report', 'r.json'];
   const { code, stderr } = await runAbflat(args, { cwd: at() });
@@ -40,7 +41,7 @@ describe(`${COUNT} generated disks`, () => {
       const { code, report } = await flattened(at, 'in.obj', 'auto');
       assert.equal(code, 0, report.charts?.[0].problem);
       assert.notEqual(report.charts[0].solver, 'tutte');
-      // One fixed t for each disk, a different one from disk to disk.
+      // One fixed t per disk, varying from disk to disk.
       await flattened(at, 'in.obj', [2, 1.5, 1.05, 1, 0.98][n % 5]);
     });
   }

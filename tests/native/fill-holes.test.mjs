@@ -12,7 +12,7 @@ import { tempFolder } from '../support/temp-folder.mjs';
 /** No cuts for packing. */
 const WHOLE = ['--min-utilization', '0'];
 
-/** The report and the text of a run that is fine, also to the judge. */
+/** The report and the text of a run that is fine, including by the judge. */
 async function unwrapped(t, surface, ...options) {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), surfaces.objText(surface));

@@ -1,4 +1,4 @@
-// The flatten command: results, reports, pipes and what it says.
+// The flatten command: results, reports, pipes and messages.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { DEFAULT_OPTIONS } from '../support/schema.mjs';
 import { grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** What a terminal gets to start the line again. */
+/** Makes a terminal start the line again. */
 const CLEAR_LINE = '\r\x1b[K';
 
 let alphaBand;

@@ -1,4 +1,4 @@
-// PLY and STL through the program, checked by readers and writers of our own.
+// PLY and STL through the program, checked by independent readers and writers.
 
 import assert from 'node:assert/strict';
 import { readFileSync, symlinkSync, writeFileSync } from 'node:fs';
@@ -23,7 +23,7 @@ function attributedPly(format) {
         (37 * x + 11 * y) % 256,
         float(x + 0.1 * y),
         float(y),
-        float(Math.sin(x) * Math.cos(y)) + 0, // text made by join has no -0
+        float(Math.sin(x) * Math.cos(y)) + 0, // join writes -0 as 0
         0.1 * x,
         Array.from({ length: x % 3 }, (_, i) => x - i),
         9,
@@ -82,7 +82,7 @@ function attributedPly(format) {
 
 const KEPT = ['red', 'x', 'y', 'z', 'heat', 'bones'];
 
-/** Every row of every element is what it was, but for texcoords. */
+/** Asserts that every row of every element is unchanged, except for texcoords. */
 function checkKept(before, after) {
   assert.deepEqual(
     [after.format, after.comments, after.elements.map(({ name }) => name)],
@@ -157,7 +157,7 @@ test('a file is not replaced by another format, whatever it is called', async (t
 
 test('a surface that touches itself at a vertex gets that vertex twice', async (t) => {
   const at = tempFolder(t);
-  // A band round a square hole whose ends share one corner, but no edge.
+  // A band around a square hole; its ends share a corner, but no edge.
   const points = [
     [0, 0],
     [3, 0],
@@ -204,7 +204,7 @@ test('a surface that touches itself at a vertex gets that vertex twice', async (
 test('the report is about the coordinates as they are written', async (t) => {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), grid(6));
-  // Down there single precision has hardly any numbers left.
+  // At that scale, single precision has hardly any numbers left.
   const scaled = (_, x, y, z) => `v ${[x, y, z].map((c) => Number(c) * 1e-45).join(' ')}`;
   writeFileSync(at('tiny.obj'), grid(6).replaceAll(/^v (\S+) (\S+) (\S+)/gm, scaled));
   const type = (file) => elementOf(file, 'vertex').properties.find(({ name }) => name === 's').type;

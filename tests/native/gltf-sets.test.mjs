@@ -1,4 +1,4 @@
-// Which set of texcoords of a glTF is written: textures stay right unless the user says otherwise.
+// Which texcoord set of a glTF is written: textures stay right unless the user says otherwise.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -43,7 +43,7 @@ const transform = (texCoord) => ({ extensions: { KHR_texture_transform: { texCoo
 const coat = { extensions: { KHR_materials_clearcoat: { clearcoatTexture: { index: 0 } } } };
 const variants = { KHR_materials_variants: { mappings: [{ material: 1, variants: [0] }] } };
 
-/** What the file has, and the set that auto takes. */
+/** What the file contains, and the set that auto chooses. */
 const CASES = [
   ['no texture', { sets: [0], material: {} }, 0],
   ['a texture of set 0', { sets: [0], material: albedo() }, 1],

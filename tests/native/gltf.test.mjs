@@ -12,7 +12,7 @@ import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { sphere, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** Runs unwrap on a file of a folder and reads what it wrote. */
+/** Runs unwrap on a file in a folder and reads the output. */
 async function unwrapped(at, input, output, ...options) {
   const args = [
     'unwrap',
@@ -34,7 +34,7 @@ async function unwrapped(at, input, output, ...options) {
 
 const isDrawn = (primitive) => (primitive.mode ?? 4) >= 4;
 
-/** Every attribute but the written one, and every morph target, corner by corner. */
+/** Compares every attribute except the written one, and every morph target, corner by corner. */
 function assertSameCorners(before, after, written = 'TEXCOORD_0') {
   for (const [m, mesh] of before.json.meshes.entries())
     for (const [p, old] of mesh.primitives.entries()) {
@@ -64,7 +64,7 @@ function assertSameCorners(before, after, written = 'TEXCOORD_0') {
     }
 }
 
-/** Everything that new texcoords do not concern. */
+/** Compares everything that new texcoords do not affect. */
 function assertSameRest(before, after) {
   const rest = ({ json }) => ({
     ...json,
@@ -94,7 +94,9 @@ function assertSameRest(before, after) {
   }
 }
 
-/** Charts are inside the square, not turned over and, where somebody can judge it, do not overlap. */
+/**
+ * Asserts that charts are inside the square, not flipped and, if there is a judge, do not overlap.
+ */
 function assertAtlas(t, at, model, options) {
   const text = objOf(model, options);
   assert.deepEqual(complaints(text), []);
@@ -206,7 +208,7 @@ test('a mirrored mesh is not turned over', async (t) => {
   writeFileSync(at('in.glb'), maker.glb());
   const run = await runAbflat(['unwrap', 'in.glb', '-o', 'out.glb', '-q'], { cwd: at() });
   assert.deepEqual([run.code, run.stderr], [0, '']);
-  // The scene shows the back of what the indices say.
+  // The scene shows the back side of what the indices describe.
   const turned = objOf(parseGltf(readFileSync(at('out.glb')))).replaceAll(
     /^f (\S+) (\S+) (\S+)$/gm,
     'f $1 $3 $2',

@@ -1,4 +1,4 @@
-// Seams that the input has itself: between its uv islands, and between its materials.
+// Seams that the input already has: between its uv islands, and between its materials.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -25,7 +25,7 @@ async function unwrapped(at, input, seams) {
   };
 }
 
-/** A text whose faces are cut to charts by the program: its islands are disks. */
+/** A text whose faces the program has cut into charts: its islands are disks. */
 async function withIslands(at, surface, name) {
   writeFileSync(at('plain.obj'), surfaces.objText(surface));
   const { code, stderr } = await runAbflat(['unwrap', 'plain.obj', '-o', name], { cwd: at() });
@@ -77,7 +77,8 @@ const CUBE = {
 test('corners without texcoords, or with unusable ones, are an island of their own', async (t) => {
   const at = tempFolder(t);
   const v = CUBE.positions.map((p) => `v ${p.join(' ')}`).join('\n');
-  // Side 0 has texcoords; the others have none, numbers that are none, or indices of nothing.
+  // Side 0 has texcoords; the others have none, texcoords that are not numbers, or indices of
+  // nothing.
   const uv = 'vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt nan nan\nvt x\n';
   const corners = [
     [1, 2, 3, 4],
@@ -134,7 +135,7 @@ test('PLY: texcoords of corners, as MeshLab writes them, and of vertices under a
     ['texture_u', 'texture_v'],
   ]) {
     const properties = `property float ${u}\nproperty float ${v}\n`;
-    // Six vertices: the diagonal twice, with other texcoords.
+    // Six vertices: those of the diagonal occur twice, with different texcoords.
     const text = head(properties, '').replace('vertex 4', 'vertex 6');
     const rows = [...xy, xy[0], xy[2]].map((p, i) => `${p} 0 ${i < 4 ? p : '7 7'}\n`).join('');
     writeFileSync(at('in.ply'), `${text}${rows}3 0 1 2\n3 4 5 3\n`);
@@ -148,7 +149,7 @@ test('material cuts where materials meet, and nowhere else', async (t) => {
   const { positions, faces } = surfaces.sphere(6);
   const isUpper = (face) => face.reduce((sum, v) => sum + positions[v][2], 0) > 0;
   const v = positions.map((p) => `v ${p.join(' ')}\n`).join('');
-  // Names may hold # and blanks; changes to the same name are none.
+  // Names may contain # and blanks; repeating the same name changes nothing.
   const names = ['skin #1', 'skin #2'];
   const f = faces
     .map(
@@ -163,7 +164,7 @@ test('material cuts where materials meet, and nowhere else', async (t) => {
     faces.map((face) => Number(Number(isUpper(face)) !== first)),
   );
   assert.equal(report.valid, true);
-  // Faces before the first name are of one material too.
+  // Faces before the first name share a material too.
   const half = faces.map((face, i) => [i === 40 ? 'usemtl a\n' : '', face]);
   writeFileSync(
     at('in.obj'),

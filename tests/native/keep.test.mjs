@@ -1,4 +1,4 @@
-// An atlas that is there already: --keep, and how large it is: --texel-density, --udim.
+// An existing atlas, kept with --keep, and its size: --texel-density, --udim.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -25,7 +25,10 @@ const cornersOf = (text) => {
   return faces.map((face) => face.map(([, t]) => texcoords[t]));
 };
 
-/** Writes before.obj: several objects as one file that has been unwrapped; returns the number of faces of the first. */
+/**
+ * Writes before.obj, several objects in one file that has been unwrapped; returns the first one's
+ * number of faces.
+ */
 async function severalObjects(at) {
   const one = surfaces.torus(20, 10);
   const both = surfaces.together([
@@ -177,7 +180,7 @@ test('what cannot be kept is one sentence, and nothing is written', async (t) =>
 test('two meshes at one texel density are at one scale, in as many tiles as it takes', async (t) => {
   const at = tempFolder(t);
   const lengthOf = ([a, b]) => Math.hypot(b[0] - a[0], b[1] - a[1], (b[2] ?? 0) - (a[2] ?? 0));
-  /** Of uv over the surface, by the mean of all edges. */
+  /** Scale of uv relative to the surface, averaged over all edges. */
   const scaleOf = (text) => {
     const { positions, texcoords, faces } = parseObj(text);
     let [uv, xyz] = [0, 0];
@@ -229,7 +232,8 @@ test('a texel density that does not fit says which would', async (t) => {
   const again = await unwrapped(at, 'in.obj', '--texel-density', density, '--resolution', '256');
   assert.equal(again.code, 0);
   assert.deepEqual(complaints(again.text), []);
-  // Without automatic seams the chart is not cut so that it fits. At the second density no resolution that is allowed has room.
+  // Without automatic seams, the chart is not cut to fit. At the second density, no allowed
+  // resolution has room.
   for (const [density, isAllowed] of [
     ['300', true],
     ['9999', false],

@@ -1,4 +1,4 @@
-// glTF made from other formats: what they say of the look of a mesh is in it.
+// glTF made from other formats contains what they say about a mesh's look.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -34,7 +34,10 @@ const linear = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 const OBJECTS = ['left drum', 'right'];
 const MATERIALS = ['wood #2', 'metal'];
 
-/** A drum as OBJ text, and its faces as they are written: { object, material, corners: [{ position, color, uv, normal }] }. */
+/**
+ * A drum as OBJ text, and its faces as written: { object, material, corners: [{ position, color,
+ * uv, normal }] }.
+ */
 function richObj({ seed = 1 } = {}) {
   const random = randomNumbers(seed);
   const { positions, faces } = drum(7, 4, seed);

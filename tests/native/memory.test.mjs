@@ -1,4 +1,5 @@
-// What a run holds at most, by its own report: the difference of two sizes, so that what every run takes does not count.
+// Peak memory of a run, from its own report: the difference between two sizes, so that what every
+// run needs does not count.
 
 import assert from 'node:assert/strict';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -9,7 +10,7 @@ import { tempFolder } from '../support/temp-folder.mjs';
 
 const MEGABYTE = 2 ** 20;
 
-/** Bytes at the peak, without the texts that are read and written. */
+/** Bytes at the peak, not counting the texts that are read and written. */
 async function peakOf(at, text, ...options) {
   writeFileSync(at('in.obj'), text);
   const args = ['unwrap', 'in.obj', '-o', 'out.obj', '--report', 'r.json', ...options];

@@ -1,4 +1,4 @@
-// Files of any name, and words of files on a terminal.
+// Files with any name, and how text from files appears on a terminal.
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -7,7 +7,7 @@ import { runAbflat } from '../support/run-abflat.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** No character that a terminal takes as a command, but for the ends of lines. */
+/** Asserts that no character is a terminal command, except for line ends. */
 const assertPlain = (text) => {
   const commands = [...text].filter((c) => (c < ' ' && c !== '\n') || (c >= '\x7f' && c < '\xa0'));
   assert.deepEqual(commands, [], JSON.stringify(text));

@@ -170,7 +170,7 @@ for (const [signal, action] of [
 ])
   test(`${action} while writing leaves the old file and nothing else`, async (t) => {
     const at = prepared(t);
-    // Nobody reads the pipe: the program waits in the middle of its writing.
+    // Nobody reads the pipe, so the program waits in the middle of writing.
     assert.equal(spawnSync('mkfifo', [at('report')]).status, 0);
     const args = ['flatten', 'in.obj', '-o', 'out.obj', '--report', 'report'];
     const { child, finished } = startAbflat(args, { cwd: at() });

@@ -1,4 +1,4 @@
-// What a mesh may make the program read: ordinary files in its own folder and below, no others.
+// What a mesh may make the program read: only ordinary files in its own folder and below.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -26,7 +26,7 @@ function squareGltf(uri, change) {
   return { text: JSON.stringify(json), buffer };
 }
 
-/** A folder `model` for meshes, and beside it what they have no business with. */
+/** A folder `model` for meshes, and beside it files that they must not read. */
 function prepared(t) {
   const at = tempFolder(t);
   mkdirSync(at('model/sub'), { recursive: true });
@@ -61,7 +61,7 @@ test('buffers are read in the folder of the mesh and below', async (t) => {
     if (uri !== '../not-there.bin') assert.equal(allowed.code, 0, `${uri}: ${allowed.stderr}`);
     else assert.match(allowed.stderr, /No such file/);
   }
-  // The name of the mesh may be a link: its folder is where the link is.
+  // The mesh's name may be a link; its folder is the one that contains the link.
   symlinkSync('in.gltf', at('model/link.gltf'));
   const linked = await runAbflat(['inspect', 'link.gltf'], { cwd: at('model') });
   assert.match(linked.stderr, OUTSIDE);

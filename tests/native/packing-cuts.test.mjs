@@ -1,4 +1,4 @@
-// Cuts for packing, on the shapes of three.js that few charts or one waste an atlas on.
+// Cuts for packing, on three.js shapes whose few charts would waste much of an atlas.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -7,7 +7,7 @@ import * as three from 'three';
 import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** The geometry, and the least share of the tile that charts cover. */
+/** The geometry, and the smallest share of the tile that charts must cover. */
 const SHAPES = {
   'box of 12 triangles': [() => new three.BoxGeometry(1, 1, 1), 0.6],
   box: [() => new three.BoxGeometry(1, 1, 1, 4, 4, 4), 0.62],

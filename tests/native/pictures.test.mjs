@@ -13,7 +13,7 @@ import { parseXml } from '../support/xml.mjs';
 
 const UNWRAP = ['unwrap', 'in.obj', '-o', 'out.obj', '--report', 'r.json'];
 
-/** Unwraps a text and reads what was written. */
+/** Unwraps a text and reads the output. */
 async function unwrapped(at, text, ...options) {
   writeFileSync(at('in.obj'), text);
   const { code, stderr } = await runAbflat([...UNWRAP, ...options], { cwd: at() });
@@ -42,7 +42,7 @@ test('pixels of a known triangle: inside, outline, outside', async (t) => {
   for (let y = 0; y < 200; y++)
     for (let x = 0; x < 200; x++) {
       const pixel = png.at(x, y);
-      // Upside down, so the inside is where all are negative.
+      // Upside down, so the inside is where all distances are negative.
       const d = corners.map((a, i) => distanceToLine([x + 0.5, y + 0.5], a, corners[(i + 1) % 3]));
       const most = Math.max(...d);
       if (most < -2) {
@@ -90,7 +90,7 @@ test('every face shows the colour of its chart, and charts differ', async (t) =>
   assert.equal(new Set(colours.values()).size, colours.size);
 });
 
-/** Length of all lines of a path of whole numbers, and its points. */
+/** Total length of the lines of a path of integers, and its points. */
 function walk(d) {
   const points = [];
   let [x, y] = [0, 0];
@@ -118,7 +118,7 @@ const elementsOf = (elements, name) => elements.filter((element) => element.name
 
 test('SVG: a group per chart, each edge once, to true scale on request', async (t) => {
   const at = tempFolder(t);
-  // A box of 30 x 20 x 10 units: flat sides keep all lengths.
+  // A box of 30 x 20 x 10 units: flat sides preserve all lengths.
   const size = [30, 20, 10];
   const { positions, faces } = surfaces.boxArray(1);
   const low = [0, 1, 2].map((d) => Math.min(...positions.map((p) => p[d])));
@@ -206,7 +206,7 @@ test('the heat map is white where nothing is stretched, and red and blue where i
   const flat = colours();
   assert.ok(flat.filter((c) => c.every((x) => x === 0xf7)).length > 0.9 * flat.length);
   for (const [r, , b] of flat) assert.ok(Math.abs(r - b) < 24, 'white, mixed with ink at outlines');
-  // A dome that is a disk: it is enlarged at one place and so shrunk at others.
+  // A dome that is a disk, so it is enlarged in some places and shrunk in others.
   const { positions, faces } = surfaces.sphere(8);
   const dome = faces.filter((face) => face.some((v) => positions[v][2] > -0.2));
   await unwrapped(at, surfaces.objText({ positions, faces: dome }), '--seams', 'none', ...map);
@@ -231,7 +231,7 @@ test('pictures of a mesh with every defect cover what the atlas covers', async (
   const outline = elements
     .filter((element) => element.attributes.class === 'outline')
     .reduce((sum, element) => sum + (walk(element.attributes.d).length / 100000) * 512, 0);
-  // Half of a line of two pixels lies outside; more at corners, less where two lines meet.
+  // Half of a line two pixels wide lies outside; more at corners, less where two lines meet.
   const beyond = cover - report.atlas.utilization * 512 ** 2;
   assert.ok(beyond > 0.5 * outline && beyond < 1.3 * outline, `${beyond} along ${outline}`);
 });

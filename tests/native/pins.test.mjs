@@ -1,4 +1,4 @@
-// --pins: vertices at given uv.
+// --pins: vertices at fixed uv.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { grid } from '../support/small-meshes.mjs';
 import * as surfaces from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** The uv of every corner of an OBJ, by vertex: a set of "u v". */
+/** The uv of every corner of an OBJ, grouped by vertex: a set of "u v". */
 function uvOfVertices(text) {
   const { texcoords, faces } = parseObj(text);
   const out = new Map();
@@ -98,7 +98,7 @@ test('a chart of an atlas stays where its pins are', async (t) => {
   const at = tempFolder(t);
   const surface = surfaces.sphere();
   writeFileSync(at('in.obj'), surfaces.objText(surface));
-  // Two far corners of one chart, told by the faces that they are of.
+  // Two distant corners of one chart, identified by the faces they belong to.
   const free = await runAbflat(['unwrap', 'in.obj', '-o', 'free.obj'], { cwd: at() });
   assert.equal(free.code, 0, free.stderr);
   const { faces, texcoords } = parseObj(readFileSync(at('free.obj'), 'utf8'));

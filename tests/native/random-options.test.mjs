@@ -1,5 +1,6 @@
-// Every option with any other, on surfaces of every kind: the documented exit code, a sentence or a valid result, and
-// never a crash, a hang or all of the memory. ABFLAT_FUZZ_RUNS=2000 ABFLAT_FUZZ_SEED=1 make more of them.
+// Options in random combinations, on surfaces of every kind: the documented exit code, a sentence
+// or a valid result, and never a crash, a hang or all of the memory. ABFLAT_FUZZ_RUNS=2000
+// ABFLAT_FUZZ_SEED=1 makes more of them.
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -15,7 +16,10 @@ const RUNS = Number(process.env.ABFLAT_FUZZ_RUNS ?? 60);
 const FIRST = Number(process.env.ABFLAT_FUZZ_SEED ?? 0);
 
 const limited = (limits) => ['bash', '-c', `ulimit ${limits}; exec "$@"`, 'limited'];
-/** What runs away ends at 4 GB or after two minutes of work; an instrumented program reserves more than that and is slow. */
+/**
+ * A runaway process ends at 4 GB or after two minutes of CPU time; an instrumented program reserves
+ * more memory and is slow.
+ */
 const LEAST = limited('-v 4000000 -t 120');
 const canBeLimited = (await runAbflat(['--version'], { wrapper: LEAST })).code === 0;
 const LIMITED = canBeLimited ? LEAST : limited('-t 600');
@@ -25,7 +29,7 @@ const WRITTEN = [CODES.get('Valid'), CODES.get('NotValid')];
 
 const isTriangles = ({ faces }) => faces.every((f) => new Set(f).size === 3 && f.length === 3);
 
-/** What is wrong with how a run ended; empty when nothing is. */
+/** What is wrong with how a run ended; empty if nothing is. */
 function checkEnd({ code, signal, stderr }, at, output) {
   if (signal !== null || ![...CODES.values()].includes(code))
     return `ended with ${signal ?? code}: ${stderr.slice(0, 300)}`;
@@ -36,12 +40,12 @@ function checkEnd({ code, signal, stderr }, at, output) {
     return report.valid === (code === 0) || code === 1 ? '' : `exit ${code}, valid ${report.valid}`;
   }
   if (existsSync(at(output))) return `exit ${code}, but there is an output`;
-  // Options that contradict each other are pointed to the help.
+  // For contradictory options, the message points to the help.
   const oneSentence = /^abflat: [^\n]+\n(Run 'abflat \w+ --help' for usage\.\n)?$/;
   return oneSentence.test(stderr) ? '' : `exit ${code} says ${stderr.slice(0, 300)}`;
 }
 
-/** The same of what came out. */
+/** What is wrong with the result. */
 function checkResult(surface, at, report) {
   if (!report.valid || !isTriangles(surface)) return [];
   const isKept = new Set(report.repair?.collapsedFaces);

@@ -12,7 +12,7 @@ import { tempFolder } from '../support/temp-folder.mjs';
 
 const keys = new ReportKeys('cli');
 
-/** Runs a command on the mesh with these files beside it, and checks its report. */
+/** Runs a command on the mesh with these additional files, and checks its report. */
 async function run(t, struct, command, mesh, options = [], files = {}) {
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), mesh);

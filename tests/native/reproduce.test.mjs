@@ -1,4 +1,4 @@
-// The reproduce command: tables, convergence and figures of the paper.
+// The reproduce command: the paper's tables, convergence and figures.
 
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -103,7 +103,7 @@ describe('tables', () => {
       assert.deepEqual(pairs, wanted);
       assert.ok(mine.every((row) => row.valid === 'yes' && row.remark === ''));
     }
-    // Divided as the paper does, the lengths of its "Body" come out to its last digit.
+    // Divided as in the paper, the lengths of its "Body" match to the last digit.
     for (const row of rows.filter(({ mesh }) => mesh === 'body'))
       assert.ok(Math.abs(row['length per 1.5 F'] - row['paper length']) <= 0.001);
   });

@@ -1,4 +1,4 @@
-// Real meshes, measured by a judge that knows nothing of the project.
+// Real meshes, measured by a judge that is independent of the project.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -52,7 +52,7 @@ test('the crossing of camel-cut.obj at t = 2 is found', { skip: withoutShared },
   assert.equal(judge(sharedMesh('camel-cut.obj'), at('out.obj'), 2).boundaryCrossings, 1);
 });
 
-/** What the collection says of meshes that are no disks. */
+/** What the collection says about meshes that are not disks. */
 const OTHERS = [
   ['bunny-closed.off', 'ClosedSurface', /closed surface/],
   ['fertility-genus4.off', 'ClosedSurface', /genus 4/],

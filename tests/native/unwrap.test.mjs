@@ -10,7 +10,7 @@ import { TETRAHEDRON, TRIANGLE } from '../support/small-meshes.mjs';
 import * as surfaces from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-/** Runs unwrap on a file and reads what it wrote. */
+/** Runs unwrap on a file and reads the output. */
 async function unwrapped(at, input, ...options) {
   const args = ['unwrap', input, '-o', 'out.obj', '--report', 'r.json', ...options];
   const run = await runAbflat(args, { cwd: at() });
@@ -27,7 +27,7 @@ async function unwrappedSurface(at, surface, ...options) {
   return unwrapped(at, 'in.obj', ...options);
 }
 
-/** Exit code 0, silence, and an atlas that is one. */
+/** Asserts exit code 0, silence, and a proper atlas. */
 function assertFine({ code, stderr, text, report }) {
   assert.deepEqual([code, stderr], [0, '']);
   assert.deepEqual(complaints(text), []);
@@ -205,7 +205,8 @@ test('split vertices do not change the charts', async (t) => {
 
 test('seams can be written, and give the same atlas when they are read', async (t) => {
   const at = tempFolder(t);
-  // What packing cuts keeps its layout; read as seams, it is flattened again.
+  // A chart that is cut for packing keeps its layout; if the cut is read as a seam, it is flattened
+  // again.
   const whole = ['--min-utilization', '0'];
   const first = await unwrappedSurface(
     at,

@@ -1,4 +1,4 @@
-// What the command line accepts and refuses, and what it says about itself.
+// What the command line accepts and rejects, and what it says about itself.
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -13,7 +13,7 @@ import { tempFolder } from '../support/temp-folder.mjs';
 
 const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 
-/** arguments, what the message must say. */
+/** Arguments, and what the message must say. */
 const WRONG = [
   [[], /flatten, inspect, sample, sweep, compare or reproduce/],
   [['unfold'], /no command 'unfold'\. Use unwrap, flatten/],

@@ -1,5 +1,5 @@
-// No stage takes many more steps than a mesh is larger. Steps are basic blocks of the core, so that
-// the result is the same on every machine and nothing depends on seconds.
+// The steps of each stage grow little faster than the mesh. Steps are basic blocks of the core, so
+// that results are the same on every machine and do not depend on time.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -8,11 +8,13 @@ import { test } from 'node:test';
 import { BUILD } from '../../scripts/lib/paths.mjs';
 
 const PROGRAM = join(BUILD, 'steps/tests/abflat_scaling');
-/** So many that what is tried on small meshes first, and given up for something else, is behind them. */
+/**
+ * Large enough to be past the size at which things are tried and then given up for something else.
+ */
 const FACES = 6000;
 const TIMES = 4;
 const EXPONENT = 1.3;
-/** What a mesh of any size may take beside that: tables that are cleared, first tries. */
+/** Steps that a mesh of any size may take in addition: clearing tables, first attempts. */
 const FREE_STEPS = 2e6;
 
 const rows = JSON.parse(

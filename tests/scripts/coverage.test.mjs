@@ -1,4 +1,4 @@
-// Lines and branches that programs run through are counted, over several of them.
+// Lines and branches that programs execute are counted, over several programs.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

@@ -1,4 +1,4 @@
-// The generated files match the schema, and a difference is noticed.
+// The generated files match the schema, and any difference is noticed.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

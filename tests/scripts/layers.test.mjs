@@ -1,4 +1,4 @@
-// The check of layers finds arrows that point up and circles, in C++ and in TypeScript.
+// The layer check finds cycles and dependencies that point up, in C++ and in TypeScript.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';

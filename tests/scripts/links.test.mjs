@@ -8,15 +8,15 @@ import { test } from 'node:test';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { filesBelow } from '../../scripts/lib/stamp.mjs';
 
-/** What npm packs: their links may not leave the package. */
+/** Documents that npm packs: their links must not leave the package. */
 const PACKED = ['wasm/README.md', 'CHANGELOG.md'];
 
 const documentsBelow = (root) => filesBelow(['.'], root).filter((file) => file.endsWith('.md'));
 
-/** Code has brackets that are no links. */
+/** Code contains brackets that are not links. */
 const withoutCode = (text) => text.replace(/^```.*?^```/gms, '').replace(/`[^`\n]*`/g, 'code');
 
-/** As GitHub and npm name them. */
+/** Anchors as GitHub and npm name them. */
 function anchorsIn(text) {
   const seen = new Map();
   const headings = text.replace(/^```.*?^```/gms, '').matchAll(/^#+ (.*)$/gm);

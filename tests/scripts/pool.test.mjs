@@ -1,10 +1,10 @@
-// Jobs of several suites side by side.
+// Jobs of several suites run in parallel.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { runPool } from '../../scripts/lib/pool.mjs';
 
-/** Suites whose jobs end when they are told to; `running` has the names of those that have begun. */
+/** Suites whose jobs end on demand; `running` has the names of those that have begun. */
 function played(shape) {
   const running = new Map();
   const job = (name) => ({

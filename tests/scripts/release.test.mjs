@@ -1,4 +1,4 @@
-// What every release must have right.
+// What must be right in every release.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// The bill of materials names all that ships, with the version that is built in.
+// The bill of materials names everything that ships, with the version that is built in.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -17,7 +17,7 @@ function start(port = 0, fallback = false) {
   return listen(server, '127.0.0.1', port, fallback);
 }
 
-/** Sends the path as it is: fetch would tidy up "..". */
+/** Sends the path unchanged: fetch would normalize "..". */
 function get(port, path, method = 'GET') {
   return new Promise((resolve, reject) => {
     const call = request({ port, path, method }, (response) => {

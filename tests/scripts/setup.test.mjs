@@ -1,4 +1,4 @@
-// The set-up on machines where something is missing, played with a PATH of its own.
+// The setup on machines where something is missing, simulated with a separate PATH.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -24,7 +24,7 @@ beforeEach(() => {
 });
 afterEach(() => rmSync(folder, { recursive: true }));
 
-/** A program on the played PATH that only writes down how it was called. */
+/** A program on the simulated PATH that only records how it was called. */
 function fake(name, body = '') {
   const path = join(folder, name);
   writeFileSync(path, `#!/bin/sh\necho "${name} $*" >> "${folder}/calls"\n${body}`);
@@ -68,7 +68,7 @@ test('Homebrew and dnf get their own package names', () => {
 });
 
 test('with apt-get it installs what is missing, as root, and looks again', () => {
-  // env is what apt-get is called through; its job is done by the shell here.
+  // apt-get is called through env, whose job the shell does here.
   fake('apt-get');
   fake('env', 'shift; exec "$@"');
   fake('sudo', 'exec "$@"');

@@ -1,4 +1,4 @@
-// When a build step may be left out.
+// When a build step may be skipped.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, renameSync, rmSync, utimesSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// Totals are read from what the test runners really print.
+// Totals are read from what the test runners actually print.
 
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// clang-tidy reads sources in batches, and finds in them what it finds in each.
+// clang-tidy reads sources in batches, and finds the same problems as in each source alone.
 
 import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,6 +1,9 @@
-// What can be seen of an unwrapped OBJ text without the program: its charts, and whether they are fine.
+// Inspects an unwrapped OBJ text without the program: its charts, and whether they are fine.
 
-/** Positions, texcoords and faces, [[vertex, texcoord], ...] counted from 0; texcoord -1 where there is none. */
+/**
+ * Positions, texcoords and faces, [[vertex, texcoord], ...] counted from 0; texcoord is -1 if there
+ * is none.
+ */
 export function parseObj(text) {
   const out = { positions: [], texcoords: [], faces: [] };
   for (const line of text.split(/\r?\n/)) {
@@ -13,7 +16,10 @@ export function parseObj(text) {
   return out;
 }
 
-/** Sentences about what is wrong with the texcoords of a text; empty when nothing is. Each chart is to lie in one tile. */
+/**
+ * Sentences about what is wrong with the texcoords of a text; empty if nothing is. Each chart has
+ * to lie in one tile.
+ */
 export function complaints(text, tiles = 1) {
   const { positions, texcoords, faces } = parseObj(text);
   const found = [];
@@ -30,13 +36,19 @@ export function complaints(text, tiles = 1) {
   return found;
 }
 
-/** Number of the tile around a point, ten in a row; NaN where there is none. Points of a border belong to either. */
+/**
+ * Number of the tile around a point, ten in a row; NaN if there is none. Points on a border belong
+ * to either tile.
+ */
 function tileOf([u, v]) {
   const [column, row] = [u, v].map((x) => Math.max(0, Math.ceil(x) - 1));
   return u >= 0 && u <= 10 && v >= 0 ? 10 * row + column : Number.NaN;
 }
 
-/** Chart number per face, and how many there are: faces that share both texcoords of an edge. */
+/**
+ * Chart number per face, and the number of charts. Faces of a chart share both texcoords of an
+ * edge.
+ */
 export function chartsOf({ faces }) {
   const parent = faces.map((_, f) => f);
   const find = (f) => {
@@ -63,7 +75,7 @@ export function chartsOf({ faces }) {
   return { ofFace, count: numbers.size };
 }
 
-/** The triangles (0, 1, 2), (0, 2, 3), ... that most programs make of a face. */
+/** Checks the triangles (0, 1, 2), (0, 2, 3), ... that most programs split a face into. */
 function isPositive(face, texcoords) {
   const uv = face.map(([, t]) => texcoords[t]);
   return uv.slice(2).every((c, i) => {

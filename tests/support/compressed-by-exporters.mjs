@@ -1,4 +1,4 @@
-// Files as exporters for the web write them: compressed by Draco or by meshopt.
+// Files as written by exporters for the web: compressed by Draco or by meshopt.
 
 import { NodeIO } from '@gltf-transform/core';
 import {
@@ -26,7 +26,7 @@ export function withDraco(document, method = 'edgebreaker') {
   return codecIo.writeBinary(document);
 }
 
-/** Filters make integers of normals and the like. */
+/** Filters turn normals and the like into integers. */
 export function withMeshopt(document, method = 'quantize') {
   document.createExtension(KHRMeshQuantization).setRequired(true);
   document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method });
@@ -42,7 +42,7 @@ export function quantize(document) {
   return document;
 }
 
-/** The JSON of a GLB and its bytes, to change. */
+/** The JSON of a GLB and its bytes, for modification. */
 export function partsOf(glb) {
   const bytes = Buffer.from(glb);
   const length = bytes.readUInt32LE(12);

@@ -14,7 +14,7 @@ import { accessor, primitivesOf, trianglesOf } from './gltf.mjs';
 
 await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready]);
 
-/** Reads and writes either compression: what its decoder says is what a file means. */
+/** Reads and writes either compression: a file means what its decoder says. */
 export const io = new NodeIO()
   .setLogger(new Logger(Logger.Verbosity.SILENT))
   .registerExtensions(ALL_EXTENSIONS)
@@ -33,7 +33,7 @@ const draco = (method) => async (document) => {
     .setEncoderOptions({ method: KHRDracoMeshCompression.EncoderMethod[method] });
 };
 
-/** Ways to compress a document of glTF-Transform. */
+/** Ways to compress a glTF-Transform document. */
 export const COMPRESSIONS = {
   'Draco, edgebreaker': draco('EDGEBREAKER'),
   'Draco, sequential': draco('SEQUENTIAL'),
@@ -46,7 +46,7 @@ export const COMPRESSIONS = {
     document.transform(meshopt({ encoder: MeshoptEncoder, level: 'high' })),
 };
 
-/** Neither compression has strips, nor indices of one byte; points get indices. */
+/** Neither compression supports strips or one-byte indices; points get indices. */
 function withIndices(document, primitive) {
   const isDrawn = primitive.getMode() >= 4;
   const count = primitive.getAttribute('POSITION').getCount();
@@ -84,12 +84,12 @@ export async function compressed(glb, how) {
   return Buffer.from(await io.writeBinary(document));
 }
 
-/** Names of compressions that anything in a file still speaks of. */
+/** Names of compressions that a file still mentions. */
 export function compressionsIn(bytes) {
   const text = JSON.stringify(parseGltf(bytes).json);
   return text.match(/\w+_(draco_mesh|meshopt)_compression/g) ?? [];
 }
 
-/** What the compressed views of a file say of themselves. */
+/** The compressed views of a file, as the file describes them. */
 export const meshoptViews = (json) =>
   json.bufferViews.flatMap(({ extensions }) => extensions?.EXT_meshopt_compression ?? []);

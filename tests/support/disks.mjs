@@ -1,4 +1,4 @@
-// Generated topological disks, from harmless to hostile: every one is determined by its number.
+// Generated topological disks, from harmless to hostile, each fully determined by its number.
 
 /** Small deterministic generator (mulberry32), uniform in [0, 1). */
 export function randomNumbers(seed) {
@@ -153,7 +153,10 @@ function sphereWithHole(random, size) {
   return mesh;
 }
 
-/** Cuts a mesh open along edges: corners that can be reached round a vertex without crossing a cut share a vertex. */
+/**
+ * Cuts a mesh open along edges: corners that can be reached around a vertex without crossing a cut
+ * share a vertex.
+ */
 export function cutOpen({ positions, faces }, isCut) {
   const edge = new Map();
   for (const [i, [a, b, c]] of faces.entries()) {
@@ -283,7 +286,7 @@ function hubs(random, size) {
     for (let k = 0; k < valence; k++) faces.push([hub, hub + 1 + k, hub + 1 + ((k + 1) % valence)]);
     if (h === 0) continue;
     const left = hub - valence - 1;
-    const [a, b] = [left + valence, left + 1]; // right side of the cone before, below and above the axis
+    const [a, b] = [left + valence, left + 1]; // right side of previous cone, below and above axis
     const [c, d] = [hub + 1 + valence / 2 - 1, hub + 1 + valence / 2];
     faces.push([a, d, c], [a, c, b]);
   }
@@ -301,7 +304,7 @@ const FAMILIES = {
   hubs,
 };
 
-/** Disk number n: its family cycles, its size spreads over 3 to `maxFaces` faces. */
+/** Disk number n: its family cycles with n, and its size varies from 3 to `maxFaces` faces. */
 export function generatedDisk(n, maxFaces = 20000) {
   const names = Object.keys(FAMILIES);
   const family = names[n % names.length];

@@ -1,5 +1,5 @@
-// Judges an atlas by the numbers in its file alone, exactly, with nothing of the program: which triangles
-// are flipped, which reach out of their tile, and which lie on each other.
+// Judges an atlas exactly, only by the numbers in its file and with none of the program's code:
+// which triangles are flipped, which leave their tile, and which overlap.
 
 import { readFileSync } from 'node:fs';
 import { elementsOf, parseGltf, trianglesOf } from './glb.mjs';
@@ -17,18 +17,22 @@ function partsOf(x) {
   return { digits: bits >> 63n ? -digits : digits, exponent: Math.max(exponent, 1) - 1075 };
 }
 
-/** Doubles as whole numbers of a common unit. */
+/** Doubles as integers in a common unit. */
 function wholeNumbers(values) {
   const parts = values.map(partsOf);
   const least = Math.min(...parts.map(({ exponent }) => exponent));
   return parts.map(({ digits, exponent }) => digits << BigInt(exponent - least));
 }
 
-/** Sign of the area of a triangle of points [x, y]: by whole numbers where rounding could decide. */
+/**
+ * Sign of the area of a triangle of points [x, y], computed with integers if rounding could decide
+ * it.
+ */
 export function turn(a, b, c) {
   const left = (b[0] - a[0]) * (c[1] - a[1]);
   const right = (b[1] - a[1]) * (c[0] - a[0]);
-  // Each factor and product is off by a few 2^-53; products below the smallest normal numbers by more.
+  // Each factor and product is off by a few 2^-53; products below the smallest normal number by
+  // more.
   if (Math.abs(left - right) > 1e-14 * (Math.abs(left) + Math.abs(right)) + 1e-290)
     return Math.sign(left - right);
   const [ax, ay, bx, by, cx, cy] = wholeNumbers([...a, ...b, ...c]);
@@ -36,14 +40,17 @@ export function turn(a, b, c) {
   return area > 0n ? 1 : area < 0n ? -1 : 0;
 }
 
-/** Whether two counter-clockwise triangles have more than boundary in common. */
+/** Whether two counter-clockwise triangles share more than boundary. */
 export function overlap(s, t) {
   const separates = (p, q) =>
     [0, 1, 2].some((k) => q.every((point) => turn(p[k], p[(k + 1) % 3], point) <= 0));
   return !separates(s, t) && !separates(t, s);
 }
 
-/** Pairs whose boxes overlap, each once: from left to right, in rows. `see(i, j)` false ends the search. */
+/**
+ * Visits pairs whose boxes overlap, each once: from left to right, in rows. If `see(i, j)` returns
+ * false, the search ends.
+ */
 function forNearPairs(boxes, see) {
   const order = boxes.map((_, i) => i).sort((a, b) => boxes[a].low[0] - boxes[b].low[0] || a - b);
   let [low, high, sum] = [Infinity, -Infinity, 0];
@@ -67,7 +74,7 @@ function forNearPairs(boxes, see) {
       rows[r] = open;
       for (const j of open) {
         const other = boxes[j];
-        // In the first row that both are in.
+        // Only in the first row that both are in.
         const isFirst = r === Math.max(first, rowOf(other.low[1]));
         if (isFirst && box.low[1] < other.high[1] && other.low[1] < box.high[1] && !see(i, j))
           return;
@@ -83,9 +90,10 @@ const boxOf = (triangle) => ({
 });
 
 /**
- * Judges triangles [[u, v], [u, v], [u, v]]. `mayBeFlat(i)`: whether the triangle may have no area. `tiles`:
- * [columns, rows] that there may be, the first row at `lowestRow`. Returns { flipped, flat, outside } as lists of triangles and
- * { overlaps } as pairs, of which there are no more than `most`; `isValid` when all are empty.
+ * Judges triangles [[u, v], [u, v], [u, v]]. `mayBeFlat(i)`: whether triangle i may have no area.
+ * `tiles`: [columns, rows] that are allowed, with the first row at `lowestRow`. Returns { flipped,
+ * flat, outside } as lists of triangles and { overlaps } as at most `most` pairs; `isValid` if all
+ * are empty.
  */
 export function judge(
   triangles,
@@ -118,7 +126,7 @@ export function judge(
   return out;
 }
 
-/** Cuts a polygon of points counter-clockwise into triangles; what cannot be cut is one flat triangle. */
+/** Triangulates a counter-clockwise polygon; what cannot be cut becomes one flat triangle. */
 function cutPolygon(points) {
   const left = points.map((_, i) => i);
   const out = [];
@@ -146,8 +154,9 @@ function cutPolygon(points) {
 }
 
 /**
- * What a reader finds in a file: `faces` as lists of corners { place, uv }, of three each in a glTF; v
- * upwards. The v of a glTF is 1 - v', which is not rounded here: it is -v', in tiles from -1 up.
+ * What a reader finds in a file: `faces` as lists of corners { place, uv }, three each for a glTF,
+ * with v upwards. The v of a glTF is 1 - v', which is not rounded here: it is taken as -v', in
+ * tiles from -1 up.
  */
 export function readAtlas(path) {
   const bytes = readFileSync(path);
@@ -195,7 +204,7 @@ function fromGltf(model, set = 0) {
   return { faces, lowestRow: -1 };
 }
 
-/** Whether corners have no area in space, as nearly as doubles tell. */
+/** Whether corners have no area in space, as far as doubles can tell. */
 export function isThinInSpace(corners) {
   const edge = (a, b) => b.place.map((x, d) => x - a.place[d]);
   const largest = Math.max(...corners.flatMap((c) => edge(corners[0], c).map(Math.abs)));
@@ -208,8 +217,9 @@ export function isThinInSpace(corners) {
 }
 
 /**
- * Judges what is in a file, see judge. Polygons are cut along diagonals that lie inside them in uv; one
- * that cannot be, because its outline is not simple or runs clockwise, is among `uncut`.
+ * Judges the contents of a file, see judge. Polygons are cut along diagonals that lie inside them
+ * in uv; those that cannot be cut, because their outline is not simple or runs clockwise, are
+ * listed in `uncut`.
  */
 export function judgeFile(path, { tiles = [1, 1], most } = {}) {
   const { faces, lowestRow } = readAtlas(path);

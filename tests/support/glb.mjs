@@ -28,7 +28,10 @@ export class GlbMaker {
     );
   }
 
-  /** Of a typed array; `box` adds min and max. Elements that are no multiple of 4 bytes are padded. */
+  /**
+   * Adds an accessor of a typed array; `box` adds min and max. Elements whose size is not a
+   * multiple of 4 bytes are padded.
+   */
   accessor(array, type, { box = false, target, ...more } = {}) {
     const size = COMPONENTS[type] * array.BYTES_PER_ELEMENT;
     const count = array.length / COMPONENTS[type];
@@ -44,7 +47,7 @@ export class GlbMaker {
     return this.add(view, array, type, { ...(box && boxOf(array, COMPONENTS[type])), ...more });
   }
 
-  /** An accessor of values that are in a view already. */
+  /** Adds an accessor of values that are already in a view. */
   add(bufferView, array, type, more = {}) {
     const count = array.length / COMPONENTS[type];
     const accessor = { bufferView, componentType: codeOf(array), count, type, ...more };
@@ -65,7 +68,7 @@ export class GlbMaker {
     return arrays.map((a, i) => this.add(view, a, type, { byteOffset: i * size }));
   }
 
-  /** Zero but for some elements. */
+  /** Adds an accessor that is zero except for some elements. */
   sparse(count, type, indices, values, more = {}) {
     const sparse = {
       count: indices.length,
@@ -81,7 +84,7 @@ export class GlbMaker {
     return glbOf(this.json, this.#bytes);
   }
 
-  /** As .gltf text with its buffer at `uri`, by default in the text; and the buffer. */
+  /** The .gltf text with its buffer at `uri`, by default embedded in the text; and the buffer. */
   gltf(uri = `data:application/octet-stream;base64,${this.#bytes.toString('base64')}`) {
     const json = { ...this.json, buffers: [{ byteLength: this.#bytes.length, uri }] };
     return { text: JSON.stringify(json), buffer: this.#bytes };
@@ -126,7 +129,7 @@ export function parseGltf(bytes) {
   };
 }
 
-/** Elements of an accessor as arrays of its components, sparse ones in place. */
+/** Elements of an accessor as arrays of their components, with sparse ones applied. */
 export function elementsOf({ json, buffer }, index) {
   const { bufferView, byteOffset = 0, componentType, count, type, sparse } = json.accessors[index];
   const read = (viewIndex, offset, kind, n, components) => {

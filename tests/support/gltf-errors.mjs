@@ -1,9 +1,9 @@
-// What Khronos' validator says.
+// Runs Khronos' validator.
 
 import { readFileSync } from 'node:fs';
 import validator from 'gltf-validator';
 
-/** Errors in a file, whose resources are in a folder. */
+/** Errors in a file whose resources are in a folder. */
 export async function errorsIn(path, folder) {
   const externalResourceFunction = async (uri) =>
     new Uint8Array(readFileSync(folder(decodeURIComponent(uri))));

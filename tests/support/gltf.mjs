@@ -1,4 +1,4 @@
-// Documents of glTF-Transform to try things on, and what can be seen of them without the program.
+// glTF-Transform documents for tests, and ways to inspect them without the program.
 
 import assert from 'node:assert/strict';
 import { Document, NodeIO } from '@gltf-transform/core';
@@ -53,7 +53,7 @@ export function addMesh(document, name, ...primitives) {
 
 const SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
-/** Random rows, of the whole range of an integer kind. */
+/** Random rows; integers cover the whole range of their type. */
 export function randomRows(document, type, Kind, count, { seed = 1, normalized = false } = {}) {
   const random = randomNumbers(seed);
   const most = Kind === Float32Array ? 1 : 2 ** (8 * Kind.BYTES_PER_ELEMENT) - 1;
@@ -61,12 +61,12 @@ export function randomRows(document, type, Kind, count, { seed = 1, normalized =
   return accessor(document, type, Kind.from(values), normalized);
 }
 
-/** What a file of the document reads as. */
+/** The document as read back from its file. */
 export async function reread(document) {
   return io.readBinary(await io.writeBinary(document));
 }
 
-/** Fails with what the validator of Khronos says about the document's file. */
+/** Fails with what Khronos' validator says about the document's file. */
 export async function assertValidFile(document) {
   const { issues } = await validator.validateBytes(await io.writeBinary(document));
   const errors = issues.messages.filter(({ severity }) => severity === 0);
@@ -79,7 +79,7 @@ export const primitivesOf = (document) =>
     .listMeshes()
     .flatMap((mesh) => mesh.listPrimitives());
 
-/** The triangles of a primitive of triangles, a strip or a fan. */
+/** The triangles of a primitive that consists of triangles, a strip or a fan. */
 export function trianglesOf(primitive) {
   const count = primitive.getAttribute('POSITION').getCount();
   const v = primitive.getIndices()?.getArray() ?? Array.from({ length: count }, (_, i) => i);
@@ -97,7 +97,10 @@ function row(attribute, i) {
   return [...attribute.getArray().subarray(size * i, size * (i + 1))];
 }
 
-/** Every corner has every attribute that it had, as it was stored; rows keep their numbers, and only what is needed is added. */
+/**
+ * Asserts that every corner has every attribute it had, as it was stored, that rows keep their
+ * numbers, and that only necessary rows are added.
+ */
 export function assertSameButTexcoord(after, before, semantic = 'TEXCOORD_0') {
   const [to, from] = [primitivesOf(after), primitivesOf(before)];
   assert.equal(to.length, from.length);
@@ -132,7 +135,10 @@ export function assertSameButTexcoord(after, before, semantic = 'TEXCOORD_0') {
   }
 }
 
-/** The triangles of the atlas, [[u, v], ...] with v upwards; `isMirrored` tells of which primitives they run backwards. */
+/**
+ * The triangles of the atlas, [[u, v], ...] with v upwards; `isMirrored` tells for which primitives
+ * they run backwards.
+ */
 export function atlasOf(primitives, { texcoord = 0, isMirrored = () => false } = {}) {
   return primitives.flatMap((primitive) => {
     const uv = primitive.getAttribute(`TEXCOORD_${texcoord}`);
@@ -146,7 +152,10 @@ export function atlasOf(primitives, { texcoord = 0, isMirrored = () => false } =
   });
 }
 
-/** Sentences about triangles outside the unit square, turned over, or on each other at the middle of a texel. */
+/**
+ * Sentences about triangles that are outside the unit square, flipped, or overlap at the middle of
+ * a texel.
+ */
 export function flaws(triangles, texels = 1024) {
   const found = [];
   const owner = new Int32Array(texels * texels).fill(-1);

@@ -13,8 +13,8 @@ function parseObj(text) {
 }
 
 /**
- * Island of each face, numbered by first appearance. Two faces are of one island when they share an
- * edge: the same places, and the same texcoords there.
+ * Island of each face, numbered by first appearance. Two faces belong to one island if they share
+ * an edge: the same places, with the same texcoords there.
  */
 export function islandsOf(text) {
   const { positions, texcoords, faces } = parseObj(text);

@@ -1,4 +1,4 @@
-// An OBJ with all that a glTF can take from it, and what a glTF says of the same faces.
+// An OBJ with everything that a glTF can take over, and what a glTF says about the same faces.
 
 import { randomNumbers } from './disks.mjs';
 import { elementsOf, trianglesOf } from './glb.mjs';
@@ -9,7 +9,9 @@ export const PNG = Buffer.from(
   'base64',
 );
 
-/** Sides of quads and two lids with `n` corners, at coordinates that single precision holds. */
+/**
+ * A side of quads and two lids with `n` corners, at coordinates that are exact in single precision.
+ */
 export function drum(n = 7, rows = 4, seed = 1) {
   const random = randomNumbers(seed);
   const point = (i, j) => {
@@ -34,8 +36,8 @@ export function drum(n = 7, rows = 4, seed = 1) {
 }
 
 /**
- * Corners of a glTF by mesh and material, in order, as one list of triangles each: { name of the mesh, material, triangles: [[{ POSITION,
- * NORMAL, ... }, ...]] }.
+ * Corners of a glTF by mesh and material, in order, each as one list of triangles: { name of the
+ * mesh, material, triangles: [[{ POSITION, NORMAL, ... }, ...]] }.
  */
 export function partsOf(model) {
   return model.json.meshes.flatMap(({ name, primitives }) =>
@@ -55,8 +57,9 @@ export function partsOf(model) {
 }
 
 /**
- * Calls `check(corner of the glTF, corner of the face)` for every corner of triangles that are those of `faces` one after the other, lists
- * of corners with a `position`. Returns the number of triangles that are left over.
+ * Calls `check(corner of the glTF, corner of the face)` for every corner of the triangles that make
+ * up `faces`, one face after another; faces are lists of corners with a `position`. Returns the
+ * number of triangles left over.
  */
 export function forCorners(triangles, faces, check) {
   let next = 0;

@@ -1,5 +1,5 @@
-// A reader and a writer of PLY files that share nothing with the library. Files are
-// { format, comments, elements: [{ name, properties: [{ name, type, countType? }], rows }] }; a row has a value a
+// A reader and a writer of PLY files, independent of the library. Files are { format, comments,
+// elements: [{ name, properties: [{ name, type, countType? }], rows }] }; a row has one value per
 // property: a number, or an array for a list.
 
 const TYPES = {
@@ -70,7 +70,7 @@ function parseHeader(bytes) {
   return { file, end };
 }
 
-/** Throws where the file has less or more than its header says. */
+/** Throws if the file is shorter or longer than its header says. */
 export function parsePly(bytes) {
   const { file, end } = parseHeader(bytes);
   const isText = file.format === 'ascii';
@@ -110,7 +110,7 @@ export function column(element, ...names) {
   );
 }
 
-/** OBJ text with the positions, the texcoords s and t where there are any, and the faces. */
+/** OBJ text with the positions, the texcoords s and t if there are any, and the faces. */
 export function plyToObj(file) {
   const vertex = elementOf(file, 'vertex');
   const hasUv = vertex.properties.some(({ name }) => name === 's');

@@ -1,11 +1,11 @@
-// Reads PNG files of 8 bits for red, green, blue and alpha.
+// Reads PNG files with 8 bits each for red, green, blue and alpha.
 
 import assert from 'node:assert/strict';
 import { crc32, inflateSync } from 'node:zlib';
 
 const SIGNATURE = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
 
-/** [type, data] of each chunk; checks the sums. */
+/** [type, data] of each chunk; checks the checksums. */
 function chunksOf(bytes) {
   assert.deepEqual(bytes.subarray(0, 8), SIGNATURE);
   const chunks = [];

@@ -1,11 +1,11 @@
-// Random values of every option that the schema and the command line have.
+// Random values for all options of the schema and the command line.
 
 import { writeFileSync } from 'node:fs';
 import { SCHEMA } from './schema.mjs';
 
 const flagOf = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
-/** Within its bounds, mostly near what people ask for; sizes stay small enough for many runs. */
+/** Within the bounds, mostly near typical values; sizes stay small enough for many runs. */
 function randomValue(random, option) {
   const { name, type, words } = option;
   if (type === 'choice') return random.pick(option.choices).name;
@@ -26,7 +26,10 @@ function schemaArguments(random, option) {
 
 const lines = (count, line) => `${Array.from({ length: count }, line).join('\n')}\n`;
 
-/** Options of the program alone, as [name, make(random, surface, file)]; `file(name, text)` writes a file. */
+/**
+ * Options that only the program has, as [name, make(random, surface, file)]; `file(name, text)`
+ * writes a file.
+ */
 const COMMON = {
   pins: (random, surface, file) => {
     const vertex = () => random.below(surface.positions.length);
@@ -82,7 +85,7 @@ const optionsOf = (command) =>
     ? SCHEMA.flattenOptions
     : SCHEMA.unwrapOptions.map((o) => (typeof o === 'string' ? flattenOption.get(o) : o));
 
-/** Every value of every option of a command that has but a few, as arguments. */
+/** Every value of every option of a command that has only a few values, as arguments. */
 export function everyChoice(command) {
   return optionsOf(command).flatMap((option) => {
     if (option.type === 'boolean') return [schemaArguments(undefined, option)];
@@ -91,7 +94,7 @@ export function everyChoice(command) {
   });
 }
 
-/** Arguments for a command, each option by some chance. `at(name)` is a file's path. */
+/** Arguments for a command, each option with some probability. `at(name)` is a file's path. */
 export function randomArguments(random, command, surface, at) {
   const file = (name, text) => {
     writeFileSync(at(name), text);

@@ -1,6 +1,7 @@
-// Surfaces that nobody would model, from a seed: soups, checkerboards, polygons that touch themselves, edges of many
-// faces, what is flat, doubled, turned over or nothing at all. As { positions, faces, texcoords, materials }, where
-// texcoords are per face corner or missing, and as OBJ texts.
+// Surfaces that nobody would model, from a seed: soups, checkerboards, polygons that touch
+// themselves, edges with many faces, surfaces that are flat, doubled, flipped or empty. As {
+// positions, faces, texcoords, materials }, where texcoords are per face corner or missing, and as
+// OBJ texts.
 
 import { randomNumbers } from './disks.mjs';
 import * as surfaces from './surfaces.mjs';
@@ -32,7 +33,7 @@ function bumpy(random) {
 const KINDS = {
   soup: (random) => surfaces.triangleSoup(1 + random.below(40), random.below(1e6)),
 
-  /** Any corners: edges of many faces, faces that repeat others or use a vertex twice. */
+  /** Arbitrary corners: edges with many faces, faces that repeat others or use a vertex twice. */
   tangle(random) {
     const n = 3 + random.below(12);
     const positions = Array.from({ length: n }, () => [0, 1, 2].map(() => random.next()));
@@ -132,7 +133,7 @@ const ACCIDENTS = {
 
 const moved = (s, move) => ({ ...s, positions: s.positions.map((p) => p.map(move)) });
 
-/** Texcoords of each corner: the vertex seen from above, one place per corner, or noise. */
+/** Texcoords of each corner: the vertex seen from above, a separate place per corner, or noise. */
 function texcoordsOf(random, { positions, faces }) {
   const kind = random.below(4);
   const above = ([x, y]) => [0.1 + 0.05 * Math.abs(x % 16), 0.1 + 0.05 * Math.abs(y % 16)];
@@ -145,7 +146,7 @@ function texcoordsOf(random, { positions, faces }) {
 
 export const SURFACE_KINDS = Object.keys(KINDS);
 
-/** The surface of a seed; small, so that thousands of runs take minutes. */
+/** The surface for a seed; small, so that thousands of runs take minutes. */
 export function randomSurface(random, kind = random.pick(SURFACE_KINDS)) {
   let surface = KINDS[kind](random);
   for (let i = random.below(3); i > 0; i--)

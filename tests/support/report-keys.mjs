@@ -1,4 +1,4 @@
-// Reports beside the schema, key by key and in both directions.
+// Compares reports with the schema, key by key and in both directions.
 
 import assert from 'node:assert/strict';
 import { isIn, isNullable, typesOf } from '../../scripts/lib/report-schema.mjs';
@@ -17,7 +17,7 @@ const PLAIN = {
   numbers: (value) => value instanceof Float64Array,
 };
 
-/** Checks reports of a product, 'cli' or 'package', and remembers what they had. */
+/** Checks reports of a product, 'cli' or 'package', and remembers which fields they had. */
 export class ReportKeys {
   #product;
   #seen = new Set();
@@ -26,7 +26,9 @@ export class ReportKeys {
     this.#product = product;
   }
 
-  /** The object has the keys of the struct, in their order, and values of their types. */
+  /**
+   * Asserts that the object has the keys of the struct, in their order, with values of their types.
+   */
   check(object, name) {
     const fields = this.#fields(name);
     const expected = fields.filter((field) => !field.absent || field.name in object);
@@ -35,7 +37,7 @@ export class ReportKeys {
     for (const field of expected) this.#checkField(object[field.name], field, name);
   }
 
-  /** Fields that no report had, or only null, empty or zero. */
+  /** Fields that no report had, or only with null, empty or zero values. */
   unseen(...names) {
     return names
       .flatMap((name) => this.#all(name))

@@ -1,15 +1,21 @@
-// OBJ texts of meshes that bring out what reports seldom have.
+// OBJ texts of meshes that produce report entries that are otherwise rare.
 
 import { randomNumbers } from './disks.mjs';
 import { objText, sheet } from './surfaces.mjs';
 
-/** A sheet of random heights: steep enough that angles would leave their range, and cotangent weights flip triangles. */
+/**
+ * A sheet with random heights: steep enough for angles to leave their range, and for cotangent
+ * weights to flip triangles.
+ */
 export function rough(seed) {
   const next = randomNumbers(seed);
   return objText(sheet(12, 12, (u, v) => [12 * u, 12 * v, 4 * next()]));
 }
 
-/** A flat sheet with a vertex amid each square: its edges resist the Delaunay condition on a convex outline. */
+/**
+ * A flat sheet with a vertex in the middle of each square: its edges resist the Delaunay condition
+ * on a convex outline.
+ */
 export function stellated() {
   const { positions, faces } = sheet(4, 4, (u, v) => [4 * u, 4 * v, 0]);
   const fans = faces.flatMap((face) => {
@@ -23,12 +29,12 @@ export function stellated() {
 }
 
 const FLAT = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0 0\n';
-/** A disk with a triangle of no area. */
+/** A disk with a triangle without area. */
 export const NEEDLE = `${FLAT}f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n`;
 /** The second face touches itself. */
 export const TOUCHING = `${FLAT}v -1 0 0\nv -1 -1 0\nf 1 3 4\nf 1 2 3 1 6 7\n`;
 
-/** Pins at the corners of a grid of n x n squares that fold it. */
+/** Pins at the corners of a grid of n x n squares that make it fold. */
 export const foldingPins = (n) => {
   const uv = [
     [0, 0],

@@ -157,7 +157,7 @@ export function richGltf({ uv = true } = {}) {
   return maker;
 }
 
-/** Where the scene puts positions of a mesh of richGltf. */
+/** Where the scene places the positions of a mesh of richGltf. */
 export const richTransform = (mesh) => (p) =>
   mesh === 1
     ? p.map((x) => (2 * x) / 32767)

@@ -4,21 +4,22 @@ import { spawn, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { NATIVE_PROGRAM } from '../../scripts/lib/paths.mjs';
 
-/** A guard against hanging, not a demand on speed. */
+/** Guards against hanging; not a performance requirement. */
 const SECONDS = 400;
 
 /** The program under test: build/native/abflat, or what ABFLAT_BIN names. */
 export const PROGRAM = process.env.ABFLAT_BIN ?? NATIVE_PROGRAM;
 
-/** Whether that program counts or checks what it does: it is some fifteen times as slow, and holds more. */
+/** Whether that program is instrumented: it is some fifteen times as slow and needs more memory. */
 export const isInstrumented = process.env.ABFLAT_INSTRUMENTED === '1';
 
 if (!existsSync(PROGRAM))
   throw new Error(`${PROGRAM} does not exist: run "npm run build:native" or set ABFLAT_BIN.`);
 
 /**
- * Starts the program; `finished` resolves to `{ code, signal, stdout, stderr, bytes }`, where `bytes` is
- * standard output as it came. Options: `input` (standard input), `cwd`, `wrapper` (put before the program).
+ * Starts the program; `finished` resolves to `{ code, signal, stdout, stderr, bytes }`, where
+ * `bytes` is the raw standard output. Options: `input` (standard input), `cwd`, `wrapper` (put
+ * before the program).
  */
 export function startAbflat(args, { input, cwd, wrapper = [] } = {}) {
   const [program, ...rest] = [...wrapper, PROGRAM, ...args];
@@ -37,7 +38,7 @@ export function startAbflat(args, { input, cwd, wrapper = [] } = {}) {
       const bytes = Buffer.concat(out);
       resolve({ code, signal, bytes, stdout: `${bytes}`, stderr: `${Buffer.concat(err)}` });
     });
-    // A program that refuses its arguments does not wait for its input.
+    // A program that rejects its arguments does not wait for its input.
     child.stdin?.on('error', (error) => error.code === 'EPIPE' || reject(error));
     child.stdin?.end(input);
   });
@@ -46,13 +47,15 @@ export function startAbflat(args, { input, cwd, wrapper = [] } = {}) {
 
 export const runAbflat = (args, options) => startAbflat(args, options).finished;
 
-/** Whether runOnTerminal can work: the `script` of util-linux makes terminals. */
+/** Whether runOnTerminal works: it needs the `script` of util-linux to make terminals. */
 export function hasTerminals() {
   const { stdout } = spawnSync('script', ['--version'], { encoding: 'utf8' });
   return stdout?.includes('util-linux') ?? false;
 }
 
-/** Runs the program on a terminal of its own; standard output and error come mixed, as seen there. */
+/**
+ * Runs the program on its own terminal; standard output and error are mixed, as they appear there.
+ */
 export function runOnTerminal(args, { cwd } = {}) {
   const quoted = [PROGRAM, ...args].map((word) => `'${word.replaceAll("'", "'\\''")}'`);
   const { status, stdout } = spawnSync('script', ['-qec', quoted.join(' '), '/dev/null'], {

@@ -8,7 +8,7 @@ import { ROOT } from '../../scripts/lib/paths.mjs';
 const SHARED = join(ROOT, '../shared');
 const JUDGE = join(SHARED, 'verify/verify.mjs');
 
-/** Pass as the `skip` option of a test: false, or the reason that is printed. */
+/** Pass this as the `skip` option of a test: false, or the reason to print. */
 export const withoutShared = existsSync(JUDGE) ? false : 'there is no ../shared folder';
 
 /** Disks of the collection that are valid at t = 2 and t = 1. */
@@ -24,12 +24,12 @@ export const MILD_DISKS = [
   'nonconvex-cap.off',
 ];
 
-/** Disks with long boundaries that cross when they are free. */
+/** Disks with long boundaries that cross themselves if they are free. */
 export const FOLDED_DISKS = ['camel-cut.obj', 'cow-cut.off'];
 
 export const sharedMesh = (file) => join(SHARED, 'meshes', file);
 
-/** What the judge measures of an OBJ result: an object with `valid`, `failures`, `flipped`, ... */
+/** What the judge measures in an OBJ result: an object with `valid`, `failures`, `flipped`, ... */
 export function judge(input, result, t) {
   const bound = t === undefined ? [] : ['--t', String(t)];
   const { stdout, stderr } = spawnSync(process.execPath, [JUDGE, input, result, ...bound], {

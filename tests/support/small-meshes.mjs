@@ -4,7 +4,7 @@ export const TRIANGLE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
 
 export const TWO_TRIANGLES = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 3 2 4\n';
 
-/** n triangles round vertex 1, which is raised. */
+/** n triangles around vertex 1, which is raised. */
 export function fan(n, height = 0.5) {
   const lines = [`v 0 0 ${height}`];
   for (let i = 0; i < n; i++) {
@@ -37,7 +37,10 @@ const CUBE_VERTICES = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${(i >> 1)
 
 export const CUBE = `${[...CUBE_VERTICES, ...CUBE_FACES.map((face) => `f ${face}`)].join('\n')}\n`;
 
-/** The same with two uv islands, the second face and the rest, and two materials, the last face and the rest. */
+/**
+ * The same with two uv islands (the second face and the rest) and two materials (the last face and
+ * the rest).
+ */
 export const CUBE_OF_PARTS = `${[
   ...CUBE_VERTICES,
   ...Array.from({ length: 16 }, (_, i) => `vt ${(i & 3) / 8} ${(i >> 2) / 8}`),

@@ -1,4 +1,5 @@
-// STL files from triangles, [[[x, y, z] x 3], ...], by code that shares nothing with the library.
+// STL files from triangles, [[[x, y, z] x 3], ...], written by code that is independent of the
+// library.
 
 export function binaryStl(triangles, header = 'made by a test') {
   const bytes = Buffer.alloc(84 + 50 * triangles.length);

@@ -8,7 +8,7 @@ export function objText({ positions, faces }, extra = '') {
   return `${v.join('\n')}\n${extra}${f.join('\n')}\n`;
 }
 
-/** A grid of nu x nv quads over [0, 1)^2; `wrap` says per direction whether its ends are one. */
+/** A grid of nu x nv quads over [0, 1)^2; `wrap` says per direction whether its ends are joined. */
 function parametric(nu, nv, [wrapU, wrapV], point) {
   const columns = wrapU ? nu : nu + 1;
   const rows = wrapV ? nv : nv + 1;
@@ -34,7 +34,7 @@ export function torus(nu = 32, nv = 16, thickness = 0.4) {
   });
 }
 
-/** A tube round a trefoil. */
+/** A tube around a trefoil. */
 export function knot(nu = 160, nv = 12) {
   const curve = (t) => [
     Math.sin(t) + 2 * Math.sin(2 * t),
@@ -56,7 +56,7 @@ export function sphere(n = 16) {
   return { positions: positions.map((p) => unit(p.map((x) => x - 0.5))), faces };
 }
 
-/** A strip with half a turn. */
+/** A strip with a half twist. */
 export function moebius(n = 48, rows = 4) {
   return twisted(
     parametric(n, rows, [false, false], (u, v) => strip(u, v)),
@@ -71,14 +71,14 @@ const strip = (u, v) => {
   return [r * Math.cos(TURN * u), r * Math.sin(TURN * u), w * Math.sin(Math.PI * u)];
 };
 
-/** The last column is the first one upside down. */
+/** Joins the last column to the first one upside down. */
 function twisted({ positions, faces }, n, rows) {
   const columns = n + 1;
   const own = (v) => (v % columns === n ? (rows - Math.floor(v / columns)) * columns : v);
   return { positions, faces: faces.map((face) => face.map(own)) };
 }
 
-/** The bottle, drawn as an 8 that turns over once: it passes through itself in space. */
+/** The Klein bottle as a figure 8 that turns over once: it intersects itself in space. */
 export function kleinBottle(nu = 48, nv = 24) {
   const { positions, faces } = parametric(nu, nv, [false, true], (u, v) => {
     const [c, s] = [Math.cos(Math.PI * u), Math.sin(Math.PI * u)];
@@ -133,7 +133,10 @@ export function voxels(solid, n = 2) {
   }
 }
 
-/** Squares, but for those that `isGone`, placed by their share of columns and rows; the sides joined where it is a tube. */
+/**
+ * Squares, except for those that `isGone`, placed by their fraction of columns and rows; the sides
+ * are joined if it is a tube.
+ */
 export function sheet(columns, rows, place, isGone = () => false, isTube = false) {
   const positions = [];
   const faces = [];
@@ -156,13 +159,15 @@ export function sheet(columns, rows, place, isGone = () => false, isTube = false
   return { positions, faces };
 }
 
-/** A flat sheet with a row of so many windows. */
+/** A flat sheet with a row of `count` windows. */
 export function windows(count) {
   const isGone = (x, y) => x % 11 >= 3 && x % 11 < 8 && y >= 5 && y < 10;
   return sheet(11 * count, 15, (u, v) => [11 * count * u, 15 * v, 0], isGone);
 }
 
-/** A tube of radius 1, or what its radius is at each height, with the squares of the middle that `isGone`. */
+/**
+ * A tube of radius 1, or with the given radius at each height, without the squares that `isGone`.
+ */
 export function tube(height, radius = () => 1, isGone = undefined) {
   const place = (u, v) => {
     const [a, r] = [2 * Math.PI * u, radius(v)];
@@ -206,7 +211,7 @@ export function boxArray(n) {
   return together(parts);
 }
 
-/** Every corner has a vertex of its own, as in STL. */
+/** Every corner has its own vertex, as in STL. */
 export function unwelded({ positions, faces }) {
   const out = { positions: [], faces: [] };
   for (const face of faces)
@@ -214,7 +219,10 @@ export function unwelded({ positions, faces }) {
   return out;
 }
 
-/** A triangle of that share of the face amid every tenth one, and six between both. */
+/**
+ * In every tenth face, a copy of it scaled down to `size` at its middle, with six triangles in
+ * between.
+ */
 export function withTinyTriangles({ positions, faces }, size = 5e-7) {
   const out = { positions: [...positions], faces: [] };
   for (const [f, face] of faces.entries()) {
@@ -233,7 +241,7 @@ export function withTinyTriangles({ positions, faces }, size = 5e-7) {
   return out;
 }
 
-/** All that can be wrong with a mesh that has finite coordinates, at once. */
+/** Everything that can be wrong with a mesh with finite coordinates, at once. */
 export function defects() {
   const body = sphere(6);
   const n = body.positions.length;

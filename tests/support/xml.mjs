@@ -1,4 +1,4 @@
-// A strict reader of XML without DTD: throws at the first thing that is not well-formed.
+// A strict reader for XML without DTD: throws at the first thing that is not well-formed.
 
 const NAME = '[A-Za-z_][\\w.:-]*';
 const TEXT = '[^<&]|&(?:amp|lt|gt|quot|apos|#\\d+|#x[\\da-fA-F]+);';

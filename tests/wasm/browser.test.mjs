@@ -1,4 +1,5 @@
-// The package in Chromium: on a plain page, in a Vite build, and across origins. The pages are the examples of the README.
+// The package in Chromium: on a plain page, in a Vite build, and across origins. The pages are the
+// README's examples.
 
 import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -50,7 +51,7 @@ async function serve(root, headers = {}) {
   return `http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}`;
 }
 
-/** A folder with files, and the package where npm would put it. */
+/** A folder with files, and the package where npm would install it. */
 function site(name, files) {
   const root = join(folder, name);
   cpSync(DIST, join(root, 'node_modules/abflat/dist'), { recursive: true });

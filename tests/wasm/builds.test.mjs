@@ -1,4 +1,4 @@
-// The builds of the module: which one is taken, and that they agree to the last bit.
+// The builds of the module: which one is chosen, and that they agree to the last bit.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -11,7 +11,7 @@ import { DIST, MESHES, NEEDS_MESHES } from './support/paths.mjs';
 
 const FILES = { plain: 'abflat.wasm', simd: 'abflat-simd.wasm' };
 const BUILDS = Object.keys(FILES);
-/** Node has had vectors since version 16.4. */
+/** Node has supported vectors since version 16.4. */
 const BEST = 'simd';
 
 const started = [];
@@ -25,7 +25,7 @@ async function start(options) {
   return abflat;
 }
 
-/** Without vectors: the probe is the only module that is validated. */
+/** Simulates a runtime without vectors: the probe is the only module that is validated. */
 async function withoutVectors(action) {
   const { validate } = WebAssembly;
   WebAssembly.validate = () => false;

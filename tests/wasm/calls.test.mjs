@@ -13,7 +13,7 @@ before(async () => {
 });
 after(() => abflat.terminate());
 
-/** Large enough to be still busy when the first progress arrives. */
+/** Large enough to still be busy when the first progress arrives. */
 const LARGE = grid(250);
 
 function assertAborts(promise) {
@@ -24,7 +24,7 @@ function assertAborts(promise) {
   });
 }
 
-/** A call that is surely running, and the means to abort it. */
+/** A call that is certainly running, and the means to abort it. */
 async function runningCall() {
   const controller = new AbortController();
   const { signal } = controller;
@@ -196,7 +196,7 @@ test('progress comes about 30 times a second at most', async () => {
   const start = performance.now();
   await abflat.flatten(grid(100), { onProgress: () => ++count });
   const seconds = (performance.now() - start) / 1000;
-  // The beginning of each of the six stages and the end are never held back.
+  // The start of each of the six stages and the end are never throttled.
   assert.ok(count <= 30 * seconds + 8, `${count} in ${seconds} s`);
 });
 
@@ -227,7 +227,7 @@ test('many aborted calls in a row leave a working worker', async () => {
   assert.equal((await abflat.flatten(grid(3))).report.valid, true);
 });
 
-/** Runs a script in a process of its own. */
+/** Runs a script in a separate process. */
 function runScript(text) {
   const args = ['--input-type=module', '--eval', text];
   return spawnSync(process.execPath, args, { cwd: ROOT, encoding: 'utf8', timeout: 60_000 });

@@ -1,4 +1,5 @@
-// Comparing methods in the package: the layouts themselves, and the numbers of the command line program.
+// Comparing methods in the package: the layouts themselves, and the same numbers as the command
+// line program.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

@@ -1,4 +1,4 @@
-// Every way a call can fail says what is wrong, and the next call works.
+// However a call fails, the error says what is wrong, and the next call works.
 
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// A package of which one build alone is there: it stands in for the others, as when the page is first built.
+// A package with only one build: it stands in for the others, as when the page is first built.
 
 import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';

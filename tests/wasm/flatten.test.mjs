@@ -86,7 +86,7 @@ test('arrays, OBJ and OFF of one mesh give the same layout', async () => {
   }
 });
 
-/** The mesh in the formats that are made of bytes; coordinates must be single precision. */
+/** The mesh in all file formats; coordinates must be exact in single precision. */
 function files(mesh) {
   const points = Array.from({ length: mesh.positions.length / 3 }, (_, v) =>
     Array.from(mesh.positions.subarray(3 * v, 3 * v + 3)),
@@ -264,7 +264,7 @@ test('the report has times of every stage, and the total covers them', async () 
   const names = ['read', 'connectivity', 'solve', 'layout', 'refine', 'check', 'write'];
   assert.deepEqual(Object.keys(stages).sort(), names.sort());
   assert.ok(Object.values(timings).every((seconds) => seconds >= 0));
-  // Clocks of browsers and Node are coarse: a stage may be rounded up.
+  // Clocks in browsers and Node are coarse: a stage may be rounded up.
   const sum = Object.values(stages).reduce((a, b) => a + b, 0);
   assert.ok(total > 0 && total >= sum - 0.001, `${total} is less than ${sum}`);
 });

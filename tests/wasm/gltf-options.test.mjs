@@ -1,4 +1,4 @@
-// Documents of glTF-Transform: what can be asked for, and what goes wrong.
+// glTF-Transform documents: what can be asked for, and what goes wrong.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -67,7 +67,7 @@ test('seams between materials, and round the islands that a document has', async
   const cut = await unwrapped(character(), { seams: 'auto,material' });
   assert.ok(!touch(...primitivesOf(cut.after)));
 
-  // It keeps the charts that it has by now.
+  // It keeps the charts that it has so far.
   const document = cut.after;
   const charts = cut.atlases[0].result.report.charts.length;
   const kept = await unwrapped(document, { seams: 'uv', texcoord: 1 });

@@ -21,7 +21,7 @@ before(async () => {
 });
 after(() => abflat.terminate());
 
-/** A square with `n` rows of quads that halve in height towards one side. */
+/** A square with `n` rows of quads whose height halves towards one side. */
 function halving(n) {
   const heights = Array.from({ length: n }, (_, i) => 2 ** -i);
   const positions = [...heights, 0].flatMap((y) => [
@@ -35,7 +35,7 @@ function halving(n) {
   return { positions, faces };
 }
 
-/** Squares one in another, each a quarter of the one before. */
+/** Nested squares, each a quarter of the size of the previous one. */
 function nested(n) {
   const positions = Array.from({ length: n }, (_, i) => 4 ** -i).flatMap((s) => [
     [s, s, 0],
@@ -64,7 +64,7 @@ async function unwrapped(surface, options) {
   return { result, held: atlasOf(primitivesOf(await reread(document))) };
 }
 
-/** Corners of the triangles of a result, as `atlasOf` gives those of a document. */
+/** Corners of a result's triangles, in the form that `atlasOf` returns for a document. */
 const cornersOf = ({ uv, indices }) =>
   Array.from({ length: indices.length / 3 }, (_, t) =>
     Array.from(indices.subarray(3 * t, 3 * t + 3), (v) => [uv[2 * v], uv[2 * v + 1]]),

@@ -1,4 +1,4 @@
-// Which set of coordinates a document gets, and which primitives keep theirs.
+// Which texcoord set of a document is written, and which primitives keep theirs.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -20,7 +20,7 @@ before(async () => {
 });
 after(() => abflat.terminate());
 
-/** A document whose logger writes into `said`. */
+/** A document whose logger writes to `said`. */
 function listening(document) {
   const said = [];
   const write = (level) => (text) => said.push([level, text]);
@@ -34,7 +34,10 @@ function listening(document) {
   return said;
 }
 
-/** A ball with the sets `sets`, whose material has a texture for colours that samples `sampled`. */
+/**
+ * A ball with the texcoord sets `sets`, whose material has a base colour texture that samples the
+ * set `sampled`.
+ */
 function painted({ sets = [0], sampled } = {}) {
   const document = emptyDocument();
   const ball = primitiveOf(document, sphere(5));
@@ -73,7 +76,7 @@ test('primitives that have the set keep it, and the others get an atlas', async 
     said.map(([level]) => level),
     ['info'],
   );
-  // Once more: nothing is left to do, and that is said.
+  // Again: nothing is left to do, and that is reported.
   await document.transform(unwrap(abflat, { onAtlas }));
   assert.equal(atlases.length, 1);
   assert.match(
@@ -147,7 +150,7 @@ test('the free set: 0 where no texture samples it, otherwise the next one', () =
   ];
   for (const [options, free] of cases)
     assert.equal(freeTexcoord(painted(options).document), free, JSON.stringify(options));
-  // Of two primitives the one that has more sets counts.
+  // Of two primitives, the one with more sets counts.
   const { document } = painted({ sampled: 0 });
   addMesh(document, 'more', primitiveOf(document, sphere(3)));
   const [, second] = primitivesOf(document);

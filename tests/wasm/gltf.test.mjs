@@ -1,4 +1,4 @@
-// Documents of glTF-Transform get an atlas, and everything else of them stays.
+// glTF-Transform documents get an atlas, and everything else in them stays.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -38,7 +38,8 @@ test('skin weights, colours, morph targets and further sets stay with every corn
   assert.equal(kindOf(a.getAttribute('TEXCOORD_0')), Float32Array);
   assert.equal(kindOf(a.getIndices()), Uint16Array);
   assert.equal(after.getRoot().listSkins().length, 1);
-  // A ring of two materials is one surface: seams are where charts end, not where a material does.
+  // A ring with two materials is one surface: seams are where charts end, not where a material
+  // does.
   const cut = atlases[0].result.seams.length / 2;
   assert.ok(cut > 0);
   assert.ok(rowsOf(a) - 24 * 12 < 2 * cut && rowsOf(b) - 24 * 12 < 2 * cut);
@@ -87,7 +88,7 @@ test('primitives with the same accessors go on sharing them', async () => {
   const [a, b] = primitivesOf(after);
   for (const name of ['POSITION', 'COLOR_0', 'TEXCOORD_0'])
     assert.equal(a.getAttribute(name), b.getAttribute(name), name);
-  // Nothing of what was replaced is left behind: two indices and three attributes.
+  // Nothing that was replaced is left behind: two indices and three attributes.
   assert.equal(document.getRoot().listAccessors().length, 5);
 });
 
@@ -117,7 +118,7 @@ test('sizes are those of the scene', async () => {
       .node.setScale([scale, scale, scale])
       .setTranslation([10 * i, 0, 0]),
   );
-  // Only through its parent.
+  // Scaled only through its parent.
   const parent = document.createNode('parent').setScale([2, 2, 2]).addChild(nodes[0]);
   document.getRoot().listScenes()[0].addChild(parent);
   const { after } = await unwrapped(document);
@@ -211,7 +212,7 @@ test('strips and fans become triangles', async () => {
       .createPrimitive()
       .setMode(5)
       .setAttribute('POSITION', accessor(document, 'VEC3', strip))
-      // Twice the same vertex joins two strips.
+      // Repeating a vertex joins two strips.
       .setIndices(accessor(document, 'SCALAR', Uint8Array.of(0, 2, 1, 3, 3, 4, 4, 6, 5, 7))),
     document
       .createPrimitive()

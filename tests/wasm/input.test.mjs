@@ -1,4 +1,4 @@
-// Arrays in whatever kind they come.
+// Arrays of every kind.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -13,7 +13,7 @@ before(async () => {
 });
 after(() => abflat.terminate());
 
-/** Whole coordinates, so that every kind of number holds them. */
+/** Integer coordinates, so that every numeric type holds them. */
 const HILL = (() => {
   const { positions, indices } = grid(5);
   return { positions: positions.map((x) => Math.round(20 * x)), indices };

@@ -1,4 +1,5 @@
-// What JavaScript knows of the module beside the C++ that it is made of: functions, arguments, builds.
+// Compares what JavaScript knows about the module with its C++ source: functions, arguments,
+// builds.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -10,11 +11,11 @@ const read = (path) => readFileSync(join(ROOT, path), 'utf8');
 const API = read('wasm/bindings/api.cpp');
 const DECLARATIONS = read('wasm/src/abflat.d.ts');
 
-/** A type of C++ as JavaScript sees it: all but what is nothing or a truth value is a number. */
+/** A C++ type as JavaScript sees it: everything except void and bool is a number. */
 const jsType = (type) =>
   /^(void|bool)$/.test(type) ? { void: 'void', bool: 'boolean' }[type] : 'number';
 
-/** "vertex: number", in the words of C++ or TypeScript. */
+/** "vertex: number", from C++ or TypeScript notation. */
 const parameterOf = (text) => {
   const [, type, name] = /^(?:const )?(.*[\s*])(\w+)$/.exec(text.trim());
   return { name, type: jsType(type.trim()) };

@@ -31,7 +31,7 @@ function flattenNatively(path, t) {
   const [out, report] = [join(folder, 'out.obj'), join(folder, 'report.json')];
   const args = ['flatten', path, '-o', out, '--t', String(t), '--report', report, '--quiet'];
   const { status, stderr } = spawnSync(NATIVE, args, { encoding: 'utf8' });
-  // 1: written, but not valid, as a free boundary may be.
+  // 1 means written, but not valid, which can happen with a free boundary.
   assert.ok(status === 0 || status === 1, stderr);
   return { obj: readFileSync(out, 'utf8'), report: JSON.parse(readFileSync(report, 'utf8')) };
 }
@@ -93,7 +93,7 @@ test('PLY files are the same, written afresh and from a PLY', async () => {
 test('positions of an OFF file become the same text, which reads back as the same numbers', async () => {
   const n = 30;
   const positions = [];
-  // + 0: text has no negative zero.
+  // + 0 because text has no negative zero.
   for (let y = 0; y <= n; ++y)
     for (let x = 0; x <= n; ++x)
       positions.push(
@@ -118,7 +118,7 @@ test('positions of an OFF file become the same text, which reads back as the sam
   const text = new TextDecoder().decode(wasm.obj);
   assertSameText(text, native);
   assert.deepEqual(objNumbers(text, 'v'), positions);
-  // Texcoords of a layout are no round numbers, and come back as what the package returns.
+  // A layout's texcoords are not round numbers, yet they come back as the package returns them.
   const uv = objNumbers(text, 'vt');
   assert.deepEqual(uv, [...wasm.uv]);
 });

@@ -1,4 +1,4 @@
-// What callers pass by mistake is refused in the words of the package, not of the engine.
+// Wrong arguments are rejected in the package's own words, not the engine's.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -29,7 +29,7 @@ function cyclic() {
   return value;
 }
 
-/** Whose text cannot be had, or says nothing. */
+/** Values that cannot be converted to text, or whose text says nothing. */
 const ODD = [5n, Symbol('odd'), cyclic(), Object.create(null), [5n], () => 1, new Map()];
 
 test('an option of any type is refused by its name', async () => {

@@ -1,4 +1,4 @@
-// What is published: its size, its files, its documentation.
+// The published package: its size, its files, its documentation.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -37,7 +37,7 @@ const MODULES = Object.values(BUILDS).map((name) => `${name}.wasm`);
 
 const IMPORTS = /(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g;
 
-/** The files that a script imports, at once or later, itself included. */
+/** The files that a script imports, statically or dynamically, including itself. */
 function filesFrom(entry) {
   const files = new Set();
   const visit = (name) => {
@@ -53,7 +53,10 @@ function filesFrom(entry) {
   return files;
 }
 
-/** All that a browser loads for a build: the package, its worker with one script of Emscripten's, the module, what threads begin with. */
+/**
+ * Everything that a browser loads for a build: the package, its worker with one of Emscripten's
+ * scripts, the module, and the script that threads start with.
+ */
 function filesOf(build, name) {
   const files = [...filesFrom('index.js'), ...filesFrom(`worker-${build}.js`), `${name}.wasm`];
   const starter = `${name}.worker.js`;
@@ -81,7 +84,7 @@ test('scripts have the ending that every server knows, and lines that a stack tr
   for (const name of scripts) {
     assert.match(name, /\.js$/);
     const lines = readFileSync(join(DIST, name), 'utf8').split('\n');
-    // What Emscripten writes is small before it is readable.
+    // Emscripten's output should be small rather than readable.
     if (!/^abflat/.test(name))
       assert.ok(
         lines.every((line) => line.length < 1000),
@@ -99,7 +102,7 @@ test('the entry for glTF-Transform has types of it alone', () => {
       assert.match(specifier, /^\.\.?\//, name);
 });
 
-// The third one runs in browsers alone: createAbflat checks there what is checked here.
+// The third one only runs in browsers, where createAbflat checks what is checked here.
 for (const module of MODULES.slice(0, 2)) {
   test(`${module} knows its label, the status codes and samples of the package`, async () => {
     const { Engine } = await import(join(DIST, 'engine.js'));
@@ -137,7 +140,7 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     'LICENSE',
     'CHANGELOG.md',
     'examples/unwrap.mjs',
-    // For what does not read "exports".
+    // For tools that do not read "exports".
     'gltf/package.json',
     'three/package.json',
     'dist/index.d.ts',
@@ -157,12 +160,12 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     ),
     [],
   );
-  // Beside package.json only while it is packed.
+  // They are beside package.json only while it is packed.
   for (const name of ['LICENSE', 'CHANGELOG.md'])
     assert.ok(!existsSync(join(ROOT, 'wasm', name)), name);
 });
 
-/** Runs code in a folder of its own, with more `files`; `check` gets the output and the folder. */
+/** Runs code in a separate folder, with more `files`; `check` gets the output and the folder. */
 async function runCode(code, check, files = {}) {
   assert.ok(code, 'there is no example');
   const folder = mkdtempSync(join(tmpdir(), 'abflat-readme-'));

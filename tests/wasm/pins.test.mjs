@@ -24,7 +24,7 @@ after(() => {
   if (folder) rmSync(folder, { recursive: true });
 });
 
-/** Runs both on an OBJ text with files for options of the program, and compares what they give. */
+/** Runs both on an OBJ text, with files for the program's options, and compares the results. */
 async function assertSame(command, text, options, files) {
   const name = (file) => join(folder, file);
   writeFileSync(name('in.obj'), text);
@@ -73,7 +73,7 @@ test('unwrap with pins', async () => {
   const text = surfaceText(plate(1, 3));
   const mesh = { bytes: new TextEncoder().encode(text), name: 'a.obj' };
   const free = await abflat.unwrap(mesh, { minUtilization: 0 });
-  // The first chart once more, at half its size.
+  // The first chart again, at half its size.
   const [a, b] = [0, 1].map((corner) => free.indices[corner]);
   const place = (v) => [0.3 + free.uv[2 * v] / 8, 0.3 + free.uv[2 * v + 1] / 8];
   const pins = [a, b].map((v) => ({ vertex: free.vertexMap[v], uv: place(v), face: 0 }));

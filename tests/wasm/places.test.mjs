@@ -1,5 +1,5 @@
-// Where the files of the package are: left out by a bundler, on another origin under a content security policy, on a server that knows
-// few types, and as CommonJS.
+// Where the package's files can be: left out by a bundler, on another origin under a content
+// security policy, on a server that knows few types, and as CommonJS.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -37,8 +37,8 @@ after(async () => {
 });
 
 /**
- * Serves a folder with types for pages and scripts alone, as servers without much configuration do. `headers` are those of all files, or
- * of the pages.
+ * Serves a folder with types for pages and scripts only, as servers with little configuration do.
+ * `headers` are sent with all files, or only with the pages.
  */
 async function serve(root, headers = {}, { onPages = false } = {}) {
   const types = { '.html': 'text/html', '.js': 'text/javascript' };
@@ -55,7 +55,7 @@ async function serve(root, headers = {}, { onPages = false } = {}) {
   return `http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}`;
 }
 
-/** What a page shows that runs a script. */
+/** What a page that runs a script shows. */
 async function shown(address) {
   const page = await browser.newPage();
   try {
@@ -67,7 +67,7 @@ async function shown(address) {
   }
 }
 
-/** Unwraps something by `createAbflat(${settings})` and says how that went. */
+/** A script that unwraps something with `createAbflat(${settings})` and reports how that went. */
 const script = (entry, settings = '') => `
   import { createAbflat } from '${entry}';
 
@@ -84,7 +84,7 @@ const script = (entry, settings = '') => `
 
 const page = (tag) => `<!doctype html><link rel="icon" href="data:,">${tag}<body></body>`;
 
-/** A site whose script esbuild has bundled, with the files that are copied into it. */
+/** A site whose script is bundled by esbuild, with the files that are copied into it. */
 function bundled(name, text, { format = 'esm', files = {}, folder: path = '' } = {}) {
   const root = join(folder, name);
   mkdirSync(root);

@@ -1,5 +1,5 @@
-// Whatever the package is called with, it gives a result or says in a sentence why not, takes nothing
-// that it was not given, and works as before afterwards. What fuzzing has found stays mended.
+// Whatever the package is called with, it returns a result or says in a sentence why not, takes
+// nothing that it was not given, and still works afterwards. Bugs found by fuzzing stay fixed.
 // `node tests/fuzz/javascript/replay.mjs SEED` shows the calls of a failure.
 
 import assert from 'node:assert/strict';

@@ -11,7 +11,7 @@ import { bytesOf, grid } from './support/meshes.mjs';
 import { arraysOf } from './support/unwrapping.mjs';
 
 const keys = new ReportKeys('package');
-/** Only the solvers for research take linear iterations in flatten. */
+/** In flatten, only the research solvers have linear iterations. */
 const RESEARCH = ['NewtonStep.linearIterations'];
 
 let abflat;

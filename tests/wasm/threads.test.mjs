@@ -1,4 +1,5 @@
-// The build with threads, which needs a page that is cross-origin isolated: in Chromium, beside a page that is not.
+// The build with threads, which needs a cross-origin isolated page: in Chromium, alongside a page
+// that is not isolated.
 
 import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,7 +15,7 @@ const ARGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-back
 const executablePath = findChrome();
 const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
 
-/** Scripts of the site that start the worker of the package without something that threads need. */
+/** Scripts of the site that start the package's worker without something that threads need. */
 const WORKERS = {
   'no-memory.js': `const { Memory } = WebAssembly;
     WebAssembly.Memory = class extends Memory {
@@ -56,14 +57,14 @@ after(async () => {
   if (folder) rmSync(folder, { recursive: true });
 });
 
-/** Runs a function in a page; `headers` are those of all that the page loads. */
+/** Runs a function in a page; `headers` are sent with everything that the page loads. */
 async function inPage(headers, action, argument) {
   const server = createStaticServer(folder, headers);
   servers.push(server);
   const page = await browser.newPage();
   try {
     await page.goto(`http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}/`);
-    // Also where there is one processor; the worker counts for itself.
+    // Even on a machine with one processor; the worker counts for itself.
     await page.evaluate(() =>
       Object.defineProperty(navigator, 'hardwareConcurrency', { value: 2 }),
     );

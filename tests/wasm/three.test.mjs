@@ -38,7 +38,10 @@ test('files: positions come with the result', async () => {
   assert.deepEqual(position.array, Float32Array.from(mesh.positions));
 });
 
-/** A band of six quads round a hole whose ends meet in one vertex of the inner rim but not in the outer rim. */
+/**
+ * A band of six quads around a hole; its ends meet in one vertex of the inner rim but not of the
+ * outer rim.
+ */
 function pinchedBand() {
   const at = (radius, degrees) => {
     const angle = (degrees * Math.PI) / 180;
@@ -58,7 +61,7 @@ function pinchedBand() {
 
 test('a vertex where the surface touches itself is there once for each side', async () => {
   const mesh = pinchedBand();
-  // Convex: the two sides cannot stay together.
+  // Convex, so the two sides cannot stay together.
   const result = await abflat.flatten(mesh, { t: 1 });
   assert.deepEqual(
     [...result.vertexMap].sort((a, b) => a - b),
@@ -92,13 +95,13 @@ test('without a mesh, arrays are refused', async () => {
   assert.throws(() => toBufferGeometry(result), /mesh/);
 });
 
-/** Rows of an attribute, in whatever way it is stored. */
+/** Rows of an attribute, however it is stored. */
 const rows = (attribute) =>
   Array.from({ length: attribute.count }, (_, i) =>
     Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k)),
   );
 
-/** Every corner of every triangle has the attributes that it had. */
+/** Asserts that every corner of every triangle has the attributes that it had. */
 function assertSameCorners(after, before, names) {
   const corners = (geometry, attribute) => {
     const values = rows(attribute);

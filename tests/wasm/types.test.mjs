@@ -1,4 +1,5 @@
-// The declarations in projects of every kind: with and without those of browsers and of Node, resolved as Node and as bundlers do.
+// The declarations in all kinds of projects: with and without those of browsers and Node, resolved
+// the way Node and bundlers do it.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -24,7 +25,7 @@ export async function unwrapAll(meshes: { positions: number[]; indices: Uint8Arr
 // @ts-expect-error There is no such option.
 export const wrong = (abflat: Abflat) => abflat.unwrap({ positions: [] }, { paddings: 1 });
 `;
-/** Where they are declared, these are taken as they are. */
+/** Used as they are if they are declared. */
 const PLATFORM = `
 import { createAbflat } from 'abflat';
 
@@ -79,7 +80,7 @@ before(() => {
 });
 after(() => rmSync(folder, { recursive: true }));
 
-/** What the compiler says about files of these texts. */
+/** The compiler's complaints about files with these texts. */
 function complaints(texts, options) {
   const files = texts.map((text, i) => {
     const path = join(folder, `case-${i}.ts`);
@@ -115,6 +116,6 @@ test('signals and URLs of Node', () => {
 
 test('those of browsers, glTF-Transform and three.js', () => {
   const found = complaints([ARRAYS, PLATFORM, GLTF, THREE], { ...DOM, ...BUNDLER });
-  // Declarations of other packages may be at odds with the compiler.
+  // Declarations of other packages may not suit the compiler.
   assert.deepEqual(texts(found.filter(isOurs)), []);
 });

@@ -1,4 +1,4 @@
-// Atlases that are there already, kept as a whole or in part, and atlases that are to match others.
+// Existing atlases, kept in whole or in part, and atlases that have to match others.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -127,7 +127,7 @@ test("fixedFaces 'uv': all faces that have coordinates keep them, of arrays and 
   const positions = Float64Array.from(
     [...first.vertexMap].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]),
   );
-  // One chart has coordinates.
+  // Only one chart has texcoords.
   const isKept = (f) => first.chartOfTriangle[f] === 0;
   const texcoords = new Float64Array(first.uv.length).fill(Number.NaN);
   first.indices.forEach((v, h) => {

@@ -1,4 +1,4 @@
-// What unwrap refuses, and what it says then.
+// What unwrap rejects, and its messages.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,4 +1,5 @@
-// Any mesh in, an atlas out: the same as the command line program gives, in arrays that fit graphics cards.
+// Any mesh in, an atlas out: the same as from the command line program, in arrays that suit
+// graphics cards.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

@@ -51,7 +51,7 @@ test('the theme follows the system, can be switched and is remembered', async (t
 });
 
 test('text has contrast in both themes', async (t) => {
-  // Without transitions, so that colours are what they will be.
+  // Without transitions, so that colours have their final values.
   const page = await openPage(t, { reducedMotion: 'reduce', mode: 'flatten', open: WAVES });
   await page.click('#details-toggle');
   await page.mouse.move(0, 0);
@@ -99,12 +99,12 @@ test('text of an atlas has contrast in both themes', async (t) => {
 
 test('Tab reaches every control, in the order of the page', async (t) => {
   const page = await openPage(t, { mode: 'flatten', open: WAVES });
-  // By script, so that Tab begins at the beginning.
+  // By script, so that Tab starts at the beginning of the page.
   await page.evaluate(() => document.querySelector('#details-toggle').click());
-  // A chart is drawn when its size is known, in a frame after the pane has opened.
+  // A chart is drawn once its size is known, in a frame after the pane has opened.
   for (const chart of ['#residual-chart', '#active-chart'])
     await page.locator(`${chart} rect[tabindex="0"]`).waitFor({ state: 'attached' });
-  // Of tabs and of a chart's columns Tab reaches one, arrow keys the others.
+  // Tab reaches one of the tabs and one of a chart's columns, arrow keys the others.
   const expected = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, select, canvas[tabindex], rect[tabindex]')]
       .filter((element) => element.checkVisibility() && !element.disabled && element.tabIndex === 0)
@@ -217,7 +217,7 @@ test('nothing moves while t is dragged', async (t) => {
         ),
       ].map((element) => JSON.stringify(element.getBoundingClientRect())),
     );
-  // The pictures get their size in the frame after that of the pane.
+  // The canvases get their size in the frame after that of the pane.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
   await settled(page);
   const before = await places();

@@ -1,4 +1,4 @@
-// What axe-core finds, of contrasts, names, roles and labels: nothing, in either theme.
+// axe-core finds nothing wrong with contrasts, names, roles and labels, in either theme.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,7 +6,7 @@ import axe from 'axe-core';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
 import { drop, dropAndWait, openPage, settled } from './page.mjs';
 
-/** By rule, with the place and what is wrong there. */
+/** Violations by rule, with the place and the problem. */
 async function findings(page) {
   return page.evaluate(async () => {
     const { violations } = await globalThis.axe.run(document, {
@@ -18,7 +18,7 @@ async function findings(page) {
   });
 }
 
-/** Without transitions, so that colours are what they will be. */
+/** Without transitions, so that colours have their final values. */
 async function openWithAxe(t, mode) {
   const page = await openPage(t, { reducedMotion: 'reduce', mode });
   await page.evaluate(axe.source);

@@ -1,4 +1,4 @@
-// What the page makes of files that are dropped together, and of results: modules that need no page.
+// How the page treats files that are dropped together, and results: modules that need no page.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -19,7 +19,7 @@ test('a mesh is found among its files in any order; of several all are offered',
   assert.deepEqual(names(['b.ply', 'a.STL', 'n.txt']), ['b.ply', 'a.STL']);
   assert.deepEqual(names(['b.ply', 's.gltf', 's.bin']), ['s.gltf', 'b.ply']);
   assert.deepEqual(names(['picture.png']), []);
-  // What it is its content tells.
+  // Its content decides what it is.
   assert.deepEqual(names(['scan.data', 'scan.png']), ['scan.data']);
   const all = sourcesOf(files('a.obj', 'b.obj', 'c.obj'));
   for (const source of all) assert.deepEqual(source.together, all);
@@ -52,7 +52,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
     verdictOf(atlas(1.04, 'material', [chart(1.0402)])).reason,
     'Stretch 1.0402; the limit is 1.04',
   );
-  // Automatic seams have done what they can.
+  // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
   // Charts that the user keeps are not judged.
   assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { fixed: true })])), 'Valid');

@@ -1,4 +1,4 @@
-// The colours of charts: told apart by everyone, and different where charts meet.
+// The colours of charts: distinguishable for everyone, and different where charts meet.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -7,7 +7,10 @@ import { test } from 'node:test';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { loadModule as load } from './modules.mjs';
 
-/** Machado, Oliveira, Fernandes 2009, severity 1: linear sRGB as people see it who lack one kind of cone. */
+/**
+ * Machado, Oliveira, Fernandes 2009, severity 1: linear sRGB as seen by people who lack one kind of
+ * cone.
+ */
 const VISIONS = {
   all: [1, 0, 0, 0, 1, 0, 0, 0, 1],
   protanopia: [
@@ -21,9 +24,9 @@ const VISIONS = {
   ],
 };
 
-/** Of OKLab, in which about 0.02 is the least difference that is seen. */
+/** In OKLab, where about 0.02 is the smallest visible difference. */
 const LEAST_DISTANCE = 0.09;
-/** Of WCAG, for lines and shapes. */
+/** From WCAG, for lines and shapes. */
 const LEAST_CONTRAST = 3;
 
 /** The custom properties of a theme. */
@@ -96,7 +99,10 @@ for (const theme of ['dark', 'light']) {
   });
 }
 
-/** A grid of n x n squares of two triangles each, every `size` x `size` of them a chart of its own vertices, laid out as it is. */
+/**
+ * A grid of n x n squares of two triangles each; every block of `size` x `size` squares is a chart
+ * with its own vertices, laid out as it is.
+ */
 function patchwork(n, size, height = () => 0) {
   const positions = [];
   const uv = [];
@@ -113,7 +119,7 @@ function patchwork(n, size, height = () => 0) {
         [x, y + 1],
       ]) {
         positions.push(i, j, height(i, j));
-        // Charts are a gap apart.
+        // Leaves a gap between charts.
         uv.push((i + 2 * Math.floor(x / size)) / (3 * n), (j + 2 * Math.floor(y / size)) / (3 * n));
       }
       indices.push(first, first + 1, first + 2, first, first + 2, first + 3);

@@ -1,4 +1,4 @@
-// The pane beside the layout: how it was found, and what other t would give.
+// The pane beside the layout: how the layout was found, and what other values of t would give.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -138,7 +138,7 @@ test('distortion against t: point by point, valid and not, a point selects its t
 
 test('a sweep can be stopped, and gives way to the run the user asks for', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
-  // So large that its ten points outlast what is done here meanwhile by far.
+  // So large that its ten points take far longer than what is done here in the meantime.
   await dropAndWait(page, 'large.obj', grid(150));
   await openSweep(page);
   await page.click('#sweep');

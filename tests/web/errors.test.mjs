@@ -1,4 +1,4 @@
-// What goes wrong is said in a sentence, and what was there stays.
+// Errors are reported in a sentence, and what was there stays.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -35,7 +35,7 @@ test('a broken file is refused with a sentence, the open mesh stays', async (t) 
 
 test('a mesh that cannot be laid out is shown, the layout is marked as the previous one', async (t) => {
   const page = await openPage(t, { open: ['waves.obj', grid(4)] });
-  // No face has three different corners.
+  // No face has three distinct corners.
   await dropAndWait(page, 'needle.obj', 'v 0 0 0\nv 1 0 0\nf 1 2 2\nf 2 1 1\n');
   const alert = await page.locator('#alert p').first().innerText();
   assert.match(alert, SENTENCE);
@@ -100,7 +100,7 @@ test('without WebGL the page says so and still flattens', async (t) => {
   assert.equal(await textOf(page, '#badge'), 'Valid');
 });
 
-/** Presses the button that does what failed once more. */
+/** Presses the button that repeats what failed. */
 async function tryAgain(page) {
   assert.equal(await textOf(page, '#again'), 'Try again');
   for (const button of ['#again', '#cancel'])
@@ -151,7 +151,10 @@ for (const [which, script] of [
     await tryAgain(page);
   });
 
-/** Workers of which the next message stops the one that `globalThis.dying` names, as does one that needs too much memory. */
+/**
+ * Makes the next message stop the worker that `globalThis.dying` names, as running out of memory
+ * would.
+ */
 function prepareDying() {
   globalThis.Worker = class extends Worker {
     constructor(url, options) {

@@ -10,7 +10,7 @@ import { textStl, trianglesOf } from '../support/stl.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
-/** Bytes of a canvas as a picture: any change of what is drawn changes them. */
+/** A screenshot of a canvas, whose bytes change with anything that is drawn. */
 const picture = (page, id) => page.locator(id).screenshot();
 
 const lines = (text, keyword) => text.split('\n').filter((line) => line.startsWith(`${keyword} `));

@@ -1,4 +1,4 @@
-// Compressed glTF files are opened, and written again uncompressed; what decodes them is loaded for them alone.
+// Compressed glTF files are opened and written uncompressed; decoders are only loaded for them.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -23,7 +23,7 @@ import {
 import { character } from '../wasm/support/character.mjs';
 import { drop, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
 
-/** The least WebP there is: images are no business of the page. */
+/** The smallest possible WebP: the page does not care about images. */
 const WEBP = Buffer.from('UklGRhoAAABXRUJQVlA4TA0AAAAvAAAAEAcQERGIiP4HAA==', 'base64');
 
 /** Skinned and textured, with morph targets and attributes of many kinds. */
@@ -52,7 +52,7 @@ const FILES = {
 
 const COMPRESSION = /draco|meshopt/;
 
-/** Requests that were sent since. */
+/** Collects the requests sent from now on. */
 function listen(page) {
   const urls = [];
   const onRequest = (request) => urls.push(request.url());
@@ -125,7 +125,7 @@ test('decoders are loaded for compressed files alone, and from where the page is
   assert.equal(page.workers().length, workers, 'the decoders are gone');
 });
 
-/** A file of which something is changed. */
+/** A file with some change. */
 function changed(file, change) {
   const parts = partsOf(file);
   change(parts, parts.json.bufferViews);

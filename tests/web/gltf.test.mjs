@@ -1,4 +1,4 @@
-// glTF files are opened, laid out and written again with everything else that they have.
+// glTF files are opened, laid out, and written with everything else they contain.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -19,7 +19,7 @@ import {
 import { sphere, torus } from '../support/surfaces.mjs';
 import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
-/** The least PNG there is. */
+/** The smallest possible PNG. */
 const PIXEL = Buffer.from(
   'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==',
   'base64',
@@ -152,7 +152,7 @@ test('a glTF of several files, dropped together or not', async (t) => {
   await assertExported(page, document);
   await dropAndWait(page, 'lonely.gltf', text);
   assert.match(await textOf(page, '#alert'), /^lonely\.gltf needs .*drop both files together\./);
-  // The mesh before is still there.
+  // The previous mesh is still there.
   assert.equal((await exported(page)).name, 'scene-uv.glb');
 });
 
@@ -162,7 +162,7 @@ test('a disk is flattened into the unit square of its texture', async (t) => {
   const document = emptyDocument();
   const patch = faces.filter((face) => face.every((v) => v % 24 < 8 && v < 120));
   const large = positions.map((p) => p.map((x) => 1000 * x));
-  // Each triangle has vertices of its own, as with flat normals.
+  // Each triangle has its own vertices, as with flat normals.
   const corners = patch.flat().map((v) => large[v]);
   const apart = { positions: corners, faces: patch.map((_, f) => [3 * f, 3 * f + 1, 3 * f + 2]) };
   addMesh(document, 'patch', primitiveOf(document, apart));

@@ -1,4 +1,5 @@
-// With large meshes the page answers as with small ones: whatever goes through all triangles runs in workers.
+// With large meshes the page stays as responsive as with small ones: everything that loops over all
+// triangles runs in workers.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -7,7 +8,10 @@ import { grid } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
 import { dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
 
-/** Counts how often each part of the page's own scripts runs in its main thread; returns what gives the part that ran most often. */
+/**
+ * Counts how often each part of the page's own scripts runs on its main thread; returns a function
+ * that gives the part that ran most often.
+ */
 async function countRuns(page) {
   const session = await page.context().newCDPSession(page);
   await session.send('Profiler.enable');
@@ -26,7 +30,10 @@ async function countRuns(page) {
   };
 }
 
-/** As good as none of the triangles; the rest are frames, charts, boundary edges and names. */
+/**
+ * Practically no loops over triangles; the remaining runs are frames, charts, boundary edges and
+ * names.
+ */
 const SHARE = 1 / 4;
 
 async function assertIdle(mostRun, faces, doing) {
@@ -38,10 +45,10 @@ async function assertIdle(mostRun, faces, doing) {
 }
 
 const SURFACE = torus(120, 60);
-/** Of quads. */
+/** Each quad has two triangles. */
 const FACES = 2 * SURFACE.faces.length;
 
-/** All that is done with a mesh from drop to saved. */
+/** Everything that is done with a mesh, from drop to save. */
 async function assertIdleThroughout(page, name, content) {
   const mostRun = await countRuns(page);
   await dropAndWait(page, name, content);
@@ -62,7 +69,10 @@ async function assertIdleThroughout(page, name, content) {
   await assertIdle(mostRun, FACES, 'a chart looked at');
 }
 
-/** Notes how many bytes of arrays each message to a worker copies: those that it does not hand over. */
+/**
+ * Records how many bytes of arrays each message to a worker copies, meaning those that are not
+ * transferred.
+ */
 function prepareCounting() {
   globalThis.copies = [];
   const bytesOf = (value) => {
@@ -73,11 +83,11 @@ function prepareCounting() {
   const { postMessage } = Worker.prototype;
   Worker.prototype.postMessage = function (message, ...how) {
     postMessage.call(this, message, ...how);
-    globalThis.copies.push(bytesOf(message)); // what was handed over has no bytes any more
+    globalThis.copies.push(bytesOf(message)); // transferred arrays have no bytes any more
   };
 }
 
-/** Bytes: options and names, nothing of each triangle. */
+/** In bytes: options and names, but nothing per triangle. */
 const SMALL = FACES;
 
 async function assertHandedOver(page) {
@@ -92,7 +102,7 @@ test('a large OBJ keeps the page idle, from drop to saved', async (t) => {
   await assertHandedOver(page);
 });
 
-/** Aims at points of the upper half of a ring that is seen from above. */
+/** Aims at points on the upper half of a ring seen from above. */
 async function aim(page, from, to) {
   const { x, y, width, height } = await page.locator('#mesh-canvas').boundingBox();
   for (let i = from; i < to; ++i) {

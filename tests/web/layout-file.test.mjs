@@ -1,4 +1,4 @@
-// The atlas as a picture: what is saved has its charts, sizes and colours.
+// The atlas as a picture: the saved file has its charts, sizes and colours.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -12,7 +12,7 @@ import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } f
 
 const RINGS = together([0, 1].map((i) => [torus(16, 8), [2.6 * i, 0, 0]]));
 
-/** Saves through a button; returns name and bytes. */
+/** Saves with a button; returns name and bytes. */
 async function save(page, id) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(id)]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
@@ -28,7 +28,7 @@ async function centers(page) {
   return faces.map((face) => middle(face.map(([, t]) => texcoords[t])));
 }
 
-/** What the picture has there. */
+/** The colours of the picture at these points. */
 function colorsAt({ width, height, at }, uvs) {
   return uvs.map(([u, v]) => at(Math.floor(width * u), Math.floor(height * (1 - v))));
 }
@@ -167,7 +167,7 @@ for (const [name, width, height] of [
 
 test('chains have every edge once', async () => {
   const { chains } = await loadModule('files/chains');
-  // Two triangles that meet in a point, and a loose edge.
+  // Two triangles that meet at a point, and a loose edge.
   const pairs = [0, 1, 1, 2, 2, 0, 2, 3, 3, 4, 4, 2, 6, 5];
   for (const bothWays of [false, true]) {
     const found = chains(pairs, bothWays);
@@ -182,7 +182,8 @@ test('chains have every edge once', async () => {
 
 test('outlines enclose their charts, edges inside are those of faces', async () => {
   const { chartLines } = await loadModule('files/chart-lines');
-  // Two quads side by side, of two triangles each; the second one is a chart of its own, and touches the first.
+  // Two quads side by side, each of two triangles; the second one is a separate chart that touches
+  // the first.
   const shape = {
     uv: Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 2, 0, 2, 1, 1, 1),
     indices: Uint32Array.of(0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7),

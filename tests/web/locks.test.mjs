@@ -1,4 +1,4 @@
-// Locked charts stay where they are while all else changes.
+// Locked charts stay where they are while everything else changes.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -17,7 +17,7 @@ const BOTH = objText(
   ]),
 );
 
-/** Corners in uv of each face of what is exported. */
+/** The corners in uv of each exported face. */
 async function atlas(page) {
   const { path } = await exportMesh(page);
   const text = readFileSync(path, 'utf8');
@@ -98,7 +98,7 @@ test('locks belong to one mesh', async (t) => {
 
 test('what is locked while a run is under way is kept by the next one', async () => {
   const { Locks } = await loadModule('details/locks');
-  /** Of one triangle in each chart, or as many as `chartOfTriangle` says. */
+  /** A result with one triangle per chart, or as many as `chartOfTriangle` says. */
   const result = (fixed, chartOfTriangle = fixed.map((_, i) => i)) => ({
     report: { charts: fixed.map((fixed) => ({ fixed })) },
     chartOfTriangle: Uint32Array.from(chartOfTriangle),
@@ -112,7 +112,8 @@ test('what is locked while a run is under way is kept by the next one', async ()
   assert.deepEqual([...locks.charts], [2]);
   const asked = locks.kept;
   assert.equal(asked.layout, first);
-  // During a run with that another chart is locked; what comes of the run has only one of them.
+  // During a run with these locks, another chart is locked; the result of the run only has one of
+  // them.
   locks.toggle(0);
   const second = result([true, false, false], [1, 2, 0]);
   shown(second, asked);
@@ -123,7 +124,7 @@ test('what is locked while a run is under way is kept by the next one', async ()
   shown(third, locks.kept);
   assert.equal(locks.kept.layout, third);
   assert.deepEqual([...locks.kept.charts], [1, 2]);
-  // A chart that the file has uv for is fixed as well, but not locked.
+  // A chart that the file has uv for is also fixed, but not locked.
   const fourth = result([true, true, true], [1, 0, 2]);
   shown(fourth, locks.kept);
   assert.deepEqual([...locks.charts], [1, 2]);

@@ -1,4 +1,4 @@
-// What is given away, and what is started anew, without a page.
+// Transferring values and restarting workers, without a page.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -68,7 +68,7 @@ test('an error of abflat that it was not loaded is told from that of a mesh', as
   const [stopped, why] = say('stopped', 'memory');
   assert.match(stopped, /stopped/);
   assert.equal(why, 'memory.');
-  // Whatever the words are.
+  // Regardless of the wording.
   assert.equal(say(null, 'Cannot load the worker of abflat'), null);
   assert.equal(say(undefined, 'mesh.xyz: unknown format. Use OBJ.'), null);
   assert.equal(lostOf(new Error('The worker of abflat stopped')), null);

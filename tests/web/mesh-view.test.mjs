@@ -1,4 +1,4 @@
-// The mesh in 3D: how it is first seen, and that the first look comes back.
+// The mesh in 3D: how it first appears, and that the first view can be restored.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -7,7 +7,7 @@ import { dropAndWait, openPage, settled } from './page.mjs';
 
 const CANVAS = '#mesh-canvas';
 
-/** Box of what is drawn, as shares of the canvas: `{ left, right, top, bottom }`, top is 0. */
+/** Box of what is drawn, in fractions of the canvas: `{ left, right, top, bottom }`, top is 0. */
 async function drawnBox(page) {
   const picture = (await page.locator(CANVAS).screenshot()).toString('base64');
   return page.evaluate(async (picture) => {
@@ -18,7 +18,7 @@ async function drawnBox(page) {
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
     const box = { left: 1, right: 0, top: 1, bottom: 0 };
-    // The pane's rounded corners are no background.
+    // The pane's rounded corners are not background.
     const background = data.slice(4 * (20 * width + 20), 4 * (20 * width + 20) + 3);
     for (let y = 8; y < height - 8; y++)
       for (let x = 8; x < width - 8; x++) {
@@ -38,7 +38,7 @@ function assertFits({ left, right, top, bottom }, what) {
   assert.ok(Math.max(right - left, bottom - top) > 0.7, `${what} fills the pane`);
 }
 
-/** Without damping a picture does not change any more once it is drawn. */
+/** Without damping, a picture stays the same once it is drawn. */
 const STILL = { reducedMotion: 'reduce' };
 
 test('every sample fills its pane; the head stands upright', async (t) => {
@@ -99,7 +99,7 @@ test('keys and a button look from front, right, top and the other side; Reset le
     );
 });
 
-/** Counts how often each canvas is cleared, as it is at the beginning of a picture. */
+/** Counts how often each canvas is cleared, which happens at the start of each picture. */
 function prepareCounting() {
   globalThis.pictures = {};
   const { clear } = WebGL2RenderingContext.prototype;
@@ -112,7 +112,7 @@ function prepareCounting() {
 
 test('a picture is drawn once for each change, and not at all while nothing changes', async (t) => {
   const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareCounting) });
-  // Frames in which nothing was drawn, one after the other.
+  // Waits for several frames in a row in which nothing is drawn.
   const still = () =>
     page.evaluate(async () => {
       const sum = () => Object.values(globalThis.pictures).reduce((a, b) => a + b, 0);
@@ -131,7 +131,7 @@ test('a picture is drawn once for each change, and not at all while nothing chan
   const wired = await still();
   assert.equal(wired['mesh-canvas'], opened['mesh-canvas'] + 1);
   assert.equal(wired['layout-canvas'], opened['layout-canvas']);
-  // Beside the mesh there is nothing to aim at.
+  // Outside of the mesh there is nothing to aim at.
   await page.mouse.move(0, 0);
   const before = await still();
   const { x, y } = await page.locator(CANVAS).boundingBox();

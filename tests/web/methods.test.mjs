@@ -7,7 +7,7 @@ import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { drop, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
-/** Pixels: the corners of a pane are round, and not always drawn alike to the last bit. */
+/** In pixels: a pane's corners are round, and not always drawn alike to the last bit. */
 const CORNER = 10;
 
 async function picture(page, id) {
@@ -83,7 +83,7 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
   assert.ok(table.length >= 6);
   const names = table.map(([name]) => name.replaceAll('\n', ', '));
   assert.ok(names.some((name) => /^LSCM/.test(name)) && names.some((name) => /^Tutte/.test(name)));
-  // Its own free layout changes angles least: that is what it minimises.
+  // abflat's own free layout changes angles least, since that is what it minimises.
   const angular = (pattern) => Number(table[names.findIndex((name) => pattern.test(name))][2]);
   assert.ok(angular(/^abflat.*free/) < angular(/^Tutte/));
   const shown = await metrics(page);

@@ -1,4 +1,4 @@
-// The page's modules without a page. Whoever loads one gets a server that ends with the tests.
+// The page's modules without a page. Loading one starts a server that ends with the tests.
 
 import { join } from 'node:path';
 import { after } from 'node:test';
@@ -14,8 +14,8 @@ const vite = await createServer({
 });
 after(() => vite.close());
 
-/** That of the page's modules: another than the one of node. */
+/** The class of the page's modules, which differs from the one in node. */
 export const { AbflatError } = await vite.ssrLoadModule('abflat');
 
-/** A module of web/src by its name without ending. */
+/** A module of web/src, by its name without extension. */
 export const loadModule = (name) => vite.ssrLoadModule(`/src/${name}.ts`);

@@ -1,4 +1,5 @@
-// The options of an atlas that are seldom changed: they reach abflat, stay in view, and several tiles are shown.
+// The less common options of an atlas: they reach abflat, stay visible, and several tiles are
+// shown.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -22,7 +23,9 @@ async function click(page, id) {
   await settled(page);
 }
 
-/** Exports what is shown, and compares with what the program makes of the same options. */
+/**
+ * Exports the current result, and compares it with what the program makes with the same options.
+ */
 async function assertAsProgram(t, page, text, options) {
   const path = tempFolder(t);
   const exported = await exportMesh(page);
@@ -107,7 +110,8 @@ test('faces that have uv in the file keep it, as with the command line, until an
   await assertAsProgram(t, page, painted, ['--keep', 'uv']);
   const kept = await metrics(page);
 
-  // A chart that stays for the file is not locked: it does not stay any longer than that.
+  // A chart that is kept for the file's sake is not locked: it only stays as long as that option is
+  // on.
   await page.click('#details-toggle');
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
   await click(page, '#more-keep-uv');
@@ -132,7 +136,7 @@ test('uv of a file that cannot be kept: the reason, and the atlas before', async
   assert.match(await textOf(page, '#alert'), /face 1's UVs are mirrored/);
   await page.locator('#layout-note').waitFor();
   assert.match(await textOf(page, '#layout-note'), /^Still showing folded\.obj, /);
-  // The message leaves the buttons below the views free.
+  // The message leaves the buttons below the views clickable.
   await page.click('#seam-join');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#layout-svg')]);
   assert.equal(download.suggestedFilename(), 'folded-layout.svg');
@@ -168,7 +172,7 @@ test('a texel density may take several tiles, which are numbered', async (t) => 
     if (i > 0) assert.ok(x > places[i - 1].x && y === places[0].y, 'side by side');
   });
   await assertAsProgram(t, page, RINGS, ['--texel-density', String(density), '--udim']);
-  // Zoomed out there is no room for numbers.
+  // When zoomed out, there is no room for numbers.
   await page.focus('#layout-canvas');
   for (let i = 0; i < 16; i++) await page.keyboard.press('-');
   await page.waitForFunction(() => document.querySelectorAll('.tile').length === 0);
@@ -216,7 +220,7 @@ for (const [name, width, height] of [
     await page.keyboard.press('Enter');
     if (width > 1020) assert.deepEqual(await views(), before);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-    // Without a density there is nothing to press for tiles.
+    // Without a density, the button for tiles is disabled.
     for (const id of [
       'fill-holes',
       'symmetric-seams',

@@ -1,4 +1,5 @@
-// Ways to open a mesh: several files at once, folders, what is no mesh, and names of any length.
+// Ways to open a mesh: several files at once, folders, files that are not meshes, and names of any
+// length.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -8,7 +9,7 @@ import { objText, sphere } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { dropAndWait, dropFiles, metrics, openPage, settled, textOf } from './page.mjs';
 
-/** Drops paths of this machine, folders too, as a file manager does. */
+/** Drops local paths, including folders, as a file manager does. */
 async function dropPaths(page, paths) {
   const client = await page.context().newCDPSession(page);
   const data = { items: [], files: paths, dragOperationsMask: 1 };

@@ -1,12 +1,13 @@
-// The built page in a real browser, for the tests of this folder.
+// The built page in a real browser, for the tests in this folder.
 
 import assert from 'node:assert/strict';
 import { isOfRest, takePage } from './pages.mjs';
 
 /**
- * Opens the page; `t.after` checks that it logged no error but those that `expected` matches. `prepare` is called with the page before it
- * loads; `mode: 'flatten'` chooses that, and `open: [name, content]` drops a file, both in place of what a first visit shows. `headers` are those of serveFolder,
- * other options are those of takePage and newContext.
+ * Opens the page; `t.after` checks that it logged no error except those that match `expected`.
+ * `prepare` is called with the page before it loads. `mode: 'flatten'` chooses that mode and `open:
+ * [name, content]` drops a file, both in place of what a first visit shows. `headers` are those of
+ * serveFolder, other options those of takePage and newContext.
  */
 export async function openPage(t, { expected, mode, open, webgl = true, ...options } = {}) {
   const { page, url, end } = await takePage({ webgl, ...options });
@@ -18,21 +19,22 @@ export async function openPage(t, { expected, mode, open, webgl = true, ...optio
   const onError = (error) => problems.push(String(error));
   page.on('console', onConsole).on('pageerror', onError);
   t.after(async () => {
-    // What was logged before has arrived after that, unless there is no page any more: then `end` says so.
+    // Everything logged so far has arrived after this, unless there is no page any more; then `end`
+    // reports it.
     await page.evaluate(() => undefined).catch(() => undefined);
     page.off('console', onConsole).off('pageerror', onError);
     await end();
     assert.deepEqual(problems, [], 'errors in the console of the page');
   });
   await page.goto(url);
-  // The page still starts: the sample gives way before it is laid out.
+  // The page is still starting: the sample gives way before it is laid out.
   if (mode) await page.evaluate((mode) => document.querySelector(`#mode-${mode}`).click(), mode);
   if (open) await dropAndWait(page, ...open);
   await settled(page);
   return page;
 }
 
-/** Flatten or unwrap, by their button; by script, so that the focus stays where it is. */
+/** Chooses flatten or unwrap with its button; by script, so that the focus stays where it is. */
 export async function choose(page, mode) {
   await page.evaluate((mode) => document.querySelector(`#mode-${mode}`).click(), mode);
   await settled(page);
@@ -50,7 +52,7 @@ export async function drop(page, name, content) {
   await dropFiles(page, { [name]: content });
 }
 
-/** Drops files, texts or bytes by their names, at once. */
+/** Drops files, given as texts or bytes by name, at once. */
 export async function dropFiles(page, files) {
   const encoded = Object.entries(files).map(([name, content]) => [
     name,
@@ -69,7 +71,7 @@ export async function dropFiles(page, files) {
   }, encoded);
 }
 
-/** Drops a file, with `others`, and waits for what comes of it. */
+/** Drops a file along with `others`, and waits for the result. */
 export async function dropAndWait(page, name, content, others = {}) {
   await dropFiles(page, { [name]: content, ...others });
   await page.waitForFunction(
@@ -83,7 +85,7 @@ export async function dropAndWait(page, name, content, others = {}) {
 
 export const textOf = (page, selector) => page.locator(selector).innerText();
 
-/** The metrics by their label, as shown. */
+/** The metrics by label, as shown. */
 export function metrics(page) {
   return page.evaluate(() =>
     Object.fromEntries(
@@ -95,7 +97,7 @@ export function metrics(page) {
   );
 }
 
-/** Exports through the button; returns the name it suggests and where the file is. */
+/** Exports with the button; returns the suggested name and the path of the file. */
 export async function exportMesh(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export')]);
   return { name: download.suggestedFilename(), path: await download.path() };

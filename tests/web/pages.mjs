@@ -1,5 +1,5 @@
-// Where tests get their pages from. The tests of a file share a browser and, one after the other, a page in it, which is loaded anew for each:
-// that costs half of what a page of its own does.
+// Provides pages for tests. The tests of a file share a browser and, one after the other, a page in
+// it, which is reloaded for each: that costs half as much as a separate page.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
@@ -7,10 +7,10 @@ import { after } from 'node:test';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { newContext, serveFolder, startBrowser } from '../../web/scripts/browser.mjs';
 
-/** Nothing here is a race with the clock: this only ends a test that would never end. */
+/** Not a race with the clock: this only ends a test that would otherwise never end. */
 const PATIENCE = 120_000;
 
-/** What a page has in whose place nothing else was asked for. */
+/** Settings of a page unless others are asked for. */
 const USUAL = {
   viewport: { width: 1280, height: 720 },
   colorScheme: 'dark',
@@ -19,9 +19,9 @@ const USUAL = {
 
 /** Browsers that the tests of a file share, one with WebGL and one without. */
 const browsers = new Map();
-/** Shared pages that no test has, by whether they can be touched. */
+/** Shared pages that no test is using, by whether they have touch input. */
 const shared = new Map();
-/** All that are open, whatever became of their pages. */
+/** All open servers, whatever happened to their pages. */
 const servers = new Set();
 after(async () => {
   for (const server of servers) server.close();
@@ -48,21 +48,21 @@ async function openOwn(browser, headers, options) {
   return { page, url: server.url, close };
 }
 
-/** Chromium asks for the icon of a document that has none, at any time. */
+/** Chromium may request the icon of a document without one at any time. */
 export const isOfRest = (message) => message.location().url.endsWith('/favicon.ico');
 
-/** The next test finds nothing of this one: no document, no storage, nothing pressed. */
+/** Leaves nothing of this test to the next one: no document, no storage, nothing pressed. */
 async function leave({ page, url }) {
   await page.unrouteAll();
   await page.mouse.up();
   for (const key of ['Shift', 'Control', 'Alt']) await page.keyboard.up(key);
-  // Another document of the same origin: the process stays.
+  // Another document of the same origin, so that the process stays.
   await page.goto(`${url}icon.svg`);
   await page.mouse.move(0, 0);
   await page.evaluate(() => localStorage.clear());
 }
 
-/** Takes the shared page out of the map: it is back there when it can be used again. */
+/** Takes the shared page out of the map; it is put back when it can be used again. */
 async function takeShared(browser, hasTouch) {
   const last = shared.get(hasTouch);
   shared.delete(hasTouch);
@@ -71,8 +71,10 @@ async function takeShared(browser, hasTouch) {
 }
 
 /**
- * A page that has not been loaded, with the `url` to load. It is a shared one unless something is asked for that would stay with it: `prepare`, `headers`,
- * `own`, a browser without WebGL or an option of newContext that cannot be changed later. `end` closes it or leaves it to the next test.
+ * A page that has not been loaded yet, with the `url` to load. It is a shared one unless something
+ * is asked for that would affect later tests: `prepare`, `headers`, `own`, a browser without WebGL,
+ * or an option of newContext that cannot be changed later. `end` closes it or leaves it to the next
+ * test.
  */
 export async function takePage({ prepare, headers, own, webgl, hasTouch = false, ...options }) {
   const browser = await sharedBrowser(webgl);
@@ -99,7 +101,7 @@ export async function takePage({ prepare, headers, own, webgl, hasTouch = false,
     page.off('crash', crashed);
     assert.ok(browser.isConnected(), 'the browser crashed');
     assert.ok(!hasCrashed, 'the page crashed');
-    // Of several pages that a test had at once one is kept.
+    // If a test had several pages at once, only one is kept.
     if (shared.has(hasTouch)) return taken.close();
     await leave(taken);
     shared.set(hasTouch, taken);

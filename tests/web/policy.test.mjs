@@ -8,7 +8,7 @@ import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, torus } from '../support/surfaces.mjs';
 import { drop, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
 
-/** Nothing but the page's own files; `wasm-unsafe-eval` lets WebAssembly run, and nothing else. */
+/** Only the page's own files; `wasm-unsafe-eval` allows WebAssembly and nothing else. */
 const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'";
 const ISOLATED = {
   'Cross-Origin-Opener-Policy': 'same-origin',
@@ -33,7 +33,7 @@ async function gltf() {
   return JSON.stringify(json);
 }
 
-/** All that the page can do, once. */
+/** Everything that the page can do, once. */
 async function doEverything(page) {
   await dropAndWait(page, 'ball.glb', await io.writeBinary(ball()));
   await exportMesh(page);
@@ -62,7 +62,7 @@ for (const [name, headers] of [
   ['as npm start sends it', undefined],
 ])
   test(`nothing violates a strict policy, ${name}`, async (t) => {
-    // Violations in workers are in the console, which is looked at in the end.
+    // Violations in workers appear in the console, which is checked at the end.
     const page = await openPage(t, {
       headers,
       prepare: (page) =>
@@ -92,7 +92,7 @@ test('the theme is there before anything is painted', async (t) => {
     colorScheme: 'light',
     prepare: (page) =>
       page.addInitScript(() => {
-        // The first time that there is a body, nothing of it has been painted yet.
+        // The first moment there is a body, before any of it is painted.
         new MutationObserver((_, observer) => {
           if (!document.body) return;
           globalThis.themeAtFirst = document.documentElement.dataset.theme;
@@ -107,7 +107,7 @@ test('once loaded the page needs no connection, also after a run was cancelled',
   const page = await openPage(t, { own: true });
   await page.context().setOffline(true);
   await doEverything(page);
-  // The worker that is cancelled is replaced.
+  // The cancelled worker is replaced.
   await drop(page, 'ball.obj', objText(sphere(90)));
   await page.locator('#cancel:enabled').waitFor();
   await page.waitForFunction(() => document.body.ariaBusy);

@@ -1,4 +1,5 @@
-// Meshes that take long to read: what is done meanwhile is neither lost nor done to the mesh before.
+// Meshes that take long to read: what the user does in the meantime is neither lost nor applied to
+// the previous mesh.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -35,7 +36,10 @@ async function beginReading(page, name, content) {
 
 const release = (page) => page.evaluate(() => window.release());
 
-/** Until every timer of the page that is set for less than a second has fired: timers fire in their order. */
+/**
+ * Waits until every timer of the page that is set for less than a second has fired: timers fire in
+ * order.
+ */
 const outlastTimers = (page) => page.evaluate(() => new Promise((done) => setTimeout(done, 1000)));
 
 test('an option changed while a mesh is read is for that mesh', async (t) => {

@@ -1,4 +1,4 @@
-// Runs that are long: progress, cancelling, and a newer wish.
+// Long runs: progress, cancelling, and newer requests.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,11 +6,17 @@ import { generatedDisk, toObj } from '../support/disks.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { drop, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
-/** Needles that take the solver many seconds at this t, but are so few that frames are quick without a graphics card. */
+/**
+ * Needles that take the solver many seconds at this t, but few enough for fast frames without a
+ * graphics card.
+ */
 const LARGE = toObj(generatedDisk(197, 40000));
 const SLOW_T = '1.05';
 
-/** Waits until the large mesh is on screen and the solver is at work. Not by frames: they take seconds without a graphics card. */
+/**
+ * Waits until the large mesh is on screen and the solver is running. Does not wait for frames,
+ * which take seconds without a graphics card.
+ */
 async function solving(page) {
   await page.waitForFunction(
     () =>
@@ -102,7 +108,9 @@ test('the page runs the build of the module that suits the browser', async (t) =
   assert.equal(await textOf(without, '#badge'), 'Valid');
 });
 
-/** The page takes the machine to have so many processors; the worker counts for itself. */
+/**
+ * Makes the page believe that the machine has this many processors; the worker counts for itself.
+ */
 function withProcessors(count) {
   return (page) =>
     page.addInitScript((value) => {

@@ -5,7 +5,10 @@ import { test } from 'node:test';
 import { PerspectiveCamera, Ray, Vector3 } from 'three';
 import { loadModule as load } from './modules.mjs';
 
-/** A grid of n x n squares in the plane, each two triangles of one face; x moves the columns nearer to each other. */
+/**
+ * A grid of n x n squares in the plane, each two triangles of one face; `squeeze` maps x to move
+ * columns closer together.
+ */
 function plane(n, squeeze = (x) => x) {
   const positions = [];
   for (let y = 0; y <= n; ++y) for (let x = 0; x <= n; ++x) positions.push(squeeze(x), y, 0);
@@ -26,7 +29,7 @@ function plane(n, squeeze = (x) => x) {
 
 const identity = ({ positions }) => Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
 
-/** `faces`: null where each triangle is one. */
+/** `faces`: null if each triangle is a face. */
 async function graphOf(mesh, faces = mesh.faces ?? null, places = identity(mesh)) {
   const { surfaceGraph } = await load('surface/surface-graph');
   return surfaceGraph(mesh, places, faces ?? undefined);
@@ -62,7 +65,7 @@ test('the edges are those of faces: no diagonals, each once, inner ones told apa
 test('vertices at one place are one, in triangles without area as well', async () => {
   const { weld } = await load('mesh/weld');
   const { edgeBetween } = await load('surface/surface-graph');
-  // Two triangles that share no vertex, and one that has collapsed.
+  // Two triangles that share no vertices, and a collapsed one.
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0);
   const indices = Uint32Array.of(0, 1, 2, 4, 3, 5, 1, 3, 2);
   const graph = await graphOf({ positions, indices }, null, weld(positions, 3));
@@ -186,7 +189,7 @@ test('a run of a seam ends at junctions and at the boundary; a loop is one run',
     assert.ok(pairs.length > 0);
     return only.indexOf(1);
   };
-  // A T: across from boundary to boundary, and up from the middle.
+  // A T: across from boundary to boundary, and upwards from the middle.
   const tee = flagsOf(graph, Uint32Array.from([...line([0, 3], [6, 3]), ...line([3, 3], [3, 5])]));
   assert.equal(seamRun(graph, tee, edge(tee, at(1, 3), at(2, 3))).length, 3);
   assert.equal(seamRun(graph, tee, edge(tee, at(4, 3), at(5, 3))).length, 3);
@@ -223,7 +226,8 @@ test('seams are cut and joined from those on screen, and every step can be undon
   assert.equal(model.join(path.slice(0, 1)), 1);
   const joined = model.choice;
   assert.equal(joined.edges.length, 2 * 4);
-  // What the atlas has beside the wish is needed: it is shown, but cannot be joined.
+  // Seams that the atlas has beyond those asked for are needed: they are shown, but cannot be
+  // joined.
   model.show(Uint32Array.of(...joined.edges, 30, 31));
   assert.equal(
     model.all.reduce((sum, x) => sum + x, 0),
@@ -259,12 +263,12 @@ test('after undo, seams are edited from those that were found before, though oth
   assert.ok(model.undo());
   model.cut(edge(30, 31));
   assert.deepEqual([...model.choice.edges].sort(), [...automatic, 30, 31].sort());
-  // What comes late, of an earlier wish, is not what was found for this one.
+  // A late result of an earlier choice does not count as found for this one.
   assert.ok(model.undo());
   model.show(edited, false);
   model.join(edge(8, 9));
   assert.deepEqual([...model.choice.edges], [9, 10]);
-  // Of new sources nothing is known yet: what is on screen is edited.
+  // Nothing is known yet about the new sources, so the seams on screen are edited.
   model.setSources({ auto: false, uv: true, material: false, sharp: null });
   model.cut(edge(30, 31));
   assert.equal(model.choice.edges.length, edited.length + 2);
@@ -307,7 +311,7 @@ test('what is under a pixel: the vertex or seam in front, seams from further awa
     const { x, y } = sight.pixel(points, v);
     const inside = { x: x + Math.sign(300.5 - x), y: y + Math.sign(200.5 - y) };
     assert.equal(vertexAt(solid, sight, inside, []), v);
-    // The one behind is hidden where there is something in front.
+    // A vertex behind is hidden if there is something in front.
     if (v === 12) assert.equal(vertexAt(solid, sight, { x, y }, [v + 25]), v);
   }
   const middle = sight.pixel(points, 12);

@@ -1,4 +1,4 @@
-// Seams are edited by clicks on the surface: cut, joined, undone, and laid out anew.
+// Seams are edited by clicks on the surface: cut, joined, undone, and laid out again.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -8,17 +8,17 @@ import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
 
 const CANVAS = '#mesh-canvas';
-/** Without damping the view stands still; a small one is drawn quickly. */
+/** Without damping the view stands still; a small view is drawn quickly. */
 const STILL = { reducedMotion: 'reduce', viewport: { width: 1040, height: 620 } };
 
 const twoFrames = () =>
   new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-/** Waits until what the pointer does has been shown. */
+/** Waits until the effect of the pointer is on screen. */
 const drawn = (page) => page.evaluate(twoFrames);
 
 const hint = (page) => page.evaluate(() => document.querySelector('#seam-hint').textContent);
 
-/** Moves the pointer to a place of the canvas, in shares of its size; returns the hint. */
+/** Moves the pointer to a place on the canvas, in fractions of its size; returns the hint. */
 async function point(page, x, y) {
   const box = await page.locator(CANVAS).boundingBox();
   await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
@@ -26,7 +26,10 @@ async function point(page, x, y) {
   return hint(page);
 }
 
-/** Where vertices of the mesh are seen, as Map from vertex to [x, y]: found by pointing at the whole canvas, without the way from here to the browser. */
+/**
+ * Where the mesh's vertices appear, as a Map from vertex to [x, y]. Found by pointing at the whole
+ * canvas from inside the page, without a round trip to the browser per point.
+ */
 async function vertices(page, steps = 12) {
   const found = await page.evaluate(async (steps) => {
     const canvas = document.querySelector('#mesh-canvas');
@@ -38,7 +41,7 @@ async function vertices(page, steps = 12) {
         const [clientX, clientY] = [left + x * width, top + y * height];
         const how = { clientX, clientY, pointerType: 'mouse', isPrimary: true };
         canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, bubbles: true }));
-        // The page answers in the same frame, before.
+        // The page responds earlier in the same frame.
         await new Promise((done) => requestAnimationFrame(done));
         const vertex = /^Vertex (\d+): start/.exec(
           document.querySelector('#seam-hint').textContent,
@@ -50,7 +53,7 @@ async function vertices(page, steps = 12) {
   return new Map(found);
 }
 
-/** Moves the pointer to a seam between two vertices, which were seen somewhere near these places. */
+/** Moves the pointer to a seam between two vertices that were seen near these places. */
 async function pointAtSeam(page, [a, b], [c, d]) {
   const [x, y] = [(a + c) / 2, (b + d) / 2];
   for (const off of [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5])
@@ -88,7 +91,7 @@ test('two clicks cut along the shortest path, and the charts follow', async (t) 
   assert.equal(await charts(page), 1);
   const seen = await vertices(page);
   assert.equal(seen.size, (n + 1) ** 2, 'every vertex can be aimed at');
-  // Straight across: from the boundary to the boundary.
+  // Straight across, from boundary to boundary.
   await clickAt(page, seen.get(2 * (n + 1)));
   assert.match(await textOf(page, '#run-text'), /^Cut started at vertex 10$/);
   assert.match(
@@ -345,7 +348,7 @@ test('the table of charts: sorted by any column, and its charts are shown', asyn
 
 test('an edit solves only the charts that it changes', async (t) => {
   const page = await openPage(t, STILL);
-  // Two balls: cutting one leaves the other as it is.
+  // Two balls: cutting one leaves the other unchanged.
   const ball = sphere(10);
   await dropAndWait(
     page,

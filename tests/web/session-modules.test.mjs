@@ -1,10 +1,10 @@
-// One mesh, one run at a time, without a page: what is read, what is run, what is given up.
+// One mesh and one run at a time, without a page: what is read, what is run, what is abandoned.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { loadModule as load } from './modules.mjs';
 
-/** What was read, whatever it is. */
+/** Stands for every mesh that is read. */
 const TRIANGLE = {
   positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0),
   indices: Uint32Array.of(0, 1, 2),
@@ -64,7 +64,7 @@ async function startSession(t) {
   const rest = async () => {
     for (let i = 0; i < 30; i++) await Promise.resolve();
   };
-  /** Opened and read, its layout under way. */
+  /** The head, opened and read, with its layout in progress. */
   const openHead = async () => {
     open(HEAD, at(1));
     await rest();

@@ -1,16 +1,17 @@
-// The page in windows of many sizes: the views come first, everything else stays in reach.
+// The page in windows of many sizes: the views have priority, and everything else stays within
+// reach.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { choose, dropAndWait, openPage, settled } from './page.mjs';
 
-/** Of the height of the window. */
+/** As a fraction of the window's height. */
 const SHARE = 0.6;
 
 const VIEWS = ['#mesh-canvas', '#layout-canvas'];
 
-/** The pictures get their size in the frame after that of their pane. */
+/** The canvases get their size in the frame after that of their pane. */
 async function resize(page, width, height) {
   await page.setViewportSize({ width, height });
   await page.evaluate(
@@ -109,7 +110,7 @@ test('labels and names never push anything out of its place', async (t) => {
   const page = await openPage(t);
   const name = `${'a-mesh-with-a-very-long-name-'.repeat(3)}.obj`;
   await dropAndWait(page, name, CUBE_OF_PARTS);
-  // All sources, with a state beside them.
+  // All sources, with the state shown beside them.
   for (const id of ['#seams-uv', '#seams-material', '#seams-sharp']) {
     await page.click(id);
     await settled(page);

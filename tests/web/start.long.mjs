@@ -1,5 +1,6 @@
-// The first `npm start`: the page is there once one module is, and gets the others when they are built. The compilers are played:
-// they hand over the modules that this repository has built, all but the first only when they are let.
+// The first `npm start`: the page is available once one module is built, and gets the others when
+// they are ready. The compilers are fakes that hand over the modules already built in this
+// repository, all but the first only when released.
 
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
@@ -23,7 +24,7 @@ import { newContext, startBrowser } from '../../web/scripts/browser.mjs';
 
 const NEEDS_CHROME = { skip: findChrome() ? false : 'there is no Chromium' };
 
-/** cmake, as it is called to configure and to build. */
+/** A fake cmake that can be called to configure and to build. */
 const CMAKE = `#!/usr/bin/env node
 const { appendFileSync, copyFileSync, existsSync, mkdirSync, readdirSync, writeFileSync } = require('node:fs');
 const { basename, join } = require('node:path');
@@ -53,7 +54,10 @@ let folder;
 let copy;
 let server;
 
-/** The repository without anything built; npm packages are those of here, but the package and the page its own. */
+/**
+ * The repository without anything built; npm packages are linked from here, except the package and
+ * the page, which are the copy's own.
+ */
 function copyRepository() {
   const { stdout } = spawnSync(
     'git',
@@ -90,7 +94,7 @@ after(() => {
   rmSync(folder, { recursive: true });
 });
 
-/** Runs `npm start`; `said` resolves once it has said what matches. */
+/** Runs `npm start`; `said` resolves once its output matches. */
 function start() {
   server = spawn(process.execPath, ['scripts/start.mjs', '--port', '0'], {
     cwd: copy,

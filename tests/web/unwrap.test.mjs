@@ -1,4 +1,4 @@
-// Any mesh becomes an atlas: charts in both pictures, options, numbers, what was repaired, a file.
+// Any mesh becomes an atlas: charts in both views, options, numbers, repairs, and a file.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -81,7 +81,7 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
   );
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
 
-  // A disk after that is flattened again, as was chosen before.
+  // A disk opened after that is flattened again, as chosen before.
   await dropAndWait(page, 'waves.obj', grid(4));
   assert.equal(await page.getAttribute('#mode-flatten', 'aria-pressed'), 'true');
   assert.ok(await page.isEnabled('#mode-flatten'));
@@ -162,7 +162,7 @@ test('above the limit the badge says so, and one click cuts further', async (t) 
   assert.match(await textOf(page, '#stretch-hint'), /^not enforced/);
   const { Stretch } = await metrics(page);
   assert.ok(Number(Stretch) > 1.02);
-  // The limit is what the user says, whether or not anything is cut to keep it.
+  // The limit is what the user says, even if nothing is cut to keep it.
   await page.focus('#stretch');
   await page.keyboard.press('End');
   await settled(page);

@@ -25,8 +25,8 @@ EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double res
 
 namespace {
 
-/// What it calls throws, in the thread that JavaScript called: nothing of the module may run
-/// afterwards. That thread listens whenever it waits for others.
+/// The JavaScript callback throws, in the thread that JavaScript called; nothing of the module may
+/// run afterwards. That thread listens whenever it waits for others.
 void outOfMemory() {
   MAIN_THREAD_EM_ASM({ Module["onOutOfMemory"](); });
   std::abort();
@@ -37,7 +37,7 @@ bool reportProgress(const abflat::Progress& p) {
   return true;
 }
 
-/// Keeps the message where JavaScript finds it.
+/// Stores the message where JavaScript looks for it.
 int finish(Job& job, const abflat::Status& status) {
   if (!status.ok()) job.text = status.message;
   return static_cast<int>(status.code);
@@ -55,95 +55,97 @@ int setNumber(Job& job, Options& options, int index, double value) {
 extern "C" {
 
 EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() {
-  // Without exceptions a failed allocation would just stop the module.
+  // Without exceptions a failed allocation would just abort the module.
   std::set_new_handler(outOfMemory);
   return new Job;
 }
 
 EMSCRIPTEN_KEEPALIVE void abflatFreeJob(Job* job) { delete job; }
 
-/// Room for the name of the input (UTF-8), `size` bytes.
+/// Buffer for the name of the input (UTF-8), `size` bytes.
 EMSCRIPTEN_KEEPALIVE char* abflatName(Job* job, std::size_t size) {
   job->name.resize(size);
   return job->name.data();
 }
 
-/// Room for the content of a file, `size` bytes.
+/// Buffer for the content of a file, `size` bytes.
 EMSCRIPTEN_KEEPALIVE char* abflatSource(Job* job, std::size_t size) {
   job->isFile = true;
   job->source.resize(size);
   return job->source.data();
 }
 
-/// Room for the positions of a mesh given as arrays, `size` coordinates.
+/// Buffer for the positions of a mesh given as arrays, `size` coordinates.
 EMSCRIPTEN_KEEPALIVE double* abflatPositions(Job* job, std::size_t size) {
   job->mesh.positions.resize(size);
   return job->mesh.positions.data();
 }
 
-/// Room for the triangles of a mesh given as arrays, `size` vertex numbers.
+/// Buffer for the triangles of a mesh given as arrays, `size` vertex numbers.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
   job->mesh =
       abflat::makeTriangleMesh(std::move(job->mesh.positions), std::vector<std::uint32_t>(size));
   return job->mesh.faceVertices.data();
 }
 
-/// Room for texcoords of a mesh given as arrays, two per vertex, after its triangles.
+/// Buffer for the texcoords of a mesh given as arrays, two per vertex. To be called after its
+/// triangles.
 EMSCRIPTEN_KEEPALIVE double* abflatTexcoords(Job* job, std::size_t size) {
   job->mesh.texcoords.resize(size);
   return job->mesh.texcoords.data();
 }
 
-/// Room for materials of a mesh given as arrays, one per triangle, after its triangles.
+/// Buffer for the materials of a mesh given as arrays, one per triangle. To be called after its
+/// triangles.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatMaterials(Job* job, std::size_t size) {
   job->mesh.faceMaterials.resize(size);
   return job->mesh.faceMaterials.data();
 }
 
-/// Option number `index` of flattening, in the order of FLATTEN_OPTIONS, as a number.
+/// Sets flattening option number `index`, in the order of FLATTEN_OPTIONS, to a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
   return setNumber(*job, job->options, index, value);
 }
 
-/// The same of unwrapping, in the order of UNWRAP_OPTIONS.
+/// The same for unwrapping, in the order of UNWRAP_OPTIONS.
 EMSCRIPTEN_KEEPALIVE int abflatSetUnwrapOption(Job* job, int index, double value) {
   return setNumber(*job, job->unwrapOptions, index, value);
 }
 
-/// Room for where to cut, as text for parseSeams, `size` bytes.
+/// Buffer for the seam sources, as text for parseSeams, `size` bytes.
 EMSCRIPTEN_KEEPALIVE char* abflatSeams(Job* job, std::size_t size) {
   job->seams.resize(size);
   return job->seams.data();
 }
 
-/// Room for edges to cut, two vertex numbers each.
+/// Buffer for edges to cut, two vertex numbers each.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatSeamEdges(Job* job, std::size_t count) {
   std::vector<abflat::EdgeVertices>& edges = job->unwrapOptions.seams.edges;
   edges.resize(count);
   return edges.empty() ? nullptr : edges.front().data();
 }
 
-/// Room for faces that keep their texcoords.
+/// Buffer for faces that keep their texcoords.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count) {
   job->unwrapOptions.fixedFaces.resize(count);
   return job->unwrapOptions.fixedFaces.data();
 }
 
-/// All faces that have texcoords keep them.
+/// Makes all faces that have texcoords keep them.
 EMSCRIPTEN_KEEPALIVE void abflatKeepUv(Job* job) { job->keepsUv = true; }
 
-/// Room for charts of a known layout that stay where they are.
+/// Buffer for charts of a known layout that stay where they are.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
   job->unwrapOptions.fixedCharts.resize(count);
   return job->unwrapOptions.fixedCharts.data();
 }
 
-/// Room for an array of a known layout, `size` numbers; Field says which.
+/// Buffer for an array of a known layout, `size` numbers; Field says which.
 EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);
 }
 
-/// What that layout was asked for.
+/// The options that the known layout was made with.
 EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, double balance,
                                              bool straightSeams) {
   job->unwrapOptions.known.t = t;
@@ -151,10 +153,10 @@ EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, double balance,
   job->unwrapOptions.known.straightSeams = straightSeams;
 }
 
-/// Texcoords become what a glTF holds of them.
+/// Rounds texcoords to what a glTF can hold.
 EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) { job->unwrapOptions.roundsForGltf = true; }
 
-/// A flattened mesh is moved and scaled into the unit square.
+/// Moves and scales a flattened mesh into the unit square.
 EMSCRIPTEN_KEEPALIVE void abflatNormalizes(Job* job) { job->normalizes = true; }
 
 EMSCRIPTEN_KEEPALIVE void abflatAddBound(Job* job, std::uint32_t vertex, double t) {
@@ -165,7 +167,7 @@ EMSCRIPTEN_KEEPALIVE void abflatAddStraight(Job* job, std::uint32_t from, std::u
   job->options.straight.push_back({from, to});
 }
 
-/// A pin of whatever the job becomes; `face` is 2^32 - 1 where none is given.
+/// Adds a pin, whichever kind of job follows; `face` is 2^32 - 1 if none is given.
 EMSCRIPTEN_KEEPALIVE void abflatAddPin(Job* job, std::uint32_t vertex, double u, double v,
                                        std::uint32_t face) {
   const abflat::Pin pin{vertex, {u, v}, face};
@@ -197,7 +199,7 @@ EMSCRIPTEN_KEEPALIVE const void* abflatResultData(const Job* job, int field) {
   return resultOf(*job, static_cast<Field>(field)).data;
 }
 
-/// In bytes.
+/// Size in bytes.
 EMSCRIPTEN_KEEPALIVE std::size_t abflatResultSize(const Job* job, int field) {
   return resultOf(*job, static_cast<Field>(field)).size;
 }
@@ -207,7 +209,7 @@ EMSCRIPTEN_KEEPALIVE const void* abflatMethodUvData(const Job* job, int method) 
   return methodUvOf(*job, static_cast<std::size_t>(method)).data;
 }
 
-/// In bytes.
+/// Size in bytes.
 EMSCRIPTEN_KEEPALIVE std::size_t abflatMethodUvSize(const Job* job, int method) {
   return methodUvOf(*job, static_cast<std::size_t>(method)).size;
 }
@@ -231,7 +233,7 @@ EMSCRIPTEN_KEEPALIVE const char* abflatStatusName(int code) {
 
 EMSCRIPTEN_KEEPALIVE int abflatSampleCount() { return static_cast<int>(abflat::samples().size()); }
 
-/// The name, ended by a zero byte as every string literal is.
+/// The name, terminated by a zero byte as every string literal is.
 EMSCRIPTEN_KEEPALIVE const char* abflatSampleName(int index) {
   return abflat::samples()[static_cast<std::size_t>(index)].name.data();
 }

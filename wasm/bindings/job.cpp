@@ -27,7 +27,7 @@ Bytes bytesOf(const T& container) {
   return {container.data(), container.size() * sizeof(*container.data())};
 }
 
-/// Rows of `size` numbers that `rows` names.
+/// Picks the given `rows` of `size` numbers each.
 std::vector<double> gather(const std::vector<double>& values, std::size_t size,
                            const std::vector<std::uint32_t>& rows) {
   std::vector<double> out;
@@ -85,7 +85,7 @@ void* knownRoom(Job& job, Field field, std::size_t size) {
 
 namespace {
 
-/// Arrays have texcoords by vertex; who has none has NaN.
+/// Arrays have texcoords per vertex; a vertex without texcoord has NaN.
 Status readArrays(PolygonMesh& mesh) {
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   if (mesh.texcoords.empty()) return {};
@@ -109,9 +109,9 @@ Status readInput(Job& job) {
 
 namespace {
 
-/// One run from the input to the arrays, files and report of a layout. `compute()` gives a result
-/// whose texcoords are as they are to be written; `arrays(result)` takes what is no longer needed
-/// then.
+/// One run from the input to the arrays, files and report of a layout. `compute()` returns a result
+/// whose texcoords are ready to be written; `arrays(result)` may then take what is no longer
+/// needed.
 template <class Compute, class Arrays, class Json>
 Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
                  const Compute& compute, const Arrays& arrays, const Json& json) {
@@ -120,7 +120,7 @@ Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
   if (Status s = readInput(job); !s.ok()) return s;
   const double read = secondsSince(started);
 
-  // A file is written with the text of its source around the new texcoords.
+  // A file is written using the text of its source around the new texcoords.
   const bool isObj = job.format == MeshFormat::Obj && wanted.obj;
   const bool isPly = job.format == MeshFormat::Ply && wanted.ply;
   if (!isObj && !isPly) std::string().swap(job.source);

@@ -15,7 +15,8 @@
 
 namespace abflat::bindings {
 
-/// What a layout is for JavaScript, of either kind; what a kind does not have is empty.
+/// A layout of either kind, in the form JavaScript gets. Arrays that a kind does not have are
+/// empty.
 struct LayoutArrays {
   std::vector<double> uv;                ///< 2 per output vertex
   std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle
@@ -27,22 +28,22 @@ struct LayoutArrays {
   std::vector<std::uint32_t> faces;  ///< input face per triangle, of a loaded file
 };
 
-/// One call from JavaScript: the input it wrote, then the results it reads.
+/// One call from JavaScript: the input that it wrote, then the results that it reads.
 struct Job {
   std::string name;    ///< of the input, in messages and reports
-  std::string source;  ///< bytes of a file; unused when the mesh came as arrays
+  std::string source;  ///< bytes of a file; unused if the mesh came as arrays
   bool isFile = false;
   MeshFormat format = MeshFormat::Obj;  ///< of the file
   PolygonMesh mesh;
   FlattenOptions options;
   UnwrapOptions unwrapOptions;
-  std::string seams = "auto";  ///< as parseSeams takes them; unwrapOptions has the edges
-  bool keepsUv = false;        ///< all faces with texcoords are fixed; unwrapOptions has others
-  bool normalizes = false;     ///< a flattened mesh is moved and scaled into the unit square
+  std::string seams = "auto";  ///< as for parseSeams; edges are in unwrapOptions
+  bool keepsUv = false;     ///< all faces with texcoords are fixed, besides those in unwrapOptions
+  bool normalizes = false;  ///< a flattened mesh is moved and scaled into the unit square
   LayoutArrays layout;
   std::vector<MethodResult> methods;  ///< of a comparison
-  std::string obj, ply;               ///< files, when asked for
-  std::string text;                   ///< JSON on success, otherwise the message of the error
+  std::string obj, ply;               ///< files, if asked for
+  std::string text;                   ///< JSON on success, otherwise the error message
 };
 
 struct Bytes {
@@ -52,40 +53,41 @@ struct Bytes {
 
 Bytes resultOf(const Job& job, Field field);
 
-/// The layout by one method of a comparison, in the order of its JSON; empty where there is none.
+/// The layout by one method of a comparison, in the order of its JSON; empty if there is none.
 Bytes methodUvOf(const Job& job, std::size_t method);
 
-/// Room for one of the arrays of a known layout, which are Uv, Unpacked, Indices, VertexMap and
+/// Buffer for one of the arrays of a known layout: Uv, Unpacked, Indices, VertexMap or
 /// ChartOfTriangle.
 void* knownRoom(Job& job, Field field, std::size_t size);
 
 /// Parses the file, or checks the arrays. Errors: those of detectFormat, readMesh, validateArrays.
 Status readInput(Job& job);
 
-/// Files to write beside the arrays of a layout.
+/// Files to write besides the arrays of a layout.
 struct WantedFiles {
   bool obj = false, ply = false;
 };
 
-/// Fills everything that resultOf() returns of a layout, normalized and rounded as the job says.
-/// `progress` as in FlattenOptions, with the stages Read and Write added.
+/// Fills everything that resultOf() returns for a layout, normalized and rounded as the job says.
+/// `progress` as in FlattenOptions, plus the stages Read and Write.
 Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
-/// The same, `progress` as in UnwrapOptions. Texcoords are rounded to single precision, which is
-/// what graphics cards and PLY hold, unless OBJ alone is wanted, which is written as it is by the
-/// program, or to what a glTF holds where the options say so.
+/// The same for unwrapping; `progress` as in UnwrapOptions. Texcoords are rounded to what a glTF
+/// holds if the options say so. Otherwise they are rounded to single precision, which is what
+/// graphics cards and PLY hold, unless only OBJ is wanted, which is then written exactly as the
+/// program writes it.
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
-/// Fills what resultOf() returns but uv, and job.methods. `progress` as in CompareOptions, with the
-/// stage Read added.
+/// Fills everything that resultOf() returns except uv, and job.methods. `progress` as in
+/// CompareOptions, plus the stage Read.
 Status compareJob(Job& job, const ProgressCallback& progress);
 
 Status inspectJob(Job& job);
 
-/// The triangles of the input, whatever its topology.
+/// Returns the triangles of the input, whatever its topology.
 Status loadJob(Job& job);
 
-/// Makes the sample called job.name. Errors: InvalidOption, with the names there are.
+/// Makes the sample called job.name. Errors: InvalidOption, listing the available names.
 Status sampleJob(Job& job, double detail);
 
 }  // namespace abflat::bindings

@@ -43,7 +43,7 @@ export interface NativeModule {
 
 export interface NativeSettings {
   wasmMemory: WebAssembly.Memory;
-  /** Of a module with threads. */
+  /** Only for a module with threads. */
   mainScriptUrlOrBlob?: string;
   instantiateWasm(
     imports: WebAssembly.Imports,

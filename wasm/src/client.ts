@@ -1,5 +1,5 @@
-// The caller's side of the protocol: a queue in front of one worker, which is started when there is something to do
-// and replaced when it was stopped.
+// The caller's side of the protocol: a queue in front of one worker, which is started when there is
+// something to do and replaced after it was stopped.
 
 import { buildOf } from './base/build-of.js';
 import { AbflatError } from './base/errors.js';
@@ -18,7 +18,7 @@ export interface ClientSettings {
 export interface CallSettings {
   transfer?: ArrayBuffer[];
   signal?: AbortSignalLike;
-  /** A method: the caller knows which progress its request makes. */
+  /** A method, for its looser type check: the caller knows which progress its request reports. */
   onProgress?(progress: AnyProgress): void;
 }
 
@@ -43,7 +43,7 @@ export class Client {
     this.#settings = settings;
   }
 
-  /** Throws where a call would be in vain: before its buffers are taken. */
+  /** Throws if a call would be in vain, before its buffers are taken. */
   checkUsable(signal?: AbortSignalLike): void {
     if (this.#isTerminated) throw terminated();
     if (signal?.aborted) throw signal.reason;
@@ -94,7 +94,7 @@ export class Client {
       this.#worker.setBusy(true);
       this.#worker.post({ type: 'call', request: call.request }, call.transfer);
     } catch (error) {
-      // A browser may refuse to start a worker, and values that cannot be cloned are refused as well.
+      // A browser may refuse to start a worker, and values that cannot be cloned are refused too.
       this.#dropWorker();
       this.#settle((ended) => ended.reject(error));
     }
@@ -127,7 +127,7 @@ export class Client {
     });
   }
 
-  /** A listener that throws ends its call with what it threw. */
+  /** If the listener throws, its call rejects with what it threw. */
   #report(progress: AnyProgress): void {
     const call = this.#running;
     try {
@@ -144,7 +144,7 @@ export class Client {
 
   #cancel(call: Call, error: unknown): void {
     if (call === this.#running) {
-      // A busy worker hears nothing: ending it is the only way.
+      // A busy worker receives no messages, so ending it is the only way.
       this.#dropWorker();
       this.#settle(() => call.reject(error));
       return;

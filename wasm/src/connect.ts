@@ -72,7 +72,9 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
   };
 }
 
-/** Whether the build with threads may be tried: nothing was asked for that it does not do. */
+/**
+ * Whether to try the threads build: it seems to run here, and no other build or file was asked for.
+ */
 function isFree({ build, wasmUrl }: CreateOptions): boolean {
   return build === undefined && wasmUrl === undefined && bestBuild() === 'threads';
 }
@@ -104,7 +106,7 @@ function fileIn(platform: Platform, folder: Address | undefined, name: string): 
   }
 }
 
-/** The file that was named, whichever build it is, or the build that was asked for. */
+/** Loads the file that was named, whichever build it is, or the build that was asked for. */
 async function loadModule(
   platform: Platform,
   { build, baseUrl, wasmUrl }: CreateOptions,
@@ -164,7 +166,10 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }), buffers);
 }
 
-/** What the calls that give a layout share. `request` adds what is their own, in `buffers`. */
+/**
+ * The part that calls returning a layout share. `request` adds the rest of the request, whose
+ * buffers are `buffers`.
+ */
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,

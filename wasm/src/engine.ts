@@ -35,7 +35,7 @@ interface Hooks {
   onProgress(progress: AnyProgress): void;
 }
 
-/** What differs between the calls that give a layout. */
+/** What differs between the calls that return a layout. */
 interface LayoutSteps<R, T> {
   set(job: number, native: NativeModule): void;
   run(job: number, wantsObj: number, wantsPly: number): number;
@@ -43,7 +43,9 @@ interface LayoutSteps<R, T> {
 }
 
 export class Engine {
-  /** After a trap the module's memory is in no defined state: this engine must not be used again. */
+  /**
+   * A trap leaves the module's memory in an undefined state: this engine must not be used again.
+   */
   isBroken = false;
   readonly #native: NativeModule;
   readonly #heap: Heap;
@@ -103,7 +105,7 @@ export class Engine {
     return this.#heap.bytes;
   }
 
-  /** Throws AbflatError; when the module trapped or ran out of memory, `isBroken` is set then. */
+  /** Throws AbflatError, and sets `isBroken` if the module trapped or ran out of memory. */
   run(request: Request, onProgress: (progress: AnyProgress) => void = ignore): Answer {
     this.#hooks.onProgress = onProgress;
     try {
@@ -277,7 +279,7 @@ export class Engine {
       this.#native._abflatFreeJob(job);
       return value;
     } catch (error) {
-      // After anything else the module may not be called again.
+      // After any other error the module must not be called again.
       if (error instanceof AbflatError) this.#native._abflatFreeJob(job);
       throw error;
     }

@@ -1,4 +1,4 @@
-// What the package exports beside createAbflat.
+// What the package exports besides createAbflat.
 
 export { type Build, bestBuild } from './base/builds.js';
 export { AbflatError, type LostPart } from './base/errors.js';

@@ -1,4 +1,4 @@
-// Unwraps documents of glTF-Transform.
+// Unwraps glTF-Transform documents.
 
 import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core';
 import { AbflatError } from './base/errors.js';
@@ -23,37 +23,39 @@ export {
 export { type SetTexcoordsOptions, setTexcoords } from './gltf/texcoords.js';
 export { freeTexcoord, sampledTexcoords } from './gltf/texture-sets.js';
 
-/** What shares an atlas: everything, the primitives of a mesh, or each primitive has one of its own. */
+/**
+ * What shares an atlas: everything, the primitives of a mesh, or nothing (one atlas per primitive).
+ */
 export type GroupBy = 'scene' | 'mesh' | 'primitive';
 
 export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: UnwrapResult;
-  /** The set that has the coordinates. */
+  /** The set that holds the coordinates. */
   texcoord: number;
 }
 
-/** Those of `unwrap`, for all that is unwrapped, and */
+/** The options of `unwrap`, which apply to every atlas, and these. */
 export interface UnwrapDocumentOptions
   extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply' | 'seamEdges' | 'roundsForGltf'> {
   /**
-   * The new coordinates become TEXCOORD_`texcoord`. `auto`: what `freeTexcoord` says, 0 where no texture samples that, otherwise
-   * the first set that nobody has. Default: 0.
+   * The new coordinates become TEXCOORD_`texcoord`. `auto`: the result of `freeTexcoord`, which is
+   * 0 if no texture samples that set, otherwise the first unused set. Default: 0.
    */
   texcoord?: number | 'auto';
   /**
-   * Whether primitives that have that set get a new one; otherwise they stay as they are. Default: false, and true with
-   * `texcoord: 'auto'` or `fixedFaces`.
+   * Whether to replace that set in primitives that already have it; otherwise they stay as they
+   * are. Default: false, and true with `texcoord: 'auto'` or `fixedFaces`.
    */
   overwrite?: boolean;
   /** Default: `scene`, one atlas for all. */
   groupBy?: GroupBy;
-  /** Called for each atlas when the document has it. */
+  /** Called for each atlas once the document has it. */
   onAtlas?: (atlas: DocumentAtlas) => void;
 }
 
 /**
- * A transform that gives a document an atlas: `await document.transform(unwrap(abflat, { texcoord: 1 }))`. What goes wrong leaves the
- * document as it was.
+ * A transform that gives a document an atlas: `await document.transform(unwrap(abflat, { texcoord:
+ * 1 }))`. If it fails, the document stays as it was.
  */
 export function unwrap(
   abflat: Pick<Abflat, 'unwrap'>,
@@ -86,7 +88,7 @@ export function unwrap(
   return Object.defineProperty(transform, 'name', { value: 'unwrap' });
 }
 
-/** A document that is as it was may surprise who asked for an atlas. */
+/** An unchanged document may surprise a caller who asked for an atlas. */
 function tellKept(document: Document, set: number, kept: number, count: number): void {
   const message =
     `abflat: ${kept} of ${count} primitives already have TEXCOORD_${set} and keep it. ` +
@@ -119,7 +121,7 @@ function grouped(members: Member[], groupBy: GroupBy): Member[][] {
   return [...groups.values()];
 }
 
-/** One after the other; progress is that of all together. */
+/** One after the other; `fraction` covers all of them. */
 async function unwrapGroups(
   abflat: Pick<Abflat, 'unwrap'>,
   meshes: DocumentMesh[],

@@ -1,4 +1,4 @@
-// What goes into the memory of the WebAssembly module, and what is read from there.
+// Writes to and reads from the memory of the WebAssembly module.
 
 import type { NativeModule } from './abflat.js';
 import { RESULT_ARRAYS } from './base/generated-arrays.js';
@@ -13,7 +13,7 @@ export type ResultArray<Name extends ResultName> = InstanceType<
 export class OutOfMemory extends Error {}
 
 export class Heap {
-  /** Most bytes that it may grow to. */
+  /** The most bytes that it may grow to. */
   readonly maxBytes: number;
   readonly #native: NativeModule;
   readonly #memory: WebAssembly.Memory;
@@ -28,7 +28,10 @@ export class Heap {
     return this.#memory.buffer.byteLength;
   }
 
-  /** Takes the mesh: its own buffers may go while the module works. */
+  /**
+   * Copies the mesh to the module and lets go of its arrays, so that they can be freed
+   * while the module works.
+   */
   writeMesh(job: number, mesh: OwnedMesh): void {
     this.#checkBytes(bytesOf(mesh));
     if ('bytes' in mesh) {
@@ -47,6 +50,8 @@ export class Heap {
     if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
+    mesh.texcoords = undefined;
+    mesh.materials = undefined;
   }
 
   writeKnown(job: number, { t, balance, straightSeams, arrays }: KnownArrays): void {
@@ -68,14 +73,14 @@ export class Heap {
     this.writeText(name, (bytes) => this.#native._abflatName(job, bytes));
   }
 
-  /** `room` gives the address for so many bytes. */
+  /** `room` allocates that many bytes and returns their address. */
   writeText(text: string, room: (bytes: number) => number): void {
     const bytes = new TextEncoder().encode(text);
     const start = room(bytes.length) >>> 0;
     new Uint8Array(this.#memory.buffer, start, bytes.length).set(bytes);
   }
 
-  /** At an address as the module returns it. */
+  /** `address` is as the module returns it. */
   writeNumbers(address: number, values: ArrayLike<number>): void {
     new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
   }
@@ -100,7 +105,10 @@ export class Heap {
     return readString(this.#memory, address);
   }
 
-  /** Address and bytes as the module returns them. What is shared is neither transferred nor decoded, but its copy is. */
+  /**
+   * `address` and `bytes` are as the module returns them. Shared memory can be neither transferred
+   * nor decoded, but its copy can.
+   */
   copy(address: number, bytes: number): ArrayBuffer {
     try {
       return new Uint8Array(this.#memory.buffer, address >>> 0, bytes >>> 0).slice().buffer;
@@ -124,7 +132,7 @@ function bytesOf(mesh: OwnedMesh): number {
   );
 }
 
-/** A zero-terminated one. */
+/** Reads a zero-terminated string. */
 export function readString(memory: WebAssembly.Memory, address: number): string {
   const bytes = new Uint8Array(memory.buffer, address >>> 0);
   return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));

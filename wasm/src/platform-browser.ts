@@ -4,7 +4,7 @@ import type { FromWorker } from './messages/protocol.js';
 import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
 import { wasmFile } from './wasm-file.js';
 
-/** Where no address was given. */
+/** Advice if no address was given. */
 const COPY =
   'A bundler may have left it out, as esbuild and Rollup do. Copy the files (cp -r node_modules/abflat/dist public/abflat) ' +
   "and pass their location (createAbflat({ baseUrl: '/abflat/' })).";
@@ -94,8 +94,8 @@ function openWorker(build: Build, address?: Address): Worker {
 }
 
 /**
- * Bundlers find the workers' files by exactly these expressions. There is one for each build because not all formats
- * of workers that bundlers write allow parts that are loaded later.
+ * Bundlers find the workers' files by exactly these expressions. There is one per build because not
+ * all worker formats that bundlers write allow parts to be loaded later.
  */
 function openOwnWorker(build: Build): Worker {
   switch (build) {
@@ -116,18 +116,21 @@ function handleOf(worker: Worker): WorkerHandle {
   };
 }
 
-/** The address of this module; behind a name, so that bundlers do not take what uses it for files of theirs. */
+/**
+ * The address of this module, under another name so that bundlers do not take URLs made from it for
+ * files of theirs.
+ */
 const here = import.meta.url;
 
-/** What relative addresses refer to. */
+/** The base of relative addresses. */
 const page = () => globalThis.document?.baseURI ?? globalThis.location.href;
 
-/** On another origin than the page, as on a CDN. */
+/** Whether it is on another origin than the page, such as a CDN. */
 function isForeign({ protocol, origin }: URL): boolean {
   return /^https?:$/.test(protocol) && origin !== globalThis.location.origin;
 }
 
-/** Browsers start workers of the page's own origin only; such a one may import from elsewhere. */
+/** Browsers only start workers of the page's own origin, but those may import from elsewhere. */
 function openForeignWorker(url: URL): Worker {
   const script = new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' });
   return new Worker(URL.createObjectURL(script), { type: 'module' });

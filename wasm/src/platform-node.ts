@@ -8,7 +8,7 @@ import { type Address, type Platform, textOf, type WorkerHandle } from './platfo
 import { browser } from './platform-browser.js';
 import { wasmFile } from './wasm-file.js';
 
-/** Where no address was given. */
+/** Advice if no address was given. */
 const KEEP =
   "A bundler may have left it out. Keep abflat out of the bundle (external: ['abflat'], in Next serverExternalPackages: ['abflat']), " +
   'or pass the location of its folder dist (createAbflat({ baseUrl })).';
@@ -36,7 +36,8 @@ export const node: Platform = {
   workerFile: () => 'worker-node.js',
 
   startWorker(events, _build, address) {
-    // The flags of the process are not for the worker; some, as --input-type, would stop it.
+    // The worker must not inherit the flags of the process; some, such as --input-type, would stop
+    // it.
     const options = { execArgv: [] };
     const worker =
       address === undefined

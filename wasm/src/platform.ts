@@ -10,17 +10,22 @@ export const textOf = (address: Address) => (typeof address === 'string' ? addre
 export interface WorkerHandle {
   post(message: ToWorker, transfer?: ArrayBuffer[]): void;
   terminate(): void;
-  /** Whether somebody waits for an answer: only then may the worker keep the process alive. */
+  /**
+   * Busy means that a caller waits for an answer: only then may the worker keep the process alive.
+   */
   setBusy(isBusy: boolean): void;
 }
 
 export interface WorkerEvents {
   onMessage(message: FromWorker): void;
-  /** The worker is gone or never came to life. */
+  /** The worker is gone or never started. */
   onCrash(error: AbflatError): void;
 }
 
-/** What browsers and Node do differently. Where no address is given, files are beside the package's modules. */
+/**
+ * What browsers and Node do differently. If no address is given, files are beside the package's
+ * modules.
+ */
 export interface Platform {
   /** The address of a file in a folder. */
   fileIn(folder: Address, name: string): string;

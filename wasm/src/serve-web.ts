@@ -1,4 +1,4 @@
-// What the Web Workers share.
+// Shared by the Web Workers.
 
 import type { Glues } from './glue.js';
 import type { ToWorker } from './messages/protocol.js';

@@ -44,7 +44,10 @@ async function answer(port: Port, request: Request, starting?: Promise<Engine>):
   }
 }
 
-/** Lets through what begins a stage, what ends the work, and otherwise one message in a while. */
+/**
+ * Passes on the first message of each stage and the last of all, and the others at most once per
+ * PROGRESS_PAUSE_MS.
+ */
 function throttle(post: (progress: AnyProgress) => void): (progress: AnyProgress) => void {
   let stage: AnyProgress['stage'] | undefined;
   let last = Number.NEGATIVE_INFINITY;

@@ -9,13 +9,16 @@ import type { Layout, MeshArrays } from './types/index.js';
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
 
 export interface ToBufferGeometryOptions {
-  /** Scale and move uv into [0, 1] x [0, 1], keeping its proportions. Default: false, uv in the unit of the mesh. */
+  /**
+   * Scale and move uv into [0, 1] x [0, 1], keeping its proportions. Default: false, which leaves
+   * uv in the unit of the mesh.
+   */
   normalize?: boolean;
 }
 
 /**
- * Geometry with position, uv, normal (smooth) and index; one vertex per output vertex of `result`.
- * `mesh`: the arrays that went in; not needed for a file, whose positions are in the result.
+ * A geometry with position, uv, normal (smooth) and index, and one vertex per output vertex of
+ * `result`. `mesh`: the input arrays; not needed for a file, whose positions are in the result.
  */
 export function toBufferGeometry(
   result: Pick<Layout<unknown>, 'uv' | 'indices' | 'vertexMap' | 'positions'>,
@@ -32,7 +35,7 @@ export function toBufferGeometry(
   return geometry;
 }
 
-/** The same for all output vertices of an input vertex: a seam is no edge of the surface. */
+/** The same for all output vertices of an input vertex: the surface is smooth across seams. */
 function smoothNormals(
   positions: Float32Array,
   { indices, vertexMap }: Pick<Layout<unknown>, 'indices' | 'vertexMap'>,

@@ -1,4 +1,4 @@
-// Unwraps geometry of three.js.
+// Unwraps three.js geometry.
 
 import {
   BufferAttribute,
@@ -15,15 +15,19 @@ import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types/in
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** The buffers of a geometry stay, and files are made of files. */
+/**
+ * The options of `unwrap`, without `transfer`, as a geometry keeps its buffers, and without the
+ * file formats.
+ */
 export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply'> {
   /** Name of the attribute for the new coordinates. Default: `uv`; `uv1` leaves `uv` as it is, for light maps. */
   attribute?: string;
 }
 
 /**
- * A new geometry with the new coordinates: all attributes, morph targets and groups of `geometry`, with or without an index, and
- * a vertex once for every coordinate that it has. Tangents are copied like the rest and belong to the old coordinates.
+ * A new geometry with the new coordinates. It has all attributes, morph targets and groups of
+ * `geometry`, which may or may not have an index, and repeats a vertex for every coordinate that it
+ * has. Tangents are copied like the rest and belong to the old coordinates.
  */
 export async function unwrapGeometry(
   abflat: Pick<Abflat, 'unwrap'>,
@@ -49,7 +53,7 @@ function meshOf(geometry: BufferGeometry): MeshArrays {
   if (geometry.index) checkMemory('The index of the geometry', geometry.index.array);
   const corners =
     geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, vertex) => vertex);
-  // As many as are drawn: what is left over makes no triangle.
+  // Leftover corners are not drawn either: they make no triangle.
   const indices = new Uint32Array(corners).subarray(0, corners.length - (corners.length % 3));
   const mesh: MeshArrays = { positions, indices };
   const uv = geometry.getAttribute('uv') as Attribute | undefined;
@@ -58,7 +62,7 @@ function meshOf(geometry: BufferGeometry): MeshArrays {
   return mesh;
 }
 
-/** The first components of each row as the numbers that they mean, 0 where an attribute has fewer. */
+/** The first `size` components of each row, denormalized; 0 if the attribute has fewer. */
 function numbersOf(attribute: Attribute, size: 2 | 3): Float64Array {
   const { count, itemSize } = attribute;
   const out = new Float64Array(size * count);
@@ -70,7 +74,7 @@ function numbersOf(attribute: Attribute, size: 2 | 3): Float64Array {
   return out;
 }
 
-/** By triangle; 0 where no group says which. */
+/** One per triangle; 0 if no group covers it. */
 function materialsOf({ groups }: BufferGeometry, triangleCount: number): Uint32Array {
   const materials = new Uint32Array(triangleCount);
   for (const { start, count, materialIndex = 0 } of groups)
@@ -91,7 +95,7 @@ function withUv(from: BufferGeometry, result: UnwrapResult, name: string): Buffe
     morphs[key] = targets.map((target) => pick(target, vertexMap));
   to.morphTargetsRelative = from.morphTargetsRelative;
   to.setIndex(new BufferAttribute(indexArray(indices, vertexMap.length), 1));
-  // Triangles keep their order, so ranges of them stay true.
+  // Triangles keep their order, so ranges of them stay valid.
   to.groups = from.groups.map((group) => ({ ...group }));
   to.drawRange = { ...from.drawRange };
   to.boundingBox = from.boundingBox?.clone() ?? null;
@@ -112,10 +116,10 @@ function isOfInstances(attribute: Attribute): boolean {
     : 'isInstancedBufferAttribute' in attribute;
 }
 
-/** A copy; of an interleaved one the attribute itself, whose buffer others may share. */
+/** A copy, or the attribute itself if interleaved, as others may share its buffer. */
 const alike = (attribute: Attribute) => ('data' in attribute ? attribute : attribute.clone());
 
-/** The rows of an attribute that `rows` names, as they are stored. */
+/** Copies the given rows of an attribute, as they are stored. */
 function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
   const { itemSize, normalized } = attribute;
   const isInterleaved = 'data' in attribute;

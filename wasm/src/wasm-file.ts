@@ -1,7 +1,10 @@
 import type { Build } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 
-/** Bundlers find the files by exactly these expressions; not in builds.ts, which the worker loads as well. */
+/**
+ * Bundlers find the files by exactly these expressions. Not in builds.ts, which the worker also
+ * loads.
+ */
 export function wasmFile(build: Build): URL {
   if (!import.meta.url)
     throw new AbflatError(
@@ -18,6 +21,6 @@ export function wasmFile(build: Build): URL {
   }
 }
 
-/** Its name alone. */
+/** Only the name of the file. */
 export const wasmName = (build: Build) =>
   build === 'plain' ? 'abflat.wasm' : `abflat-${build}.wasm`;

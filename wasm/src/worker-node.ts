@@ -9,7 +9,7 @@ import { serve } from './serve.js';
 if (!parentPort) throw new Error('This file is the worker of abflat; import abflat instead.');
 const port = parentPort;
 
-// Threads are for browsers alone.
+// Threads only work in browsers.
 serve(
   {
     post: (message, transfer = []) => port.postMessage(message, transfer),

@@ -1,4 +1,4 @@
-// Entry of a Web Worker for every build: what `workerUrl` names.
+// Entry of the Web Worker that runs every build; `workerUrl` points to it.
 
 import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';

@@ -94,13 +94,13 @@ export class App implements SessionEvents {
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
   private delaunay = false;
-  /** The method whose layout is looked at. */
+  /** The method whose layout is shown. */
   private method: MethodResult | null = null;
   /** The last result. */
   private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
-  /** That of the last result. */
+  /** The drawing of the last result. */
   private drawing: FlatDrawing | null = null;
 
   constructor(
@@ -109,7 +109,7 @@ export class App implements SessionEvents {
   ) {
     this.session = new Session(abflat, this, () => this.settings, this.workshop);
     this.charts = new ChartsTab(views, this.locks, {
-      // What is under way would move what has just been locked.
+      // The run in flight would move the chart that was just locked.
       locked: () => this.session.isBusy && this.session.refresh(),
       packAgain: () => this.session.refresh(),
     });
@@ -153,7 +153,7 @@ export class App implements SessionEvents {
     };
   }
 
-  /** The other kind of layout, with what belongs to it. */
+  /** Switches the page to the other kind of layout. */
   private modeChanged(): void {
     this.methods.leave();
     this.methods.stop();
@@ -273,13 +273,13 @@ export class App implements SessionEvents {
     this.nameExport(isStale);
   }
 
-  /** To do again what failed for no fault of the mesh. */
+  /** Offers to repeat what failed through no fault of the mesh. */
   private offer(source: Source, settings: Settings | null): void {
     this.again = () => (settings ? this.session.refresh() : void this.session.open(source));
     this.run.offer('Try again');
   }
 
-  /** `isStale`: other settings were asked for since. */
+  /** `isStale`: other settings have been asked for since. */
   private stillShown(isStale: boolean): string {
     if (!this.outcome) return '';
     return `Still showing ${isStale ? this.owner() : titleOf(this.outcome.source)}.`;
@@ -290,13 +290,16 @@ export class App implements SessionEvents {
     this.run.finish(text, canRepeat);
   }
 
-  /** What the last result belongs to, for people. */
+  /** Names the mesh and settings that the last result belongs to, for display. */
   private owner(): string {
     if (!this.outcome) return '';
     return `${titleOf(this.outcome.source)}, ${settingsText(this.outcome.settings)}`;
   }
 
-  /** Marks layout and numbers when they do not belong to the mesh on screen and to the settings; returns whether that is so. */
+  /**
+   * Marks layout and numbers if they do not belong to the mesh on screen and its settings; returns
+   * whether that is so.
+   */
   private markStale(settings: Settings = this.settings): boolean {
     const isStale =
       this.outcome !== null &&
@@ -313,7 +316,10 @@ export class App implements SessionEvents {
     element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
   }
 
-  /** Shows the layout of another method in place of the result, which stays what is exported; null: the result again. */
+  /**
+   * Shows the layout of another method in place of the result, which is still what gets exported;
+   * null: the result again.
+   */
   private async showMethod(method: MethodResult | null, comparison: Comparison): Promise<void> {
     this.method = method;
     const { outcome, drawing } = this;
@@ -346,7 +352,7 @@ export class App implements SessionEvents {
     element(isAtlas ? 'atlas-notes' : 'notes', HTMLElement).scrollIntoView({ block: 'nearest' });
   }
 
-  /** Not one that was chosen and could not be read, or was cancelled. */
+  /** Leaves out a sample that was chosen but could not be read, or was cancelled. */
   private showOpenSample(): void {
     showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
   }
@@ -354,7 +360,7 @@ export class App implements SessionEvents {
   private showTitle(source: Source): void {
     const title = titleOf(source);
     const label = element('source', HTMLElement);
-    // A sample's name is already what the list shows.
+    // The list already shows a sample's name.
     label.textContent = source.kind === 'file' ? title : '';
     label.title = title;
     document.title = `${title} \u2013 abflat`;
@@ -372,7 +378,9 @@ export class App implements SessionEvents {
     this.layoutBar.show(isAtlas ? { outcome: current, chartColors } : null);
   }
 
-  /** `isStale`: what would be exported is of earlier settings, and no run is about to replace it. */
+  /**
+   * `isStale`: the exported layout would be of earlier settings, and no run is about to replace it.
+   */
   private nameExport(isStale: boolean): void {
     const format = this.shown ? exportFormat(this.shown) : 'obj';
     const isEarlier = isStale && !this.exportButton.disabled;
@@ -383,7 +391,7 @@ export class App implements SessionEvents {
   private export(): void {
     const { outcome } = this;
     if (!outcome) return;
-    // The title of the button says when the layout is an earlier one.
+    // The button's title says if the layout is an earlier one.
     const { title } = this.exportButton;
     exportMesh(outcome, this.texcoordChoice.texcoord, this.workshop).then(
       (done) => this.say(title ? `${done}. ${title}` : done),

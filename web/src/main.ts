@@ -6,7 +6,7 @@ import { startOnce } from './base/start-once';
 import { NoWebGl } from './view/stage';
 import { Views } from './view/views';
 
-/** Without WebGL numbers and export still work. */
+/** Without WebGL, numbers and export still work. */
 function createViews(): Views | null {
   try {
     return new Views();
@@ -26,7 +26,7 @@ function createViews(): Views | null {
 
 const views = createViews();
 
-/** Shaders are compiled meanwhile. */
+/** Compiles the shaders in the meantime. */
 async function start(): Promise<Abflat> {
   const [abflat] = await Promise.all([createAbflat(), views?.ready]);
   return abflat;

@@ -10,7 +10,7 @@
 namespace abflat {
 namespace {
 
-/// Makes normals of length 1; those that have no direction become kNoNormal in the corners.
+/// Scales normals to length 1; corners whose normal has no direction get kNoNormal.
 void makeUnit(Appearance& out) {
   std::vector<std::uint8_t> isUsable(out.normals.size() / 3);
   for (std::size_t i = 0; i < isUsable.size(); ++i) {
@@ -23,7 +23,7 @@ void makeUnit(Appearance& out) {
     if (n >= isUsable.size() || !isUsable[n]) n = kNoNormal;
 }
 
-/// Of length 1; upwards where the face has no area.
+/// Unit normal; points up if the face has no area.
 Vec3 normalOf(const PolygonMesh& mesh, std::size_t face) {
   std::vector<Vec3> points;
   for (std::uint32_t c = mesh.faceOffsets[face]; c < mesh.faceOffsets[face + 1]; ++c) {
@@ -36,7 +36,7 @@ Vec3 normalOf(const PolygonMesh& mesh, std::size_t face) {
   return {area[0] / length, area[1] / length, area[2] / length};
 }
 
-/// Corners without a normal get that of their face, as if it were alone.
+/// Corners without a normal get that of their face, as for flat shading.
 void completeNormals(const PolygonMesh& mesh, Appearance& out) {
   bool hasAny = false;
   for (const std::uint32_t n : out.faceNormals) hasAny = hasAny || n != kNoNormal;

@@ -6,7 +6,7 @@
 
 namespace abflat {
 
-/// Of a channel from 0 to 1 as sRGB encodes it; what is outside is moved there.
+/// Converts an sRGB channel from 0 to 1; values outside are clamped.
 inline double linearOfSrgb(double value) {
   const double x = std::clamp(value, 0.0, 1.0);
   return x <= 0.04045 ? x / 12.92 : portable::exp(2.4 * portable::log((x + 0.055) / 1.055));

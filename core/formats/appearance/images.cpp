@@ -7,7 +7,7 @@
 namespace abflat {
 namespace {
 
-/// Of what a glTF may hold; empty for others.
+/// For the image types that a glTF may hold; empty for others.
 std::string mimeTypeOf(std::string_view bytes) {
   if (bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n") return "image/png";
   if (bytes.substr(0, 3) == "\xFF\xD8\xFF") return "image/jpeg";
@@ -30,7 +30,8 @@ std::size_t Images::numberOf(const std::string& folder, std::string path) {
   return numbers_[key] = read(folder, path);
 }
 
-/// Where it is said to be, or, as models are often moved with their images, beside the file.
+/// Looks where the image is said to be, then beside the file, since models are often moved together
+/// with their images.
 std::size_t Images::read(const std::string& folder, const std::string& path) {
   const std::string name = path.substr(folderOf(path).size());
   Result<std::string> bytes = readResource_(isAbsolute(path) ? path : folder + path);

@@ -13,8 +13,8 @@ class Images {
   Images(const ReadResource& readResource, Appearance& out)
       : readResource_(readResource), out_(out) {}
 
-  /// Number of the image with this path, as a file of some system writes it, relative to `folder`
-  /// ("" or ending in a slash). One that cannot be used is kNoImage, and a note.
+  /// Index of the image with this path, as written by a file from any system, relative to `folder`
+  /// ("" or ending in a slash). If the image cannot be used, returns kNoImage and adds a note.
   std::size_t numberOf(const std::string& folder, std::string path);
 
  private:
@@ -25,7 +25,7 @@ class Images {
   std::map<std::string, std::size_t> numbers_;  ///< by path
 };
 
-/// What stands before the last slash of a path, with it.
+/// The part of a path up to and including its last slash.
 std::string folderOf(const std::string& path);
 
 }  // namespace abflat

@@ -9,7 +9,7 @@
 namespace abflat {
 namespace {
 
-/// Takes up to `size` numbers from 0 to 1; returns how many there are.
+/// Takes up to `size` numbers from 0 to 1; returns how many there were.
 std::size_t takeNumbers(std::string_view words, double* out, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     double value = 0;
@@ -19,7 +19,7 @@ std::size_t takeNumbers(std::string_view words, double* out, std::size_t size) {
   return size;
 }
 
-/// One number is a grey.
+/// A single number is a grey.
 void readColor(std::string_view words, std::array<double, 3>& color) {
   std::array<double, 3> value{};
   const std::size_t count = takeNumbers(words, value.data(), 3);
@@ -27,15 +27,15 @@ void readColor(std::string_view words, std::array<double, 3>& color) {
   if (count == 1 || count == 3) color = value;
 }
 
-/// Arguments of an option of a map; of those that are up to three numbers only the first must be
-/// there.
+/// Number of arguments that a map option takes; of those that take up to three numbers, only the
+/// first is required.
 std::size_t argumentsOf(std::string_view option) {
   for (const std::string_view numbers : {"-o", "-s", "-t"})
     if (option == numbers) return 3;
   return option == "-mm" ? 2 : 1;
 }
 
-/// "-s 1 1 1 -clamp on my wood.png": the name of the file, which may hold blanks.
+/// "-s 1 1 1 -clamp on my wood.png": the name of the file, which may contain blanks.
 std::string_view mapPath(std::string_view words) {
   while (true) {
     std::string_view rest = words;
@@ -62,7 +62,7 @@ void readLine(std::string_view keyword, std::string_view words, MtlMaterial& out
     out.opacity = value;
     out.hasOpacity = true;
   }
-  // Some programs mean opacity: it counts where nothing else is said.
+  // Some programs mean opacity by it, so it only counts if no opacity is given.
   if (keyword == "Tr" && !out.hasOpacity && takeNumbers(words, &value, 1) == 1)
     out.opacity = 1 - value;
   if (keyword == "Pm" && takeNumbers(words, &value, 1) == 1) out.metallic = value;
@@ -73,7 +73,7 @@ void readLine(std::string_view keyword, std::string_view words, MtlMaterial& out
 
 void readMtl(std::string_view text, MtlMaterials& out) {
   if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
-  MtlMaterial repeated;  // of a name that there is already
+  MtlMaterial repeated;  // for a name that exists already
   MtlMaterial* material = nullptr;
   while (!text.empty()) {
     const std::size_t size = lineSize(text);

@@ -14,12 +14,12 @@
 namespace abflat {
 namespace {
 
-/// Walks over a text that has been read as mesh: its faces are well formed.
+/// Walks over a text that has already been read as a mesh, so its faces are well formed.
 class ObjAppearanceReader {
  public:
   ObjAppearanceReader(const PolygonMesh& mesh, Appearance& out) : mesh_(mesh), out_(out) {}
 
-  /// What names material files is added to `libraries`.
+  /// Appends the arguments of `mtllib` lines to `libraries`.
   void run(std::string_view text, std::vector<std::string>& libraries) {
     ObjLines lines(text);
     ObjLine line;
@@ -34,7 +34,7 @@ class ObjAppearanceReader {
   }
 
  private:
-  /// "x y z r g b"; four numbers are x, y, z and a weight.
+  /// "x y z r g b"; with four numbers the last is a weight.
   void vertex(const ObjLine& line) {
     std::string_view words = argumentsOf(line, storage_);
     for (int d = 0; d < 3; ++d) takeWord(words);
@@ -82,7 +82,7 @@ class ObjAppearanceReader {
     }
   }
 
-  /// Faces before the first have one of their own.
+  /// Faces before the first object have one of their own.
   void object(std::string_view name) {
     if (objects_.empty() && face_ > 0) addObject("");
     out_.faceObjects.resize(face_, object_);
@@ -98,16 +98,16 @@ class ObjAppearanceReader {
 
   const PolygonMesh& mesh_;
   Appearance& out_;
-  std::size_t vertex_ = 0, face_ = 0, corner_ = 0;             ///< the next
+  std::size_t vertex_ = 0, face_ = 0, corner_ = 0;             ///< indices of the next ones
   std::map<std::string, std::uint32_t, std::less<>> objects_;  ///< numbers by name
-  std::uint32_t object_ = 0;                                   ///< of the faces that come
+  std::uint32_t object_ = 0;                                   ///< of the faces to come
   std::string storage_;
 };
 
 MaterialLook lookOf(const MtlMaterial& mtl) {
   MaterialLook out;
   for (std::size_t d = 0; d < 3; ++d) {
-    // An image takes the place of the colour: many programs write black, or grey, beside one.
+    // An image replaces the colour: many programs write black or grey next to one.
     out.baseColor[d] = mtl.diffuseMap.empty() ? linearOfSrgb(mtl.diffuse[d]) : 1;
     out.emission[d] = linearOfSrgb(mtl.emission[d]);
   }
@@ -117,13 +117,14 @@ MaterialLook lookOf(const MtlMaterial& mtl) {
   return out;
 }
 
-/// Materials with the folder that their images are relative to.
+/// Materials, and the folder that their images are relative to.
 struct Library {
   MtlMaterials materials;
   std::string folder;
 };
 
-/// Of the words behind `mtllib`: names of files, or, where there is such a file, one name.
+/// Reads the words after `mtllib`: a single file name if there is such a file, otherwise one name
+/// per word.
 class Libraries {
  public:
   Libraries(const ReadResource& readResource, Appearance& out)
@@ -181,7 +182,7 @@ MaterialLook lookNamed(const std::string& name, const std::vector<Library>& libr
 
 void readObjAppearance(std::string_view bytes, const PolygonMesh& mesh,
                        const ReadResource& readResource, Appearance& out) {
-  std::vector<std::string> lines;  // behind mtllib, which some programs repeat for each object
+  std::vector<std::string> lines;  // of mtllib; some programs repeat them for each object
   ObjAppearanceReader(mesh, out).run(bytes, lines);
   Libraries libraries(readResource, out);
   std::set<std::string_view> known;

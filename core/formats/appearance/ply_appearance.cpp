@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// The properties of vertices with these names that are numbers; empty where one is missing.
+/// The numeric properties of vertices with these names; empty if one is missing.
 std::vector<std::size_t> propertiesNamed(const PlyElement& vertex,
                                          std::initializer_list<std::string_view> names) {
   std::vector<std::size_t> out;
@@ -29,7 +29,7 @@ void readNormals(const PlyHeader& header, std::string_view bytes, const PolygonM
   out.faceNormals = mesh.faceVertices;
 }
 
-/// Integers are parts of the largest of their type, other numbers what they are.
+/// Integers are fractions of the largest value of their type, other numbers are taken as they are.
 double scaleOf(PlyType type) {
   return type == PlyType::Float32 || type == PlyType::Float64 ? 1 : 1 / largestWhole(type);
 }
@@ -51,8 +51,8 @@ void readColors(const PlyHeader& header, std::string_view bytes, Appearance& out
                                     : 1);
 }
 
-/// "comment TextureFile NAME", as MeshLab and photogrammetry write it: of the whole mesh where
-/// there is but one.
+/// "comment TextureFile NAME", as MeshLab and photogrammetry tools write it; applies to the whole
+/// mesh if there is only one.
 void readTexture(const PlyHeader& header, const ReadResource& readResource, Appearance& out) {
   std::string name;
   std::string_view rest = header.text;
@@ -72,7 +72,7 @@ void readTexture(const PlyHeader& header, const ReadResource& readResource, Appe
 void readPlyAppearance(std::string_view bytes, const PolygonMesh& mesh,
                        const ReadResource& readResource, Appearance& out) {
   const Result<PlyHeader> header = readPlyHeader(bytes, {});
-  if (!header.ok()) return;  // the mesh is not of these bytes
+  if (!header.ok()) return;  // the mesh was not read from these bytes
   readNormals(header.value, bytes, mesh, out);
   readColors(header.value, bytes, out);
   readTexture(header.value, readResource, out);

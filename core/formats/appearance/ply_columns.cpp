@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// Where among `properties` each one of the element is; their number where it is none of them.
+/// For each property of the element, its index in `properties`, or their number if it is not among
+/// them.
 std::vector<std::size_t> placesOf(const PlyElement& element,
                                   const std::vector<std::size_t>& properties) {
   std::vector<std::size_t> out;
@@ -22,7 +23,7 @@ std::vector<std::size_t> placesOf(const PlyElement& element,
   return out;
 }
 
-/// The next line that holds something.
+/// The next line that is not blank.
 std::string_view nextRow(std::string_view& rest) {
   while (!rest.empty()) {
     const std::size_t size = lineSize(rest);
@@ -45,7 +46,7 @@ std::vector<double> textColumns(const PlyHeader& header, std::string_view rest,
       const std::size_t begin = out.size();
       out.resize(begin + properties.size(), kNoNumber);
       for (std::size_t p = 0; p < places.size(); ++p) {
-        std::int64_t count = 1;  // of the words of this property
+        std::int64_t count = 1;  // words in this property
         if (vertex.properties[p].isList && !parseInteger(takeWord(words), count)) break;
         for (std::int64_t k = 0; k < count; ++k) {
           double value = 0;

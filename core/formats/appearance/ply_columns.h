@@ -7,8 +7,8 @@
 
 namespace abflat {
 
-/// Numbers of the vertices of a PLY file that has been read: those of `properties`, none of which
-/// is a list, row after row. What is not a number is NaN.
+/// Numbers of the vertices of a PLY file that has been read: the values of `properties`, none of
+/// which is a list, row after row. Anything that is not a number becomes NaN.
 std::vector<double> plyColumns(const PlyHeader& header, std::string_view bytes,
                                const std::vector<std::size_t>& properties);
 

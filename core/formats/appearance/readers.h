@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-// Each fills what its format has. Colours are sRGB, normals of any length: corners without one have
-// kNoNormal, a normal that does not exist, or one that is not finite.
+// Each fills in what its format has. Colours are sRGB and normals have any length; corners without
+// a normal have kNoNormal, an index that does not exist, or a normal that is not finite.
 
 constexpr std::uint32_t kNoNormal = 0xffffffffu;
 

@@ -14,7 +14,7 @@ struct Box {
   std::vector<double> low, high;
 };
 
-/// Of the values as they are stored.
+/// Box of the values as they are stored.
 Box boxOf(const Document& document, Accessor accessor) {
   accessor.isNormalized = false;
   const std::vector<double> values = numbersOf(document, accessor);
@@ -54,7 +54,7 @@ void refreshBoxes(Document& document, Complaints& complaints) {
     const std::size_t elements = accessor.count + (accessor.sparse ? accessor.sparse->count : 0);
     if (!budget.take(elements))
       return complaints.add("too many accessors use the same compressed bytes");
-    if (!hasSparseOrder(document, accessor)) continue;  // refused where a mesh uses it
+    if (!hasSparseOrder(document, accessor)) continue;  // rejected when a mesh uses it
     const Box box = boxOf(document, accessor);
     const bool isFloat = accessor.shape.type == ComponentType::Float;
     json["min"] = numbersAsJson(box.low, isFloat);

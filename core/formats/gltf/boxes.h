@@ -4,8 +4,8 @@
 
 namespace abflat::gltf {
 
-/// Gives accessors of decoded views the `min` and `max` of their values: compression with loss
-/// leaves those from before.
+/// Recomputes the `min` and `max` of accessors of decoded views: lossy compression keeps those of
+/// the original values.
 void refreshBoxes(Document& document, Complaints& complaints);
 
 }  // namespace abflat::gltf

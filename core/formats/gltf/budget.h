@@ -5,15 +5,16 @@
 
 namespace abflat::gltf {
 
-/// How many elements a file may make of its bytes. Accessors, primitives and meshes may share
-/// bytes, so that a small file could ask for any number of vertices; honest ones share a few times.
+/// How many elements a file may produce from its bytes. Accessors, primitives and meshes may share
+/// bytes, so a small file could ask for any number of vertices; honest files share bytes only a few
+/// times.
 class Budget {
  public:
   explicit Budget(std::size_t fileSize) : Budget(fileSize, kLeast, kPerByte) {}
   Budget(std::size_t fileSize, std::size_t least, std::size_t perByte)
       : left_(std::max(least, perByte * fileSize)) {}
 
-  /// False where there is no room for so many more.
+  /// False if there is no room for this many more.
   bool take(std::size_t elements) {
     if (elements > left_) return false;
     left_ -= elements;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kMostStride = 252;
 
-/// Buffers that a view needs. A compressed view needs that of its compressed bytes, not the one
-/// that is there for programs without a decoder.
+/// Buffers that some view needs. A compressed view needs the buffer of its compressed bytes, not
+/// the fallback for programs without a decoder.
 std::vector<bool> usedBuffers(const Field& root, std::size_t buffers) {
   std::vector<bool> out(buffers);
   for (const Field& view : root["bufferViews"].items()) {

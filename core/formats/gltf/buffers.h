@@ -13,16 +13,16 @@ namespace abflat::gltf {
 
 struct BufferView {
   std::size_t buffer = kNone, offset = 0, length = 0;
-  std::size_t stride = 0;  ///< bytes from element to element; 0: as they follow each other
+  std::size_t stride = 0;  ///< bytes from one element to the next; 0: tightly packed
 };
 
-/// The buffers of a file, from the .glb, from data URIs or from files beside it. Those whose bytes
-/// nobody needs are empty.
+/// The buffers of a file, from the .glb, from data URIs or from files beside it. Buffers whose
+/// bytes nothing needs are left empty.
 std::vector<std::string> loadBuffers(const Field& root, const Container& container,
                                      const std::string& fileName, const ReadResource& readResource,
                                      Complaints& complaints);
 
-/// A bufferView, or the part of a buffer that an extension names in the same words; inside its
+/// A bufferView, or the part of a buffer that an extension describes with the same keys; inside its
 /// buffer unless there is a complaint.
 BufferView readView(const Field& view, const std::vector<std::string>& buffers);
 

@@ -20,7 +20,7 @@ std::vector<PrimitiveVertices> verticesOf(const std::vector<Corner>& corners,
       meshVertices, vertex,
       [&](std::uint32_t a, std::uint32_t b) { return keyOf(corners[a]) < keyOf(corners[b]); });
   std::vector<PrimitiveVertices> out(primitives);
-  std::vector<std::uint32_t>& number = vertex;  // of a corner's vertex in its primitive, from here
+  std::vector<std::uint32_t>& number = vertex;  // from here on: number in its primitive
   for (std::size_t c = 0; c < corners.size(); ++c) {
     PrimitiveVertices& own = out[corners[c].primitive];
     if (first[c] == c) {

@@ -5,10 +5,10 @@
 namespace abflat::gltf {
 namespace {
 
-/// Bytes that decoding a file may take. Meshopt makes 64 bytes of one at most. Draco makes 110 of
-/// one, counted twice as here, where the surface is a regular grid.
+/// Bytes that decoding a file may take. Meshopt turns one byte into 64 at most. Draco turns one
+/// into 110, counted twice as here, if the surface is a regular grid.
 constexpr std::size_t kLeastDecoded = std::size_t{1} << 25, kDecodedPerByte = 256;
-/// A byte of the file may ask for eight elements; one that was decoded, for a single one.
+/// A byte of the file may ask for eight elements, a decoded byte for one.
 constexpr std::size_t kDecodedWorth = 8;
 
 }  // namespace

@@ -12,14 +12,14 @@ class DecodedViews {
  public:
   explicit DecodedViews(Document& document);
 
-  /// Asked before bytes are decoded.
+  /// To be asked before bytes are decoded.
   Budget& budget() { return budget_; }
 
-  /// View `slot`, or a new one where that is kNone, has these bytes from now on; what else its JSON
-  /// says stays. Returns its number.
+  /// Makes these the bytes of view `slot`, or of a new view if that is kNone; everything else in
+  /// its JSON stays. Returns its index.
   std::size_t put(std::size_t slot, std::string bytes);
 
-  /// What remains of the file counts towards what it may ask for.
+  /// Lets the decoded bytes count towards what the file may ask for.
   void finish();
 
  private:

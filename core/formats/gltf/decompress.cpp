@@ -17,7 +17,7 @@ bool isCompression(const Json& name) {
   return name == kDracoExtension || name == kMeshoptExtensions[0] || name == kMeshoptExtensions[1];
 }
 
-/// Takes the names from the lists of extensions; a list must not become empty.
+/// Removes the names from the lists of extensions; a list must not become empty.
 void forgetNames(Json& json) {
   for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
     const auto list = json.find(key);
@@ -29,7 +29,7 @@ void forgetNames(Json& json) {
   }
 }
 
-/// Bytes that no view refers to any more.
+/// Drops the bytes of buffers that no view refers to any more.
 void dropUnused(Document& document) {
   std::vector<bool> isUsed(document.buffers.size());
   for (const Json& view : document.json["bufferViews"])

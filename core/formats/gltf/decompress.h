@@ -4,9 +4,9 @@
 
 namespace abflat::gltf {
 
-/// Makes a plain document of one that is compressed by Draco or meshopt, before anything but its
-/// JSON and its buffers has been read. Decoded bytes become buffers of their own, views and
-/// accessors keep their numbers, and all trace of the extensions goes.
+/// Turns a document that is compressed by Draco or meshopt into a plain one, before anything but
+/// its JSON and its buffers has been read. Decoded bytes become buffers of their own, views and
+/// accessors keep their indices, and all trace of the extensions is removed.
 void decompress(Document& document, Complaints& complaints);
 
 }  // namespace abflat::gltf

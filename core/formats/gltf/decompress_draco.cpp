@@ -25,9 +25,9 @@ struct PackedAttribute {
 
 struct PackedPrimitive {
   std::size_t mesh = 0, primitive = 0, view = kNone, indices = kNone;
-  std::string place;  ///< of the extension
+  std::string place;  ///< path of the extension in the document
   std::vector<PackedAttribute> attributes;
-  bool hasPlainCopy = true;  ///< its accessors have bytes of their own
+  bool hasPlainCopy = true;  ///< whether its accessors have bytes of their own
 };
 
 /// Part of a compressed mesh: an attribute, or the triangles.
@@ -76,7 +76,7 @@ class PrimitiveDecoder {
   }
 
  private:
-  /// Primitives may share a compressed mesh, which is decoded once.
+  /// Compressed meshes and the primitives that share them, so that each is decoded once.
   std::map<std::size_t, std::vector<PackedPrimitive>> collect() const {
     std::map<std::size_t, std::vector<PackedPrimitive>> out;
     const Field root(&document_.json, "", complaints_);
@@ -112,7 +112,8 @@ class PrimitiveDecoder {
       for (const PackedPrimitive& packed : primitives)
         if (!packed.hasPlainCopy && complaints_.none()) putPrimitive(packed, mesh.value);
     }
-    // Views keep their numbers: where nothing new takes this one's place, it is as short as can be.
+    // Views keep their indices: if nothing new takes this one's place, it becomes as short as
+    // possible.
     if (freeView_ != kNone) views_.put(freeView_, std::string(1, '\0'));
     for (const PackedPrimitive& packed : primitives)
       removeExtension(jsonOf(packed), kDracoExtension);
@@ -175,8 +176,8 @@ class PrimitiveDecoder {
     return false;
   }
 
-  /// The accessor for a content, and whether it has yet to get it. An accessor that has another
-  /// content is copied.
+  /// The accessor for a content, and whether it still has to be filled. An accessor that already
+  /// has another content is copied.
   std::pair<std::size_t, bool> slotFor(std::size_t accessor, const Content& content) {
     const auto [known, isNew] = slots_.emplace(std::pair(accessor, content), accessor);
     if (!isNew) return {known->second, false};
@@ -213,7 +214,7 @@ class PrimitiveDecoder {
   Document& document_;
   DecodedViews& views_;
   Complaints& complaints_;
-  std::size_t freeView_ = kNone;  ///< that of the compressed mesh, until it is used again
+  std::size_t freeView_ = kNone;  ///< the view of the compressed mesh, until it is reused
   std::map<std::pair<std::size_t, Content>, std::size_t> slots_;
   std::set<std::size_t> taken_;
 };

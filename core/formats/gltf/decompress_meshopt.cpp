@@ -46,7 +46,7 @@ Filter filterOf(const Field& filter) {
   return Filter::None;
 }
 
-/// What the decoder takes for granted.
+/// What the decoder takes for granted, and so must be checked.
 bool hasFittingStride(const Packed& packed) {
   constexpr std::size_t kMost = 256;
   const std::size_t n = packed.stride;
@@ -98,7 +98,7 @@ void applyFilter(char* values, const Packed& packed) {
     meshopt_decodeFilterExp(values, packed.count, packed.stride);
 }
 
-/// Why the decoder refuses bytes.
+/// Why the decoder rejects the bytes.
 std::string reason(const Packed& packed, std::string_view bytes) {
   constexpr unsigned char kVertexVersion1 = 0xa1;
   const bool isNewer = packed.coding == Coding::Attributes && !bytes.empty() &&
@@ -108,7 +108,7 @@ std::string reason(const Packed& packed, std::string_view bytes) {
                  : " has damaged compressed bytes. Export the file again";
 }
 
-/// The bytes that a view stands for.
+/// The bytes that a compressed view stands for.
 std::string decoded(const Packed& packed, const Document& document, Budget& budget,
                     Complaints& complaints) {
   const std::string_view bytes = bytesOf(packed.source, document.buffers);

@@ -10,7 +10,7 @@
 namespace abflat::gltf {
 namespace {
 
-/// Reads the lists one after the other; each refers to those before it.
+/// Reads the lists one after another; each refers only to those before it.
 class DocumentReader {
  public:
   DocumentReader(Document& out, Complaints& complaints) : out_(out), complaints_(complaints) {}
@@ -30,7 +30,7 @@ class DocumentReader {
   }
 
  private:
-  /// That `count` elements of `size` bytes, every `stride` bytes, lie within a view.
+  /// Checks that `count` elements of `size` bytes, every `stride` bytes, lie within a view.
   void checkRange(const Field& place, std::size_t view, std::size_t offset, std::size_t count,
                   std::size_t size, std::size_t stride) const {
     if (view == kNone || count == 0) return;

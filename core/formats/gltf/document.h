@@ -16,10 +16,10 @@
 
 namespace abflat::gltf {
 
-// Entries of the lists of a glTF file as far as geometry needs them. Indices are within their
+// Entries of the lists of a glTF file, as far as geometry needs them. Indices are within their
 // lists, or kNone.
 
-/// Values in place of some of the elements.
+/// Values that replace some of the elements.
 struct SparseElements {
   std::size_t count = 0;
   std::size_t indexView = kNone, indexOffset = 0;
@@ -35,10 +35,10 @@ struct Accessor {
   std::optional<SparseElements> sparse;
 };
 
-/// Accessors by their names.
+/// Indices of accessors by attribute name.
 using Attributes = std::vector<std::pair<std::string, std::size_t>>;
 
-/// kNone where there is none.
+/// kNone if there is none.
 std::size_t accessorNamed(const Attributes& attributes, const std::string& name);
 
 enum class Mode { Points, Lines, LineLoop, LineStrip, Triangles, TriangleStrip, TriangleFan };
@@ -58,22 +58,22 @@ struct Node {
   Matrix local{};
 };
 
-/// A glTF file that has been understood. Views are inside their buffers, accessors inside their
-/// views.
+/// A glTF file that has been parsed and checked. Views are inside their buffers, accessors inside
+/// their views.
 struct Document {
   std::string fileName;
   bool isBinary = false;
   Json json;
-  std::size_t size = 0;              ///< in bytes, with all buffers; what it may ask for
+  std::size_t size = 0;              ///< in bytes, with all buffers; limits what it may ask for
   std::vector<std::string> buffers;  ///< those that no view refers to are empty
   std::string otherChunks;           ///< of a .glb, as they are in the file
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;
   std::vector<std::vector<Primitive>> meshes;
   std::vector<Node> nodes;
-  std::optional<std::vector<std::size_t>> roots;  ///< nodes of the scene; none: there is no scene
+  std::optional<std::vector<std::size_t>> roots;  ///< of the scene, if there is one
   std::vector<std::string> packings;              ///< what the file was compressed with: "Draco"
-  std::vector<std::size_t> decodedViews;          ///< whose bytes were compressed
+  std::vector<std::size_t> decodedViews;          ///< views whose bytes were compressed
 
   std::string_view viewBytes(std::size_t view) const { return bytesOf(views[view], buffers); }
 };

@@ -18,12 +18,13 @@ Status damaged(const std::string& reason) {
           " cannot be decoded by Draco (" + reason + "). The file is damaged; export it again"};
 }
 
-/// A count of the header, which older versions write in four bytes.
+/// A count in the header, which older versions write in four bytes.
 bool decodeCount(draco::DecoderBuffer& buffer, bool isVarint, std::uint32_t& out) {
   return isVarint ? draco::DecodeVarint(&out, &buffer) : buffer.Decode(&out);
 }
 
-/// What the connectivity takes by its header: bytes for the corners of each table of corners.
+/// Sizes that the header announces for the connectivity: bytes for the corners of each corner
+/// table.
 struct ConnectivityHead {
   std::uint32_t faces = 0, tables = 1;
 
@@ -59,8 +60,8 @@ std::optional<ConnectivityHead> headOf<draco::MeshEdgebreakerDecoder>(draco::Dec
   return out;
 }
 
-/// A decoder of Draco that looks at counts before it believes them: the library's own makes room
-/// for as many faces and values as a few bytes ask for.
+/// A Draco decoder that checks counts before it trusts them: the library's own allocates as many
+/// faces and values as a few bytes ask for.
 template <class Decoder>
 class FrugalDecoder : public Decoder {
  public:
@@ -101,7 +102,7 @@ Status decodeInto(draco::Mesh& mesh, draco::DecoderBuffer& buffer, Budget& budge
   return status.ok() ? Status{} : damaged(status.error_msg_string());
 }
 
-/// Values by point; false where one does not fit the type.
+/// Values by point; false if one does not fit the type.
 template <class T>
 bool convert(const draco::PointAttribute& attribute, std::size_t points, std::size_t components,
              std::string& out) {
@@ -138,7 +139,7 @@ bool convertTo(ComponentType type, const draco::PointAttribute& attribute, std::
   return false;
 }
 
-/// That all values are there, and the mapping for each point.
+/// Whether all values are there, and the mapping for each point.
 bool isComplete(const draco::PointAttribute& attribute, std::size_t points) {
   const std::size_t bytes = attribute.size() * static_cast<std::size_t>(attribute.byte_stride());
   const bool isMapped = attribute.is_mapping_identity() || attribute.indices_map_size() >= points;

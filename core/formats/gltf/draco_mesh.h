@@ -17,20 +17,20 @@ class Mesh;
 
 namespace abflat::gltf {
 
-/// A mesh that Draco has decoded.
+/// A mesh decoded by Draco.
 class DracoMesh {
  public:
-  /// `budget` is asked for about as many bytes as the mesh takes, before there are any. Errors:
+  /// `budget` is asked for about as many bytes as the mesh takes, before any are allocated. Errors:
   /// ParseError, worded to follow the name of the place.
   static Result<DracoMesh> decode(std::string_view bytes, Budget& budget);
 
   std::size_t points() const;
 
-  /// Three points for each triangle.
+  /// Three points per triangle.
   std::vector<std::uint32_t> indices() const;
 
-  /// Values of the attribute `id` by point, in `components` components of `type`, each value at a
-  /// multiple of 4 bytes. Errors: as above.
+  /// Values of the attribute `id` by point, as `components` components of `type`, each value
+  /// starting at a multiple of 4 bytes. Errors: as above.
   Result<std::string> attribute(std::uint32_t id, ComponentType type, std::size_t components) const;
 
   DracoMesh() = default;

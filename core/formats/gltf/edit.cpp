@@ -5,7 +5,7 @@
 namespace abflat::gltf {
 namespace {
 
-/// A list of the file, made where it has none.
+/// A list of the file, created if missing.
 Json& listOf(Json& json, const char* key) {
   Json& list = json[key];
   if (!list.is_array()) list = Json::array();

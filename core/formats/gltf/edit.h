@@ -12,20 +12,21 @@
 
 namespace abflat::gltf {
 
-/// New content for a file: accessors are added or replaced, and their bytes added to the file's. No
-/// number of an accessor or view changes. Views that nothing uses any more are used again, and what
-/// only they hold leaves the file.
+/// New content for a file: accessors are added or replaced, and their bytes are added to the
+/// file's. No index of an accessor or view changes. Views that nothing uses any more are reused,
+/// and bytes that only they hold are dropped from the file.
 class Edit {
  public:
   Edit(const Document& document, Usage usage);
 
-  /// `accessor` is about to be replaced. To be called for all of them before anything is added.
+  /// Announces that `accessor` will be replaced. To be called for all such accessors before
+  /// anything is added.
   void release(std::size_t accessor);
 
-  /// Number of a view of these bytes. `stride` is 0 where elements follow each other.
+  /// Index of a view of these bytes. `stride` is 0 if elements are tightly packed.
   std::size_t addView(std::string bytes, std::size_t stride, Target target);
 
-  /// Replaces accessor `slot`, or adds one when that is kNone. Returns its number.
+  /// Replaces accessor `slot`, or adds one if that is kNone. Returns its index.
   std::size_t putAccessor(std::size_t slot, Json accessor);
 
   /// The file's JSON with its own changes and these, and the bytes of its only buffer.
@@ -43,7 +44,7 @@ class Edit {
   Usage usage_;
   Json json_;
   std::set<std::size_t> freeViews_;
-  std::vector<bool> isNew_;  ///< by view of the document: it has new bytes
+  std::vector<bool> isNew_;  ///< by view of the document: whether it has new bytes
   std::vector<NewView> added_;
 };
 

@@ -13,13 +13,13 @@ bool isUnsigned(ComponentType type);
 /// In bytes.
 std::size_t componentSize(ComponentType type);
 
-/// 5120 to 5126.
+/// The glTF code, 5120 to 5126.
 int typeCode(ComponentType type);
 
 ComponentType componentType(const Field& code);
 
-/// Elements in a view, one after the other; those of a type of several columns (matrices) begin
-/// each column at a multiple of 4 bytes.
+/// Layout of elements in a view, one after another. Types of several columns (matrices) start each
+/// column at a multiple of 4 bytes.
 struct ElementShape {
   ComponentType type = ComponentType::Float;
   std::size_t columns = 1, rows = 1;
@@ -29,7 +29,7 @@ struct ElementShape {
   std::size_t size() const { return columns * columnSize(); }
 };
 
-/// Of an accessor, by its componentType and type.
+/// Shape of an accessor, from its componentType and type.
 ElementShape shapeOf(const Field& accessor);
 
 }  // namespace abflat::gltf

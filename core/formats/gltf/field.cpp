@@ -5,7 +5,7 @@
 namespace abflat::gltf {
 namespace {
 
-/// Numbers up to this are exact in any reader of JSON.
+/// Numbers up to this are exact in every JSON reader.
 constexpr double kMostCount = 9007199254740992.0;
 
 }  // namespace

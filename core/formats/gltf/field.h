@@ -12,7 +12,7 @@ namespace abflat::gltf {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// The first complaint about a file.
+/// Keeps the first complaint about a file.
 class Complaints {
  public:
   explicit Complaints(std::string fileName) : fileName_(std::move(fileName)) {}
@@ -31,8 +31,8 @@ class Complaints {
   Status status_;
 };
 
-/// A value of the document, present or not, and where it is: "meshes[2].primitives[0]". What is
-/// not as the specification has it is complained about, and read as if it were absent.
+/// A value of the document, present or not, and where it is: "meshes[2].primitives[0]". Anything
+/// that violates the specification causes a complaint and is read as if it were absent.
 class Field {
  public:
   Field(const Json* value, std::string place, Complaints& complaints)
@@ -42,23 +42,23 @@ class Field {
   const std::string& place() const { return place_; }
   void complain(const std::string& sentence) const { complaints_->add(place_ + " " + sentence); }
 
-  /// Of an object.
+  /// Member of an object.
   Field operator[](const std::string& key) const;
   std::vector<std::pair<std::string, Field>> members() const;
-  /// Of an array.
+  /// Elements of an array.
   std::vector<Field> items() const;
 
-  /// A number counted from 0. Absent: `fallback`.
+  /// A whole number, 0 or more. Absent: `fallback`.
   std::size_t count(std::size_t fallback) const;
-  /// The same, of a value that must be there.
+  /// The same for a required value.
   std::size_t count() const;
-  /// Position in a list of `size` entries that is called `list`. Absent: kNone.
+  /// Index into a list of `size` entries that is called `list`. Absent: kNone.
   std::size_t index(std::size_t size, const char* list) const;
-  /// The same, of a value that must be there.
+  /// The same for a required value.
   std::size_t requiredIndex(std::size_t size, const char* list) const;
   bool flag() const;         ///< absent: false
   std::string text() const;  ///< absent: empty
-  /// As many finite numbers as `out` has; left as they are where there are none.
+  /// As many finite numbers as `out` has; `out` is unchanged if there are none.
   void numbers(double* out, std::size_t size) const;
 
  private:

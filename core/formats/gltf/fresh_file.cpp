@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kUint16 = 5123, kUint32 = 5125, kFloat = 5126;
 
-/// Adds to a list. Returns its place there.
+/// Appends to a list. Returns the index of the entry.
 std::size_t added(Json& list, Json entry) {
   list.push_back(std::move(entry));
   return list.size() - 1;
@@ -79,7 +79,7 @@ std::size_t FreshFile::addTexture(const std::string& name, const std::string& mi
   Json image = named(name);
   image["mimeType"] = mimeType;
   image["bufferView"] = addView(bytes.data(), bytes.size());
-  // The second list may move the first, which is looked up only then.
+  // Creating the second list may move the first, so it is looked up only then.
   const std::size_t source = added(json_["images"], std::move(image));
   return added(json_["textures"], {{"source", source}});
 }

@@ -9,26 +9,26 @@
 
 namespace abflat::gltf {
 
-/// A file that is made from nothing: a buffer and the lists that describe it. All functions return
-/// the number of what they add.
+/// A file made from scratch: a buffer and the lists that describe it. All functions return the
+/// index of what they add.
 class FreshFile {
  public:
   FreshFile();
 
-  /// Of "VEC2", "VEC3" and so on, which have so many components.
+  /// For "VEC2", "VEC3" and so on, which have this many components.
   std::size_t addFloats(const std::vector<float>& values, const char* type, std::size_t components);
-  /// Parts of 65535.
+  /// In units of 1/65535.
   std::size_t addColors(const std::vector<std::uint16_t>& rgba);
-  /// With the box that they must have.
+  /// With the bounding box that positions must have.
   std::size_t addPositions(const std::vector<float>& xyz);
-  /// As narrow as the number of vertices allows.
+  /// In the narrowest type that the number of vertices allows.
   std::size_t addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
-  /// A texture of an image in the file.
+  /// A texture that uses an image in the file.
   std::size_t addTexture(const std::string& name, const std::string& mimeType,
                          const std::string& bytes);
   std::size_t addMaterial(Json material);
 
-  /// A mesh in a node of its own. Primitives go to the last one.
+  /// A mesh in a node of its own. Primitives are added to the last mesh.
   void addMesh(const std::string& name);
   void addPrimitive(Json primitive);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kAlignment = 4;
 
-/// Elements of `size` bytes at multiples of `stride`.
+/// Puts elements of `size` bytes at multiples of `stride`.
 std::string spread(const std::string& bytes, std::size_t size, std::size_t stride) {
   std::string out(bytes.size() / size * stride, '\0');
   for (std::size_t i = 0; i < bytes.size() / size; ++i)

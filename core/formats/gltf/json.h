@@ -4,7 +4,7 @@
 
 namespace abflat::gltf {
 
-/// Keys keep the order of the file.
+/// Preserves the order of keys in the file.
 using Json = nlohmann::ordered_json;
 
 }  // namespace abflat::gltf

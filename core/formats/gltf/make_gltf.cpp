@@ -68,15 +68,14 @@ class ModelMaker {
     return object < look_.objectNames.size() ? look_.objectNames[object] : std::string();
   }
 
-  /// Texcoords that the mesh had are of use beside the new ones, or where an image is painted on
-  /// them.
+  /// The mesh's own texcoords are useful beside the new ones, or if an image is painted on them.
   bool keepsOld(std::uint32_t material) const {
     const bool hasImage =
         material < look_.materials.size() && look_.materials[material].image != kNoImage;
     return !mesh_.faceTexcoords.empty() && (options_.texcoord > 0 || hasImage);
   }
 
-  /// Of all triangles, in the order of their faces.
+  /// Corners of all triangles, in the order of their faces.
   std::vector<Corner> allCorners() const {
     std::vector<Corner> out;
     out.reserve(triangleCorners_.size());
@@ -118,7 +117,7 @@ class ModelMaker {
     return out;
   }
 
-  /// With v downwards; 0 where a corner has none.
+  /// With v pointing down; 0 for a corner without texcoords.
   std::size_t addTexcoords(const std::vector<double>& uv, const std::vector<Corner>& corners,
                            std::uint32_t Corner::*number) {
     std::vector<float> out;
@@ -160,7 +159,7 @@ class ModelMaker {
 
   std::size_t oldSet() const { return options_.texcoord == 0 ? 1 : 0; }
 
-  /// Of a material of the mesh, which is added when it is first used.
+  /// Index of a material of the mesh, which is added when first used.
   std::size_t materialNumber(std::uint32_t material) {
     const auto known = materials_.find(material);
     if (known != materials_.end()) return known->second;
@@ -197,12 +196,12 @@ class ModelMaker {
   const GltfMakeOptions& options_;
   FreshFile file_;
   std::vector<PrimitiveKey> keys_;              ///< by primitive
-  std::vector<std::uint32_t> primitiveOfFace_;  ///< of the mesh
+  std::vector<std::uint32_t> primitiveOfFace_;  ///< by face of the mesh
   std::map<std::uint32_t, std::size_t> materials_;
   std::map<std::size_t, std::size_t> textures_;
 };
 
-/// Whether single precision, which is all that a glTF has, holds the places of all faces.
+/// Whether positions of all faces fit single precision, which is all that glTF offers.
 Status checkRange(const PolygonMesh& mesh) {
   constexpr double kMost = std::numeric_limits<float>::max();
   for (const std::uint32_t v : mesh.faceVertices)

@@ -6,7 +6,7 @@
 namespace abflat::gltf {
 namespace {
 
-constexpr std::size_t kAlignment = 8;  // of the largest type that any extension has
+constexpr std::size_t kAlignment = 8;  // of the largest type in any extension
 
 using Interval = std::pair<std::size_t, std::size_t>;
 

@@ -7,17 +7,17 @@
 
 namespace abflat::gltf {
 
-/// All buffers of a file as one, without the bytes that no view holds, or only left ones. Every
-/// byte keeps its alignment.
+/// All buffers of a file joined into one, without the bytes that no view holds or only dropped
+/// views hold. Every byte keeps its alignment.
 class MergedBuffer {
  public:
-  /// `isLeft` is by view.
+  /// `isLeft`: per view, whether it is dropped.
   MergedBuffer(const Document& document, const std::vector<bool>& isLeft);
 
-  /// Where the bytes of a view that is not left are now.
+  /// Where the bytes of a view that is not dropped are now.
   std::size_t offsetOf(const BufferView& view) const;
 
-  /// Adds bytes at a multiple of 4. Returns where they are.
+  /// Appends bytes at a multiple of 4. Returns their offset.
   std::size_t append(const std::string& bytes);
 
   const std::string& bytes() const { return bytes_; }

@@ -6,11 +6,11 @@
 
 namespace abflat::gltf {
 
-/// Two names of the same extension of bufferViews and buffers.
+/// The two names of one extension of bufferViews and buffers.
 constexpr std::array<const char*, 2> kMeshoptExtensions = {"EXT_meshopt_compression",
                                                            "KHR_meshopt_compression"};
 
-/// That of a bufferView, if it has one.
+/// The extension of a bufferView, if it has it.
 inline Field meshoptExtension(const Field& view) {
   const Field extensions = view["extensions"];
   const Field first = extensions[kMeshoptExtensions[0]];

@@ -8,11 +8,11 @@
 
 namespace abflat::gltf {
 
-/// The least unsigned type from `type` on that holds `highest`, which is not the highest number of
-/// the type: that one is reserved.
+/// The narrowest unsigned type, from `type` on, that holds `highest`. The highest number of a type
+/// is reserved and does not count.
 ComponentType typeFor(ComponentType type, std::uint32_t highest);
 
-/// Numbers of an unsigned type that holds them, one behind the other.
+/// Numbers in an unsigned type that holds them, tightly packed.
 std::string packed(const std::vector<std::uint32_t>& numbers, ComponentType type);
 
 }  // namespace abflat::gltf

@@ -92,7 +92,7 @@ class ModelReader {
                        " bytes: too many meshes share the same data");
   }
 
-  /// Before anything is made of them: a triangle for each entry of a strip or fan.
+  /// Known before any are created: one triangle per entry of a strip or fan.
   std::size_t cornersOf(const Primitive& primitive, std::size_t vertices) const {
     const std::size_t perEntry = primitive.mode == Mode::Triangles ? 1 : 3;
     if (primitive.indices == kNone) return perEntry * vertices;
@@ -100,7 +100,7 @@ class ModelReader {
     return perEntry * indices.count + (indices.sparse ? indices.sparse->count : 0);
   }
 
-  /// Vertices, and values of their attributes.
+  /// Vertices, plus the values of their attributes.
   std::size_t elementsOfGroup(const Primitive& primitive, std::size_t vertices) const {
     std::size_t out = vertices;
     for (const Attributes* list : allAttributes(primitive))
@@ -112,7 +112,7 @@ class ModelReader {
     return out;
   }
 
-  /// Numbers of the vertices, one for each corner, strip or fan entry.
+  /// Vertex indices, one for each corner, strip or fan entry.
   Status readVertices(std::size_t m, std::size_t p, const VertexGroup& group,
                       std::vector<std::uint32_t>& out) const {
     const Primitive& primitive = document_.meshes[m][p];
@@ -177,7 +177,7 @@ class ModelReader {
     return {};
   }
 
-  /// Of an accessor that is to have `count` elements; empty when there is none.
+  /// What is wrong with an accessor that should have `count` elements; empty if nothing is.
   std::string problemOf(std::size_t accessor, std::size_t count) const {
     const Accessor& a = document_.accessors[accessor];
     const std::string place = " (accessors[" + std::to_string(accessor) + "])";
@@ -195,7 +195,7 @@ class ModelReader {
     return out;
   }
 
-  /// One for each vertex, so that their numbers are those of vertices.
+  /// One per vertex, so that texcoords have the same indices as vertices.
   void addTexcoords(const Primitive& primitive, std::size_t count) {
     std::vector<double>& out = model_.mesh.texcoords;
     const std::size_t found = accessorNamed(primitive.attributes, "TEXCOORD_0");
@@ -249,7 +249,7 @@ class ModelReader {
   const Document& document_;
   GltfModel& model_;
   Budget budget_;
-  std::map<Attributes, std::size_t> groupOf_;  ///< of the present mesh, by sorted accessors
+  std::map<Attributes, std::size_t> groupOf_;  ///< of the current mesh, by sorted accessors
   std::map<std::size_t, std::size_t> materials_;
   std::size_t leftOut_ = 0, unused_ = 0;
 };

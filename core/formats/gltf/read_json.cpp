@@ -8,19 +8,19 @@
 namespace abflat::gltf {
 namespace {
 
-/// Values are visited recursively later on.
+/// Limit on nesting, because values are visited recursively later on.
 constexpr std::size_t kMostLevels = 256;
-/// Of an object: each key is compared with all before it.
+/// Limit per object, because each key is compared with all before it.
 constexpr std::size_t kMostKeys = 4096;
 
-/// What is nested, before anything is made of it.
+/// How deeply values are nested, measured before anything is built from them.
 struct Nesting {
-  std::size_t levels = 0, keys = 0;  ///< the most of all
+  std::size_t levels = 0, keys = 0;  ///< largest values found
 };
 
 Nesting nestingOf(std::string_view text) {
   Nesting most;
-  std::vector<std::size_t> colons;  // of each value around; only objects have some
+  std::vector<std::size_t> colons;  // of each enclosing value; only objects have any
   bool isInString = false;
   for (std::size_t i = 0; i < text.size() && most.levels <= kMostLevels; ++i) {
     const char c = text[i];

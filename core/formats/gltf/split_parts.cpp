@@ -12,9 +12,9 @@ void addTexcoord(const SplitVertices& split, std::size_t vertex, std::vector<flo
   out.push_back(static_cast<float>(1 - split.uv[2 * vertex + 1]));
 }
 
-/// Which group has a vertex of the mesh.
+/// The group that a vertex of the mesh belongs to.
 std::size_t groupOf(const std::vector<VertexGroup>& groups, std::uint32_t vertex) {
-  // The last that begins there or before: those without vertices come before it.
+  // The last group that begins there or earlier: groups without vertices come before it.
   const auto next = std::upper_bound(
       groups.begin(), groups.end(), vertex,
       [](std::uint32_t v, const VertexGroup& group) { return v < group.firstVertex; });
@@ -35,7 +35,7 @@ SplitParts splitParts(const Source& source, const std::vector<double>& uv,
       addTexcoord(split, group.firstVertex + v, out.groups.back().uv);
   }
   const std::uint32_t vertices = source.vertexCount;
-  std::vector<std::uint32_t> local;  // number of each copy in its group
+  std::vector<std::uint32_t> local;  // index of each copy in its group
   for (std::size_t i = 0; i < split.copied.size(); ++i) {
     const std::size_t g = groupOf(source.groups, split.copied[i]);
     SplitGroup& group = out.groups[g];
@@ -54,7 +54,7 @@ SplitParts splitParts(const Source& source, const std::vector<double>& uv,
         now.triangles.push_back(v < vertices ? v - first : local[v - vertices]);
       }
     const bool isIndexed = source.document.meshes[part.mesh][part.primitive].indices != kNone;
-    // Without indices all vertices are drawn, copies as well.
+    // Without indices all vertices are drawn, including copies.
     if (!isIndexed && !out.groups[part.group].copied.empty()) now.needsIndices = true;
   }
   return out;

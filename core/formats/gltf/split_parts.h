@@ -7,15 +7,15 @@
 
 namespace abflat::gltf {
 
-/// Vertices of a group that have one texcoord each: its own in their order, copies behind them.
+/// Vertices of a group with one texcoord each: its own in their order, followed by copies.
 struct SplitGroup {
   std::vector<std::uint32_t> copied;  ///< vertex of the group that each copy repeats
-  std::vector<float> uv;              ///< 2 per vertex, v downwards
+  std::vector<float> uv;              ///< 2 per vertex, v pointing down
 };
 
 struct SplitPart {
   std::vector<std::uint32_t> triangles;  ///< 3 vertices of the group each
-  bool needsIndices = false;             ///< those that it has are no longer right
+  bool needsIndices = false;             ///< its own indices are no longer right
 };
 
 struct SplitParts {

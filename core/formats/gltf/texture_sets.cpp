@@ -9,13 +9,13 @@ namespace abflat {
 namespace gltf {
 namespace {
 
-/// A member, or nothing.
+/// A member, or null.
 const Json* memberOf(const Json& json, const char* key) {
   const auto found = json.is_object() ? json.find(key) : json.end();
   return found == json.end() ? nullptr : &*found;
 }
 
-/// A number counted from 0, or `fallback`.
+/// A whole number, 0 or more, or `fallback`.
 std::size_t numberOf(const Json* json, std::size_t fallback) {
   return json != nullptr && json->is_number_unsigned() ? json->get<std::size_t>() : fallback;
 }
@@ -26,7 +26,7 @@ bool isTextureInfo(std::string_view key, const Json& json) {
          memberOf(json, "index") != nullptr;
 }
 
-/// KHR_texture_transform may put another set in place.
+/// KHR_texture_transform may specify another set.
 std::size_t setOf(const Json& texture) {
   const std::size_t set = numberOf(memberOf(texture, "texCoord"), 0);
   const Json* const extensions = memberOf(texture, "extensions");
@@ -35,7 +35,7 @@ std::size_t setOf(const Json& texture) {
   return transform == nullptr ? set : numberOf(memberOf(*transform, "texCoord"), set);
 }
 
-/// Of all textures of a material, those of its extensions too.
+/// Texcoord sets of all textures of a material, including those of its extensions.
 void addSets(const Json& material, std::set<std::size_t>& sets) {
   if (!material.is_object()) return;
   for (const auto& member : material.items()) {
@@ -45,7 +45,7 @@ void addSets(const Json& material, std::set<std::size_t>& sets) {
   }
 }
 
-/// Materials that extensions of a primitive name, as those of variants.
+/// Materials that extensions of a primitive refer to, such as variants.
 void addMaterials(const Json& json, std::set<std::size_t>& materials) {
   if (!json.is_structured()) return;
   for (const auto& member : json.items()) {

@@ -28,7 +28,7 @@ bool isFinite(const Matrix& m) {
   return std::isfinite(determinantOf(m));
 }
 
-/// Nodes in the order of the scene, parents first.
+/// Visits nodes in the order of the scene, parents first.
 class SceneWalk {
  public:
   explicit SceneWalk(const Document& document)

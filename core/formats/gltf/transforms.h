@@ -6,15 +6,15 @@
 
 namespace abflat::gltf {
 
-/// Where a mesh is in the scene.
+/// Placement of a mesh in the scene.
 struct MeshPlace {
   bool isUsed = false;     ///< by a node of the scene
   Matrix matrix{};         ///< to the scene, by columns
   double determinant = 1;  ///< below 0: mirrored
 };
 
-/// Of each mesh: where the first node that uses it puts it. Skinned meshes stay where they are, and
-/// so do those whose nodes squeeze them flat. Without a scene all meshes are used as they are.
+/// For each mesh, where the first node that uses it puts it. Skinned meshes stay where they are,
+/// and so do those whose nodes squeeze them flat. Without a scene all meshes are used as they are.
 /// Errors: ParseError (nodes that are their own descendants, numbers that are not finite).
 Result<std::vector<MeshPlace>> meshPlaces(const Document& document);
 

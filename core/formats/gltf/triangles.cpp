@@ -13,7 +13,7 @@ std::vector<std::uint32_t> asTriangles(Mode mode, std::vector<std::uint32_t> ver
   }
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i + 2 < vertices.size(); ++i) {
-    const std::size_t odd = i % 2;  // every other triangle of a strip runs the other way
+    const std::size_t odd = i % 2;  // every other triangle of a strip has the opposite orientation
     if (mode == Mode::TriangleStrip)
       out.insert(out.end(), {vertices[i], vertices[i + 1 + odd], vertices[i + 2 - odd]});
     else

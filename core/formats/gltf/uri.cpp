@@ -12,7 +12,7 @@ constexpr std::string_view kDigits =
 constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 constexpr int kNoDigit = -1;
 
-/// Value of each character as digit of base 64.
+/// Value of each character as a base 64 digit.
 std::array<int, 256> digitValues() {
   std::array<int, 256> out{};
   out.fill(kNoDigit);

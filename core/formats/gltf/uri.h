@@ -7,22 +7,22 @@
 
 namespace abflat::gltf {
 
-/// "data:...": the bytes are in the URI itself.
+/// "data:...": the URI itself holds the bytes.
 bool isDataUri(std::string_view uri);
 
-/// "https://...", or any other scheme: nothing beside the file.
+/// "https://...", or any other scheme, so not a file beside this one.
 bool hasScheme(std::string_view uri);
 
 /// Bytes of a data URI. Errors: ParseError, worded to follow the name of the place.
 Result<std::string> dataOf(std::string_view uri);
 
-/// "application/octet-stream" with these bytes.
+/// Encodes the bytes as "application/octet-stream".
 std::string dataUri(std::string_view bytes);
 
-/// A relative URI as path: without %XX.
+/// A relative URI as a path: %XX is decoded.
 std::string pathOfUri(std::string_view uri);
 
-/// The other way.
+/// The inverse.
 std::string uriOfPath(std::string_view path);
 
 }  // namespace abflat::gltf

@@ -15,7 +15,7 @@ bool isHarmless(std::string_view extension) {
   return false;
 }
 
-/// Entries of a list, or none.
+/// Entries of a list; empty if there is none.
 const Json& listOf(const Json& object, const char* key) {
   static const Json kEmpty = Json::array();
   const auto found = object.is_object() ? object.find(key) : object.end();

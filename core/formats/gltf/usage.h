@@ -7,7 +7,7 @@
 namespace abflat::gltf {
 
 /// How many places of a file refer to each accessor and view. Any number within extensions and
-/// extras may be a reference, but for those of materials, textures and lights.
+/// extras may be a reference, except in those for materials, textures and lights.
 class Usage {
  public:
   explicit Usage(const Document& document);
@@ -15,7 +15,7 @@ class Usage {
   std::size_t ofAccessor(std::size_t accessor) const { return accessors_[accessor]; }
   std::size_t ofView(std::size_t view) const { return views_[view]; }
 
-  /// An accessor lets go of its views.
+  /// Discounts an accessor's references to its views.
   void release(const Accessor& accessor);
 
  private:

@@ -17,7 +17,7 @@ std::string texcoordName(std::size_t set) { return "TEXCOORD_" + std::to_string(
 
 /// How often the primitives of a group refer to an accessor.
 struct GroupUses {
-  std::size_t asReplaced = 0;  ///< as the texcoords that are replaced
+  std::size_t asReplaced = 0;  ///< as the texcoords to be replaced
   std::size_t otherwise = 0;
 };
 
@@ -60,7 +60,8 @@ class ModelWriter {
       for (const auto& [name, accessor] : target) ++uses[accessor].otherwise;
   }
 
-  /// Whether nothing beyond these uses refers to an accessor: its number gets the new content.
+  /// Whether nothing beyond these uses refers to an accessor, so that the new content can take its
+  /// index.
   bool isReplaced(std::size_t accessor, std::size_t uses) const {
     return uses > 0 && usage_.ofAccessor(accessor) == uses;
   }
@@ -81,7 +82,7 @@ class ModelWriter {
   }
 
   void writeGroup(std::size_t g) {
-    std::map<std::size_t, std::size_t> grown;  // new number of each accessor with copies
+    std::map<std::size_t, std::size_t> grown;  // new index of each accessor with copies
     if (hasCopies(g))
       for (const auto& [accessor, uses] : uses_[g])
         if (uses.otherwise > 0)
@@ -148,7 +149,7 @@ class ModelWriter {
   std::vector<std::map<std::size_t, GroupUses>> uses_;  ///< by group and accessor
 };
 
-/// Files beside the old file are still found from the folder of the new one.
+/// Adjusts paths so that files beside the old file are found from the folder of the new one.
 void moveImages(Json& json, const std::string& pathToSource) {
   const auto images = json.find("images");
   if (images == json.end() || !images->is_array() || pathToSource.empty()) return;
@@ -161,7 +162,7 @@ void moveImages(Json& json, const std::string& pathToSource) {
   }
 }
 
-/// Whether a material looks up its normals by a set of texcoords.
+/// Whether a material has a normal map that uses a set of texcoords.
 bool hasNormalMap(const Json& json, std::size_t material, std::size_t texcoord) {
   if (material == kNone) return false;
   const Json& value = json["materials"][material];

@@ -12,8 +12,8 @@
 
 namespace abflat {
 
-/// The layouts of a mesh by all methods. Tutte, mean value and harmonic have the boundary on a
-/// circle, spaced by 3D edge length; with a fixed boundary harmonic is the discrete conformal
+/// The layouts of a mesh by all methods. Tutte, mean value and harmonic place the boundary on a
+/// circle, spaced by 3D edge length; with a fixed boundary, harmonic is the discrete conformal
 /// parameterization of Desbrun, Meyer and Alliez 2002.
 struct Comparison {
   MeshSummary input;
@@ -23,14 +23,15 @@ struct Comparison {
 };
 
 struct CompareOptions {
-  /// As in FlattenOptions, with the method at work; `fraction` is that of all.
+  /// As in FlattenOptions, plus the method at work; `fraction` covers all methods.
   ProgressCallback progress;
 };
 
 /// Flattens a mesh that is one topological disk by abflat and by the reference methods. A method
-/// that fails is a row with its problem; the references are turned to lie as the first layout does.
-/// Errors: InvalidMesh, EmptyMesh, DegenerateFace, NonManifoldEdge, InconsistentOrientation,
-/// MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles, Aborted.
+/// that fails still has a row, with its problem; the reference layouts are rotated to match the
+/// first one. Errors: InvalidMesh, EmptyMesh, DegenerateFace, NonManifoldEdge,
+/// InconsistentOrientation, MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles,
+/// Aborted.
 Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options);
 
 /// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/methods.md.

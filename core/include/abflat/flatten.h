@@ -14,13 +14,13 @@
 namespace abflat {
 
 struct FlattenResult {
-  std::vector<double> uv;  ///< 2 per output vertex; of the mesh's 3D area unless pinned
+  std::vector<double> uv;  ///< 2 per output vertex; total area is the mesh's 3D area unless pinned
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each output vertex
   std::vector<std::uint32_t> triangles;  ///< 3 output vertices per triangle (polygons triangulated)
   std::vector<std::uint32_t>
       cornerUv;  ///< output vertex of each input face corner (size of faceVertices)
   std::vector<std::uint32_t> straight;  ///< output vertices whose angle was held at pi
-  Report report;  ///< path and timings.read/write/total are the caller's to fill
+  Report report;                        ///< the caller fills in path and timings.read/write/total
 };
 
 /// Flattens a mesh that is one topological disk (paper, section 5, with bounds t*pi on the
@@ -31,17 +31,17 @@ struct FlattenResult {
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options);
 
 /// Rounds a valid layout to single precision, which is all that many programs read from a PLY file,
-/// and measures it again: the report is about the rounded coordinates then. Where that would flip a
-/// triangle, make the boundary cross itself or lose the Delaunay condition, the layout stays as it
-/// is and a sentence among the fallbacks says so. Returns whether it was rounded.
+/// and measures it again, so that the report describes the rounded coordinates. If rounding would
+/// flip a triangle, make the boundary cross itself or break the Delaunay condition, the layout
+/// stays as it is and a sentence among the fallbacks says so. Returns whether it was rounded.
 bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result);
 
-/// Rounds a layout to what a glTF holds, whatever becomes of it: single precision, with v from the
-/// top. The report is about the rounded coordinates then.
+/// Rounds a layout to what a glTF holds, even if that makes it invalid: single precision, with v
+/// from the top. The report then describes the rounded coordinates.
 void roundForGltf(const PolygonMesh& mesh, FlattenResult& result);
 
 /// The report as JSON text, indented by two spaces; keys as in docs/report.md. Numbers that are not
-/// finite, and counts of an input that is not known (it could not be read), are null.
+/// finite are null, and so are counts of an input that could not be read.
 std::string reportJson(const Report& report);
 
 }  // namespace abflat

@@ -10,18 +10,18 @@
 
 namespace abflat {
 
-/// A part of the boundary that is to be straight in the layout: what follows `from`, with the
-/// surface on the left, up to `to`. Both are input vertices and may be corners themselves.
+/// A part of the boundary that is to be straight in the layout. It runs from `from` to `to` with
+/// the surface on the left. Both are input vertices and may be corners themselves.
 struct StraightRun {
   std::uint32_t from = 0, to = 0;
 };
 
 struct FlattenOptions : FlattenOptionValues {
   std::vector<VertexBound> bounds;
-  /// Angles inside of these are exactly pi, whatever t and the bounds say.
+  /// Angles strictly inside these runs are exactly pi, whatever t and the bounds say.
   std::vector<StraightRun> straight;
-  /// None, or two and more. Two are met by turning and scaling the layout; of the layouts that meet
-  /// more, the nearest to the angles in the sense of least squares is taken.
+  /// Either none, or at least two. Two are met by rotating and scaling the layout; with more, the
+  /// layout that meets them and is nearest to the angles in the least-squares sense is taken.
   std::vector<Pin> pins;
   ProgressCallback progress;
 };

@@ -7,8 +7,8 @@
 
 namespace abflat {
 
-/// Counts only; `disk` is Ok when `flatten` accepts the mesh and otherwise says what stands in the
-/// way, with counts and the first place.
+/// Counts only. `disk` is Ok when `flatten` accepts the mesh; otherwise it says why not, with
+/// counts and the first place.
 MeshSummary inspect(const PolygonMesh& mesh);
 
 /// JSON object with the fields of MeshSummary, as in docs/report.md.

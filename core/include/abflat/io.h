@@ -11,31 +11,30 @@ namespace abflat {
 
 enum class MeshFormat { Obj, Off, Ply, Stl };
 
-/// Format by the ending of a file name (".obj", ".off", ".ply", ".stl", any case); without a known
-/// ending by the first bytes. Errors: UnreadableFile when neither tells.
+/// Detects the format by the extension of a file name (".obj", ".off", ".ply", ".stl", any case),
+/// or by the first bytes if the extension is unknown. Errors: UnreadableFile when neither tells.
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes);
 
-/// Parses a whole file. STL has no connectivity: corners at identical coordinates are one vertex.
-/// `fileName` is used in messages only. Errors: ParseError (names file and line, or byte of a
-/// binary file). Texcoords that cannot be read or do not exist are none: they are not needed for a
-/// mesh.
+/// Parses a whole file. STL has no connectivity: corners at identical coordinates become one
+/// vertex. `fileName` is used in messages only. Texcoords that cannot be read or do not exist are
+/// dropped, since a mesh does not need them. Errors: ParseError (names file and line, or byte of a
+/// binary file).
 Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName);
 
-/// OBJ text of the mesh with texcoords: the faces in their order, corner order and degree.
-/// `uv` has 2 coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of
-/// faceVertices). When `sourceObj` is the OBJ text that `mesh` was read from, everything but
-/// texcoords, what refers to them, and faces is copied from it byte for byte (positions, comments,
-/// groups, materials, normals); otherwise positions are written so that they read back to the same
-/// doubles.
+/// OBJ text of the mesh with texcoords; faces keep their order, corner order and degree. `uv` has 2
+/// coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of faceVertices).
+/// When `sourceObj` is the OBJ text that `mesh` was read from, everything but texcoords, references
+/// to them, and faces is copied from it byte for byte (positions, comments, groups, materials,
+/// normals). Otherwise positions are written so that they read back to the same doubles.
 std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj = {});
 
-/// PLY of the mesh with texcoords: vertex properties `s` and `t`, `float` where every coordinate of
-/// `uv` is one and `double` otherwise. Arguments as for writeObj. Vertices and faces keep their
-/// order; a vertex with several texcoords is repeated behind all others. When `sourcePly` is the
-/// PLY file that `mesh` was read from, encoding and all other elements, properties and comments
-/// are copied from it byte for byte, and texcoords that it had give way; otherwise the file is
-/// binary.
+/// PLY of the mesh with texcoords: vertex properties `s` and `t`, stored as `float` if every
+/// coordinate of `uv` fits one exactly and as `double` otherwise. Arguments as for writeObj.
+/// Vertices and faces keep their order; a vertex with several texcoords is duplicated after all
+/// others. When `sourcePly` is the PLY file that `mesh` was read from, its encoding and all other
+/// elements, properties and comments are copied byte for byte, and its own texcoords are replaced;
+/// otherwise the file is binary.
 std::string writePly(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourcePly = {});
 

@@ -9,7 +9,7 @@
 
 namespace abflat {
 
-/// In place of a number in faceTexcoords.
+/// Stands for "no texcoord" in faceTexcoords.
 constexpr std::uint32_t kNoTexcoord = 0xffffffffu;
 
 /// Polygon mesh as the user gave it; nothing is welded, dropped or reordered.
@@ -20,17 +20,17 @@ struct PolygonMesh {
   std::vector<std::uint32_t>
       faceVertices;  ///< vertex of each face corner, counter-clockwise seen from outside
 
-  // What else a file says about the surface; each is empty where it says nothing.
-  std::vector<double> texcoords;             ///< uv per texcoord, in no certain range
+  // Further data of the file about the surface. Each array is empty if the file has none.
+  std::vector<double> texcoords;             ///< uv per texcoord, in any range
   std::vector<std::uint32_t> faceTexcoords;  ///< texcoord of each face corner, or kNoTexcoord
-  std::vector<std::uint32_t> faceMaterials;  ///< per face; numbers by first appearance
-  std::vector<std::string> materialNames;    ///< by these numbers; empty for one without a name
+  std::vector<std::uint32_t> faceMaterials;  ///< per face; numbered by first appearance
+  std::vector<std::string> materialNames;    ///< by these numbers; empty if it has no name
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }
 };
 
-/// A mesh of triangles only. `indices` has 3 vertices per triangle.
+/// Makes a mesh of triangles only. `indices` has 3 vertices per triangle.
 PolygonMesh makeTriangleMesh(std::vector<double> positions, std::vector<std::uint32_t> indices);
 
 /// Checks arrays that did not come from a file: index ranges, finite coordinates, face sizes.

@@ -2,8 +2,8 @@
 
 namespace abflat {
 
-/// The most memory that the process has held so far, in MB of 2^20 bytes; in WebAssembly its heap,
-/// which never shrinks. NaN where the system does not tell.
+/// Peak memory of the process so far, in MB of 2^20 bytes. In WebAssembly it is the size of the
+/// heap, which never shrinks. NaN if the system does not tell.
 double peakMemory();
 
 }  // namespace abflat

@@ -5,15 +5,15 @@
 
 namespace abflat {
 
-/// Of a pin that needs no face.
+/// The face of a pin that needs none.
 constexpr std::uint32_t kAnyFace = 0xffffffffu;
 
-/// The place of a vertex in the layout. Vertex and face are those of the input mesh.
+/// The position of a vertex in the layout. Vertex and face are those of the input mesh.
 struct Pin {
   std::uint32_t vertex = 0;
   std::array<double, 2> uv{};
-  /// One that uses the vertex: tells which of its texcoords is meant where it has several, on both
-  /// sides of a seam.
+  /// A face that uses the vertex. It selects one of the vertex's texcoords if it has several, as on
+  /// the two sides of a seam.
   std::uint32_t face = kAnyFace;
 };
 

@@ -10,7 +10,7 @@ namespace abflat {
 /// Generated disks to try things on: smooth, consistently oriented, without degenerate faces.
 struct Sample {
   std::string_view name;   ///< "hemisphere", "wavy-strip", "head", "alpha-band", "three-balls"
-  std::string_view title;  ///< for people
+  std::string_view title;  ///< display name
   /// `detail` in [kMinSampleDetail, kMaxSampleDetail] scales the resolution: the number of faces
   /// grows about linearly with it.
   PolygonMesh (*make)(double detail);

@@ -7,8 +7,8 @@
 
 namespace abflat {
 
-/// Outcome of a call. `message` is empty when ok, otherwise one sentence that names the place and
-/// what to do.
+/// Outcome of a call. `message` is empty when ok; otherwise it is one sentence that names the place
+/// and what to do.
 struct Status {
   StatusCode code = StatusCode::Ok;
   std::string message;

@@ -8,8 +8,9 @@
 
 namespace abflat {
 
-/// Faces that have texcoords at all of their corners, ascending: as UnwrapOptions::fixedFaces they
-/// keep them. Errors: InvalidOption when the mesh has no texcoords.
+/// Faces that have texcoords at all of their corners, ascending. Passed as
+/// UnwrapOptions::fixedFaces, they keep these texcoords. Errors: InvalidOption when the mesh has no
+/// texcoords.
 Result<std::vector<std::uint32_t>> facesWithTexcoords(const PolygonMesh& mesh);
 
 }  // namespace abflat

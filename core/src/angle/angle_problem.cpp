@@ -10,16 +10,16 @@ namespace abflat {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
+constexpr std::size_t kGrain = 2048;  ///< triangles per piece of work
 
-/// What the angles of the triangles that fill holes weigh, by those of the surface: little, so that
-/// a hole takes the shape it wants. Where still less would change anything Newton's method takes
-/// twice the steps or stalls.
+/// Weight of the angles of triangles that fill holes, relative to those of the surface: low, so
+/// that a hole takes the shape it wants. Where an even lower weight would make a difference,
+/// Newton's method takes twice the steps or stalls.
 constexpr double kFillingWeight = 0.1;
 
-/// Targets round an interior vertex sum to 2 pi. At the rim of a hole it is what fills the hole
-/// that gives way first, down to a share of its own angles. The first corners are those of the
-/// surface.
+/// Makes the targets round an interior vertex sum to 2 pi. At the rim of a hole the filling gives
+/// way first, down to a share of its own angles. The first `surfaceCorners` corners are those of
+/// the surface.
 void scaleTargets(std::size_t surfaceCorners, AngleProblem& p) {
   constexpr double kLeast = 0.1;
   IdVector<ChartVertex, double> sum(p.vertexCount(), 0), filling(p.vertexCount(), 0);

@@ -24,9 +24,9 @@ struct AngleProblem {
   IdVector<ChartVertex, std::uint8_t> isBoundary;
   IdVector<ChartCorner, double> target;  ///< a, > 0
   IdVector<ChartCorner, double> weight;  ///< w = 1/a^2
-  /// 2 pi inside, the upper bound on the boundary (infinite: none).
+  /// 2 pi inside, the upper bound on the boundary (infinite if there is none).
   IdVector<ChartVertex, double> angleSum;
-  IdVector<ChartVertex, std::uint8_t> isStraight;  ///< on the boundary, the bound is met exactly
+  IdVector<ChartVertex, std::uint8_t> isStraight;  ///< boundary vertices whose bound is met exactly
   /// The two corners opposite each edge of condition (9); empty: no condition.
   std::vector<std::array<ChartCorner, 2>> edgeCorners;
   /// The edge opposite the corner or kNone; empty like edgeCorners.
@@ -56,7 +56,8 @@ AngleProblem buildAngleProblem(const DiskChart& chart, ThreadPool* pool = nullpt
 /// boundary control coefficient. t >= 2 is classic ABF, which has no condition on the boundary.
 void setBounds(AngleProblem& problem, const DiskChart& chart, const BoundaryBounds& t);
 
-/// Bounds of pi that are met exactly, where `straight` marks the boundary. Empty: none.
+/// Sets bounds of pi that are met exactly, for the boundary vertices marked in `straight`. Empty:
+/// none.
 void setStraight(AngleProblem& problem, const DiskChart& chart, const StraightPlaces& straight);
 
 /// Adds condition (9), alpha_1 + alpha_2 <= pi - margin, for every interior edge.

@@ -2,9 +2,9 @@
 
 namespace abflat {
 
-/// Gives memory that lies free between what is in use back to the system: after a stage that takes
-/// much, what the next ones take need not come on top. Where the C library is not glibc nothing
-/// happens.
+/// Returns freed memory that lies between used blocks to the system. After a stage that takes much,
+/// this keeps the memory of later stages from adding to it. Does nothing unless the C library is
+/// glibc.
 void giveBackFreeMemory();
 
 }  // namespace abflat

@@ -9,11 +9,12 @@
 
 namespace abflat {
 
-/// In place of a number where there is none.
+/// Stands for "no number".
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// A number that says what it counts, so that a corner is never taken for a vertex, nor a vertex of
-/// a chart for one of the surface. Reads as a plain number; is made from one by name only.
+/// A number typed by what it counts, so that a corner is never taken for a vertex, nor a vertex of
+/// a chart for one of the surface. Converts to a plain number implicitly, but from one only
+/// explicitly.
 template <class Tag>
 class Id {
  public:
@@ -70,7 +71,7 @@ class IdRange {
   I begin_, end_;
 };
 
-/// Values that lie in an array of someone else's, which ids of one kind count.
+/// A view of values in someone else's array, indexed by one kind of id.
 template <class I, class T>
 class IdSpan {
  public:
@@ -94,7 +95,7 @@ class IdSpan {
   std::size_t size_ = 0;
 };
 
-/// A vector that ids of one kind count.
+/// A vector indexed by one kind of id.
 template <class I, class T>
 class IdVector {
  public:
@@ -135,7 +136,7 @@ class IdVector {
   IdRange<I> ids() const { return IdRange<I>(values_.size()); }
   IdSpan<I, T> span() const { return {values_.data(), values_.size()}; }
 
-  /// For what counts in plain numbers: arrays of callers, linear systems.
+  /// For code that uses plain numbers: callers' arrays, linear systems.
   std::vector<T>& raw() { return values_; }
   const std::vector<T>& raw() const { return values_; }
 

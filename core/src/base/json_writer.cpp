@@ -14,15 +14,15 @@ struct Sequence {
   bool isValid;
 };
 
-/// Of UTF-8, at the beginning of `text`; of an invalid one as much as a valid one might begin with,
-/// at least a byte.
+/// The UTF-8 sequence at the beginning of `text`. For an invalid one, as many bytes as a valid one
+/// might begin with, but at least one.
 Sequence sequenceOf(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
   if (lead < 0x80) return {1, true};
   const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
   if (lead < 0xC2 || lead > 0xF4) return {1, false};
-  // Neither longer than needed, nor half of a pair, nor beyond U+10FFFF.
+  // Not longer than needed, not half of a surrogate pair, and not beyond U+10FFFF.
   unsigned low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
   unsigned high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
   for (std::size_t i = 1; i < length; ++i) {

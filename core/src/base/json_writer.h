@@ -10,16 +10,16 @@
 
 namespace abflat {
 
-/// JSON text of an object, written as it is told: one field a line, indented by two spaces.
-/// Browsers load it, so it is a few small functions rather than a tree of values.
+/// Writes a JSON object as text while it is being told the fields: one field per line, indented by
+/// two spaces. Browsers download it, so it is a few small functions rather than a tree of values.
 class JsonWriter {
  public:
   JsonWriter() { begin(nullptr, '{'); }
 
-  /// Null where it is not finite.
+  /// Writes null if the value is not finite.
   void field(const char* name, double value);
   void field(const char* name, bool value);
-  /// What is not UTF-8 becomes U+FFFD: paths and quoted input need not be.
+  /// Whatever is not UTF-8 becomes U+FFFD, since paths and quoted input need not be UTF-8.
   void field(const char* name, std::string_view text);
   void field(const char* name, const char* text) { field(name, std::string_view(text)); }
   void field(const char* name, const std::string& text) { field(name, std::string_view(text)); }
@@ -32,7 +32,7 @@ class JsonWriter {
   }
   void null(const char* name) { put(name, "null"); }
 
-  /// What follows is inside, until end(). Elements of arrays have no name.
+  /// What follows goes inside, until end(). Elements of arrays have no name.
   void object(const char* name = nullptr) { begin(name, '{'); }
   void array(const char* name = nullptr) { begin(name, '['); }
   void end();
@@ -47,7 +47,7 @@ class JsonWriter {
   void startLine();
 
   std::string text_;
-  std::string open_;  ///< brackets that are not closed yet
+  std::string open_;  ///< brackets still to be closed
   bool isEmpty_ = true;
 };
 

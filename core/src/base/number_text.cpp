@@ -27,7 +27,7 @@ std::string_view takeWord(std::string_view& text) {
 
 namespace {
 
-/// from_chars knows no plus sign.
+/// from_chars does not accept a plus sign.
 std::string_view withoutPlus(std::string_view number) {
   const bool hasPlus = number.size() > 1 && number[0] == '+' && number[1] != '-';
   return hasPlus ? number.substr(1) : number;
@@ -44,7 +44,8 @@ bool parseInteger(std::string_view word, std::int64_t& value) {
 
 const char* scanDouble(const char* begin, const char* end, double& value) {
   const auto [rest, error] = fast_float::from_chars(begin, end, value);
-  // Out of range: the value is 0 or infinity; older releases do not call that an error.
+  // Out of range, the value is 0 or infinity; older library releases do not report that as an
+  // error.
   return error == std::errc{} || error == std::errc::result_out_of_range ? rest : nullptr;
 }
 
@@ -62,7 +63,7 @@ struct Decimal {
   int point;
 };
 
-/// Of a text like "d.ddde+7", in which the point moves before the digits.
+/// Parses a text like "d.ddde+7", and moves the point before the digits.
 Decimal takeApart(char* begin, const char* end) {
   const std::string_view text(begin, static_cast<std::size_t>(end - begin));
   const std::size_t e = text.find('e');

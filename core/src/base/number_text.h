@@ -9,25 +9,25 @@ namespace abflat {
 /// Takes the next word off `text` (separated by blanks and tabs); empty at the end.
 std::string_view takeWord(std::string_view& text);
 
-// Texts of numbers are the same in every locale.
+// Numbers are formatted the same in every locale.
 
-/// Correctly rounded; the whole word must be a number ("nan" and "inf" are numbers here). Beyond
-/// the range of doubles it is 0 or infinity.
+/// Correctly rounded. The whole word must be a number ("nan" and "inf" count as numbers). Beyond
+/// the range of doubles the value is 0 or infinity.
 bool parseDouble(std::string_view word, double& value);
 bool parseInteger(std::string_view word, std::int64_t& value);
 
-/// The number (without a plus sign) that a text begins with: its end, or nullptr when there is
-/// none.
+/// Parses the number (without a plus sign) at the beginning of a text. Returns its end, or nullptr
+/// if there is none.
 const char* scanDouble(const char* begin, const char* end, double& value);
 
 constexpr std::size_t kMostDoubleChars = 32, kMostIntegerChars = 10;
 
-/// Writes a text of at most kMostDoubleChars with the fewest digits that read back as the same
-/// double, and returns its end. The same everywhere.
+/// Writes a double with the fewest digits that read back as the same value, at most
+/// kMostDoubleChars characters, and returns the end. The same on every platform.
 char* writeDouble(char* out, double value);
-/// The same of a finite double, with ".0" where it is whole.
+/// The same for a finite double, with ".0" if it is an integer.
 char* writeReal(char* out, double value);
-/// The same with at most kMostIntegerChars.
+/// The same for an integer, at most kMostIntegerChars characters.
 char* writeInteger(char* out, std::uint32_t value);
 
 }  // namespace abflat

@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// Of a pulse, whatever the task does.
+/// Steps of a pulse that every task counts for, whatever it does.
 constexpr std::size_t kStepsOfTask = 1 << 7;
 /// Elements of a range that count as one step.
 constexpr std::size_t kPerStep = 8;
@@ -18,10 +18,10 @@ constexpr std::size_t kPerStep = 8;
 #if ABFLAT_THREADS
 namespace {
 
-/// A thread that has nothing to do looks again so many times before it sleeps: what it waits for
-/// within a dense front takes less time than waking up.
+/// How often an idle thread looks again before it sleeps: within a dense front, what it waits for
+/// takes less time than waking up.
 constexpr int kLooks = 100;
-/// For so long the owner waits for others without a word.
+/// How long the owner waits for others before it reports again.
 constexpr std::chrono::milliseconds kSilence{50};
 
 }  // namespace
@@ -86,7 +86,7 @@ bool ThreadPool::runOne(std::unique_lock<std::mutex>& lock, const TaskGroup* fir
     std::exception_ptr error;
     try {
       task();
-    } catch (...) {  // passed on to the group's owner, whichever it is
+    } catch (...) {  // passed on to the group's owner, whichever thread that is
       error = std::current_exception();
     }
     lock.lock();

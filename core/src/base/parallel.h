@@ -22,14 +22,14 @@ unsigned processors();
 
 class TaskGroup;
 
-/// Threads that wait for tasks. In a build without threads there is only the caller's.
+/// Threads that wait for tasks. A build without threads only has the caller's.
 ///
-/// How work is split and in which order numbers are added up must never depend on the threads: then
-/// results do not either.
+/// How work is split and in which order numbers are added up must never depend on the number of
+/// threads, so that results do not either.
 class ThreadPool {
  public:
-  /// `threads` counts the caller's; 0: as many as there are processors. Where the system refuses to
-  /// start as many there are fewer.
+  /// `threads` includes the caller's; 0: one per processor. There are fewer if the system refuses
+  /// to start that many.
   explicit ThreadPool(unsigned threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -37,14 +37,14 @@ class ThreadPool {
 
   unsigned threads() const;
 
-  /// Whether this is the thread that made the pool: the only one that may call the user's
+  /// Whether this is the thread that made the pool, the only one that may call the user's
   /// functions.
   bool isOwner() const;
 
-  /// From now on the owner's thread lets `pulse` beat while it works and waits. It must outlive the
-  /// pool.
+  /// From now on the owner's thread lets `pulse` beat while it works and waits. `pulse` must
+  /// outlive the pool.
   void listen(const Pulse& pulse) { pulse_ = &pulse; }
-  /// After `steps` small steps of work, whichever thread did them.
+  /// To be called after `steps` small steps of work, whichever thread did them.
   void beat(std::size_t steps) const {
     if (pulse_ && isOwner()) pulse_->beat(steps);
   }
@@ -56,8 +56,9 @@ class ThreadPool {
   friend class TaskGroup;
 
   void work();
-  /// Runs one task of the oldest group from `first` on that has any: groups within a task are newer
-  /// than the task's. `lock` is held before and after. False when there is none.
+  /// Runs one task of the oldest group that has any, looking from `first` on: groups within a task
+  /// are newer than the task's own group. `lock` is held before and after. False if there is no
+  /// task.
   bool runOne(std::unique_lock<std::mutex>& lock, const TaskGroup* first);
   /// Waits until something may have changed.
   void pause(std::unique_lock<std::mutex>& lock);
@@ -66,15 +67,15 @@ class ThreadPool {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<unsigned> changes_{0};
-  std::vector<TaskGroup*> groups_;  ///< open ones, the oldest first
+  std::vector<TaskGroup*> groups_;  ///< the open ones, oldest first
   bool isEnding_ = false;
   const std::thread::id owner_ = std::this_thread::get_id();
   std::vector<std::thread> threads_;
 #endif
 };
 
-/// Tasks that may run at the same time, and may add further ones. Groups of one thread nest. Of the
-/// tasks of a group the last one added runs first.
+/// Tasks that may run at the same time, and may add further tasks. Groups of one thread nest.
+/// Within a group the last task added runs first.
 class TaskGroup {
  public:
   using Task = std::function<void()>;
@@ -84,11 +85,11 @@ class TaskGroup {
   TaskGroup(const TaskGroup&) = delete;
   TaskGroup& operator=(const TaskGroup&) = delete;
 
-  /// By the group's owner before wait(), or by one of its tasks.
+  /// Called by the group's owner before wait(), or by one of its tasks.
   void add(Task task);
 
-  /// Runs tasks until all are done. Lack of memory in one of them ends the others that have not
-  /// begun, and shows here as it does in a single thread.
+  /// Runs tasks until all are done. If one of them runs out of memory, tasks that have not begun
+  /// are dropped, and the error appears here as it would in a single thread.
   void wait();
 
  private:
@@ -105,10 +106,10 @@ class TaskGroup {
 #endif
 };
 
-/// work(i) for each i below `count`, in any order and at the same time.
+/// Calls work(i) for each i below `count`, in any order and concurrently.
 void parallelFor(ThreadPool* pool, std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// work(begin, end) for ranges of `grain` that together are [0, count).
+/// Calls work(begin, end) for ranges of `grain` that together are [0, count).
 void parallelRanges(ThreadPool* pool, std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t)>& work);
 
@@ -131,11 +132,11 @@ struct SharedLock {
   SharedMutex& mutex_;
 };
 
-/// Work space that a task leaves to the next one: as many as run at the same time.
+/// Work space that a task leaves to the next one; there are as many as tasks run concurrently.
 template <typename T>
 class Spares {
  public:
-  /// Null when there is none.
+  /// Null if there is none.
   std::unique_ptr<T> take() {
     const SharedLock lock(mutex_);
     if (spares_.empty()) return nullptr;

@@ -6,10 +6,10 @@
 
 namespace abflat {
 
-/// A point in the plane: uv of a vertex, for example.
+/// A point in the plane, such as the uv of a vertex.
 using Point2 = std::array<double, 2>;
 
-/// Of coordinates that follow each other, those of point i.
+/// Point i of a list of interleaved coordinates.
 inline Point2 pointAt(const std::vector<double>& coordinates, std::size_t i) {
   return {coordinates[2 * i], coordinates[2 * i + 1]};
 }

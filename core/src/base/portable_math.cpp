@@ -14,7 +14,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Adding and subtracting it rounds to an integer.
 constexpr double kToInteger = 0x1.8p52;
 
-/// A number as the sum of a double and what that leaves.
+/// A number as a double plus the remainder.
 struct Pair {
   double high, low;
 };
@@ -22,7 +22,7 @@ Pair operator-(const Pair& a, const Pair& b) { return {a.high - b.high, a.low - 
 
 constexpr Pair kPi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 constexpr Pair kHalfPi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-/// The high part has 32 bits: its product with an exponent is exact.
+/// The high part has 32 bits, so its product with an exponent is exact.
 constexpr Pair kLog2 = {0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
 
 /// x = quadrant * pi/2 + high + low, |high| <= pi/4.

@@ -6,16 +6,16 @@
 
 namespace abflat {
 
-/// Lets a caller hear of a long loop now and then, and end it.
+/// Notifies a caller now and then during a long loop, and lets it stop the loop.
 class Pulse {
  public:
-  /// Nobody listens.
+  /// A pulse without a listener.
   Pulse() = default;
-  /// `goesOn` is asked again and again until it says false.
+  /// `goesOn` is called repeatedly until it returns false.
   explicit Pulse(std::function<bool()> goesOn) : goesOn_(std::move(goesOn)) {}
 
-  /// After `steps` small steps of work: whether there is to be more. What is returned early need
-  /// not be complete, but holds together.
+  /// To be called after `steps` small steps of work; returns whether to continue. A result that is
+  /// returned early may be incomplete, but is consistent.
   bool beat(std::size_t steps = 1) const {
     done_ += steps;
     if (done_ < kSteps) return !isStopped_;
@@ -25,12 +25,12 @@ class Pulse {
   }
   bool isStopped() const { return isStopped_; }
 
-  /// After so many it asks: some milliseconds.
+  /// It asks after this many steps, which is some milliseconds.
   static constexpr std::size_t kSteps = 1 << 15;
 
  private:
   std::function<bool()> goesOn_;
-  mutable std::size_t done_ = 0;  ///< since it was last asked
+  mutable std::size_t done_ = 0;  ///< since it last asked
   mutable bool isStopped_ = false;
 };
 

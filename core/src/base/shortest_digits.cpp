@@ -1,6 +1,6 @@
 #include "base/shortest_digits.h"
 
-// Emscripten's library has no std::to_chars for doubles, but JavaScript has what gives the same
+// Emscripten's library has no std::to_chars for doubles, but a JavaScript function gives the same
 // digits.
 #ifdef __EMSCRIPTEN__
 #include <emscripten/em_js.h>

@@ -4,11 +4,12 @@
 
 namespace abflat {
 
-/// Room for what writeShortest writes.
+/// Buffer size for writeShortest.
 constexpr std::size_t kMostShortestChars = 24;
 
-/// Writes a positive, finite double as "d.ddde+7", by the fewest digits that read back as the same
-/// value, and returns the end. Of several such texts the nearest, so it is the same everywhere.
+/// Writes a positive, finite double as "d.ddde+7" with the fewest digits that read back as the same
+/// value, and returns the end. Among several such texts it is the nearest, so it is the same on
+/// every platform.
 char* writeShortest(char* out, double value);
 
 }  // namespace abflat

@@ -8,11 +8,11 @@ namespace abflat {
 
 using IsBefore = std::function<bool(std::uint32_t, std::uint32_t)>;
 
-/// std::stable_sort of numbers, once for all orders: inlined for each it would be a twentieth of
-/// the WebAssembly module.
+/// std::stable_sort of numbers, compiled once for all orders: inlining it for each would add a
+/// twentieth to the WebAssembly module.
 void sortStably(std::uint32_t* first, std::uint32_t* last, const IsBefore& isBefore);
 
-/// 0 to `count` - 1 in that order.
+/// The numbers 0 to `count` - 1 in that order.
 std::vector<std::uint32_t> stableOrder(std::size_t count, const IsBefore& isBefore);
 
 }  // namespace abflat

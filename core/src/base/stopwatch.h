@@ -4,7 +4,7 @@
 
 namespace abflat {
 
-/// Seconds since the last call of lap, or since construction.
+/// Measures seconds since the last call of lap, or since construction.
 class Stopwatch {
  public:
   double lap() {

@@ -12,18 +12,18 @@
 namespace abflat {
 namespace {
 
-/// Bounds to try one after another when neither the free boundary nor untangling it gives a valid
+/// Bounds to try one after another if neither the free boundary nor untangling it gives a valid
 /// layout.
 constexpr double kLastResorts[] = {1.5, 1.2, 1.0, 1.8};
 
-/// The global search is left out where the arcs' own bounds add no more than this share to the
-/// angular distortion, which no layout without crossings is below.
+/// Skips the global search if the arcs' own bounds add no more than this share to the angular
+/// distortion of the layout with crossings, below which no layout without crossings can be.
 constexpr double kLittleMore = 0.05;
 
-/// What the last resorts may cost, in Newton steps.
+/// Limit on the last resorts, in Newton steps.
 constexpr int kLastSteps = 400;
 
-/// Hardly any more distortion than with crossings.
+/// Hardly more distortion than with crossings.
 bool isCloseTo(const Attempt& a, const Attempt& crossing) {
   constexpr double kHardlyMore = 1e-3;
   return a.distortion.angular <= (1 + kLittleMore) * crossing.distortion.angular ||
@@ -35,7 +35,7 @@ std::string givenUp(int steps) {
   return "gave up untangling after " + std::to_string(steps) + " Newton steps";
 }
 
-/// The best way of those that `untangle` names; without one the attempt itself.
+/// The best result of the ways that `untangle` names, or the attempt itself if none works.
 Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle untangle) {
   const int before = flattener.steps();
   Attempt best = movedApart(flattener, attempt);
@@ -63,7 +63,7 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
   return attempt;
 }
 
-/// Bounds lowered for all vertices alike; none where none of them helps.
+/// Lowers the bounds of all vertices alike; none if no limit helps.
 std::optional<Attempt> lastResort(ChartFlattener& flattener, const BoundaryBounds& t) {
   for (const double limit : kLastResorts) {
     BoundaryBounds tighter = t;

@@ -7,40 +7,40 @@
 
 namespace abflat {
 
-/// What the outline of a layout is asked for.
+/// What is asked of a layout's outline.
 struct OutlineGoal {
   BoundaryBounds t;
-  bool isAuto = false;  ///< bounds may be lowered, as far as a crossing takes it
+  bool isAuto = false;  ///< bounds may be lowered as far as needed to remove a crossing
   Untangle untangle = Untangle::None;
-  bool isDelaunay = false;  ///< condition (9) is asked for as well
+  bool isDelaunay = false;  ///< also asks for condition (9)
 };
 
-/// What untangling may cost.
+/// How much untangling may cost.
 struct Effort {
-  /// Newton steps, for each that the layout with crossings took, and at least.
+  /// Newton steps allowed for each step that the layout with crossings took, and their minimum.
   int stepsPerStep = 20, leastSteps = 200;
-  /// A layout with crossings is good enough as an answer: without any try where it is stretched
-  /// more than this (as the symmetric Dirichlet energy / 4), otherwise when the steps are used up.
+  /// A layout with crossings is an acceptable answer: at once if it is stretched more than this (as
+  /// the symmetric Dirichlet energy / 4), otherwise when the steps are used up.
   double mostStretch = std::numeric_limits<double>::infinity();
   bool mayStayTangled = false;
 };
 
-/// The valid layout with the least distortion under the given bounds: those bounds where that
-/// leaves no crossing, otherwise untangled from there. What else was tried when this fails (other
-/// bounds, Tutte's embedding) is in the attempt's fallbacks.
+/// The valid layout with the least distortion under the given bounds: the one for these bounds if
+/// it has no crossing, otherwise untangled from there. The attempt's fallbacks say what else was
+/// tried if this fails (other bounds, Tutte's embedding).
 Attempt flattenAutomatically(ChartFlattener& flattener, const BoundaryBounds& t, Untangle untangle,
                              const Effort& effort = {});
 
-/// The same, from what flattening under those bounds gave.
+/// The same, starting from the result of flattening under those bounds.
 Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds& t,
                   Untangle untangle, const Effort& effort = {});
 
-/// Removes the crossings of an attempt where it can; returns the attempt itself where there are
-/// none or it cannot.
+/// Removes the crossings of an attempt if possible; returns the attempt itself if there are none or
+/// if it fails.
 Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
                   const Effort& effort = {});
 
-/// All is well with a layout but that its boundary crosses itself.
+/// Whether the only defect of a layout is that its boundary crosses itself.
 bool isTangled(const Attempt& a);
 
 }  // namespace abflat

@@ -15,12 +15,13 @@
 namespace abflat {
 namespace {
 
-/// Floors of the barrier to try one after another: each makes the smallest angles larger.
+/// Floors of the barrier, tried one after another: each makes the smallest angles larger.
 constexpr double kFloors[] = {kDefaultBarrierFloor, 1e-1, 1};
 
-/// Of condition (9), one after another: the smaller, the less an edge that could give way resists.
+/// Compliances for condition (9), tried in order: the smaller, the less an edge resists that could
+/// give way.
 constexpr double kCompliances[] = {1, 0.1, 1e-2, 1e-3};
-/// Radians beyond pi, with the last of them.
+/// Radians beyond pi, with the last compliance.
 constexpr double kResisting = 1e-2;
 
 std::string withFloor(const char* text, double floor) {
@@ -46,8 +47,8 @@ std::string reasonWithoutFactor(const FactorMemory& memory) {
   return out;
 }
 
-/// A millionth of the boundary's extent, a power of two: single precision keeps more. 0 where there
-/// is none.
+/// A millionth of the boundary's extent, as a power of two: single precision resolves more. 0 if
+/// the boundary has no extent.
 double outlineGrid(const DiskChart& chart, const std::vector<double>& uv) {
   double size = 0;
   const Point2 first = pointAt(uv, chart.boundaryVertex(BoundaryIndex(0)));
@@ -58,8 +59,8 @@ double outlineGrid(const DiskChart& chart, const std::vector<double>& uv) {
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size) - 20) : 0;
 }
 
-/// The boundary on its grid. What is smaller than a few cells is left out, so that places near each
-/// other are those of different parts of the boundary.
+/// The boundary on its grid. Features smaller than a few cells are left out, so that places near
+/// each other belong to different parts of the boundary.
 struct RoundedOutline {
   std::vector<double> points;
   std::vector<BoundaryIndex> place;  ///< of each point
@@ -86,7 +87,7 @@ RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>&
   return out;
 }
 
-/// Crossings of the boundary on its grid.
+/// Crossings of the boundary on its grid, so that parts that almost touch count.
 Crossings touching(const DiskChart& chart, const std::vector<double>& uv) {
   const RoundedOutline rounded = roundedOutline(chart, uv);
   Crossings out = findCrossings(rounded.points);
@@ -152,7 +153,7 @@ SolverOptions ChartFlattener::counting(SolverOptions options) {
   return options;
 }
 
-/// Ended by the caller, or by the limit of steps.
+/// For an attempt ended by the caller, or by the limit on steps.
 Attempt ChartFlattener::withoutLayout(const BoundaryBounds& t) const {
   Attempt out;
   out.ending = isStopped_ ? Ending::Cancelled : Ending::GivenUp;

@@ -22,7 +22,7 @@ namespace abflat {
 
 class AngleSolver;
 
-/// Bounds, times pi, that a layout is above by more than rounding.
+/// Bounds (in units of pi) that a layout exceeds by more than rounding.
 struct Exceeded {
   std::size_t count = 0;
   double most = 0;  ///< radians
@@ -30,18 +30,18 @@ struct Exceeded {
 Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
                         const BoundaryBounds& t);
 
-/// How far an attempt came.
+/// How far an attempt got.
 enum class Ending : std::uint8_t {
   LaidOut,    ///< its layout has been checked and measured
   GivenUp,    ///< no layout: it would take more Newton steps than are allowed
   Cancelled,  ///< no layout: the caller wants none
 };
 
-/// A layout for certain bounds, and what it took.
+/// A layout for certain bounds, and how it was reached.
 struct Attempt {
   Ending ending = Ending::LaidOut;
   BoundaryBounds t;
-  AngleSolution solution;  ///< without angles where the layout is Tutte's
+  AngleSolution solution;  ///< without angles if the layout is Tutte's
   std::vector<double> uv;  ///< in chart units
   Validity validity;
   Distortion distortion;
@@ -51,8 +51,8 @@ struct Attempt {
   std::optional<RefineReport> refined;
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
-  bool wasValidUnpinned = false;  ///< with pins only
-  Exceeded exceeded;  ///< of the bounds asked for, where nothing holds the layout to them
+  bool wasValidUnpinned = false;  ///< only set for pinned layouts
+  Exceeded exceeded;  ///< of the bounds asked for, if nothing forces the layout to keep them
 
   bool isCancelled() const { return ending == Ending::Cancelled; }
   bool isGivenUp() const { return ending == Ending::GivenUp; }
@@ -62,31 +62,32 @@ struct Attempt {
   bool valid() const { return converged() && validity.valid() && exceeded.count == 0; }
 };
 
-/// checkValidity(), where parts of the boundary that are as good as touching count as crossings, so
-/// that a valid layout stays so when it is moved and rounded.
+/// checkValidity(), but parts of the boundary that almost touch count as crossings, so that a valid
+/// layout stays valid when it is moved and rounded.
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv);
 
-/// What is done without a factor, and why, one sentence; empty where it fits.
+/// What is done instead of a factor, and why, in one sentence; empty if the factor fits.
 std::string withoutFactorNote(const FactorMemory& memory);
 
-/// Solves, lays out and checks one chart for changing bounds, reusing what does not depend on them.
+/// Solves, lays out and checks one chart for changing bounds, reusing everything that does not
+/// depend on them.
 class ChartFlattener {
  public:
-  /// Keeps a reference to the chart. `onStage` hears of Layout and Check as they begin.
+  /// Keeps a reference to the chart. `onStage` is called when Layout and Check begin.
   ChartFlattener(const DiskChart& chart, SolverOptions options,
                  std::function<void(Stage)> onStage = {}, const SolverChoice& choice = {});
   ~ChartFlattener();
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;
 
-  /// `warm`: an attempt with other bounds to start from, or null. When the layout cannot be drawn
-  /// the interior point takes over with rising floors of its barrier.
+  /// `warm`: an attempt with other bounds to start from, or null. If the layout cannot be drawn,
+  /// the interior point method takes over, with rising floors of its barrier.
   Attempt attempt(const BoundaryBounds& t, const Attempt* warm);
 
-  /// With angles that are good enough to be refined.
+  /// An attempt whose angles are just good enough to be refined.
   Attempt roughAttempt(const BoundaryBounds& t);
 
-  /// From now on attempts may take so many Newton steps in all: those that would need more are
+  /// Limits the Newton steps of all further attempts together: attempts that would need more are
   /// given up.
   void allowSteps(int more) { mostSteps_ = steps_ + more; }
   void allowAllSteps() { mostSteps_ = std::numeric_limits<int>::max(); }
@@ -96,54 +97,54 @@ class ChartFlattener {
   /// Newton steps taken so far, over all attempts.
   int steps() const { return steps_; }
 
-  /// Parts of the boundary that are so far apart are so in a valid layout.
+  /// In a valid layout, different parts of the boundary are at least this far apart.
   double leastDistance(const std::vector<double>& uv) const;
 
-  /// Of the boundary, as a layout's validity counts them.
+  /// Crossings of the boundary, as the validity of a layout counts them.
   Crossings crossings(const std::vector<double>& uv) const;
 
   const StraightPlaces& straight() const { return straight_; }
 
-  /// From now on layouts are checked by checkSeparated().
+  /// From now on, checkSeparated() decides whether layouts are valid.
   void requireSeparation() { requiresSeparation_ = true; }
 
-  /// From now on the boundary goes straight on at these places, whatever the bounds.
+  /// From now on, the boundary goes straight on at these places, whatever the bounds.
   void requireStraight(StraightPlaces straight) { straight_ = std::move(straight); }
 
-  /// From now on attempts also meet condition (9), with the given margin in radians, and need an
-  /// attempt to start from. There is no interior point to take over then.
+  /// From now on, attempts also meet condition (9), with the given margin in radians, and need an
+  /// attempt to start from. No interior point method can take over then.
   void requireDelaunay(double margin);
 
-  /// Interior edges, as half-edges, that stay violated when condition (9) is met as far as
-  /// possible with the bounds of `from`.
+  /// Interior edges, as half-edges, that stay violated when condition (9) is met as far as possible
+  /// with the bounds of `from`.
   std::vector<ChartCorner> resistingEdges(const Attempt& from);
 
-  /// Tutte's embedding on a circle: always a valid map, up to the precision of numbers, but no
-  /// angle is respected, nor are bounds `t` below 1.
+  /// Tutte's embedding on a circle. It is always a valid map, up to floating-point precision, but
+  /// it respects neither angles nor bounds `t` below 1.
   Attempt tutte(const BoundaryBounds& t, const std::string& reason);
 
-  /// Frees factors. There are to be no more attempts, but for Tutte's.
+  /// Frees factors. After this only Tutte attempts are allowed.
   void endSolving();
 
-  /// See DiskChart; empty where none was found.
+  /// See DiskChart; empty if none was found.
   IdVector<ChartVertex, std::uint32_t> eliminationRank() const;
 
-  /// Checks and measures the layout of an attempt, whoever made it.
+  /// Checks and measures the layout of an attempt, however it was made.
   void measure(Attempt& a);
 
-  /// Beside what it measures itself.
+  /// Adds to the time that the flattener measures itself.
   void addRefining(double seconds) { timings_.refine += seconds; }
 
   /// Seconds spent so far, over all attempts.
   const Timings& timings() const { return timings_; }
 
-  /// Why factors are done without, one sentence; empty where they are not.
+  /// Why factors are not used, in one sentence; empty if they are.
   std::string memoryNote() const;
 
   const DiskChart& chart() const { return chart_; }
 
  private:
-  /// Counts steps, and ends the solution with the last that is allowed.
+  /// Counts steps, and ends the solution with the last step allowed.
   SolverOptions counting(SolverOptions options);
   Attempt withoutLayout(const BoundaryBounds& t) const;
   void setAllBounds(const BoundaryBounds& t);

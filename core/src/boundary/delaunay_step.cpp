@@ -6,7 +6,7 @@
 namespace abflat {
 namespace {
 
-/// Radians left to pi, one after another: coordinates are rounded, and on the limit itself rounding
+/// Radians left to pi, tried in order: coordinates are rounded, and exactly on the limit rounding
 /// would decide.
 constexpr double kMargins[] = {1e-8, 1e-6, 1e-4};
 
@@ -20,7 +20,7 @@ std::vector<std::array<std::uint32_t, 2>> inputEdges(const DiskChart& chart,
   return out;
 }
 
-/// Why a Delaunay layout is not taken; empty when it is.
+/// Why a Delaunay layout is rejected; empty if it is not.
 std::string objection(const Attempt& next, const Attempt& before) {
   if (!next.converged()) return "no layout with this connectivity was found";
   if (next.validity.flippedTriangles > 0) return "its angles are too small to draw";

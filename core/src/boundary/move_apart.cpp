@@ -13,10 +13,10 @@
 namespace abflat {
 namespace {
 
-/// Each takes a test of the boundary, and moves what still crosses twice as far.
+/// Each round checks the boundary once, and moves what still crosses twice as far.
 constexpr int kRounds = 16;
-/// Of the least height of the triangles round a vertex. A triangle whose three corners move by so
-/// much keeps its orientation.
+/// Relative to the least height of the triangles around a vertex. A triangle keeps its orientation
+/// if none of its three corners moves farther than this.
 constexpr double kMostOfHeight = 0.2;
 
 /// The boundary of one layout, and how far each of its places may move into the chart.
@@ -30,7 +30,7 @@ class Outline {
       if (straight[i] != 0) room_[i] = 0;
   }
 
-  /// Moves the places of the arcs on; false where none of them has room left.
+  /// Moves the places of the arcs further; false if none of them has room left.
   bool moveOn(const Crossings& crossings, const std::vector<double>& turned, double first) {
     const std::size_t n = shift_.size();
     std::vector<int> begun(2 * n + 1, 0);
@@ -66,7 +66,7 @@ class Outline {
   }
 
  private:
-  /// Of length 1, to the left of the edge that leaves a place.
+  /// Unit vector to the left of the edge that leaves a place.
   Point2 leftOf(BoundaryIndex place) const {
     const Point2 a = pointAt(uv_, chart_.boundaryVertex(place));
     const Point2 b = pointAt(uv_, chart_.boundaryVertex(chart_.after(place)));
@@ -75,10 +75,10 @@ class Outline {
     return length > 0 ? Point2{-y / length, x / length} : Point2{0, 0};
   }
 
-  /// What takes both edges of a corner into the chart by 1. Where the chart is round a corner, as
-  /// at the end of a slit, half the sum of their normals: hardly any there.
+  /// The vector that moves both edges of a corner into the chart by 1. Where the chart wraps around
+  /// the corner, as at the end of a slit, half the sum of their normals, which is tiny there.
   Point2 inwards(const Point2& a, const Point2& b) const {
-    constexpr double kSharpest = 1e-4;  // of 1 + cos: moves by up to 141 times as much
+    constexpr double kSharpest = 1e-4;  // for 1 + cos: limits the move to 141 times as much
     const bool isConvex = a[0] * b[1] - a[1] * b[0] > 0;
     const double both = isConvex ? std::max(1 + a[0] * b[0] + a[1] * b[1], kSharpest) : 2;
     return {(a[0] + b[0]) / both, (a[1] + b[1]) / both};
@@ -151,7 +151,7 @@ Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
   const DiskChart& chart = flattener.chart();
   Attempt out = crossing;
   const double cells = flattener.leastDistance(crossing.uv);
-  // Condition (9) holds on its limit: moved, edges miss it.
+  // Condition (9) holds exactly at its limit, so moved edges would violate it.
   const bool isDelaunay = !crossing.solution.activeEdge.empty();
   if (isDelaunay || !(cells > 0)) return out;
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, crossing.solution));

@@ -4,10 +4,10 @@
 
 namespace abflat {
 
-/// From a layout that is fine but for its boundary, which crosses or touches itself: the layout
-/// with the arcs that cross drawn back into the chart by little, compared with the triangles there.
-/// That takes no solution. Slits in what is nearly flat close again when they are flattened, and
-/// tighter bounds of some vertices only move the place where they do. Not valid where little does
+/// Takes a layout whose only defect is that its boundary crosses or touches itself, and draws the
+/// arcs that cross back into the chart, by little compared with the triangles there. That needs no
+/// solution. Slits in nearly flat parts close again when they are flattened, and tighter bounds on
+/// some vertices only move the place where they do. The result is not valid if a small move does
 /// not help, or would exceed a bound.
 Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing);
 

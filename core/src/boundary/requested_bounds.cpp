@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// Condition (5), as t. At 2 itself two boundary edges would lie on each other, and rounding decide
+/// Condition (5), as t. At exactly 2, two boundary edges would coincide, and rounding would decide
 /// whether they cross.
 constexpr double kAdjacentBound = 2 - 1e-6;
 
@@ -45,7 +45,7 @@ Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOpti
   BoundaryBounds t(chart.boundary.size(), common);
   if (!options.bounds.empty()) {
     std::unordered_map<std::uint32_t, std::vector<BoundaryIndex>>
-        placesOf;  // a vertex that the boundary touches twice has two
+        placesOf;  // a vertex that the boundary touches twice has two places
     for (const BoundaryIndex i : t.ids())
       placesOf[chart.inputVertex[chart.boundaryVertex(i)]].push_back(i);
     for (const VertexBound& b : options.bounds) {

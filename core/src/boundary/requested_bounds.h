@@ -9,9 +9,9 @@
 
 namespace abflat {
 
-/// The bounds the options ask for; kAutoT counts as 2. Where `straight` holds the angle at pi they
-/// have no effect. Errors: InvalidOption for a bound of a vertex that is not on the boundary;
-/// InfeasibleBound.
+/// The bounds that the options ask for; kAutoT counts as 2. They have no effect where `straight`
+/// holds the angle at pi. Errors: InvalidOption for a bound of a vertex that is not on the
+/// boundary; InfeasibleBound.
 Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
                                        const StraightPlaces& straight);
 

@@ -10,7 +10,7 @@
 namespace abflat {
 namespace {
 
-/// Where each vertex is in the boundary; none inside.
+/// The place of each vertex on the boundary; none for interior vertices.
 IdVector<ChartVertex, BoundaryIndex> placesOfVertices(const DiskChart& chart) {
   IdVector<ChartVertex, BoundaryIndex> out(chart.vertexCount());
   for (const BoundaryIndex i : chart.boundary.ids()) out[chart.boundaryVertex(i)] = i;
@@ -21,7 +21,7 @@ std::string nameOf(const DiskChart& chart, BoundaryIndex place) {
   return "vertex " + std::to_string(chart.inputVertex[chart.boundaryVertex(place)]);
 }
 
-/// The only place of an input vertex.
+/// The boundary place of an input vertex that has exactly one.
 Result<BoundaryIndex> placeOf(const DiskChart& chart, std::uint32_t vertex) {
   std::size_t count = 0;
   BoundaryIndex place;
@@ -74,7 +74,7 @@ Result<StraightPlaces> straightPlaces(const DiskChart& chart,
 
 std::vector<FlatChord> flatChords(const DiskChart& chart, const StraightPlaces& straight) {
   const std::size_t n = straight.size();
-  // How many straight places follow each, at most n.
+  // How many straight places follow each one, at most n.
   std::vector<std::size_t> following(2 * n + 1, 0);
   for (std::size_t i = 2 * n; i-- > 0;)
     following[i] =
@@ -82,7 +82,7 @@ std::vector<FlatChord> flatChords(const DiskChart& chart, const StraightPlaces& 
   const IdVector<ChartVertex, BoundaryIndex> place = placesOfVertices(chart);
   std::vector<FlatChord> out;
   for (const ChartCorner h : chart.corners()) {
-    if (!chart.twin[h].exists()) continue;  // both half-edges of an inner edge have their turn
+    if (!chart.twin[h].exists()) continue;  // both half-edges of an inner edge are visited
     const BoundaryIndex from = place[chart.vertexOfCorner[h]];
     const BoundaryIndex to = place[chart.vertexOfCorner[nextCorner(h)]];
     if (!from.exists() || !to.exists()) continue;

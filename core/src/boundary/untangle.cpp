@@ -18,7 +18,7 @@ constexpr double kStepOfT = 0.01;  ///< resolution of the global search
 constexpr int kMaxRounds = 40;     ///< of local tightening
 constexpr int kRelaxations = 3;    ///< bisections afterwards
 
-/// What remains to be gained is not worth further solutions where it is less, of the distortion.
+/// Relative to the distortion: a smaller remaining gain is not worth further solutions.
 constexpr double kNegligible = 0.002;
 
 /// A pair of crossing edges, and what closes between them.
@@ -27,8 +27,9 @@ struct Guilty {
   std::size_t i, j;
 };
 
-/// Of many arcs the shortest, and then each that keeps off those: in all no more vertices than the
-/// boundary has. Arcs round a shorter one mostly cross because that does.
+/// Picks the shortest arc and then every further one, by length, that does not overlap those
+/// picked, so that together they have no more vertices than the boundary. Arcs around a shorter one
+/// mostly cross only because the shorter one does.
 std::vector<Guilty> apart(std::vector<Guilty> guilty, std::size_t n) {
   const std::vector<std::uint32_t> order = stableOrder(
       guilty.size(),
@@ -74,15 +75,15 @@ double distanceToLine(const double* p, const double* a, const double* b) {
   return length > 0 ? std::abs(area) / length : distance(p, a);
 }
 
-/// How far one of two crossing edges has to move until they do not cross.
+/// How far one of two crossing edges has to move so that they no longer cross.
 double overlapDepth(const OutlinePoints& at, std::size_t i, std::size_t j) {
   const double *a = at[i], *b = at[i + 1], *c = at[j], *d = at[j + 1];
   return std::min(std::min(distanceToLine(a, c, d), distanceToLine(b, c, d)),
                   std::min(distanceToLine(c, a, b), distanceToLine(d, a, b)));
 }
 
-/// The level that takes `amount` radians off the angles above it: at least pi, and so far below
-/// 2 pi, which no valid layout has.
+/// The level that takes `amount` radians off the angles above it. It is at least pi, and that far
+/// below 2 pi, which no valid layout reaches.
 double capLevel(std::vector<double> angles, double amount) {
   std::sort(angles.begin(), angles.end(), std::greater<>());
   double above = 0, level = kPi;
@@ -93,7 +94,7 @@ double capLevel(std::vector<double> angles, double amount) {
   return std::min(level, 2 * kPi - amount);
 }
 
-/// Tightens the bounds of the arcs that cross: each time a vertex is tightened it is pushed harder.
+/// Tightens the bounds of the arcs that cross; a vertex is pushed harder each time it is tightened.
 class Tightening {
  public:
   Tightening(const ChartFlattener& flattener, std::size_t count)
@@ -114,10 +115,10 @@ class Tightening {
 
  private:
   static constexpr double kHarder = 3;
-  /// Radians of turning taken out of an arc at once.
+  /// Radians of turning taken out of an arc in one round.
   static constexpr double kLeastPush = 1e-4, kMostPush = 0.5;
 
-  /// Both arcs open by about as much as they are turned, times their length.
+  /// Both arcs open by about the amount they are turned times their length.
   double amountFor(const Guilty& g, const Attempt& from) const {
     const std::size_t n = push_.size();
     const OutlinePoints at{chart_, from.uv};
@@ -167,7 +168,7 @@ Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, doubl
   Attempt invalid = crossing;
   std::optional<Attempt> valid;
   double high = std::min(2.0, *std::max_element(asked.begin(), asked.end())), low = 0;
-  // Down in growing steps, then bisection.
+  // Lower in growing steps, then bisect.
   for (double drop = 0.1; !valid && high > 1; drop *= 2) {
     const double t = std::max(1.0, high - drop);
     Attempt a = flattener.attempt(lowered(asked, t), &invalid);
@@ -183,7 +184,7 @@ Attempt untangleGlobal(ChartFlattener& flattener, const Attempt& crossing, doubl
   if (!valid) return invalid;
   while (high - low > kStepOfT * 1.0001) {
     if (invalid.distortion.angular > distortionLimit) break;
-    // On the grid of hundredths, so that the answer is a number a person would type.
+    // On the grid of hundredths, so that the answer is a number that a person would type.
     double t = std::round((low + high) / 2 / kStepOfT) * kStepOfT;
     if (t <= low || t >= high) break;
     Attempt a = flattener.attempt(lowered(asked, t), &*valid);
@@ -222,7 +223,7 @@ Attempt untangleLocal(ChartFlattener& flattener, const Attempt& crossing) {
       }
       return best;
     }
-    // Where the triangles are no longer fine, tightening further does not help.
+    // Once triangles flip, tightening further does not help.
     if (next.validity.flippedTriangles > 0 || !next.converged()) return next;
     last = std::move(next);
   }

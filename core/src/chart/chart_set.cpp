@@ -8,13 +8,13 @@
 namespace abflat {
 namespace {
 
-/// Numbers the vertices of one chart after the other in the order of the surface's, which is that
-/// of the input's. A vertex of the cut surface belongs to one chart.
+/// Numbers vertices chart by chart, within each chart in the order of the surface's vertices, which
+/// is that of the input's. A vertex of the cut surface belongs to one chart.
 class VertexNumbers {
  public:
   explicit VertexNumbers(const Fans& fans) : fans_(fans), number_(fans.inputVertex.size()) {}
 
-  /// Of the chart that has these triangles; returns its vertices.
+  /// Numbers the chart that has these triangles; returns its vertices.
   const std::vector<SurfaceVertex>& number(const SurfaceTriangle* first,
                                            const SurfaceTriangle* last) {
     sorted_.clear();
@@ -68,7 +68,7 @@ class ChartSetMaker {
  private:
   using Part = ChartSet::Part;
 
-  /// Turns numbers of the charts, each with the one before, into where they begin.
+  /// Turns per-chart counts, each stored one chart later, into where the charts begin.
   void addUp(std::uint32_t Part::*number) {
     for (std::size_t i = 1; i < out_.parts_.size(); ++i)
       out_.parts_[i].*number += out_.parts_[i - 1].*number;
@@ -116,7 +116,7 @@ class ChartSetMaker {
       out_.parts_[chartOf(loop) + 1].boundary += static_cast<std::uint32_t>(loop.size());
     addUp(&Part::boundary);
     out_.boundary_.resize(out_.parts_.back().boundary);
-    // Islands that are given may have holes.
+    // Given islands may have holes.
     IdVector<ChartId, std::uint32_t> written(out_.size(), 0);
     for (const SurfaceLoop& loop : loops) {
       const ChartId chart = chartOf(loop);
@@ -126,7 +126,7 @@ class ChartSetMaker {
   }
 
   void countHoles() {
-    std::uint32_t last = kNone;  // triangles that fill a hole follow each other
+    std::uint32_t last = kNone;  // triangles that fill the same hole are consecutive
     for (std::size_t i = 0; i < filled_.hole.size(); ++i) {
       const SurfaceTriangle f(filled_.surfaceTriangles + i);
       Part& part = out_.parts_[out_.ofTriangle[f]];

@@ -16,55 +16,55 @@ struct ChartTopology {
   IdSpan<ChartCorner, ChartCorner> twin;
   IdSpan<BoundaryIndex, ChartCorner> boundary;
   IdSpan<ChartVertex, InputVertex> inputVertex;
-  /// Of the surface; without those that fill holes, which come last in the chart.
+  /// Triangles of the surface, without those that fill holes, which come last in the chart.
   IdSpan<ChartTriangle, SurfaceTriangle> triangles;
   std::uint32_t filledHoles = 0;
 
   std::size_t triangleCount() const { return vertexOfCorner.size() / 3; }
   std::size_t vertexCount() const { return inputVertex.size(); }
   IdRange<ChartCorner> surfaceCorners() const { return IdRange<ChartCorner>(3 * triangles.size()); }
-  /// Where one of these corners is on the surface.
+  /// The corner of the surface that corresponds to a corner of one of these triangles.
   SurfaceCorner onSurface(ChartCorner c) const {
     return cornerOf(triangles[triangleOf(c)], placeInTriangle(c));
   }
 };
 
 /// The parts of a surface that has been cut into topological disks, in the order of their first
-/// triangles. There may be as many as triangles, so they share a few arrays, and a chart that can
-/// be flattened or checked is made when it is needed.
+/// triangles. There may be as many charts as triangles, so they share a few arrays, and a chart
+/// that can be flattened or checked is made only when it is needed.
 class ChartSet {
  public:
   std::size_t size() const { return parts_.empty() ? 0 : parts_.size() - 1; }
   IdRange<ChartId> ids() const { return IdRange<ChartId>(size()); }
   ChartTopology topology(ChartId i) const;
   DiskChart chart(ChartId i) const;
-  /// The texcoord of a chart's first vertex; those of the others follow. That of the chart behind
-  /// the last is how many there are.
+  /// The texcoord of a chart's first vertex; those of its other vertices follow. For the index one
+  /// past the last chart it is the total count.
   TexcoordId firstTexcoord(ChartId i) const { return TexcoordId(parts_[i].vertex); }
   TexcoordId texcoord(ChartId i, ChartVertex v) const { return TexcoordId(parts_[i].vertex + v); }
 
   IdVector<SurfaceTriangle, ChartId> ofTriangle;
-  /// As in DiskChart, per vertex of the mesh; empty where none is known.
+  /// As in DiskChart, per vertex of the mesh; empty if unknown.
   IdVector<InputVertex, std::uint32_t> eliminationRank;
 
  private:
   friend class ChartSetMaker;
-  /// Where a chart's share of each array begins, which is where that of the one before ends.
+  /// Where a chart's part of each array begins, which is also where the previous chart's part ends.
   struct Part {
     std::uint32_t triangle = 0, vertex = 0, boundary = 0;
     std::uint32_t fillingTriangles = 0, filledHoles = 0;
   };
 
   const PolygonMesh* mesh_ = nullptr;
-  std::vector<Part> parts_;  ///< one more than charts
+  std::vector<Part> parts_;  ///< one more than there are charts
   std::vector<SurfaceTriangle> triangles_;
   std::vector<ChartVertex> vertexOfCorner_;
   std::vector<ChartCorner> twin_, boundary_;
   std::vector<InputVertex> inputVertex_;
 };
 
-/// Precondition: every part is a disk, what fills holes included. inputVertex of the charts are
-/// vertices of `mesh`, which the set refers to.
+/// Precondition: every part is a disk, hole fillings included. The charts' inputVertex refers to
+/// vertices of `mesh`, to which the set keeps a reference.
 ChartSet makeCharts(const PolygonMesh& mesh, const FilledTable& cut);
 
 }  // namespace abflat

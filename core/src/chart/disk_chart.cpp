@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// Power of two that brings the largest extent from the first vertex to about 1.
+/// The power of two that scales the largest extent from the first vertex to about 1.
 double unitOf(const PolygonMesh& mesh, const IdVector<ChartVertex, InputVertex>& vertices) {
   double size = 0;
   const InputVertex first = vertices.front();
@@ -19,7 +19,7 @@ double unitOf(const PolygonMesh& mesh, const IdVector<ChartVertex, InputVertex>&
   return size > 0 ? std::ldexp(1.0, std::ilogb(size) + 1) : 1;
 }
 
-/// Where the surface is the chart, it has the same numbers.
+/// If the chart is the whole surface, it has the same numbers.
 template <class I, class Id, class Ids>
 void copyAll(const Ids& from, IdVector<I, Id>& out) {
   out.reserve(from.size());

@@ -14,16 +14,15 @@ namespace abflat {
 struct DiskChart {
   IdVector<ChartCorner, ChartVertex> vertexOfCorner;
   IdVector<ChartCorner, ChartCorner> twin;  ///< opposite half-edge, none on the boundary
-  /// Half-edges of the boundary loop in order, the surface on their left.
+  /// Half-edges of the boundary loop in order, with the surface on their left.
   IdVector<BoundaryIndex, ChartCorner> boundary;
   IdVector<ChartVertex, InputVertex> inputVertex;
   std::vector<double> positions;                          ///< xyz per vertex, in `unit`
   IdVector<ChartTriangle, std::array<double, 3>> angles;  ///< in 3D, radians; see cornerAngles
   double unit = 1;  ///< a power of two, so that scaling is exact
-  /// When each vertex is eliminated, in an order that is good for the chart; empty where none is
-  /// known.
+  /// The elimination rank of each vertex, in an order that suits the chart; empty if unknown.
   IdVector<ChartVertex, std::uint32_t> eliminationRank;
-  /// The last triangles fill holes: they are flattened with the others, and count in no measure.
+  /// The last triangles fill holes: they are flattened with the others, but no measure counts them.
   std::uint32_t fillingTriangles = 0;
   std::uint32_t filledHoles = 0;
 
@@ -35,7 +34,7 @@ struct DiskChart {
   IdRange<ChartCorner> corners() const { return vertexOfCorner.ids(); }
   IdRange<ChartVertex> vertices() const { return inputVertex.ids(); }
 
-  /// Without those that fill holes.
+  /// Excludes triangles that fill holes.
   IdRange<ChartTriangle> surfaceTriangles() const {
     return IdRange<ChartTriangle>(triangleCount() - fillingTriangles);
   }
@@ -43,9 +42,9 @@ struct DiskChart {
     return IdRange<ChartCorner>(3 * surfaceTriangles().size());
   }
 
-  /// The one that a half-edge of the boundary leaves.
+  /// The vertex that a boundary half-edge leaves.
   ChartVertex boundaryVertex(BoundaryIndex i) const { return vertexOfCorner[boundary[i]]; }
-  /// Neighbours round the loop.
+  /// Neighbours around the loop.
   BoundaryIndex before(BoundaryIndex i) const {
     return BoundaryIndex((i == 0 ? boundary.size() : i) - 1);
   }
@@ -54,14 +53,14 @@ struct DiskChart {
   }
 };
 
-/// Per boundary vertex, the largest interior angle that is allowed, times pi.
+/// Per boundary vertex, the largest interior angle that is allowed, in units of pi.
 using BoundaryBounds = IdVector<BoundaryIndex, double>;
 
-/// Per boundary vertex: 1 where the layout's boundary goes straight on, its angle exactly pi.
-/// Empty: nowhere.
+/// Per boundary vertex: 1 if the layout's boundary goes straight on there, with an angle of exactly
+/// pi. Empty: nowhere.
 using StraightPlaces = IdVector<BoundaryIndex, std::uint8_t>;
 
-/// Area of the surface without what fills holes, in `unit` squared.
+/// Area of the surface without hole fillings, in `unit` squared.
 double surfaceArea(const DiskChart& chart);
 
 /// The whole surface as one chart. Precondition: surface.summary.disk is Ok.

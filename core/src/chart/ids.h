@@ -7,7 +7,7 @@ namespace abflat {
 /// One of the disks that a surface is cut into.
 using ChartId = Id<struct ChartTag>;
 
-/// A texcoord of the result: charts follow each other, and each has one for each of its vertices.
+/// A texcoord of the result. They are numbered chart by chart, one for each vertex of a chart.
 using TexcoordId = Id<struct TexcoordTag>;
 
 }  // namespace abflat

@@ -10,7 +10,8 @@
 namespace abflat {
 namespace {
 
-/// What is searched for overlaps again without the charts that were found.
+/// After each round of the overlap search, the charts found are left out and the rest is searched
+/// again.
 constexpr int kMostRounds = 50;
 
 struct Box {
@@ -25,7 +26,7 @@ struct Box {
     }
   }
 
-  /// Within one tile, the one that has its middle.
+  /// Whether the box lies within the tile that contains its centre.
   bool isInTile(std::uint32_t tiles, double lowestV) const {
     if (!isFinite) return false;
     const double u = std::floor((low[0] + high[0]) / 2);
@@ -83,7 +84,7 @@ class AtlasChecker {
     }
   }
 
-  /// The chart is not looked at again.
+  /// The chart is not checked again.
   void report(const ChartDefect& defect) {
     out_.push_back(defect);
     isWanted_[defect.chart] = 0;
@@ -94,7 +95,7 @@ class AtlasChecker {
     if (a != b) report({b, ChartDefect::Overlaps, 0, a});
   }
 
-  /// Whether charts were found that overlap or touch, by their boundaries.
+  /// Looks for charts that overlap or touch, by their boundaries; true if any were found.
   bool findPairOfCurves() {
     const BoundaryCurves found =
         boundaryCurves(atlas_.uv, atlas_.triangles, atlas_.chartOf, isWanted_);
@@ -111,7 +112,7 @@ class AtlasChecker {
     return true;
   }
 
-  /// The same by triangles, where some charts may touch each other or themselves.
+  /// As above, but by triangles, for when some charts may touch each other or themselves.
   bool findPair() {
     std::vector<double> uv;
     std::vector<std::uint32_t> chart;

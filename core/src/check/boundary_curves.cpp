@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-/// An edge of a triangle, kept with the smaller of its texcoords.
+/// An edge of a triangle, stored at the smaller of its two texcoords.
 struct Side {
   std::uint32_t other, chart;
-  bool isUp;  ///< from the smaller to the other one
+  bool isUp;  ///< runs from the smaller texcoord to the larger
 };
 
 class BoundaryFinder {
@@ -49,7 +49,7 @@ class BoundaryFinder {
     }
   }
 
-  /// Those that have no triangle behind them.
+  /// Keeps the edges that have no triangle on their other side.
   void keepOpenSides() {
     std::vector<std::uint32_t> begin(next_.size() + 1, 0);
     forSides([&](std::uint32_t a, std::uint32_t b, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
@@ -83,7 +83,7 @@ class BoundaryFinder {
     chartOfEdge_[from] = chart;
   }
 
-  /// Takes the curve that begins with an edge.
+  /// Takes the curve that begins with this edge.
   void walk(std::uint32_t first) {
     const std::uint32_t chart = chartOfEdge_[first];
     std::vector<std::uint32_t>& corners = corners_;
@@ -97,7 +97,7 @@ class BoundaryFinder {
     } while (p != first && next_[p] != kNone);
     if (p != first) return out_.broken.push_back(chart);
     const auto at = [&](std::size_t i) { return &uv_[2 * std::size_t{corners[i]}]; };
-    // A triangle that has no area covers nothing.
+    // A triangle without area covers nothing.
     if (corners.size() == 3 && orientation(at(0), at(1), at(2)) == 0) return;
     for (std::size_t i = 0; i < corners.size(); ++i)
       out_.curves.points.insert(out_.curves.points.end(), at(i), at(i) + 2);
@@ -108,7 +108,7 @@ class BoundaryFinder {
   const std::vector<double>& uv_;
   const std::vector<std::uint32_t>&triangles_, &chartOf_;
   const std::vector<std::uint8_t>& isWanted_;
-  std::vector<std::uint32_t> next_;         ///< texcoord, of the boundary edge from each texcoord
+  std::vector<std::uint32_t> next_;  ///< per texcoord: where the boundary edge that leaves it ends
   std::vector<std::uint32_t> chartOfEdge_;  ///< likewise
   std::vector<std::uint8_t> isPinched_;     ///< per chart
   std::vector<std::uint32_t> corners_;

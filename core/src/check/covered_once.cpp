@@ -12,9 +12,9 @@ namespace {
 
 using Pair = std::array<std::uint32_t, 2>;
 
-/// A line that goes over the plane from left to right, with points of one column from below, as if
-/// the plane were sheared a little (Shamos and Hoey 1976). An edge has the number of its first
-/// point.
+/// A line that sweeps the plane from left to right and meets points of one column from the bottom
+/// up, as if the plane were slightly sheared (Shamos and Hoey 1976). An edge has the number of its
+/// first point.
 class Sweep {
  public:
   explicit Sweep(const Curves& curves) : points_(curves.points), active_(Below{this}) {
@@ -47,7 +47,7 @@ class Sweep {
 
  private:
   struct Active {
-    mutable std::uint32_t edge;  ///< the order stays when one goes on as the next of its curve
+    mutable std::uint32_t edge;  ///< changing to the curve's next edge keeps the order
   };
   struct Point {
     std::uint32_t number;
@@ -72,12 +72,12 @@ class Sweep {
   std::uint32_t left(std::uint32_t edge) const { return goesRight(edge) ? edge : next_[edge]; }
   std::uint32_t right(std::uint32_t edge) const { return goesRight(edge) ? next_[edge] : edge; }
 
-  /// 1 where the point is above the edge's line.
+  /// 1 if the point is above the edge's line.
   int sideOf(std::uint32_t edge, std::uint32_t p) const {
     return orientation(point(left(edge)), point(right(edge)), point(p));
   }
 
-  /// Of two edges that the line is over.
+  /// Both edges must be under the sweep line.
   bool isBelow(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t p = left(a), q = left(b);
     if (p == q) return sideOf(a, right(b)) > 0;
@@ -95,7 +95,7 @@ class Sweep {
       goOn(isInNew ? out : in, isInNew ? in : out);
   }
 
-  /// Two edges begin: what is below them tells what they have to bound.
+  /// Two edges begin here: the edges below tell what they have to bound.
   void begin(std::uint32_t p, std::uint32_t in, std::uint32_t out) {
     const Place above = active_.lower_bound(Point{p});
     if (above != active_.end() && sideOf(above->edge, p) == 0) return fail(p, above->edge);
@@ -129,14 +129,14 @@ class Sweep {
     compare(at);
   }
 
-  /// An edge and the one above it.
+  /// Compares an edge with the one above it.
   void compare(Place at) {
     const Place above = std::next(at);
     if (above != active_.end() && meet(at->edge, above->edge)) fail(at->edge, above->edge);
   }
 
   bool meet(std::uint32_t a, std::uint32_t b) const {
-    // Neighbours end at their common point: they meet where one lies on the other.
+    // Neighbours end at their common point: they only meet if one lies on the other.
     if (next_[a] == b) return orientation(point(a), point(b), point(next_[b])) == 0;
     if (next_[b] == a) return orientation(point(b), point(a), point(next_[a])) == 0;
     return segmentsMeet(point(a), point(next_[a]), point(b), point(next_[b]));
@@ -148,8 +148,8 @@ class Sweep {
 
   const std::vector<double>& points_;
   std::vector<std::uint32_t> next_, previous_;
-  std::set<Active, Below> active_;  ///< from below
-  std::vector<Place> where_;        ///< of active edges
+  std::set<Active, Below> active_;  ///< from the bottom up
+  std::vector<Place> where_;        ///< position of each active edge
   std::optional<Pair> wrong_;
 };
 

@@ -7,17 +7,18 @@
 
 namespace abflat {
 
-/// Closed curves. The edges of each go from a point to the next one, and from its last point to its
-/// first; what they bound is on their left.
+/// Closed curves. The edges of each run from a point to the next one, and from its last point back
+/// to its first; the bounded area is on their left.
 struct Curves {
   std::vector<double> points;       ///< 2 coordinates each, finite
-  std::vector<std::uint32_t> ends;  ///< index behind each curve's last point
+  std::vector<std::uint32_t> ends;  ///< one past the index of each curve's last point
 };
 
-/// Nothing when no two edges meet, but for neighbours at their common point, and no place is
-/// bounded twice or less than not at all: then every point that is not on a curve has winding
-/// number 0 or 1. Otherwise two edges, by their first points, that meet or between which a place is
-/// covered wrongly; both are one edge where it takes no other. Exact, in n log n.
+/// Empty if no two edges meet, except neighbours at their common point, and no place is covered
+/// more than once or a negative number of times: then every point that is not on a curve has
+/// winding number 0 or 1. Otherwise two edges, given by their first points, that meet or between
+/// which a place is covered wrongly; both are the same edge if a single one is enough. Exact, in
+/// O(n log n).
 std::optional<std::array<std::uint32_t, 2>> findWrongCover(const Curves& curves);
 
 }  // namespace abflat

@@ -19,7 +19,7 @@ bool disjoint(const Box& a, const Box& b) {
   return a.lo[0] > b.hi[0] || b.lo[0] > a.hi[0] || a.lo[1] > b.hi[1] || b.lo[1] > a.hi[1];
 }
 
-/// The bits of x at the even places.
+/// Spreads the bits of x to the even positions.
 std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 16) & 0x0000ffff0000ffff;
   x = (x | x << 8) & 0x00ff00ff00ff00ff;
@@ -28,8 +28,8 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 1) & 0x5555555555555555;
 }
 
-/// Edges of a closed polygon along a curve that fills the plane (Morton's); those at one place keep
-/// their order.
+/// Edges of a closed polygon in the order of a space-filling curve (Morton's); ties keep their
+/// order.
 std::vector<std::uint32_t> spatialOrder(const std::vector<double>& points) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lo[2] = {kInfinity, kInfinity}, hi[2] = {-kInfinity, -kInfinity};
@@ -52,7 +52,8 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<double>& points) {
   return order;
 }
 
-/// Boxes over runs of edges in spatial order: boxes overlap little however the curve is coiled.
+/// Bounding boxes of runs of edges in spatial order, so that boxes overlap little however coiled
+/// the curve is.
 class EdgeTree {
  public:
   EdgeTree(const std::vector<double>& points, std::size_t keepFirst)
@@ -65,7 +66,7 @@ class EdgeTree {
     build(1, 0, leaves_);
   }
 
-  /// Unless boxes tell so little of the edges, as of long ones side by side, that a sweep is
+  /// Whether boxes separate the edges so poorly, as with long ones side by side, that a sweep is
   /// better.
   bool isSweepBetter() {
     constexpr std::size_t kManyPairs = 64;
@@ -146,7 +147,7 @@ class EdgeTree {
     if (found_.first.size() < keepFirst_) found_.first.push_back({i, j});
   }
 
-  /// Whether edge i + 1 runs back over edge i.
+  /// Whether edge i + 1 folds back onto edge i.
   bool foldsBack(std::uint32_t i) const {
     const double *a = point(i), *b = point(i + 1), *c = point(i + 1 == n_ ? 1 : i + 2);
     if (orientation(a, b, c) != 0) return false;
@@ -157,7 +158,7 @@ class EdgeTree {
   std::vector<std::uint32_t> order_;
   std::size_t keepFirst_;
   std::uint32_t n_, leaves_ = 1;
-  std::size_t allowed_ = 0;  ///< pairs of boxes that may still be looked at
+  std::size_t allowed_ = 0;  ///< pairs of boxes that may still be tested
   std::vector<Box> boxes_;
   Crossings found_;
 };
@@ -165,7 +166,7 @@ class EdgeTree {
 }  // namespace
 
 Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst) {
-  // A triangle's edges are all neighbours; with positive area it is simple.
+  // All edges of a triangle are neighbours; with positive area it is simple.
   if (points.size() < 8) return {};
   return EdgeTree(points, keepFirst).run();
 }

@@ -7,13 +7,13 @@
 namespace abflat {
 
 /// Pairs of edges of a closed polygon that cross or touch, decided exactly. Neighbouring edges
-/// touch at their common corner and count only when one lies on the other. Close to linear
-/// unless very many edges are very near each other.
+/// touch at their common corner and count only if one lies on the other. Close to linear unless
+/// very many edges are very near each other.
 struct Crossings {
   std::size_t count = 0;
   std::vector<std::array<std::uint32_t, 2>>
-      first;  ///< pairs of edges i < j in order, edge i from point i to i + 1; those
-              ///< found first where there are more
+      first;  ///< pairs of edges i < j in order, edge i from point i to i + 1; if there are too
+              ///< many, those found first
 };
 Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst = 4096);
 

@@ -11,7 +11,7 @@ namespace abflat {
 /// two triangles is not positively oriented.
 struct DelaunayCheck {
   std::size_t edges = 0;              ///< interior edges
-  std::vector<ChartCorner> violated;  ///< one half-edge each
+  std::vector<ChartCorner> violated;  ///< one half-edge per violated edge
 };
 DelaunayCheck checkDelaunay(const DiskChart& chart, const std::vector<double>& uv);
 

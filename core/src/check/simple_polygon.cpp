@@ -13,8 +13,9 @@
 namespace abflat {
 namespace {
 
-/// Points are passed by x, then y; the edges that have begun and not ended are kept in the order in
-/// which a line through the point meets them. Edges that meet first are next to each other before.
+/// Visits the points by x, then y, and keeps the edges that have begun and not yet ended in the
+/// order in which a line through the point meets them. Two edges that cross are neighbours in that
+/// order before the sweep reaches their crossing.
 class Sweep {
  public:
   explicit Sweep(const std::vector<double>& points)
@@ -48,7 +49,7 @@ class Sweep {
     return p[0] < q[0] || (p[0] == q[0] && p[1] < q[1]);
   }
 
-  /// Where an edge begins and ends in the order of the sweep.
+  /// First end of an edge in sweep order.
   std::uint32_t left(std::uint32_t edge) const {
     return isBefore(edge, next(edge)) ? edge : next(edge);
   }
@@ -61,7 +62,7 @@ class Sweep {
     if (left(a) == left(b)) return side(a, right(b)) > 0;
     return isBefore(left(a), left(b)) ? sideOf(a, b) > 0 : sideOf(b, a) < 0;
   }
-  /// Of an edge that begins later.
+  /// Side of `edge` on which an edge that begins later lies.
   int sideOf(std::uint32_t edge, std::uint32_t later) const {
     const int begin = side(edge, left(later));
     return begin != 0 ? begin : side(edge, right(later));
@@ -73,7 +74,7 @@ class Sweep {
   bool pass(std::uint32_t v) {
     const std::uint32_t edges[] = {v == 0 ? n_ - 1 : v - 1, v};
     const std::uint32_t others[] = {edges[0], next(v)};
-    // Both on one side of v, and one on the other.
+    // Both neighbours on the same side of v, and one edge on the other.
     if (isBefore(others[0], v) == isBefore(others[1], v) &&
         orientation(at(v), at(others[0]), at(others[1])) == 0)
       return false;
@@ -99,7 +100,7 @@ class Sweep {
   }
 
   bool areApart(std::uint32_t a, std::uint32_t b) const {
-    // Neighbours meet at their common corner alone, which is looked at as it is passed.
+    // Neighbours meet only at their common corner, which is checked when the sweep passes it.
     if (next(a) == b || next(b) == a) return true;
     return !segmentsMeet(at(a), at(next(a)), at(b), at(next(b)));
   }

@@ -3,7 +3,7 @@
 namespace abflat {
 namespace {
 
-/// Whether corners of a vertex are to be walked round: a seam or the boundary comes to it.
+/// Whether a seam or the boundary touches a vertex, so that its corners have to be walked around.
 IdVector<SurfaceVertex, std::uint8_t> cutVertices(const SeamMesh& mesh, const CutSurface& s) {
   IdVector<SurfaceVertex, std::uint8_t> out(mesh.vertexCount(), 0);
   for (const SurfaceCorner h : s.corners())
@@ -35,7 +35,7 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
       c = rotateCounterClockwise(s.twin, c);
     } while (c.exists() && c != start);
     const bool isOpen = !c.exists();
-    // To the corner beside the boundary on its clockwise side.
+    // Goes to the corner next to the boundary, on its clockwise side.
     for (c = rotateClockwise(s.twin, start); isOpen && c.exists(); c = rotateClockwise(s.twin, c))
       s.vertexOfCorner[first = c] = id;
     add(first, isOpen, v);
@@ -45,7 +45,7 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
 void findCharts(CutSurface& s) {
   const IdRange<SurfaceTriangle> triangles(s.twin.size() / 3);
   s.chartOfTriangle.resize(triangles.size());
-  s.triangleOrder.resize(triangles.size() + 1);  // a place to write what is not new
+  s.triangleOrder.resize(triangles.size() + 1);  // a slot for triangles that are not new
   std::uint32_t found = 0;
   for (const SurfaceTriangle start : triangles) {
     if (s.chartOfTriangle[start].exists()) continue;
@@ -59,7 +59,7 @@ void findCharts(CutSurface& s) {
       for (const SurfaceCorner h : cornersOf(triangle)) {
         const SurfaceCorner o = s.twin[h];
         const SurfaceTriangle next = o.exists() ? triangleOf(o) : triangle;
-        const bool isNew = !s.chartOfTriangle[next].exists();  // no branch: nobody could guess it
+        const bool isNew = !s.chartOfTriangle[next].exists();  // no branch: unpredictable
         s.chartOfTriangle[next] = isNew ? id : s.chartOfTriangle[next];
         s.triangleOrder[found] = next;
         found += isNew;

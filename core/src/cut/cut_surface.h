@@ -11,11 +11,11 @@ namespace abflat {
 /// 1 on both sides of a seam. Boundaries are not marked.
 using Seams = IdVector<SurfaceCorner, std::uint8_t>;
 
-/// Half-edges of a boundary loop, in order, the surface on their left; lives as long as its
-/// surface.
+/// Half-edges of a boundary loop in order, with the surface on their left. Valid as long as its
+/// surface exists.
 using BoundaryLoop = IdSpan<BoundaryIndex, SurfaceCorner>;
 
-/// The next one of a loop of so many.
+/// The next index along a loop of the given size.
 constexpr BoundaryIndex nextAlong(BoundaryIndex i, std::size_t size) {
   return BoundaryIndex((i + 1) % size);
 }
@@ -25,8 +25,8 @@ struct CutSurface {
   struct Chart {
     SurfaceTriangle firstTriangle;
     std::uint32_t triangles = 0, vertices = 0, edges = 0;
-    std::uint32_t loops = 0;  ///< of its boundary
-    LoopId firstLoop;         ///< loops of a chart follow each other
+    std::uint32_t loops = 0;  ///< number of boundary loops
+    LoopId firstLoop;         ///< loops of a chart are consecutive
     double area = 0;
 
     std::int64_t euler() const { return static_cast<std::int64_t>(vertices) - edges + triangles; }
@@ -34,9 +34,9 @@ struct CutSurface {
     IdRange<LoopId> loopIds() const { return {firstLoop, LoopId(firstLoop + loops)}; }
   };
 
-  IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< none on seams, too
+  IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< also none on seams
   IdVector<SurfaceCorner, OpenVertex> vertexOfCorner;
-  /// The half-edge from which a counter-clockwise turn passes all corners of a vertex.
+  /// The half-edge from which a counter-clockwise turn visits all corners of a vertex.
   IdVector<OpenVertex, SurfaceCorner> outgoing;
   IdVector<OpenVertex, std::uint8_t> isBoundary;
   IdVector<OpenVertex, SurfaceVertex> meshVertex;
@@ -54,7 +54,7 @@ struct CutSurface {
   OpenVertex head(SurfaceCorner h) const { return vertexOfCorner[nextCorner(h)]; }
   CutChartId chartOf(SurfaceCorner c) const { return chartOfTriangle[triangleOf(c)]; }
   CutChartId chartOf(OpenVertex v) const { return chartOf(outgoing[v]); }
-  /// From the first one on.
+  /// Starting with the first one.
   IdSpan<std::size_t, SurfaceTriangle> trianglesOf(CutChartId i) const {
     const std::uint32_t begin = triangleBegin[i];
     return {triangleOrder.data() + begin, triangleBegin[CutChartId(i + 1)] - begin};
@@ -63,11 +63,11 @@ struct CutSurface {
     const std::uint32_t begin = loopBegin[i];
     return {loopOrder.data() + begin, loopBegin[LoopId(i + 1)] - begin};
   }
-  /// Of a disk: its only loop.
+  /// The only loop of a disk.
   BoundaryLoop outline(CutChartId i) const { return loop(charts[i].firstLoop); }
 };
 
-/// `pulse` beats, and is not asked whether to go on.
+/// `pulse` only beats here; it cannot stop the work.
 CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -5,7 +5,7 @@
 namespace abflat {
 namespace {
 
-/// Whether seams go through what fills a hole.
+/// Whether a seam passes through the filling of a hole.
 IdVector<HoleId, std::uint8_t> openHoles(const SeamMesh& mesh, const Seams& seams) {
   IdVector<HoleId, std::uint8_t> out;
   for (const SurfaceCorner h : mesh.fillingCorners()) {

@@ -5,15 +5,15 @@
 
 namespace abflat {
 
-/// A surface that has been cut, with what fills the holes that stay filled behind it.
+/// A surface that has been cut, followed by the fillings of the holes that stay filled.
 struct FilledTable {
   CornerTable table;  ///< no twins across seams
   std::size_t surfaceTriangles = 0;
-  std::vector<HoleId> hole;  ///< that each triangle behind those fills
+  std::vector<HoleId> hole;  ///< the hole that each triangle after those fills
 };
 
-/// A hole stays filled where no edge of what fills it is a seam. `vertices` are those of the mesh
-/// that the vertices of `mesh` belong to.
+/// A hole stays filled if no edge of its filling is a seam. `vertices`: the input vertex of each
+/// vertex of `mesh`.
 FilledTable filledTable(const SeamMesh& mesh, const IdVector<SurfaceVertex, InputVertex>& vertices,
                         const Seams& seams);
 

@@ -4,11 +4,12 @@
 
 namespace abflat {
 
-/// Of a surface that is opened along its seams. A vertex that seams pass is several of them.
+/// A vertex of a surface that is opened along its seams. One that seams pass through becomes
+/// several.
 using OpenVertex = Id<struct OpenVertexTag>;
 
-/// A chart of such a surface. What is taken out of a hole is a chart as well, so that ChartId,
-/// which counts the charts of the result, is another number.
+/// A chart of such a surface. The filling taken out of a hole is a chart as well, so this number
+/// differs from ChartId, which counts the charts of the result.
 using CutChartId = Id<struct CutChartTag>;
 
 /// A boundary loop of such a surface.

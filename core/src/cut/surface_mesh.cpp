@@ -9,17 +9,18 @@
 namespace abflat {
 namespace {
 
-/// Steps of the grid over the extent: far finer than any feature, far coarser than the rounding
-/// that a change of unit brings.
+/// Grid steps over the extent: far finer than any feature, far coarser than the rounding caused by
+/// a change of unit.
 constexpr double kGrid = 268435456;  // 2^28
 
-/// Of an extent beside the largest one: areas of anything smaller would be 0.
+/// Relative to the largest extent; areas of anything smaller would be 0.
 constexpr double kLeastScale = 1e-120;
 
-/// Cotangent weights outside of this come from needles; inside, the matrix is well conditioned.
+/// Cotangent weights outside this range come from needles; within it the matrix is well
+/// conditioned.
 constexpr double kLeastWeight = 0.01, kMostWeight = 50;
 
-/// What holds the coordinates of one scale, halved so that no difference overflows.
+/// Bounds the coordinates of one scale, halved so that no difference overflows.
 struct Extent {
   Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   double most = 0;
@@ -77,7 +78,7 @@ void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, dou
   }
 }
 
-/// 0 where the surface is flat or convex, 1 in a sharp crease that opens outwards.
+/// 0 where the surface is flat or convex, 1 in a sharp concave crease.
 double creaseShare(const SeamMesh& m, SurfaceCorner h) {
   const SurfaceCorner o = m.twin[h];
   const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
@@ -86,7 +87,7 @@ double creaseShare(const SeamMesh& m, SurfaceCorner h) {
   const Vec3 q = cross(edgeVector(m.positions, w[0], w[1]), edgeVector(m.positions, w[0], w[2]));
   const double scale = norm(n) * norm(q);
   if (!(scale > 0)) return 0;
-  const double bend = (1 - dot(n, q) / scale) / 2;  // 0 flat, 1/2 at a right angle
+  const double bend = (1 - dot(n, q) / scale) / 2;  // 0 if flat, 1/2 at a right angle
   const Vec3 across = edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[prevCorner(o)]);
   const double share = std::min(1.0, 2 * bend);
   return dot(across, n) > 0 ? share : share / 2;  // a convex ridge hides a seam less than a crease

@@ -12,32 +12,33 @@
 
 namespace abflat {
 
-/// Cost of a seam that is made only where nothing else makes a chart a disk: above that of any path
-/// without one, since lengths are within the unit cube. Finite, so that paths reach every vertex.
+/// Cost of a seam that is made only if nothing else makes a chart a disk. It exceeds that of any
+/// path without such a seam, since lengths are within the unit cube. Finite, so that paths reach
+/// every vertex.
 constexpr double kBarredCost = 1e9;
 
-/// What the seam finder works on: an oriented manifold surface, of any number of components, and
+/// The input of the seam finder: an oriented manifold surface with any number of components, and
 /// its geometry. Vertices are fans, so each is either interior or passed by the boundary once.
-/// Coordinates are rounded to a grid over the mesh's own extent: no result depends on its unit or
-/// place.
+/// Coordinates are rounded to a grid over the mesh's own extent, so that no result depends on its
+/// unit or position.
 struct SeamMesh {
   IdVector<SurfaceCorner, SurfaceVertex> vertexOfCorner;
   IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< opposite half-edge, none on the boundary
   std::vector<double> positions;                ///< xyz per vertex, within the unit cube
-  IdVector<SurfaceCorner, double> angle;        ///< radians; made up where degenerate
+  IdVector<SurfaceCorner, double> angle;        ///< radians; made up for degenerate triangles
   IdVector<SurfaceTriangle, double> area;
   IdVector<SurfaceCorner, double> length;  ///< of a half-edge
-  /// Of a seam along a half-edge: its length, less where it is hidden; kBarredCost where holes stay
-  /// filled, infinite within a polygon.
+  /// Cost of a seam along a half-edge: its length, less if it is hidden. kBarredCost where holes
+  /// have to stay filled, infinite within a polygon.
   IdVector<SurfaceCorner, double> cost;
-  IdVector<SurfaceCorner, double> weight;  ///< cotangent of the edge, positive; as that of its twin
-  IdVector<SurfaceVertex, double> vertexArea;  ///< a third of the triangles' round it
+  IdVector<SurfaceCorner, double> weight;  ///< cotangent of the edge, positive; equal to its twin's
+  IdVector<SurfaceVertex, double> vertexArea;  ///< a third of the area of the triangles around it
   IdVector<SurfaceVertex, double> angleSum;
-  /// That a triangle fills, none where it is of the surface; empty where no hole is filled. What
-  /// fills comes last and has no area.
+  /// The hole that a triangle fills, none if it is part of the surface; empty if no hole is filled.
+  /// Triangles that fill holes come last and have no area.
   IdVector<SurfaceTriangle, HoleId> hole;
-  /// How many times as much as the log-scale tells flattening has stretched a triangle's chart;
-  /// empty where nothing has been flattened.
+  /// The ratio by which flattening stretched a triangle's chart more than the log-scale predicts;
+  /// empty if nothing has been flattened.
   IdVector<SurfaceTriangle, double> excess;
 
   IdRange<SurfaceTriangle> triangles() const { return area.ids(); }
@@ -46,16 +47,16 @@ struct SeamMesh {
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(area.size()); }
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertexArea.size()); }
   double totalArea() const;
-  /// Of the triangles that fill holes.
+  /// The corners of triangles that fill holes.
   IdRange<SurfaceCorner> fillingCorners() const;
   SurfaceVertex tail(SurfaceCorner h) const { return vertexOfCorner[h]; }
   SurfaceVertex head(SurfaceCorner h) const { return vertexOfCorner[nextCorner(h)]; }
   bool isFilling(SurfaceTriangle f) const { return !hole.empty() && hole[f].exists(); }
-  /// A cut here can be seen: there is surface on both sides.
+  /// Whether a cut here can be seen, which takes surface on both sides.
   bool isOnSurface(SurfaceCorner h) const {
     return !isFilling(triangleOf(h)) && twin[h].exists() && !isFilling(triangleOf(twin[h]));
   }
-  /// Of the edge in the linear system of the scale: holes keep their shape.
+  /// The edge's entry in the linear system of the scale. Holes keep their shape.
   double stiffness(SurfaceCorner h) const {
     const SurfaceCorner o = twin[h];
     const bool isRim = o.exists() && isFilling(triangleOf(o)) && !isFilling(triangleOf(h));
@@ -63,16 +64,15 @@ struct SeamMesh {
   }
 };
 
-/// Per vertex, how much a flattening scales there: lengths grow by e^u.
+/// Per vertex, the log of the scale of a flattening there: lengths grow by e^u.
 using LogScales = IdVector<SurfaceVertex, double>;
 
-/// Per vertex, where its row comes in an elimination order: that of a mesh is good for any part of
-/// it.
+/// The rank of each vertex in an elimination order. The ranks of a mesh also suit any part of it.
 using EliminationRanks = IdVector<SurfaceVertex, std::uint32_t>;
 
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
-/// `isDiagonal` is empty where all faces are triangles. `scale` is per triangle
-/// where several scales, which share no fan, have a grid each; or empty.
+/// `isDiagonal` is empty if all faces are triangles. `scale` is given per triangle if there are
+/// several scales, which share no fan and have a grid each; otherwise it is empty.
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans,
                       const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal = {},

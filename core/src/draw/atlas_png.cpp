@@ -29,7 +29,7 @@ class AtlasPainter {
         polygons_(atlasPolygons(mesh, result)),
         edges_(atlasEdges(polygons_, result)) {}
 
-  /// `colourOf` a face. Outlines are always drawn.
+  /// `colourOf` gives the colour of a face. Outlines are always drawn.
   Result<std::string> png(const std::function<Rgb(std::uint32_t)>& colourOf,
                           bool hasInnerEdges) const {
     const auto areas = byBand(polygons_.count(), 0, [&](std::uint32_t i) { return pointsOf(i); });
@@ -52,7 +52,7 @@ class AtlasPainter {
  private:
   using Edge = std::array<std::uint32_t, 2>;
 
-  /// v goes up, rows go down.
+  /// v points up, rows count down.
   Point at(std::uint32_t texcoord) const {
     const double* uv = &result_.uv[2 * static_cast<std::size_t>(texcoord)];
     return {uv[0] * side_, height_ - uv[1] * side_};
@@ -65,7 +65,7 @@ class AtlasPainter {
     return out;
   }
 
-  /// Numbers of the shapes that reach into each band, with a margin in pixels.
+  /// Indices of the shapes that reach into each band, with a margin in pixels.
   template <class Points>
   std::vector<std::vector<std::uint32_t>> byBand(std::size_t count, double margin,
                                                  const Points& points) const {

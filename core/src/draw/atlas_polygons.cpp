@@ -15,7 +15,7 @@ class Collector {
     close(f);
   }
 
-  /// A corner at the place of an earlier one ends a loop, which is taken off.
+  /// A corner at the place of an earlier one closes a loop, which is split off.
   void addSplit(std::uint32_t f) {
     std::vector<std::uint32_t> path;
     for (std::uint32_t c = mesh_.faceOffsets[f]; c < mesh_.faceOffsets[f + 1]; ++c) {

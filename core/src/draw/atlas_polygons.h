@@ -8,8 +8,8 @@
 
 namespace abflat {
 
-/// The faces of a mesh as they lie in the atlas: without those that collapsed, and faces that use a
-/// place twice as the loops they were split into.
+/// The faces of a mesh as they lie in the atlas. Collapsed faces are left out, and faces that use a
+/// place twice appear as the loops they were split into.
 struct AtlasPolygons {
   std::vector<std::uint32_t> offsets = {0};  ///< corners of polygon i: [offsets[i], offsets[i+1])
   std::vector<std::uint32_t> corners;        ///< indices into the mesh's faceVertices
@@ -19,7 +19,7 @@ struct AtlasPolygons {
 };
 AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result);
 
-/// Edges of polygons by their texcoords, each once.
+/// Edges of polygons by their texcoords, each listed once.
 struct AtlasEdges {
   std::vector<std::array<std::uint32_t, 2>> inner;    ///< between two polygons of a chart
   std::vector<std::array<std::uint32_t, 2>> outline;  ///< of the charts, which are on their left

@@ -56,7 +56,7 @@ std::string pathOf(const Trails& trails, const std::vector<double>& uv, int top)
   return path.data();
 }
 
-/// With all the digits that tell the size from others.
+/// With as many digits as it takes to tell the size from others.
 std::string lengthText(double value) {
   std::array<char, kMostDoubleChars> text{};
   return {text.data(), writeDouble(text.data(), value)};
@@ -64,7 +64,7 @@ std::string lengthText(double value) {
 
 struct Size {
   double side = 0;             ///< of a tile
-  const char* unit = "";       ///< of that
+  const char* unit = "";       ///< of `side`
   double thin = 0, thick = 0;  ///< lines, in units of the drawing
 };
 
@@ -75,7 +75,7 @@ Size sizeOf(const AtlasReport& atlas, double millimetres) {
     return {static_cast<double>(atlas.resolution), "", kThinPixels * unit, kThickPixels * unit};
   }
   const double side = atlas.resolution / atlas.texelDensity * millimetres, unit = kSide / side;
-  // Lines must not be wider than charts are where these are tiny.
+  // Lines must not be wider than the charts where those are tiny.
   const double most = kSide / 100;
   return {side, "mm", std::min(kThinMm * unit, most / 4), std::min(kThickMm * unit, most)};
 }

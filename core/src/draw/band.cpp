@@ -36,7 +36,7 @@ Band::Band(int width, int firstRow, int rows) : width_(width), firstRow_(firstRo
   for (std::vector<float>& line : lines_) line.resize(pixels);
 }
 
-/// What lies on the right of an edge that goes down is covered by as much as the edge is high.
+/// Everything to the right of an edge that goes down gains as much cover as the edge is high.
 void Band::addEdge(PixelPoint from, PixelPoint to) {
   if (from.y == to.y) return;
   const double sign = from.y < to.y ? 1 : -1;

@@ -19,15 +19,15 @@ class Band {
  public:
   Band(int width, int firstRow, int rows);
 
-  /// Adds the exact share that a simple polygon has of each pixel: neighbours that share an edge
+  /// Adds the exact share of each pixel that a simple polygon covers: neighbours that share an edge
   /// cover it without a gap.
   void fill(const std::vector<PixelPoint>& polygon, const Rgb& colour);
 
   enum class Line { Thin, Thick };
-  /// With round ends. Lines of one kind are one shape: where they meet they are no darker.
+  /// With round ends. Lines of one kind form a single shape: they are no darker where they meet.
   void draw(Line kind, const PixelPoint& from, const PixelPoint& to, double width);
 
-  /// Areas below, then thin and thick lines in `ink`, each as opaque as said; transparent
+  /// Areas at the bottom, then thin and thick lines in `ink` with the given opacities; transparent
   /// elsewhere.
   std::vector<std::uint8_t> rgba(const Rgb& ink, float thinOpacity, float thickOpacity) const;
 
@@ -37,7 +37,7 @@ class Band {
   int width_, firstRow_, rows_;
   std::vector<std::array<float, 4>> areas_;  ///< colours times shares, and shares
   std::array<std::vector<float>, 2> lines_;  ///< shares by kind
-  /// Of the polygon at hand: what each column adds to the cover of those on its right.
+  /// For the current polygon: what each column adds to the cover of those on its right.
   std::vector<double> steps_;
   int left_ = 0, top_ = 0, bottom_ = 0;
   std::size_t stride_ = 0;

@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// Areas per face of the mesh, and their sums; those of a face that is not plane are of its area
-/// vector.
+/// Areas per face of the mesh, and their sums; for a face that is not planar, the length of its
+/// area vector counts.
 struct FaceAreas {
   std::vector<double> in3d, inUv;
   double sum = 0, uvSum = 0;

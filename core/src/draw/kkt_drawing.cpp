@@ -10,7 +10,7 @@ namespace abflat {
 namespace {
 
 constexpr double kUnits = 10;  // of path data, in a pixel
-/// Dots of the raster along one side: a large matrix has more rows than a picture has pixels.
+/// Dots of the raster along one side, since a large matrix has more rows than a picture has pixels.
 constexpr std::size_t kRaster = 420;
 constexpr double kLeft = 104, kTop = 76, kSize = 420, kStrip = 40;
 constexpr double kStripTop = kTop + kSize + 34;
@@ -42,7 +42,7 @@ class Raster {
         isSet_[place(row) * side_ + place(column)] = 1;
   }
 
-  /// Runs of dots as rectangles, `size` long altogether.
+  /// Runs of dots as rectangles; the whole raster is `size` long.
   SvgPath path(double size) const {
     SvgPath out;
     const auto at = [&](std::size_t i) {
@@ -71,7 +71,7 @@ void paintPath(SvgWriter& out, const SvgPath& path, double y, std::string_view c
   out.add("path", {{"d", path.data()}, {"fill", colour}, {"transform", place}});
 }
 
-/// The last rows are too few to be seen among thousands: once more, higher.
+/// The last rows are too few to be seen among thousands, so they are drawn once more, taller.
 void paintActiveBounds(SvgWriter& out, const KktPattern& p) {
   const KktBlock& bounds = p.blocks.back();
   const std::size_t count = bounds.end - bounds.begin, angles = p.blocks.front().end;
@@ -119,7 +119,7 @@ void paintBlocks(SvgWriter& out, const KktPattern& pattern) {
                        {"stroke", kHighlight},
                        {"stroke-width", 0.7}});
     }
-    // Thin blocks at the end would have their names on top of each other.
+    // Otherwise the names of thin blocks at the end would overlap.
     const double y = std::max(middle, lastY + kMinLabelGap);
     lastY = y;
     out.text(kLeft - 10, kTop + y + 4, block.name, {{"font-size", 12}, {"text-anchor", "end"}});

@@ -16,7 +16,7 @@ struct KktBlock {
   std::size_t begin = 0, end = 0;
 };
 
-/// Where the matrix (8) has entries, in the paper's order: Hessian (one row an angle), triangles,
+/// Where the matrix (8) has entries, in the paper's order: Hessian (one row per angle), triangles,
 /// interior vertices, wheels, active bounds. Inactive bounds have no row, as in the paper.
 struct KktPattern {
   std::size_t size = 0;

@@ -125,7 +125,8 @@ class LayoutPainter {
               {{"d", flipped.data()}, {"fill", kBad}, {"stroke", kBad}, {"stroke-width", 8}});
   }
 
-  /// Both triangles at the edge are upright and neither's circumcircle holds the other's apex.
+  /// Whether both triangles at the edge are upright and neither's circumcircle contains the other's
+  /// apex.
   bool isDelaunay(const std::array<std::uint32_t, 4>& edge) const {
     const auto [from, to, left, right] = edge;
     return orientation(uv(from), uv(to), uv(left)) > 0 &&

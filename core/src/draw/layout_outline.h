@@ -16,7 +16,7 @@ struct LayoutOutline {
 };
 LayoutOutline outlineOf(const FlattenResult& flat);
 
-/// The edges as few trails that share no edge: vertices one after another, trail after trail.
+/// The edges as few trails that share no edge: each lists its vertices in order.
 std::vector<std::vector<std::uint32_t>> trails(
     const std::vector<std::array<std::uint32_t, 4>>& edges, std::size_t vertexCount);
 

@@ -16,18 +16,18 @@ constexpr int kMaxTicks = 8;
 
 std::string_view colourOf(std::size_t i) { return kCurveColours[i % kCurveColourCount]; }
 
-/// Later curves are thinner, so that curves that lie on each other can all be seen.
+/// Later curves are thinner, so that curves on top of each other can all be seen.
 double widthOf(std::size_t i) { return std::max(1.4, 6.5 - 1.3 * static_cast<double>(i)); }
 double dotOf(std::size_t i) { return 0.8 + widthOf(i) / 2; }
 
-/// A whole number, 1, 2 or 5 times a power of ten, that cuts `range` into at most `most` pieces.
+/// A whole number, 1, 2 or 5 times a power of ten, that divides `range` into at most `most` pieces.
 int niceStep(int range, int most) {
   for (int base = 1;; base *= 10)
     for (const int factor : {1, 2, 5})
       if (range <= factor * base * most) return factor * base;
 }
 
-/// mantissa times ten to the exponent; plain where that is shorter.
+/// mantissa times ten to the exponent; written plainly if that is shorter.
 std::string powerText(int mantissa, int exponent) {
   static constexpr std::string_view kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   if (exponent >= 0 && exponent <= 4)
@@ -69,7 +69,7 @@ class Axes {
     const int decades = highest_ - lowest_;
     for (int e = lowest_; e <= highest_; e += niceStep(decades, kMaxTicks)) {
       paintLevel(out, 1, e);
-      // Few decades need lines between the powers.
+      // With so few decades, lines between the powers are needed.
       if (decades <= 2 && e < highest_)
         for (const int mantissa : {2, 5}) paintLevel(out, mantissa, e);
     }

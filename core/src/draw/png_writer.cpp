@@ -25,7 +25,7 @@ std::string chunk(std::string_view type, std::string_view data) {
   return out;
 }
 
-/// Differences to the pixel on the left (1) or above (2), whichever are smaller.
+/// Differences from the pixel on the left (1) or above (2), whichever are smaller.
 void appendFiltered(const std::uint8_t* row, const std::vector<std::uint8_t>& above,
                     std::vector<std::uint8_t>& out) {
   const std::size_t n = above.size();

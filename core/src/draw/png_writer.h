@@ -19,7 +19,7 @@ class PngWriter {
   PngWriter& operator=(const PngWriter&) = delete;
   ~PngWriter() { deflateEnd(&stream_); }
 
-  /// One or more rows, 4 bytes a pixel.
+  /// One or more rows, 4 bytes per pixel.
   void addRows(const std::vector<std::uint8_t>& rgba);
   /// Errors: OutOfMemory.
   Result<std::string> finish();

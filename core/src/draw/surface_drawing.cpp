@@ -47,8 +47,8 @@ struct View {
   Vector operator()(const Vector& p) const { return {dot(p, right), dot(p, up), dot(p, eye)}; }
 };
 
-/// From where most of the surface shows its outside, a little from the side; "up" is the coordinate
-/// axis that is most upright then, y rather than z.
+/// A view from where most of the surface shows its outside, a little from the side; "up" is y, or z
+/// if y is too close to the line of sight.
 View viewOf(const PolygonMesh& mesh) {
   Vector sum{}, size{};
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
@@ -58,7 +58,7 @@ View viewOf(const PolygonMesh& mesh) {
       size[d] += std::abs(n[d]);
     }
   }
-  // A surface that is nearly closed has no outward side: it is seen from where it is largest.
+  // A nearly closed surface has no outward side, so it is viewed from where it is largest.
   if (lengthOf(sum) < 0.02 * lengthOf(size)) {
     const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
     sum = {};
@@ -114,7 +114,7 @@ std::string colourOf(int shade) {
   return out;
 }
 
-/// Faces one behind the other; neighbours of the same shade share an element.
+/// Faces from back to front; neighbours of the same shade share an element.
 void paintFaces(SvgWriter& out, const PolygonMesh& mesh, const View& view,
                 const std::vector<Vector>& points) {
   SvgPath path;

@@ -13,7 +13,7 @@ struct Place {
   double x, y;
 };
 
-/// Row by row; a row is as high as its highest drawing.
+/// Row by row; each row is as high as its highest drawing.
 std::vector<Place> arranged(const std::vector<Drawing>& drawings, std::size_t columns,
                             double& width, double& height) {
   std::vector<Place> out;

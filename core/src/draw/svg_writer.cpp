@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// Bytes of the UTF-8 character at the front that XML may hold; 0 when there is none.
+/// Bytes of the UTF-8 character at the front if XML may hold it; 0 if there is none.
 std::size_t xmlCharacterLength(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);
@@ -25,7 +25,7 @@ std::size_t xmlCharacterLength(std::string_view text) {
   return isOverlong || isSurrogate || isTooLarge || isNoncharacter ? 0 : length;
 }
 
-/// 0 for what no picture can show.
+/// 0 for values that no picture can show.
 long long rounded(double value) { return std::abs(value) < 1e12 ? std::llround(value) : 0; }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace abflat {
 /// A number with at most two decimals, without locale and without needless characters.
 std::string svgNumber(double value);
 
-/// Text as XML may hold it: markup escaped, what is not UTF-8 or not allowed in XML replaced by
-/// U+FFFD.
+/// Text in a form that XML may hold: markup is escaped, and anything that is not UTF-8 or not
+/// allowed in XML is replaced by U+FFFD.
 std::string xmlText(std::string_view text);
 
 struct SvgAttribute {

@@ -4,8 +4,8 @@
 
 namespace abflat {
 
-// Colours keep apart for people who do not see red or green as others do (Okabe and Ito), and on
-// black and white prints by their lightness.
+// Colours that people with colour vision deficiencies can tell apart (Okabe and Ito), and that
+// differ in lightness on black and white prints.
 constexpr std::string_view kFont =
     "system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif";
 constexpr std::string_view kPaper = "#ffffff";

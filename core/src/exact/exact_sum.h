@@ -27,7 +27,7 @@ class ExactSum {
     add(std::fma(x, y, -product));
     add(product);
   }
-  /// Four factors give eight doubles.
+  /// A product of four factors takes eight doubles.
   void addProduct(double a, double b, double c, double d) {
     const double ab = a * b, cd = c * d;
     const double abLow = std::fma(a, b, -ab), cdLow = std::fma(c, d, -cd);

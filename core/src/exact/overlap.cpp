@@ -26,7 +26,7 @@ Box boxOf(const double* t) {
   return out;
 }
 
-/// An edge of `a` has all of `b` on its outer side.
+/// Whether an edge of `a` has all of `b` on its outer side.
 bool isSeparated(const double* a, const double* b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double *from = a + 2 * k, *to = a + 2 * ((k + 1) % 3);
@@ -37,7 +37,7 @@ bool isSeparated(const double* a, const double* b) {
   return false;
 }
 
-/// Rows about as high as triangles are on average.
+/// Rows about as high as the average triangle.
 class Rows {
  public:
   explicit Rows(const std::vector<Box>& boxes) {
@@ -75,7 +75,8 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
   sortStably(order.data(), order.data() + order.size(),
              [&](std::uint32_t a, std::uint32_t b) { return boxes[a].low[0] < boxes[b].low[0]; });
   const auto at = [&](std::size_t i) { return &uv[6 * i]; };
-  // From left to right: what a triangle may overlap is still open in one of its rows.
+  // From left to right: any triangle that overlaps the current one is still open in one of its
+  // rows.
   const Rows rows(boxes);
   std::vector<std::vector<std::uint32_t>> open(rows.count());
   for (const std::uint32_t i : order)

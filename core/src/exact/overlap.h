@@ -8,7 +8,7 @@
 namespace abflat {
 
 /// Two triangles that have more than boundary in common, decided exactly. `uv` has 6 coordinates
-/// per triangle; those that are not counter-clockwise do not count.
+/// per triangle; triangles that are not counter-clockwise are ignored.
 std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double>& uv);
 
 }  // namespace abflat

@@ -6,7 +6,7 @@
 
 namespace abflat {
 
-/// p is collinear with a, b: whether it lies between them.
+/// Whether p, which is collinear with a and b, lies between them.
 inline bool isBetween(const double* a, const double* b, const double* p) {
   for (int d = 0; d < 2; ++d)
     if (p[d] < std::min(a[d], b[d]) || p[d] > std::max(a[d], b[d])) return false;

@@ -41,7 +41,7 @@ std::string exceededText(const Exceeded& exceeded) {
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
   constexpr int kDrawable =
-      12;  // orders of magnitude that doubles hold beside the errors of the layout
+      12;  // orders of magnitude that doubles resolve beyond the errors of the layout
   if (!a.converged()) {
     char text[120];
     std::snprintf(text, sizeof text,

@@ -7,7 +7,7 @@
 namespace abflat {
 namespace {
 
-/// True for the solvers that factor the matrix of the vertex constraints alone.
+/// True for the solvers that factor only the matrix of the vertex constraints.
 bool isEliminated(LinearSolver solver) {
   return solver == LinearSolver::Schur || solver == LinearSolver::Eigen;
 }

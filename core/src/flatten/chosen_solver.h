@@ -5,7 +5,7 @@
 
 namespace abflat {
 
-/// What the options ask for, or why they cannot have it.
+/// The solver that the options ask for, or the reason why it cannot be used.
 Result<SolverChoice> chosenSolver(const FlattenOptionValues& options);
 
 }  // namespace abflat

@@ -18,7 +18,7 @@
 namespace abflat {
 namespace {
 
-/// Tells the caller where a run is, and remembers when it asked to stop.
+/// Reports progress to the caller, and remembers when it asked to stop.
 class Monitor {
  public:
   explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
@@ -30,7 +30,7 @@ class Monitor {
     return !stopped_;
   }
 
-  /// Convergence is quadratic and takes 3 to 10 steps on most charts: the bar slows down after
+  /// Convergence is quadratic and takes 3 to 10 steps on most charts, so the bar slows down after
   /// that.
   bool tellStep(const NewtonStep& now) {
     last_.constraintResidual = now.constraint;
@@ -49,8 +49,8 @@ class Monitor {
   bool stopped_ = false;
 };
 
-/// The only chart is the surface: its vertices are texcoords. Nothing is welded, so polygons are
-/// those of the input.
+/// The surface is the only chart, so its vertices are the texcoords. Nothing is welded: polygons
+/// are those of the input.
 Texcoords texcoordsOf(const PolygonMesh& mesh, const Surface& surface) {
   Texcoords out;
   out.ofCorner.resize(mesh.faceVertices.size());
@@ -63,7 +63,7 @@ Texcoords texcoordsOf(const PolygonMesh& mesh, const Surface& surface) {
   return out;
 }
 
-/// All that is needed of a mesh. The connectivity that it comes from takes much memory and is gone
+/// All that is needed of a mesh. The connectivity it is built from takes much memory and is freed
 /// before the solver needs its own.
 struct Prepared {
   MeshSummary summary;
@@ -120,7 +120,7 @@ class Flattening {
     return {};
   }
 
-  /// Straight runs, bounds and pins, by places of the chart.
+  /// Reads straight runs, bounds and pins, and maps them to boundary places of the chart.
   Status readWishes() {
     const DiskChart& chart = prepared_.chart;
     Result<StraightPlaces> straight = straightPlaces(chart, options_.straight);

@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kMegabyte = 1048576;
 #ifdef __EMSCRIPTEN__
-/// MB. Of the 4 GB that 32 bits can address the mesh and the results need the rest.
+/// In MB. The mesh and the results need the rest of the 4 GB that 32 bits can address.
 constexpr double kAutoMemoryMegabytes = 3072;
 #else
 constexpr double kAutoMemoryMegabytes = 1e9;
 #endif
 
-/// Those of the solution; of a layout without one its own.
+/// The angles of the solution, or those of the layout itself if there is no solution.
 std::vector<double> flatAngles(const DiskChart& chart, const Attempt& attempt) {
   if (!attempt.solution.angles.empty()) return attempt.solution.angles;
   std::vector<double> positions, angles;
@@ -35,7 +35,7 @@ std::vector<double> flatAngles(const DiskChart& chart, const Attempt& attempt) {
 }  // namespace
 
 std::uint64_t allowedBytes(double megabytes) {
-  // Larger numbers do not fit; nor would the factors.
+  // Larger numbers would overflow, and such factors would not fit in memory either.
   constexpr double kMost = 1e12;
   const double allowed = megabytes == kAutoMemory ? kAutoMemoryMegabytes : megabytes;
   return static_cast<std::uint64_t>(std::min(allowed, kMost) * kMegabyte);

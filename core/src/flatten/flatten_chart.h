@@ -12,25 +12,26 @@ namespace abflat {
 /// `FlattenOptions::memory` in bytes.
 std::uint64_t allowedBytes(double megabytes);
 
-/// Fewer than asked for where a mesh is so small that starting a thread takes longer than it saves.
+/// Fewer than asked for if the mesh is so small that starting a thread takes longer than it saves.
 unsigned usefulThreads(int wanted, std::size_t faces);
 
-/// With bounds that are free, and what follows from t = auto.
+/// The goal for t = auto: bounds are free, and the rest follows from that.
 OutlineGoal automaticGoal(const BoundaryBounds& t);
 
-/// What the options ask for beside the bounds.
+/// What the options ask for besides the bounds.
 OutlineGoal outlineGoal(const FlattenOptionValues& options, const BoundaryBounds& t);
 
-/// One chart with the outline that is asked for, as far as that can be.
+/// Flattens one chart with the requested outline, as far as that is possible.
 Attempt flattenChart(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort = {});
 
-/// Moves the attempt's layout to where its pins are, and checks and measures it anew. Without pins
-/// it stays.
+/// Moves the attempt's layout to its pins, and checks and measures it again. Does nothing without
+/// pins.
 void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const PinOptions& options,
          Attempt& attempt);
 
-/// The layout in the mesh's unit, a power of two. Where that costs digits, the attempt becomes the
-/// layout that is left, measured anew; elsewhere all that is known about it holds digit by digit.
+/// The layout in the mesh's unit, a power of two. If the scaling loses digits, the attempt becomes
+/// the rounded layout, measured again; otherwise everything known about it still holds digit for
+/// digit.
 std::vector<double> inMeshUnit(const DiskChart& chart, Attempt& attempt);
 
 }  // namespace abflat

@@ -13,10 +13,10 @@
 namespace abflat {
 namespace {
 
-/// From here on a bound allows every angle.
+/// From here on, in units of pi, a bound allows every angle.
 constexpr double kFree = 2;
 
-/// Vertices that stay: pinned ones, and the boundary where it has to keep its angles.
+/// Vertices that must not move: pinned ones, and the boundary if it has to keep its angles.
 IdVector<ChartVertex, std::uint8_t> fixedVertices(const DiskChart& chart,
                                                   const RefineWishes& wishes, bool keepsOutline) {
   IdVector<ChartVertex, std::uint8_t> out;
@@ -33,10 +33,10 @@ bool isBounded(const RefineWishes& wishes) {
                      [](double t) { return t < kFree; });
 }
 
-/// How the outline is kept as it should be.
+/// How the outline is constrained.
 enum class Outline : std::uint8_t { Free, Shaped, Fixed };
 
-/// A step solves several systems where the outline is held: large charts take fewer of them.
+/// A step solves several systems if the outline is held, so large charts take fewer of them.
 int solvesFor(const DiskChart& chart, Outline outline) {
   constexpr double kTriangles = 4e6;
   const bool isShaped = outline == Outline::Shaped;
@@ -50,7 +50,7 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wi
   out.balance = wishes.balance;
   out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
   out.maxSolves = solvesFor(flattener.chart(), outline);
-  constexpr double kUnseen = 1e-4;  // far below any bound of stretch
+  constexpr double kUnseen = 1e-4;  // far below any bound on stretch
   if (wishes.mayBeRough) out.leastHeld = kUnseen;
   out.eliminationRank = flattener.eliminationRank();
   out.allowedBytes = wishes.allowedBytes;
@@ -65,7 +65,7 @@ std::string limitOf(const Refinement& found) {
   return found.isHeldApart ? "parts of the boundary are held apart" : "";
 }
 
-/// Of an outline that has found its form.
+/// Why an outline stopped once its form had settled.
 std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
                     const std::vector<double>& uv) {
   BoundaryBounds nearly = rules.bounds;
@@ -75,7 +75,7 @@ std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
   return rules.straight.empty() ? "" : "straight parts of the boundary stay straight";
 }
 
-/// What is nearly flat closes again, as it does when it is flattened.
+/// Pulls parts that are nearly flat together again, as flattening does.
 Attempt drawnBack(ChartFlattener& flattener, const Attempt& touching) {
   Attempt out = movedApart(flattener, touching);
   for (std::size_t i = touching.fallbacks.size(); i < out.fallbacks.size(); ++i)
@@ -83,7 +83,7 @@ Attempt drawnBack(ChartFlattener& flattener, const Attempt& touching) {
   return out;
 }
 
-/// The attempt's layout refined, checked and measured anew, valid or not.
+/// The attempt with its layout refined, checked and measured again, whether valid or not.
 Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const Attempt& attempt,
                 bool isPinned = false) {
   const DiskChart& chart = flattener.chart();
@@ -102,8 +102,8 @@ Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const A
   return out;
 }
 
-/// Bounds, times pi, lowered where they are below 2, by as much as leaves the outline a part of its
-/// freedom: all angles sum to (n - 2) pi.
+/// Lowers the bounds (in units of pi) that are below 2. All angles sum to (n - 2) pi; `by` is
+/// chosen so that the outline keeps part of its freedom.
 BoundaryBounds lowered(BoundaryBounds t, const StraightPlaces& straight, double& by) {
   constexpr double kMost = 5e-3, kPart = 6;
   double room = 2, count = 0;
@@ -119,8 +119,8 @@ BoundaryBounds lowered(BoundaryBounds t, const StraightPlaces& straight, double&
   return t;
 }
 
-/// With an outline that keeps straight and within its bounds, but not its form; nothing where that
-/// gains nothing. It begins some way from its bounds.
+/// Refines with an outline that stays straight where asked and within its bounds, but may change
+/// its form. Starts some way inside the bounds. Returns nothing if that gains nothing.
 std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& wishes,
                                 const Attempt& attempt) {
   constexpr double kLeast = 1e-6;
@@ -165,13 +165,13 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
   return out;
 }
 
-/// An outline that bounds hold nearly everywhere may do worse than the one it has.
+/// An outline held by bounds nearly everywhere may do worse than the one it already has.
 bool isWellShaped(const RefineReport& report) {
   constexpr double kWorthwhile = 0.5;
   return report.energy - 1 < kWorthwhile * (report.energyBefore - 1);
 }
 
-/// Counts what passes as refining, checks aside.
+/// Measures the time spent refining, without the checks.
 class RefiningTime {
  public:
   explicit RefiningTime(ChartFlattener& flattener)
@@ -213,7 +213,7 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, con
 
 void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
   if (!(wishes.balance > 0) || attempt.isCancelled()) return;
-  // Most charts of some meshes are a triangle, or flat.
+  // In some meshes most charts are single triangles, or flat.
   constexpr double kRounding = 1e-9;
   if (attempt.distortion.symmetricDirichlet <= 1 + kRounding && attempt.valid()) return;
   if (!attempt.valid()) {

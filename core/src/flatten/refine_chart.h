@@ -9,22 +9,22 @@
 namespace abflat {
 
 struct RefineWishes {
-  double balance = 0;     ///< nothing is done for 0
-  BoundaryBounds bounds;  ///< empty: any
+  double balance = 0;     ///< 0 turns refining off
+  BoundaryBounds bounds;  ///< empty: no bounds
   std::vector<ChartPin> pins;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;
-  std::function<bool()> onStep;  ///< hears of each step; false: no further one
-  bool mayBeRough = false;       ///< angles are only to begin refining from
+  std::function<bool()> onStep;  ///< called for each step; returning false stops refining
+  bool mayBeRough = false;       ///< angles are only a starting point for refining
 };
 
-/// A chart flattened as flattenChart() does, and refined. A free boundary that crosses itself may
-/// well no longer do so once lengths are kept: that is tried before it is untangled.
+/// Flattens a chart like flattenChart(), and refines it. A free boundary that crosses itself may
+/// stop doing so once lengths are kept, so refining is tried before untangling.
 Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort,
                          const RefineWishes& wishes);
 
-/// Trades angles of a valid layout for lengths, and checks and measures it anew. What was asked for
-/// stays: pins, straight runs and bounds.
+/// Trades angles of a valid layout for lengths, and checks and measures it again. Pins, straight
+/// runs and bounds that were asked for are kept.
 void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt);
 
 }  // namespace abflat

@@ -22,7 +22,7 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// Why a rounded layout is not valid; empty when it is.
+/// Why a rounded layout is not valid; empty if it is valid.
 std::string findDefect(const Validity& validity) {
   if (validity.flippedTriangles > 0)
     return count(validity.flippedTriangles, "triangle would", "triangles would") +
@@ -33,7 +33,8 @@ std::string findDefect(const Validity& validity) {
   return {};
 }
 
-/// A power of two as large as a layout: divided by it no digit changes and no product overflows.
+/// A power of two about as large as the layout. Dividing by it changes no digit, and afterwards no
+/// product overflows.
 double sizeOf(const std::vector<double>& uv) {
   double most = 0;
   for (const double x : uv) most = std::max(most, std::abs(x));
@@ -45,8 +46,8 @@ struct Rounded {
   std::vector<double> uv;
   Validity validity;
   Distortion distortion;
-  std::size_t violatedEdges = 0;  ///< of the Delaunay condition, where it is asked for
-  double straightDeviation = 0;   ///< where runs are to be straight
+  std::size_t violatedEdges = 0;  ///< edges that violate the Delaunay condition, if it is asked for
+  double straightDeviation = 0;   ///< along runs that are to be straight
 };
 
 Rounded measured(const DiskChart& chart, const FlattenResult& result, std::vector<double> uv) {
@@ -65,13 +66,13 @@ Rounded measured(const DiskChart& chart, const FlattenResult& result, std::vecto
   return out;
 }
 
-/// The report is about the rounded layout from now on.
+/// Makes the report describe the rounded layout.
 void setMeasures(ChartReport& report, const Rounded& rounded) {
   setMeasures(report, rounded.validity, rounded.distortion);
   if (report.straight) report.straight->deviation = rounded.straightDeviation;
 }
 
-/// Puts a layout that was moved or rounded in place of the one that the report is about.
+/// Replaces the layout that the report describes by one that was moved or rounded.
 void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::string& where,
                    const std::string& remedy, FlattenResult& result) {
   ChartReport& report = result.report.charts.front();
@@ -86,7 +87,8 @@ void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::st
   result.uv = std::move(rounded.uv);
 }
 
-/// From 0 to 1 along the longer side, from 0 along the other; unchanged where that is not possible.
+/// Fits the layout to 0..1 along its longer side, and from 0 along the other. Leaves it unchanged
+/// if that is not possible.
 void moveToUnitSquare(std::vector<double>& uv) {
   std::array<double, 2> least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
   for (std::size_t i = 0; i < uv.size(); ++i) {

@@ -9,13 +9,14 @@
 namespace abflat {
 namespace {
 
-/// Clipping the ears of longer ones may take long, and they are no small holes.
+/// Clipping the ears of longer loops may take long, and they are not small holes.
 constexpr std::size_t kMostEdges = 4096;
 
-/// In the system of the scale, far above that of other edges: it is the same all along the rim.
+/// Stiffness in the system of the scale, far above that of other edges, so that the scale is the
+/// same all along the rim.
 constexpr double kStiff = 50;
 
-/// One boundary loop, its half-edges the other way round: as what fills it sees them.
+/// One boundary loop with its half-edges reversed, as seen by the triangles that fill it.
 class Filler {
  public:
   Filler(SeamMesh& mesh, BoundaryLoop loop, double seamCost)
@@ -28,7 +29,7 @@ class Filler {
     for (const SurfaceCorner h : side_) vertex_.push_back(mesh.head(h));
   }
 
-  /// Whether it could be filled.
+  /// Returns whether the hole could be filled.
   bool fill(HoleId hole) {
     const std::vector<RimTriangle> triangles = triangulateRim(rim());
     if (triangles.empty()) return false;
@@ -41,7 +42,7 @@ class Filler {
 
  private:
   RimIndex next(RimIndex i) const { return RimIndex(i + 1 == side_.size() ? 0 : i + 1); }
-  /// The half-edge of the surface's boundary that leaves a vertex.
+  /// The half-edge of the surface's boundary that leaves vertex i.
   SurfaceCorner leaving(RimIndex i) const { return i == 0 ? side_.back() : side_[RimIndex(i - 1)]; }
 
   bool isJoined(RimIndex a, RimIndex b) const {
@@ -61,7 +62,7 @@ class Filler {
     return out;
   }
 
-  /// The rim can bend within its plane: what the whole hole is curved is shared out evenly.
+  /// The rim can bend within its plane, so the curvature of the whole hole is distributed evenly.
   void shareAngles(const std::vector<RimTriangle>& triangles) {
     IdVector<RimIndex, double> uses(side_.size(), 0);
     for (const RimTriangle& t : triangles)
@@ -114,9 +115,9 @@ class Filler {
   }
 
   SeamMesh& mesh_;
-  IdVector<RimIndex, SurfaceCorner> side_;  ///< the half-edge of the surface's boundary along it
+  IdVector<RimIndex, SurfaceCorner> side_;  ///< half-edge of the surface's boundary along each side
   IdVector<RimIndex, SurfaceVertex> vertex_;
-  IdVector<RimIndex, double> angle_;  ///< at each vertex, of every triangle that fills
+  IdVector<RimIndex, double> angle_;  ///< at each vertex, in every filling triangle
   double seamCost_;
 };
 
@@ -126,7 +127,7 @@ double lengthOf(const SeamMesh& mesh, BoundaryLoop loop) {
   return sum;
 }
 
-/// What a hole is curved in all: 0 where it is cut into a plane, 2 pi where it is an end of a tube.
+/// Total curvature of a hole: 0 if it is cut into a plane, 2 pi if it is the end of a tube.
 double curvatureOf(const SeamMesh& mesh, const CutSurface& s, BoundaryLoop loop) {
   double sum = 2 * kPi;
   for (const SurfaceCorner first : loop) {
@@ -136,8 +137,8 @@ double curvatureOf(const SeamMesh& mesh, const CutSurface& s, BoundaryLoop loop)
   return sum;
 }
 
-/// All loops but the longest one of each chart; when that is to spare seams, without those that are
-/// both long and curved: filled they would bend the chart more than they spare.
+/// All loops but the longest one of each chart. If holes are filled to save seams, leaves out those
+/// that are both long and curved: filling them would bend the chart more than it saves.
 std::vector<LoopId> holesOf(const SeamMesh& mesh, const CutSurface& s,
                             const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
                             FillHoles mode) {

@@ -5,16 +5,17 @@
 
 namespace abflat {
 
-/// Adds triangles without area that fill holes: boundary loops of a chart other than its longest
-/// one. Those that cannot be triangulated stay open. Seams through what fills cost nothing, or
-/// kBarredCost with FillHoles::Always. `isFixed`: per triangle of charts that are left as they
-/// are; may be empty.
+/// Adds triangles without area that fill holes, which are a chart's boundary loops other than its
+/// longest one. Holes that cannot be triangulated stay open. Seams through a filling cost nothing,
+/// or kBarredCost with FillHoles::Always. `isFixed`: per triangle, whether its chart is left as it
+/// is; may be empty.
 void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
                SeamMesh& mesh, const Pulse& pulse = {});
 
-/// Opens the holes that seams have come to: their rims become seams, so that what filled them is
-/// apart. With FillHoles::Always only those that seams run through. Returns whether there were any.
-/// What is taken away from a disk touches its boundary in one place, so a disk is left, or several.
+/// Opens the holes that seams have reached: their rims become seams, which separates their
+/// fillings. With FillHoles::Always, only those that seams pass through. Returns whether there were
+/// any. A filling removed from a disk touches the disk's boundary in one place, so what remains is
+/// one disk or several.
 bool openTouchedHoles(const SeamMesh& mesh, const CutSurface& surface, FillHoles mode,
                       Seams& seams);
 

@@ -9,7 +9,7 @@
 namespace abflat {
 namespace {
 
-/// Onto the plane across `normal`; empty where there is none.
+/// Projects onto the plane perpendicular to `normal`; empty if `normal` is zero.
 std::vector<Point2> project(const IdVector<RimIndex, Vec3>& points, Vec3 normal) {
   const double length = norm(normal);
   if (!(length > 0)) return {};

@@ -10,10 +10,10 @@
 
 namespace abflat {
 
-/// Which point of a rim, counted along it. It also counts the sides, which begin at the points.
+/// Index of a point along a rim, and of the side that begins there.
 using RimIndex = Id<struct RimTag>;
 
-/// A hole as it is seen along its mean normal, where its rim runs counter-clockwise.
+/// A hole seen along its mean normal, with its rim running counter-clockwise.
 struct Rim {
   IdVector<RimIndex, Vec3> points;
   IdVector<RimIndex, std::uint8_t> isCorner;  ///< only one triangle of the surface is there
@@ -23,9 +23,9 @@ struct Rim {
 
 using RimTriangle = std::array<RimIndex, 3>;
 
-/// Triangles that fill it; none where it is not a simple polygon from
-/// there, or where a triangulation would use an edge twice or leave a vertex with two triangles:
-/// the filled surface could not be drawn.
+/// Triangles that fill the hole. None if it is not a simple polygon as seen along the normal, or if
+/// a triangulation would use an edge twice or leave a vertex with two triangles, since the filled
+/// surface could not be drawn then.
 std::vector<RimTriangle> triangulateRim(const Rim& rim);
 
 }  // namespace abflat

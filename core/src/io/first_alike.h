@@ -6,8 +6,9 @@
 
 namespace abflat {
 
-/// Per corner the first one of the same vertex that is alike. `isLess` orders corners; those
-/// without an order between them are alike. In n log n, however many corners a vertex has.
+/// For each corner, the first corner of the same vertex that is equivalent to it. `isLess` orders
+/// corners; two corners that it does not order are equivalent. O(n log n), however many corners a
+/// vertex has.
 template <class IsLess>
 std::vector<std::uint32_t> firstAlike(std::size_t vertexCount,
                                       const std::vector<std::uint32_t>& vertexOfCorner,

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kBlank = " \t\r\n";
 constexpr std::string_view kLineEnd = "\r\n";
 
-/// A comment goes to the end of its physical line, whatever that ends in.
+/// A comment extends to the end of its physical line, even if that is a backslash.
 bool continues(std::string_view physicalLine) {
   const std::size_t last = physicalLine.find_last_not_of(kLineEnd);
   return last != std::string_view::npos && physicalLine[last] == '\\' &&
@@ -27,7 +27,7 @@ ObjLine::Kind kindOf(std::string_view keyword) {
 
 struct Keyword {
   ObjLine::Kind kind = ObjLine::Kind::Other;
-  std::size_t end = 0;  ///< in the line
+  std::size_t end = 0;  ///< offset in the line
 };
 
 Keyword keywordOf(std::string_view line) {
@@ -66,7 +66,7 @@ bool ObjLines::next(ObjLine& line) {
   line.comment = trimmed(line.text.substr(hash));
   line.arguments = trimmed(line.text.substr(0, hash));
   line.arguments.remove_prefix(std::min(keyword.end, line.arguments.size()));
-  // Joined with a line that holds nothing.
+  // The line was joined with an empty one.
   while (line.isJoined && !line.arguments.empty() && line.arguments.back() == '\\')
     line.arguments = trimmed(line.arguments.substr(0, line.arguments.size() - 1));
   return true;

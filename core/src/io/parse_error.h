@@ -12,7 +12,7 @@ inline Status parseError(std::string_view fileName, std::size_t line, const std:
           std::string(fileName) + ":" + std::to_string(line) + ": " + sentence};
 }
 
-/// A word of a file in quotes, for messages. Any bytes may stand there, and any number of them.
+/// A word of a file in quotes, for messages. The word may hold any bytes and be of any length.
 inline std::string quoted(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string out = "'";
@@ -20,7 +20,7 @@ inline std::string quoted(std::string_view word) {
   return out + (word.size() > kLongest ? "...'" : "'");
 }
 
-/// Of a word where a number is expected.
+/// For a word where a number is expected.
 inline std::string notANumber(std::string_view word) {
   return quoted(word) + " is not a number" +
          (word.find(',') == std::string_view::npos ? "" : ". Use a decimal point");

@@ -24,7 +24,8 @@ bool hasByte(std::uint64_t eight, char c) {
   return ((zeroThere - kOnes) & ~zeroThere & kHighBits) != 0;
 }
 
-/// To the first character that ends a line or makes it special; false when it is the latter.
+/// Advances to the first character that ends the line or makes it special; false if it is the
+/// latter.
 bool skipPlain(Cursor& c) {
   for (std::uint64_t eight = 0; c.end - c.at >= 8; c.at += 8) {
     std::memcpy(&eight, c.at, 8);
@@ -41,7 +42,7 @@ std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
   return static_cast<std::size_t>(c.at - text.data());
 }
 
-/// v, v/vt, v//vn or v/vt/vn, where nothing behind a slash is none.
+/// v, v/vt, v//vn or v/vt/vn; a slash with nothing after it means no index.
 bool takeCorner(Cursor& c, ObjCorner& corner) {
   std::int64_t normal = 0;
   if (!takeInteger(c, corner.vertex) || corner.vertex == 0) return false;

@@ -18,7 +18,7 @@ struct TypeName {
   PlyType type;
 };
 
-/// Those that come first are the ones to write.
+/// Where a type has two names, the first one is written.
 constexpr std::array<TypeName, 16> kTypeNames = {{
     {"char", PlyType::Int8},
     {"uchar", PlyType::Uint8},
@@ -199,7 +199,7 @@ class HeaderReader {
 
   std::string_view bytes_, rest_, fileName_;
   PlyHeader header_;
-  std::set<std::string_view> elementNames_, propertyNames_;  ///< the latter of the last element
+  std::set<std::string_view> elementNames_, propertyNames_;  ///< the latter: of the last element
 };
 
 }  // namespace

@@ -34,18 +34,18 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
   bool hasLists = false;
-  std::size_t leastBytes = 0;  ///< of a row of a binary file; exactly that many without lists
+  std::size_t leastBytes = 0;  ///< of a row of a binary file; the exact size if there are no lists
 
-  /// kNoIndex when there is none.
+  /// kNoIndex if there is none.
   std::size_t find(std::string_view property) const;
 };
 
-/// What a PLY file says of itself. Views refer to the bytes of the file.
+/// The contents of a PLY header. Views refer to the bytes of the file.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Text;
   std::vector<PlyElement> elements;
-  std::string_view text;     ///< with the line that ends it
-  std::string_view lineEnd;  ///< of its first line, and so of the others
+  std::string_view text;     ///< including the line that ends it
+  std::string_view lineEnd;  ///< of its first line, and hence of the others
   std::size_t lines = 0;
 
   std::size_t vertex = kNoIndex;    ///< element
@@ -53,12 +53,12 @@ struct PlyHeader {
   std::size_t x = 0, y = 0, z = 0;  ///< properties of a vertex
   std::size_t corners = kNoIndex;   ///< property of a face: the list of its vertices
 
-  // Properties with texcoords; kNoIndex where there are none.
-  std::size_t u = kNoIndex, v = kNoIndex;  ///< of a vertex; not where corners have some
+  // Properties that hold texcoords; kNoIndex if there are none.
+  std::size_t u = kNoIndex, v = kNoIndex;  ///< of a vertex; unused if corners have texcoords
   std::size_t cornerTexcoords = kNoIndex;  ///< of a face: u and v of each corner in turn
 };
 
-/// What programs call the texcoords of a vertex.
+/// The names that programs use for the texcoords of a vertex.
 constexpr std::string_view kPlyTexcoordNames[][2] = {
     {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
 
@@ -67,12 +67,12 @@ inline bool isCornerTexcoords(const PlyProperty& property) {
   return property.isList && (property.name == "texcoord" || property.name == "texcoords");
 }
 
-/// Errors: ParseError (names file and line), also where there are no vertices with x, y and z, or
-/// no lists of vertices in the faces.
+/// Errors: ParseError (names file and line), also if there are no vertices with x, y and z, or
+/// faces have no lists of vertices.
 Result<PlyHeader> readPlyHeader(std::string_view bytes, std::string_view fileName);
 
-/// The first line of the rest of a header, with its end. Where lines end in "\r" alone, as on old
-/// Macs, a "\n" behind the last one is data.
+/// The first line of the rest of a header, including its end. If lines end in "\r" alone, as on old
+/// Macs, a "\n" after the last one is data.
 std::string_view headerLine(std::string_view rest, std::string_view lineEnd);
 
 }  // namespace abflat

@@ -8,7 +8,8 @@
 namespace abflat {
 namespace {
 
-/// One name of a pair alone means something else; but s and t are needed.
+/// s and t are always texcoords, because they are written anew; one name of any other pair alone
+/// means something else.
 bool isTexcoord(const PlyElement& vertex, std::size_t property) {
   const std::string_view ownName = vertex.properties[property].name;
   if (ownName == "s" || ownName == "t") return true;
@@ -22,7 +23,7 @@ bool isTexcoord(const PlyElement& vertex, std::size_t property) {
   return false;
 }
 
-/// `type`, or `wide` where that cannot hold a number.
+/// `type`, or `wide` if `type` cannot hold the number.
 PlyType roomy(PlyType type, PlyType wide, double number) {
   return number <= largestWhole(type) ? type : wide;
 }

@@ -11,7 +11,7 @@
 
 namespace abflat {
 
-/// What becomes of a property of a vertex or a face.
+/// What happens to a property of a vertex or a face.
 struct PlyTarget {
   enum class Source {
     Copied,
@@ -24,20 +24,20 @@ struct PlyTarget {
   PlyType countType = PlyType::Float32;  ///< of a list
 };
 
-/// How a PLY file is written with other texcoords.
+/// How a PLY file is written with new texcoords.
 struct PlyPlan {
-  std::vector<PlyTarget> vertex, face;  ///< one a property
-  PlyType uvType = PlyType::Float32;    ///< of s and t, behind the properties of a vertex
+  std::vector<PlyTarget> vertex, face;  ///< one per property
+  PlyType uvType = PlyType::Float32;  ///< of s and t, which follow the other properties of a vertex
   bool dropsFromVertex = false;
 };
 
-/// Numbers are `float` where all of them are, and `double` otherwise.
+/// `float` if it holds all the numbers exactly, otherwise `double`.
 PlyType smallestType(const std::vector<double>& numbers);
 
 PlyPlan makePlyPlan(const PlyHeader& header, const PolygonMesh& mesh,
                     const SplitVertices& vertices);
 
-/// The header of the source with what the plan changes.
+/// Writes the header of the source with the changes of the plan.
 void putPlyHeader(TextWriter& out, const PlyHeader& header, const PlyPlan& plan,
                   std::uint64_t vertexCount);
 

@@ -9,16 +9,16 @@ namespace abflat {
 
 /// One property in a row of a binary file.
 struct PlyField {
-  const char* begin = nullptr;    ///< with the count of a list
-  const char* numbers = nullptr;  ///< the first of `count`
+  const char* begin = nullptr;    ///< includes the count of a list
+  const char* numbers = nullptr;  ///< the first of `count` numbers
   const char* end = nullptr;
   std::size_t count = 1;
 };
 
 enum class PlyScan { Ok, CutOff, BadCount };
 
-/// The field that begins at `at`, where the file ends at `end`. BadCount: a list that claims to
-/// have a number of values that is negative or not whole.
+/// The field that begins at `at`, in a file that ends at `end`. BadCount: the length of a list is
+/// negative or not a whole number.
 inline PlyScan scanField(const PlyProperty& property, const char* at, const char* end,
                          bool isBigEndian, PlyField& field) {
   const auto room = [&] { return static_cast<std::size_t>(end - at); };

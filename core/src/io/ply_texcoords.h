@@ -7,10 +7,11 @@
 
 namespace abflat {
 
-/// Takes u and v of each corner of the last face. A list of another length is none.
+/// Takes u and v of each corner of the last face. A list of the wrong length counts as no
+/// texcoords.
 void appendTexcoords(const std::vector<double>& uv, PolygonMesh& mesh);
 
-/// Ends the reading: texcoords of corners are those of their vertices, unless they have their own.
+/// Finishes reading: corners take the texcoords of their vertices, unless they have their own.
 void finishTexcoords(const PlyHeader& header, PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -18,8 +18,8 @@ inline std::uint16_t byteSwapped(std::uint16_t bits) { return __builtin_bswap16(
 inline std::uint32_t byteSwapped(std::uint32_t bits) { return __builtin_bswap32(bits); }
 inline std::uint64_t byteSwapped(std::uint64_t bits) { return __builtin_bswap64(bits); }
 
-/// A number that stands anywhere in a file, in either byte order. `Bits` is the unsigned type of
-/// its size.
+/// A number at any position in a file, in either byte order. `Bits` is the unsigned type of the
+/// same size.
 template <class T, class Bits>
 T loadedFrom(const char* at, bool isBigEndian) {
   Bits bits;
@@ -39,7 +39,7 @@ char* storedTo(char* to, T value, bool isBigEndian) {
   return to + sizeof bits;
 }
 
-/// Every number that PLY knows is a double.
+/// A double holds every number that PLY can express.
 inline double loadNumber(const char* at, PlyType type, bool isBigEndian) {
   switch (type) {
     case PlyType::Int8:
@@ -62,7 +62,7 @@ inline double loadNumber(const char* at, PlyType type, bool isBigEndian) {
   return 0;
 }
 
-/// `value` must be in the range of the type, and whole where that is. Returns the end.
+/// `value` must be in the range of the type, and whole if the type is integral. Returns the end.
 inline char* storeNumber(char* to, double value, PlyType type, bool isBigEndian) {
   switch (type) {
     case PlyType::Int8:
@@ -85,7 +85,7 @@ inline char* storeNumber(char* to, double value, PlyType type, bool isBigEndian)
   return to;
 }
 
-/// The largest whole number up to which the type holds every one.
+/// The largest n such that the type holds every whole number from 0 to n.
 constexpr double largestWhole(PlyType type) {
   constexpr double kLargest[] = {127,        255,        32767,    65535,
                                  2147483647, 4294967295, 16777216, 4294967295};

@@ -18,7 +18,7 @@ bool endsWith(std::string_view name, std::string_view ending) {
   return true;
 }
 
-/// Whether the first line that says anything belongs to an OFF header.
+/// Whether the first line that is not empty or a comment belongs to an OFF header.
 bool looksLikeOff(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::string_view line = bytes.substr(0, lineSize(bytes));
@@ -45,7 +45,8 @@ bool looksLikeObj(std::string_view bytes) {
   return false;
 }
 
-/// Without what the arrays grew too large while their sizes were unknown: they stay for the run.
+/// Releases the spare capacity that the arrays grew while their sizes were unknown: they stay in
+/// memory for the whole run.
 Result<PolygonMesh> trimmed(Result<PolygonMesh> mesh) {
   mesh.value.positions.shrink_to_fit();
   mesh.value.faceVertices.shrink_to_fit();
@@ -85,7 +86,7 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
     case MeshFormat::Ply:
       return trimmed(readPly(text, fileName));
     case MeshFormat::Stl:
-      return trimmed(readStl(bytes, fileName));  // binary ones may begin with anything
+      return trimmed(readStl(bytes, fileName));  // binary STL may begin with anything
   }
   return Status{StatusCode::Internal, "no reader for this format"};
 }

@@ -17,14 +17,14 @@
 namespace abflat {
 namespace {
 
-/// What 1.#QNAN, -1.#IND and the like leave behind the point, as a comment of the line.
+/// What 1.#QNAN, -1.#IND and the like leave after the point, which reads as a comment.
 bool isMicrosoftNan(std::string_view comment) {
   return beginsWith(comment, "#QNAN") || beginsWith(comment, "#SNAN") ||
          beginsWith(comment, "#IND") || beginsWith(comment, "#INF");
 }
 
-/// Takes vertices, faces, texcoords and materials from an OBJ text and rejects what is not well
-/// formed, but for texcoords: those are none then.
+/// Takes vertices, faces, texcoords and materials from an OBJ text. Rejects malformed input, except
+/// that a malformed texcoord counts as none.
 class ObjReader {
  public:
   explicit ObjReader(std::string_view fileName) : fileName_(fileName) {}
@@ -50,7 +50,7 @@ class ObjReader {
   }
 
  private:
-  /// Two triangles a vertex, in bytes as a file without normals and texcoords has them.
+  /// Assumes two triangles per vertex and the file size of a mesh without normals and texcoords.
   void reserve(std::size_t bytes) {
     constexpr std::size_t kBytesPerVertex = 96;
     const std::size_t vertices = bytes / kBytesPerVertex;
@@ -95,7 +95,7 @@ class ObjReader {
     return {};
   }
 
-  /// The second coordinate may be left out.
+  /// The second coordinate may be omitted.
   void texcoord(const ObjLine& line) {
     std::string storage;
     std::string_view words = argumentsOf(line, storage);
@@ -108,7 +108,7 @@ class ObjReader {
     }
   }
 
-  /// Names may hold blanks and #. Faces before the first have a material of their own.
+  /// Names may contain blanks and #. Faces before the first `usemtl` have a material of their own.
   void material(std::string_view line) {
     if (takeWord(line) != "usemtl") return;
     const std::string_view name = restOfLine(line);
@@ -165,7 +165,7 @@ class ObjReader {
     return {};
   }
 
-  /// Takes the corners of one face, whose vertices are known to be in the file or may yet come.
+  /// Takes the corners of one face, whose vertices are in the file already or may follow.
   void appendFace() {
     const std::int64_t known = knownVertices();
     bool hasTexcoords = false;
@@ -179,7 +179,7 @@ class ObjReader {
 
   void appendTexcoords() {
     if (mesh_.faceTexcoords.empty()) mesh_.faceTexcoords.reserve(mesh_.faceVertices.capacity());
-    // Faces before may have had none.
+    // Earlier faces may have had none.
     mesh_.faceTexcoords.resize(mesh_.faceVertices.size() - corners_.size(), kNoTexcoord);
     const auto known = static_cast<std::int64_t>(mesh_.texcoords.size() / 2);
     for (const ObjCorner& corner : corners_) {
@@ -189,7 +189,7 @@ class ObjReader {
     }
   }
 
-  /// v, v/vt, v//vn or v/vt/vn, where nothing behind a slash is none.
+  /// v, v/vt, v//vn or v/vt/vn; a slash with nothing after it means no index.
   Status parseCorner(const ObjLine& line, std::string_view word, ObjCorner& corner) const {
     const auto malformed = [&] {
       return parseError(fileName_, line.number,
@@ -212,7 +212,8 @@ class ObjReader {
     return {};
   }
 
-  /// Checks an index as far as the lines read so far tell; the rest is for the end of the file.
+  /// Checks an index against the lines read so far; the upper bound is checked at the end of the
+  /// file.
   Status inFile(std::int64_t vertex, std::size_t line) {
     const std::int64_t known = knownVertices();
     if (vertex < -known)
@@ -234,7 +235,7 @@ class ObjReader {
   PolygonMesh mesh_;
   std::vector<ObjCorner> corners_;                               ///< of one face
   std::map<std::string, std::uint32_t, std::less<>> materials_;  ///< numbers by name
-  std::uint32_t material_ = 0;                                   ///< of the faces that come
+  std::uint32_t material_ = 0;                                   ///< of the faces to come
   std::int64_t largestIndex_ = 0;                                ///< of all faces, counted from 1
   std::size_t largestIndexLine_ = 0;
 };

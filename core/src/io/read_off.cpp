@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
 
-/// Lines that hold something, without comments and line ends.
+/// Lines that are not empty, without comments and line ends.
 class OffLines {
  public:
   explicit OffLines(std::string_view text) : rest_(text) {}
@@ -29,7 +29,7 @@ class OffLines {
     }
     return false;
   }
-  /// Of the line last returned, counted from 1.
+  /// Number of the line last returned, counted from 1.
   std::size_t number() const { return number_; }
 
  private:
@@ -55,8 +55,8 @@ class OffReader {
 
   Result<PolygonMesh> run() {
     if (Status s = readHeader(); !s.ok()) return s;
-    // A vertex takes 6 bytes at least, a face 8: counts that lie cannot make the reader reserve
-    // more than the file is worth.
+    // A vertex takes at least 6 bytes and a face 8, so a false count cannot make the reader reserve
+    // much more memory than the file size warrants.
     mesh_.positions.reserve(3 * std::min<std::size_t>(vertices_, bytes_ / 6));
     mesh_.faceOffsets.reserve(std::min<std::size_t>(faces_, bytes_ / 8) + 1);
     mesh_.faceVertices.reserve(3 * (mesh_.faceOffsets.capacity() - 1));
@@ -70,10 +70,10 @@ class OffReader {
       if (!lines_.next(line)) return cutOff(f, "face", "faces");
       if (Status s = readFace(line); !s.ok()) return s;
     }
-    // Exporters leave all sorts of things at the end; but another face is part of the mesh.
+    // Exporters leave all sorts of things at the end, but another face would be part of the mesh.
     if (lines_.next(line) && readFace(line).ok())
       return here("the header declares " + promised() + ", but there is another face");
-    mesh_.faceVertices.resize(mesh_.faceOffsets.back());  // what looked like a face to begin with
+    mesh_.faceVertices.resize(mesh_.faceOffsets.back());  // drops what began like a face
     return std::move(mesh_);
   }
 
@@ -97,7 +97,7 @@ class OffReader {
       return {StatusCode::ParseError, std::string(fileName_) + ": the file is empty"};
     std::string_view words = line;
     std::string_view name = takeWord(words);
-    // "OFF490 518 0", in a well-known collection; and the name may be left out.
+    // A well-known collection has "OFF490 518 0"; and the name may be omitted.
     constexpr std::string_view kDigits = "0123456789";
     const std::size_t glued = std::min(name.find_first_of(kDigits), name.size());
     const bool isCount = name.find_first_not_of(kDigits) == std::string_view::npos;

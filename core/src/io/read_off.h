@@ -6,7 +6,8 @@
 
 namespace abflat {
 
-/// OFF, and COFF, NOFF, STOFF and their combinations, whose extra columns are skipped. Text only.
+/// OFF and its variants (COFF, NOFF, STOFF and combinations), whose extra columns are skipped. Text
+/// only.
 Result<PolygonMesh> readOff(std::string_view bytes, std::string_view fileName);
 
 }  // namespace abflat

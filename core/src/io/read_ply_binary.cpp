@@ -34,7 +34,7 @@ class BinaryReader {
       element_ = &header_.elements[i];
       row_ = 0;
       if (element_->count == 0 || element_->properties.empty()) continue;
-      // Counts that lie must not make the reader reserve more than the file is worth.
+      // A false count must not make the reader reserve more memory than the file size warrants.
       if (room() / element_->leastBytes < element_->count) return cutOff();
       const Status s = i == header_.vertex ? vertices() : i == header_.face ? faces() : skipped();
       if (!s.ok()) return s;
@@ -50,7 +50,7 @@ class BinaryReader {
   }
 
  private:
-  /// Of the element; no more than there are bytes.
+  /// Of the element; never more than the remaining bytes allow.
   std::size_t rows() const { return static_cast<std::size_t>(element_->count); }
   std::size_t room() const { return static_cast<std::size_t>(end_ - at_); }
 
@@ -101,7 +101,7 @@ class BinaryReader {
   Status vertices() {
     mesh_.positions.reserve(3 * rows());
     if (hasUv()) mesh_.texcoords.reserve(2 * rows());
-    // All rows are alike: numbers are read where they are known to be.
+    // All rows have the same size, so the numbers are read at fixed offsets.
     std::size_t offsets[kNumbers] = {};
     for (std::size_t d = 0; d < kNumbers; ++d)
       for (std::size_t p = 0; p < property(d) && p < element_->properties.size(); ++p)
@@ -127,7 +127,7 @@ class BinaryReader {
     return {};
   }
 
-  /// Of a vertex that are read: x, y, z, u, v.
+  /// Numbers read per vertex: x, y, z, u, v.
   static constexpr std::size_t kNumbers = 5;
   std::size_t property(std::size_t d) const {
     const std::size_t of[kNumbers] = {header_.x, header_.y, header_.z, header_.u, header_.v};
@@ -135,7 +135,7 @@ class BinaryReader {
   }
   bool hasUv() const { return header_.u != kNoIndex; }
 
-  /// A vertex with lists: where its numbers and the next row are.
+  /// For a vertex with lists: finds its numbers and the next row.
   Status scanRow(const char* (&numbers)[kNumbers], const char*& next) {
     const char* const row = at_;
     PlyField field;
@@ -178,7 +178,7 @@ class BinaryReader {
     const char* number = field.numbers;
     for (std::size_t k = 0; k < field.count; ++k, number += sizeOf(type)) {
       const double value = loadNumber(number, type, isBigEndian_);
-      // No std::floor: it is a call where there is no instruction for it.
+      // No std::floor: it is a function call on targets without an instruction for it.
       if (!(value >= 0 && value < vertices) ||
           value != static_cast<double>(static_cast<std::uint32_t>(value)))
         return here(noSuchVertex(numberText(value), header_.elements[header_.vertex].count));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kMostCorners = 0xffffffff;
 
-/// A row is a line; lines that hold nothing are no rows.
+/// Each row is a line; blank lines are skipped.
 class TextReader {
  public:
   TextReader(const PlyHeader& header, std::string_view bytes, std::string_view fileName)
@@ -51,8 +51,8 @@ class TextReader {
  private:
   Status here(const std::string& sentence) const { return parseError(fileName_, line_, sentence); }
 
-  /// A number takes 2 bytes at least: counts that lie cannot make the reader reserve more than the
-  /// file is worth.
+  /// A number takes at least 2 bytes, so a false count cannot make the reader reserve more memory
+  /// than the file size warrants.
   void reserve(std::size_t element) {
     const auto rows =
         static_cast<std::size_t>(std::min<std::uint64_t>(element_->count, rest_.size() / 2 + 1));
@@ -76,8 +76,8 @@ class TextReader {
     return false;
   }
 
-  /// Nearly all rows are numbers and single separators that need no second look: they are taken in
-  /// one sweep. What is anything else, right or wrong, is left where it is.
+  /// Nearly all rows are numbers and single separators, which need no closer look: they are parsed
+  /// in a single pass. Any other row, valid or not, is left unread.
   bool takePlainVertex() {
     if (element_->hasLists) return false;
     TextCursor c{rest_.data(), rest_.data() + rest_.size()};
@@ -141,7 +141,7 @@ class TextReader {
     return true;
   }
 
-  /// Moves behind the row when nothing else stands in its line.
+  /// Moves past the row if nothing else follows on its line.
   bool takeRowEnd(TextCursor c) {
     c.skipBlanks();
     if (!c.atLineEnd()) return false;
@@ -191,7 +191,7 @@ class TextReader {
 
   bool readsUv() const { return header_.u != kNoIndex; }
 
-  /// A texcoord, which need not be one.
+  /// A texcoord; NaN if the word is not a number.
   static double numberOrNone(std::string_view word) {
     double value = 0;
     return parseDouble(word, value) ? value : std::numeric_limits<double>::quiet_NaN();
@@ -223,7 +223,7 @@ class TextReader {
     return {};
   }
 
-  /// Whole numbers may be written as "3.0" where their type is float.
+  /// Whole numbers may be written as "3.0" if their type is float.
   static bool parseWhole(std::string_view word, std::int64_t& whole) {
     if (parseInteger(word, whole)) return true;
     double value = 0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 84, kFacetBytes = 50, kNormalBytes = 12;
 
-/// Of a binary file; 0 where it is too short to say.
+/// The facet count of a binary file; 0 if it is too short to have one.
 std::uint64_t promisedFacets(std::string_view bytes) {
   if (bytes.size() < kHeaderBytes) return 0;
   return loadedFrom<std::uint32_t, std::uint32_t>(bytes.data() + 80, false);
@@ -73,7 +73,7 @@ Result<PolygonMesh> readBinary(std::string_view bytes, std::string_view fileName
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// Words of an STL text; line ends separate them as blanks do.
+/// Words of an STL text; line ends separate words just as blanks do.
 class StlReader {
  public:
   StlReader(std::string_view text, std::string_view fileName)
@@ -104,7 +104,7 @@ class StlReader {
  private:
   static constexpr std::size_t kBytesPerFacet = 200;
 
-  /// Keywords are written in either case.
+  /// Keywords may be upper or lower case.
   static bool is(std::string_view word, std::string_view keyword) {
     return word.size() == keyword.size() &&
            std::equal(word.begin(), word.end(), keyword.begin(),
@@ -123,7 +123,7 @@ class StlReader {
     while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
   }
 
-  /// At the word read last.
+  /// An error at the word last read.
   Status here(const std::string& sentence) const {
     std::size_t line = 1;
     for (std::size_t i = 0; i < word_; ++line) {
@@ -147,7 +147,7 @@ class StlReader {
 
   bool atWordEnd(std::size_t at) const { return at == text_.size() || isBlank(text_[at]); }
 
-  /// Takes the keyword when it comes next and is written as usual.
+  /// Takes the keyword if it comes next and is written as usual.
   bool takePlain(std::string_view keyword) {
     skipBlanks();
     const std::size_t end = at_ + keyword.size();
@@ -157,7 +157,7 @@ class StlReader {
     return true;
   }
 
-  /// The same for a number.
+  /// As above, for a number.
   bool takePlain(double& value) {
     skipBlanks();
     const char* const begin = text_.data() + at_;
@@ -169,7 +169,8 @@ class StlReader {
     return true;
   }
 
-  /// Behind 'facet'. Its normal is not read: many programs write one that is no number.
+  /// Reads what follows 'facet'. The normal is ignored: many programs write one that is not a
+  /// number.
   Status facet() {
     skipLine();
     for (const char* keyword : {"outer", "loop"})
@@ -206,7 +207,7 @@ class StlReader {
   std::size_t at_ = 0, word_ = 0;
 };
 
-/// The word that `text` begins with, in lower case, and the rest.
+/// Takes the first word off `text` and returns it in lower case.
 std::string takeLowerWord(std::string_view& text) {
   std::size_t begin = 0;
   while (begin < text.size() && isBlank(text[begin])) ++begin;
@@ -219,7 +220,7 @@ std::string takeLowerWord(std::string_view& text) {
   return word;
 }
 
-/// Binary files may begin with "solid", too: what follows tells.
+/// Binary files may begin with "solid" too; what follows decides.
 bool isText(std::string_view bytes) {
   constexpr std::size_t kEnough = 1024;
   if (hasByteOrderMark(bytes)) bytes.remove_prefix(kByteOrderMark.size());

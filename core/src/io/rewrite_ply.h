@@ -7,7 +7,7 @@
 
 namespace abflat {
 
-/// A PLY file that has been read, and what is to be written in place of its texcoords.
+/// A PLY file that has been read, and what to write in place of its texcoords.
 struct PlyRewrite {
   const PlyHeader& header;
   const PlyPlan& plan;
@@ -15,7 +15,7 @@ struct PlyRewrite {
   const SplitVertices& vertices;
 };
 
-/// Writes what follows the header; `body` is that of the source.
+/// Writes everything after the header; `body` is that of the source.
 void rewritePlyText(TextWriter& out, const PlyRewrite& rewrite, std::string_view body);
 void rewritePlyBinary(TextWriter& out, const PlyRewrite& rewrite, std::string_view body);
 

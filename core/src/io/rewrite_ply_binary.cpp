@@ -4,7 +4,7 @@
 namespace abflat {
 namespace {
 
-/// The source has been read: its rows are well formed.
+/// The source has already been read, so its rows are well formed.
 class BinaryRewriter {
  public:
   BinaryRewriter(TextWriter& out, const PlyRewrite& rewrite, std::string_view body)

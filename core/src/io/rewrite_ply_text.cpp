@@ -5,7 +5,7 @@
 namespace abflat {
 namespace {
 
-/// The source has been read: its rows are well formed.
+/// The source has already been read, so its rows are well formed.
 class TextRewriter {
  public:
   TextRewriter(TextWriter& out, const PlyRewrite& rewrite, std::string_view body)
@@ -24,7 +24,7 @@ class TextRewriter {
   }
 
  private:
-  /// Without its end; lines that hold nothing are copied.
+  /// The row is returned without its line end; blank lines are copied.
   bool nextRow(std::string_view& row) {
     while (!rest_.empty()) {
       row = rest_.substr(0, lineSize(rest_));
@@ -73,7 +73,7 @@ class TextRewriter {
     out_.put(rewrite_.vertices.uv[2 * v + 1]);
   }
 
-  /// Takes a property off the row, and copies it with a blank behind.
+  /// Takes a property off the row, and copies it with a blank after it unless it is dropped.
   void putField(const PlyProperty& property, bool isDropped, std::string_view& row) {
     std::size_t words = 1 + (property.isList ? listSize(row) : 0);
     for (; words > 0; --words) {

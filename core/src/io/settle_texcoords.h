@@ -4,9 +4,9 @@
 
 namespace abflat {
 
-/// Ends the reading of texcoords. `faceTexcoords` may lack those of the last corners, refer to
-/// texcoords that do not exist, or to some that are not finite: all these corners have none. Where
-/// no corner has one, the mesh has no texcoords at all.
+/// Finishes reading texcoords. `faceTexcoords` may lack those of the last corners, or refer to
+/// texcoords that do not exist or are not finite: all these corners get none. If no corner has one,
+/// the mesh has no texcoords at all.
 void settleTexcoords(PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -7,7 +7,7 @@
 namespace abflat {
 namespace {
 
-/// Orders doubles, those that are no numbers as well. Both zeros are one.
+/// Orders all doubles, including NaNs. Both zeros are equal.
 std::int64_t orderOf(double x) {
   std::int64_t bits = 0;
   const double same = x == 0 ? 0 : x;
@@ -23,7 +23,7 @@ SplitVertices splitVertices(std::size_t vertexCount, const std::vector<std::uint
   SplitVertices out;
   out.ofCorner = faceVertices;
   if (uv.empty()) return out;
-  // Texcoords that are equal are one, whatever their numbers.
+  // Equal texcoords count as one, whatever their indices.
   const auto isLess = [&](std::uint32_t a, std::uint32_t b) {
     const double *p = &uv[2 * std::size_t{cornerUv[a]}], *q = &uv[2 * std::size_t{cornerUv[b]}];
     const std::int64_t pu = orderOf(p[0]), qu = orderOf(q[0]);

@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// Vertices for a format that has one texcoord a vertex: those of the mesh in their order, and
-/// behind them a copy for every further texcoord of one of them.
+/// Vertices for a format with one texcoord per vertex: those of the mesh in their order, followed
+/// by a copy for every further texcoord of a vertex.
 struct SplitVertices {
   std::vector<std::uint32_t> ofCorner;  ///< vertex of each face corner
   std::vector<std::uint32_t> copied;    ///< vertex of the mesh that each copy repeats

@@ -4,7 +4,7 @@
 
 namespace abflat {
 
-/// Walks over plain text once, without looking for the ends of words and lines first.
+/// Walks over plain text once, without first looking for the ends of words and lines.
 struct TextCursor {
   const char* at;
   const char* end;
@@ -33,9 +33,9 @@ struct TextCursor {
   }
 };
 
-/// Digits, maybe with a minus sign; false where there are none, or more than any number needs.
+/// Digits with an optional minus sign; false if there are none, or more than any number needs.
 inline bool takeInteger(TextCursor& c, std::int64_t& value) {
-  constexpr int kMostDigits = 18;  // fit any std::int64_t
+  constexpr int kMostDigits = 18;  // always fit std::int64_t
   const bool isNegative = c.take('-');
   const char* const first = c.at;
   std::int64_t size = 0;

@@ -11,13 +11,13 @@
 
 namespace abflat {
 
-/// A text that grows at its end. Numbers are written in place: one check of the capacity each.
+/// A text that grows at its end. Numbers are written in place, with one capacity check each.
 class TextWriter {
  public:
   explicit TextWriter(std::size_t expectedSize) { text_.resize(expectedSize); }
 
-  /// Room for so many characters at the end, until the next call of the writer; endAt tells how far
-  /// it was used.
+  /// Room for this many characters at the end, valid until the next call of the writer; endAt tells
+  /// how much of it was used.
   char* room(std::size_t chars) {
     if (text_.size() - size_ < chars) text_.resize(size_ + chars + text_.size() / 2);
     return &text_[size_];
@@ -35,7 +35,7 @@ class TextWriter {
   void put(double value) { endAt(writeDouble(room(kMostDoubleChars), value)); }
   void put(std::uint32_t value) { endAt(writeInteger(room(kMostIntegerChars), value)); }
 
-  /// The text; the writer is done then.
+  /// Returns the text; the writer must not be used afterwards.
   std::string take() {
     text_.resize(size_);
     return std::move(text_);

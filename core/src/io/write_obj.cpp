@@ -20,13 +20,13 @@ void putTexcoords(TextWriter& out, const std::vector<double>& uv, std::string_vi
   }
 }
 
-/// `f` with its corners, their vertices and normals as they were written and new texcoords in
-/// between, of which `next` is the first.
+/// Writes `f` with its corners: vertices and normals as they were written, with new texcoords in
+/// between, starting at `next`.
 void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv,
              std::size_t& next) {
   const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
   const char *from = corners.data(), *const last = from + corners.size();
-  // A corner takes a letter and a blank at least.
+  // A corner takes at least a letter and a blank.
   char* to = out.room(corners.size() + 1 + (2 + kMostIntegerChars) * (corners.size() / 2 + 1));
   *to++ = 'f';
   while (true) {
@@ -38,15 +38,15 @@ void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv
     to = writeInteger(to, cornerUv[next++] + 1);
     if (from != last && *from == '/') ++from;
     while (from != last && !isBlank(*from) && *from != '/') ++from;
-    // A slash with nothing behind it is dropped.
+    // A slash with nothing after it is dropped.
     if (from != last && *from == '/' && (from + 1 == last || isBlank(from[1]))) ++from;
     while (from != last && !isBlank(*from)) *to++ = *from++;
   }
   out.endAt(to);
 }
 
-/// `l` with its vertices: the texcoords they referred to are gone. Nobody has checked these words:
-/// what is not v/vt stays as it is.
+/// Writes `l` with its vertices only: the texcoords they referred to are gone. These words have not
+/// been validated, so anything that is not v/vt stays as it is.
 void putPolyline(TextWriter& out, std::string_view points) {
   out.put('l');
   for (std::string_view word = takeWord(points); !word.empty(); word = takeWord(points)) {
@@ -57,7 +57,7 @@ void putPolyline(TextWriter& out, std::string_view points) {
   }
 }
 
-/// A source text with other texcoords.
+/// Rewrites a source text with new texcoords.
 class ObjRewriter {
  public:
   ObjRewriter(const std::vector<double>& uv, const CornerUv& cornerUv, std::size_t sourceSize)
@@ -81,13 +81,13 @@ class ObjRewriter {
         take(line);
     }
     std::string text = out_.take();
-    // The line before what looks like a mark may have been a texcoord.
+    // The text may now begin with what looks like a mark, because the texcoord before it is gone.
     while (!hasMark && (hasByteOrderMark(text) || isUtf16(text))) text.insert(0, eol_);
     return text;
   }
 
  private:
-  /// Whether it is one of the lines that files consist of.
+  /// Handles the kinds of line that most of the file consists of; false for any other.
   bool takePlain(std::string_view line) {
     if (beginsWith(line, "f ")) {
       const std::string_view end = lineEnd(line);
@@ -109,7 +109,7 @@ class ObjRewriter {
     isOpen_ = size > 0 && line[size - 1] == '\\' && line.find('#') == std::string_view::npos;
   }
 
-  /// Leaves nothing of a line but its end, where those around it would be joined otherwise.
+  /// Drops a line, but keeps its end if its neighbours would otherwise be joined.
   void drop() {
     if (isOpen_) out_.put(eol_);
     isOpen_ = false;
@@ -149,7 +149,7 @@ class ObjRewriter {
   const std::vector<double>& uv_;
   const CornerUv& cornerUv_;
   std::size_t corner_ = 0;  ///< the next
-  bool isOpen_ = false;     ///< the last line that was put ends in a backslash
+  bool isOpen_ = false;     ///< the last line written ends in a backslash
   std::string_view eol_;
   std::string storage_;
   TextWriter out_;

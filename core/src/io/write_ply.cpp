@@ -53,7 +53,7 @@ class FreshPly {
 
  private:
   void putHeader(std::uint32_t vertexCount) {
-    // Two billion vertices do not fit into an int; but some programs know no other index.
+    // Two billion vertices do not fit into an int, but some programs know no other index type.
     if (vertexCount > 0x7fffffff) indexType_ = PlyType::Uint32;
     out_.put("ply\nformat binary_little_endian 1.0\ncomment abflat\nelement vertex ");
     out_.put(vertexCount);

@@ -7,25 +7,24 @@
 
 namespace abflat {
 
-/// uv, 2 per chart vertex, and why it is of no use: one sentence, empty when it can be used.
+/// uv, 2 per chart vertex, and why it cannot be used: one sentence, empty if it can.
 struct Embedding {
   std::vector<double> uv;
   std::string problem;
 };
 
-/// Boundary vertices on a circle of the chart's area, spaced by 3D edge length (a shortest arc
-/// keeps them apart), of radius 1 where there is no area; lower left corner of the circle's
-/// bounding box at the origin. Interior vertices are at 0.
+/// Boundary vertices on a circle of the chart's area (radius 1 if it has none), spaced by 3D edge
+/// length with a shortest arc that keeps them apart; lower left corner of the circle's bounding box
+/// at the origin. Interior vertices are at 0.
 std::vector<double> boundaryOnCircle(const DiskChart& chart);
 
-/// Weight of each half-edge: how much its first vertex, if interior, is drawn to its second one.
+/// Weight of each half-edge: how strongly its first vertex, if interior, is drawn to its second.
 struct HalfEdgeWeights {
   IdVector<ChartCorner, double> weight;
-  bool isSymmetric = false;  ///< both half-edges of an edge weigh the same
+  bool isSymmetric = false;  ///< both half-edges of an edge have the same weight
 };
 
-/// Every interior vertex at the weighted mean of its neighbours, with the boundary where `uv` has
-/// it.
+/// Puts every interior vertex at the weighted mean of its neighbours, with the boundary as in `uv`.
 Embedding embedByWeights(const DiskChart& chart, const HalfEdgeWeights& weights,
                          std::vector<double> uv);
 

@@ -52,7 +52,8 @@ class Repair {
   }
 
  private:
-  /// Triangles outside of the boundary, where it turns clockwise, so that it does not cross itself.
+  /// Adds triangles outside the boundary wherever it turns clockwise, so that it does not cross
+  /// itself.
   void addTurns(const std::vector<double>& exact) {
     const std::size_t n = chart_.boundary.size();
     const auto vertex = [&](std::size_t i) { return chart_.boundaryVertex(BoundaryIndex(i % n)); };
@@ -69,7 +70,7 @@ class Repair {
     return pointsOf(uv_, verticesOf(corners_, t));
   }
 
-  /// In steps, negative where the triangle is flipped.
+  /// Height of the triangle in steps; negative if it is flipped.
   double height(ChartTriangle t) const {
     const auto [a, b, c] = pointsAt(t);
     const double ux = (b[0] - a[0]) / step_, uy = (b[1] - a[1]) / step_;
@@ -78,7 +79,7 @@ class Repair {
     return longest > 0 ? (ux * vy - uy * vx) / longest : 0;
   }
 
-  /// What a triangle lacks.
+  /// How far a triangle falls short of its wanted height, squared.
   double lack(ChartTriangle t) const {
     const double wanted = mayBeFlat_[t] ? 0 : kWantedHeight;
     const double missing = std::max(wanted - height(t), 0.0);
@@ -91,7 +92,7 @@ class Repair {
     return sum;
   }
 
-  /// Counts the triangles that are wrong.
+  /// Vertices of triangles that are too thin. Also counts the triangles that are wrong.
   std::vector<ChartVertex> thinVertices() {
     std::vector<ChartVertex> out;
     wrong_ = 0;
@@ -107,7 +108,7 @@ class Repair {
     return out;
   }
 
-  /// To the place where its triangles lack least, the nearest of those alike.
+  /// Moves a vertex to where its triangles lack the least; the nearest such place on ties.
   bool move(ChartVertex v, int reach) {
     double* p = &uv_[2 * std::size_t{v}];
     const double old[2] = {p[0], p[1]};
@@ -141,10 +142,10 @@ class Repair {
   double step_;
   std::vector<double>& uv_;
   const std::vector<double> from_;
-  /// Of the chart's triangles, and of those outside.
+  /// Of the chart's triangles, followed by those outside the boundary.
   IdVector<ChartCorner, ChartVertex> corners_;
   IdVector<ChartTriangle, std::uint8_t> mayBeFlat_;
-  std::vector<std::uint32_t> first_;  ///< of each vertex, in the next
+  std::vector<std::uint32_t> first_;  ///< per vertex: where its range in `triangles_` begins
   std::vector<ChartTriangle> triangles_;
   std::size_t wrong_ = 0;
 };

@@ -75,7 +75,7 @@ std::vector<ChartCorner> spanningEdges(const DiskChart& chart,
   return tree;
 }
 
-/// A vertex to place, and the vector to it from one that is placed before.
+/// A vertex to place, and the vector to it from a vertex placed earlier.
 struct Placement {
   ChartVertex from, to;
   double logLength, heading;
@@ -114,8 +114,8 @@ std::vector<Placement> orderPlacements(const DiskChart& chart, const EdgePolars&
   }
 }
 
-/// Where the whole layout goes: applied before coordinates are summed up, so that it costs no
-/// digits.
+/// Placement of the whole layout: applied before coordinates are summed up, so that it costs no
+/// precision.
 struct Frame {
   double rotation = 0, logScale = 0;
   Point2 origin{0, 0};  ///< of vertex 0
@@ -152,12 +152,12 @@ IdVector<BoundaryIndex, Point2> boundaryPoints(const DiskChart& chart,
   return points;
 }
 
-/// The rotation that makes the longest diameter horizontal. Of the two such rotations the one with
-/// the boundary's points further to the right; where they balance, the diameter's first vertex is
-/// on the left.
+/// The rotation that makes the longest diameter horizontal. Of the two candidates, takes the one
+/// with the boundary's points further to the right; if they balance, the one with the diameter's
+/// first vertex on the left.
 double findRotation(const DiskChart& chart, const IdVector<BoundaryIndex, Point2>& points) {
   constexpr double kBalanced = 1e-7;  // of the diameter, per point
-  // Ties are broken by chart vertex, not by the place in the loop, which may begin anywhere.
+  // Ties are broken by chart vertex, not by position in the loop, which may begin anywhere.
   std::vector<Point2> byVertex(chart.vertexCount(), points.front());
   for (const BoundaryIndex i : points.ids()) byVertex[chart.boundaryVertex(i)] = points[i];
   const auto [first, second] = diameter(byVertex);
@@ -175,7 +175,7 @@ Frame finalFrame(const DiskChart& chart, const std::vector<Placement>& order) {
   Frame frame;
   double longest = -std::numeric_limits<double>::infinity();
   for (const Placement& p : order) longest = std::max(longest, p.logLength);
-  frame.logScale = -longest;  // nothing overflows
+  frame.logScale = -longest;  // avoids overflow
   std::vector<double> uv = place(chart, order, frame);
   const IdVector<BoundaryIndex, Point2> points = boundaryPoints(chart, uv);
   frame.rotation = findRotation(chart, points);

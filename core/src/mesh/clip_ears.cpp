@@ -13,8 +13,8 @@ double squaredDistance(const Point2& a, const Point2& b) {
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
-/// Cuts off the roundest ear first. What a corner is worth changes only when a neighbour of it
-/// goes, because an ear that holds a corner holds a reflex one, which is not the next to go.
+/// Cuts off the roundest ear first. The quality of a corner changes only when one of its neighbours
+/// goes: an ear that contains a corner contains a reflex one, which is not the next to go.
 class EarClipper {
  public:
   EarClipper(std::vector<Point2> points, const std::vector<std::uint8_t>& keep, const Pulse& pulse)
@@ -35,7 +35,7 @@ class EarClipper {
     for (std::uint32_t k = 0; k < n_ && pulse_.beat(kSteps); ++k) ears_.push({quality(k), k, 0});
   }
 
-  /// Triangles as local corner indices.
+  /// The triangles, as local corner indices.
   std::vector<std::array<std::uint32_t, 3>> run() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t some = 0;
@@ -60,14 +60,14 @@ class EarClipper {
 
  private:
   static constexpr std::uint32_t kGone = 0xffffffffu;
-  static constexpr std::size_t kSteps = 16;  ///< that a corner is worth
+  static constexpr std::size_t kSteps = 16;  ///< number of quality steps of a corner
 
   struct Ear {
     double quality;
     std::uint32_t corner;
-    std::uint32_t turn;  ///< how often the corner was judged before
+    std::uint32_t turn;  ///< how often the corner had been judged before
 
-    /// Of equals the one with the smaller index is better.
+    /// Among equal ears the one with the smaller index is better.
     bool operator<(const Ear& other) const {
       return quality != other.quality ? quality < other.quality : corner > other.corner;
     }
@@ -86,7 +86,7 @@ class EarClipper {
     blockers_.add(k);
   }
 
-  /// In (0, 1] for a proper ear, larger is rounder; below 0 where the ear is reflex, flat or not
+  /// In (0, 1] for a proper ear, larger is rounder; below 0 if the ear is reflex, flat or not
   /// empty.
   double quality(std::uint32_t k) const {
     const Point2 &a = points_[previous_[k]], &b = points_[k], &c = points_[next_[k]];
@@ -102,10 +102,10 @@ class EarClipper {
   const std::vector<std::uint8_t>& keep_;  ///< corners that should not become ears
   const Pulse& pulse_;
   std::uint32_t n_;
-  std::vector<std::uint32_t> next_, previous_;  ///< round what is left
+  std::vector<std::uint32_t> next_, previous_;  ///< around the remaining polygon
   std::vector<std::uint32_t> turn_;             ///< of each corner's valid entry in ears_, or kGone
   std::vector<std::uint8_t> mayBlock_;
-  PointTree blockers_;  ///< reflex and flat corners that are left, also those that were
+  PointTree blockers_;  ///< remaining corners that are reflex or flat, or once were
   std::priority_queue<Ear> ears_;
 };
 

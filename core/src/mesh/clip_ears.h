@@ -9,9 +9,10 @@
 
 namespace abflat {
 
-/// n - 2 triangles, as places in `points`, that together have every edge of a polygon exactly once,
-/// whatever its shape; the polygon's own where it is simple and counter-clockwise. Corners to
-/// `keep` become no ears where that can be helped. Some of them where `pulse` has stopped.
+/// Cuts a polygon of any shape into n - 2 triangles, as indices into `points`, that together have
+/// every polygon edge exactly once. They triangulate it properly if it is simple and
+/// counter-clockwise. Corners to `keep` do not become ears if that can be avoided. Returns only
+/// some of the triangles if `pulse` has stopped.
 std::vector<std::array<std::uint32_t, 3>> clipEars(std::vector<Point2> points,
                                                    const std::vector<std::uint8_t>& keep,
                                                    const Pulse& pulse = {});

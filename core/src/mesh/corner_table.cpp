@@ -11,7 +11,7 @@ struct EdgeEnd {
   SurfaceCorner h;
 };
 
-/// Half-edges that are no diagonals, grouped by their smaller vertex (counting sort).
+/// Half-edges that are not diagonals, grouped by their smaller vertex (counting sort).
 struct EdgeBuckets {
   std::vector<std::uint32_t> offset;
   std::vector<EdgeEnd> ends;

@@ -9,7 +9,7 @@
 
 namespace abflat {
 
-/// An edge that stops the mesh from being an oriented manifold, with its first two or three faces.
+/// An edge that keeps the mesh from being an oriented manifold, with its first two or three faces.
 struct BadEdge {
   InputVertex v0, v1;
   std::uint32_t faceCount = 0;
@@ -21,13 +21,13 @@ struct CornerTable {
   IdVector<SurfaceCorner, InputVertex> vertex;
   IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< opposite half-edge, none on the boundary
   std::vector<BadEdge> nonManifold;             ///< more than two faces
-  std::vector<BadEdge> misoriented;             ///< two faces that run in the same direction
+  std::vector<BadEdge> misoriented;  ///< two faces that traverse it in the same direction
 
   IdRange<SurfaceTriangle> triangles() const { return IdRange<SurfaceTriangle>(vertex.size() / 3); }
   IdRange<SurfaceCorner> corners() const { return vertex.ids(); }
 };
 
-/// Polygon edges are matched by their two vertices, diagonals only inside their own face, so a
+/// Polygon edges are matched by their two vertices, diagonals only within their own face, so a
 /// diagonal never becomes a non-manifold edge. Linear in the mesh apart from sorting within one
 /// vertex.
 CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t vertexCount,

@@ -5,7 +5,7 @@ namespace abflat {
 std::vector<std::array<std::uint32_t, 3>> foldedTriangles(
     const std::vector<std::uint32_t>& places) {
   std::vector<std::array<std::uint32_t, 3>> out;
-  std::vector<std::uint32_t> path;  // corners that are left
+  std::vector<std::uint32_t> path;  // remaining corners
   for (std::uint32_t c = 0; c < places.size(); ++c) {
     const auto isBack = [&](std::size_t steps) {
       return path.size() >= 2 && places[path[path.size() - steps]] == places[c];

@@ -7,29 +7,30 @@
 
 namespace abflat {
 
-/// Of the mesh that the user gave. Welding keeps the numbers of vertices, and adds some.
+/// Numbers of the user's mesh. Welding keeps the numbers of vertices, and adds some.
 using InputVertex = Id<struct InputVertexTag>;
 using InputFace = Id<struct InputFaceTag>;
 using InputCorner = Id<struct InputCornerTag>;  ///< index into PolygonMesh::faceVertices
 
-/// Of the polygons that are triangulated: the welded mesh's, or the input's where none is welded.
+/// Numbers of the polygons that are triangulated: the welded mesh's, or the input's if nothing is
+/// welded.
 using PolygonFace = Id<struct PolygonFaceTag>;
 using PolygonCorner = Id<struct PolygonCornerTag>;
 
-/// Of a surface made of triangles. A corner is also the half-edge that leaves it.
+/// Numbers of a surface made of triangles. A corner is also the half-edge that leaves it.
 using SurfaceVertex = Id<struct SurfaceVertexTag>;
 using SurfaceTriangle = Id<struct SurfaceTriangleTag>;
 using SurfaceCorner = Id<struct SurfaceCornerTag>;
 
-/// Of one chart, with numbers of its own.
+/// Numbers within one chart.
 using ChartVertex = Id<struct ChartVertexTag>;
 using ChartTriangle = Id<struct ChartTriangleTag>;
 using ChartCorner = Id<struct ChartCornerTag>;
 
-/// Which half-edge of a chart's boundary loop, counted along it.
+/// Position of a half-edge along a chart's boundary loop.
 using BoundaryIndex = Id<struct BoundaryTag>;
 
-/// What the corners of triangles belong to.
+/// The triangle and vertex types that belong to a corner type.
 template <class Corner>
 struct CornerTraits;
 template <>
@@ -65,7 +66,7 @@ template <class Corner>
 constexpr typename CornerTraits<Corner>::Triangle triangleOf(Corner c) {
   return typename CornerTraits<Corner>::Triangle(c / 3);
 }
-/// From 0 to 2: which corner of its triangle it is.
+/// Which corner of its triangle it is, 0 to 2.
 template <class Tag>
 constexpr std::size_t placeInTriangle(Id<Tag> c) {
   return c % 3;
@@ -79,7 +80,7 @@ constexpr IdRange<typename TriangleTraits<Triangle>::Corner> cornersOf(Triangle 
   return {cornerOf(f, 0), cornerOf(f, 3)};
 }
 
-/// The three vertices of a triangle, as plain numbers: for its geometry.
+/// The three vertices of a triangle as plain numbers, for geometry.
 using TriangleVertices = std::array<std::uint32_t, 3>;
 template <class Corner, class Vertex>
 TriangleVertices verticesOf(const IdVector<Corner, Vertex>& vertexOfCorner,
@@ -88,7 +89,7 @@ TriangleVertices verticesOf(const IdVector<Corner, Vertex>& vertexOfCorner,
           vertexOfCorner[cornerOf(f, 2)]};
 }
 
-/// The half-edge that leaves the same vertex next in clockwise order; none when the boundary is in
+/// The next half-edge in clockwise order that leaves the same vertex; none if the boundary is in
 /// between.
 template <class Corner>
 Corner rotateClockwise(const IdVector<Corner, Corner>& twin, Corner h) {
@@ -100,7 +101,7 @@ Corner rotateCounterClockwise(const IdVector<Corner, Corner>& twin, Corner h) {
   return twin[prevCorner(h)];
 }
 
-/// The same for what counts in plain numbers.
+/// The same for plain numbers.
 inline std::uint32_t rotateClockwise(const std::vector<std::uint32_t>& twin, std::uint32_t h) {
   return twin[h] == kNone ? kNone : nextCorner(twin[h]);
 }

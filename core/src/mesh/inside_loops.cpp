@@ -17,15 +17,16 @@ namespace {
 
 using Loop = std::vector<std::uint32_t>;
 
-/// A corner's edge from the corner before, or to the one after, as it is seen from its place.
+/// An edge at a corner, from the previous corner or to the next one, as seen from the corner's
+/// place.
 struct Arm {
   std::uint32_t corner;
   bool isOut;
   Point2 end;
-  std::uint32_t turn = 0;  ///< how many of its kind there are before in the same direction
+  std::uint32_t turn = 0;  ///< number of arms of its kind before it in the same direction
 };
 
-/// Clockwise from straight left.
+/// Sorts clockwise, starting from straight left.
 struct Clockwise {
   Point2 at;
 
@@ -72,7 +73,7 @@ class Tracer {
     return out;
   }
 
-  /// Takes away loops without area; false unless triangles of all others lie beside each other.
+  /// Removes loops without area; false unless the triangles of all others lie side by side.
   bool settle(std::vector<Loop>& loops) const {
     if (!isClear_) return false;
     std::vector<double> triangles;
@@ -103,8 +104,8 @@ class Tracer {
   std::uint32_t after(std::uint32_t k) const { return k + 1 == count_ ? 0 : k + 1; }
   std::uint32_t before(std::uint32_t k) const { return k == 0 ? count_ - 1 : k - 1; }
 
-  /// Who comes to the place goes on along the first edge clockwise that has the inside between, as
-  /// brackets close.
+  /// Whoever arrives at the place leaves along the first clockwise edge such that the inside lies
+  /// in between, matched like brackets.
   void joinAt(const std::uint32_t* begin, const std::uint32_t* end) {
     const Clockwise clockwise{points_[*begin]};
     std::vector<Arm> arms;
@@ -115,7 +116,7 @@ class Tracer {
     for (const Arm& arm : arms) isClear_ = isClear_ && arm.end != clockwise.at;
     if (!isClear_) return;
     std::sort(arms.begin(), arms.end(), clockwise);
-    // The two sides of a bridge: it leaves before it comes back, and so do all along it.
+    // The two sides of a bridge: it leaves before it comes back, and so do all bridges along it.
     for (std::size_t i = 0, last = 0; i < arms.size(); i = last) {
       std::array<std::uint32_t, 2> turns{0, 0};
       for (; last < arms.size() && clockwise.compare(arms[i].end, arms[last].end) == 0; ++last)
@@ -136,8 +137,8 @@ class Tracer {
 
   std::vector<Point2> points_;
   std::uint32_t count_;
-  std::vector<std::uint32_t> leaving_;  ///< per corner that is come to: the one that is left from
-  bool isClear_ = true;                 ///< neighbours of places are elsewhere in the plane, too
+  std::vector<std::uint32_t> leaving_;  ///< per arriving corner: the corner it leaves from
+  bool isClear_ = true;                 ///< no neighbour of a place coincides with it in the plane
 };
 
 }  // namespace
@@ -155,7 +156,7 @@ bool hasReversed(const std::vector<double>& positions, const std::vector<std::ui
 
 std::vector<Loop> insideLoops(const std::vector<double>& positions,
                               const std::vector<std::uint32_t>& places) {
-  Loop kept;  // of corners that follow each other at one place the first
+  Loop kept;  // the first of each run of corners at the same place
   for (std::uint32_t k = 0; k < places.size(); ++k)
     if (kept.empty() || places[k] != places[kept.back()]) kept.push_back(k);
   while (kept.size() > 1 && places[kept.back()] == places[kept.front()]) kept.pop_back();

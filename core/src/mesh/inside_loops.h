@@ -5,16 +5,16 @@
 
 namespace abflat {
 
-/// The inside of a polygon that uses places several times, as loops of its corners with the inside
-/// on their left: each piece has its outline, its holes and the bridges between them in one loop,
-/// which is the polygon itself where that has one piece. Corners that bound nothing are in none.
-/// Empty where the polygon crosses itself or winds round a place twice, seen in its own plane.
+/// The inside of a polygon that visits places several times, as loops of its corners with the
+/// inside on their left. Each piece has its outline, its holes and the bridges between them in one
+/// loop; a polygon with a single piece is that loop itself. Corners that bound nothing are in no
+/// loop. Empty if the polygon, seen in its own plane, crosses itself or winds around a place twice.
 /// `places`: vertex per corner.
 std::vector<std::vector<std::uint32_t>> insideLoops(const std::vector<double>& positions,
                                                     const std::vector<std::uint32_t>& places);
 
-/// Whether one of the loops, which are of a polygon's corners, runs the other way round than the
-/// polygon does: there may be a hole in it.
+/// Whether one of the loops of a polygon's corners runs the opposite way to the polygon, which
+/// means that it may be a hole.
 bool hasReversed(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
                  const std::vector<std::vector<std::uint32_t>>& loops);
 

@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// Of the faces round the vertex that a boundary half-edge begins at.
+/// Sum of the face angles at the vertex where a boundary half-edge begins.
 double angleAt(const PolygonMesh& mesh, const CornerTable& table, SurfaceCorner h) {
   double sum = 0;
   for (SurfaceCorner c = h; c.exists(); c = rotateCounterClockwise(table.twin, c))
@@ -20,9 +20,9 @@ double angleAt(const PolygonMesh& mesh, const CornerTable& table, SurfaceCorner 
 }  // namespace
 
 VertexPairs findNotches(const PolygonMesh& mesh, const Surface& surface) {
-  constexpr double kNothing = 0x1p-40;  // of the edge; a sine of pi is less
-  constexpr double kBent = 0.3;         // from a full turn; a corner of a dodecahedron by 0.63
-  constexpr std::size_t kLeast = 3;     // edges of what is left of a boundary
+  constexpr double kNothing = 0x1p-40;  // relative to the edge; a sine of pi is less
+  constexpr double kBent = 0.3;         // from a full turn; a corner of a dodecahedron: 0.63
+  constexpr std::size_t kLeast = 3;     // edges that must be left of a boundary
   VertexPairs out;
   for (const SurfaceLoop& loop : surface.boundaryLoops) {
     const std::size_t n = loop.size(), before = out.size();

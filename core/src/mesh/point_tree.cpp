@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kMostInLeaf = 8;
 
-/// The greatest turnOf(a, b, p) of a box: it rises or falls with each coordinate of p, also when it
-/// is rounded.
+/// The greatest turnOf(a, b, p) over a box. turnOf is monotonic in each coordinate of p, even when
+/// it is rounded.
 double mostTurn(const Point2& a, const Point2& b, const Point2& low, const Point2& high) {
   return turnOf(a, b, {b[1] - a[1] < 0 ? high[0] : low[0], b[0] - a[0] < 0 ? low[1] : high[1]});
 }
@@ -30,7 +30,7 @@ PointTree::PointTree(const std::vector<Point2>& points)
   for (std::uint32_t i = 0; i < order_.size(); ++i) place_[order_[i]] = i;
 }
 
-/// Halves its points across the longer side of their box.
+/// Splits a node's points in half across the longer side of their box.
 void PointTree::build(std::uint32_t i) {
   Node& node = nodes_[i];
   node.low = node.high = node.begin < node.end ? points_[order_[node.begin]] : Point2{};

@@ -7,18 +7,18 @@
 
 namespace abflat {
 
-/// Points in the plane, of which some count, in a tree of boxes: whether one of these lies in a
-/// triangle is answered without looking at those far from it.
+/// Points in the plane, some of which are active, in a tree of boxes. Tells whether an active point
+/// lies in a triangle without looking at points far from it.
 class PointTree {
  public:
-  /// None counts yet. `points` outlives the tree.
+  /// Initially no point is active. `points` must outlive the tree.
   explicit PointTree(const std::vector<Point2>& points);
 
   void add(std::uint32_t point) { change(point, 1); }
   void remove(std::uint32_t point) { change(point, -1); }
 
-  /// Whether one that counts is in the triangle or on its rim, but not at one of its corners.
-  /// Sides are told by turnOf, so that rounding is the same as elsewhere.
+  /// Whether an active point is in the triangle or on its rim, but not at one of its corners. Sides
+  /// are decided by turnOf, so that rounding is the same as elsewhere.
   bool hasIn(const Point2& a, const Point2& b, const Point2& c) const;
 
  private:
@@ -34,7 +34,7 @@ class PointTree {
 
   const std::vector<Point2>& points_;
   std::vector<Node> nodes_;                   ///< children of i are 2i + 1 and 2i + 2
-  std::vector<std::uint32_t> order_, place_;  ///< place in order_ per point
+  std::vector<std::uint32_t> order_, place_;  ///< place_: index into order_ per point
   std::vector<std::uint8_t> counts_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace abflat {
 
-/// Vertices of a polygon in its own plane, counter-clockwise in all, scaled to about unit size. The
-/// plane is that of its area vector along one of the axes.
+/// Vertices of a polygon in its own plane, counter-clockwise overall, scaled to about unit size.
+/// They are projected along the axis that is closest to the polygon's area vector.
 std::vector<Point2> projectPolygon(const std::vector<double>& positions,
                                    const std::uint32_t* vertices, std::size_t count);
 

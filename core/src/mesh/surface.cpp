@@ -88,7 +88,7 @@ std::size_t countDegenerate(const PolygonMesh& mesh, const Triangulation& t) {
   return n;
 }
 
-/// chi = V - E + F on the surface cut open at bad edges and touching vertices.
+/// chi = V - E + F of the surface cut open at bad edges and touching vertices.
 std::int64_t cutEulerCharacteristic(const Surface& s) {
   std::int64_t halfEdges = 0, boundary = 0;
   for (const SurfaceCorner twin : s.table.twin) twin.exists() ? ++halfEdges : ++boundary;
@@ -103,7 +103,7 @@ Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse) {
   s.triangulation = triangulate(mesh, pulse);
   if (pulse.isStopped()) return {};
   s.table = buildCornerTable(s.triangulation, mesh.vertexCount(), pulse);
-  // What follows are passes of some ten nanoseconds a triangle each.
+  // Each of the following passes takes some ten nanoseconds per triangle.
   if (!pulse.beat(s.table.vertex.size())) return {};
   s.fans = findFans(s.table, mesh.vertexCount());
   if (!pulse.beat(s.table.vertex.size())) return {};

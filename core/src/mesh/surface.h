@@ -7,7 +7,7 @@
 
 namespace abflat {
 
-/// A mesh with all of its connectivity, and what it is.
+/// A mesh with all of its connectivity, and its properties.
 struct Surface {
   Triangulation triangulation;
   CornerTable table;
@@ -17,10 +17,10 @@ struct Surface {
 };
 
 /// Never fails on a mesh that passes validateArrays; summary.disk says whether it can be flattened.
-/// Of a pulse that has stopped comes nothing of use.
+/// The result is unusable if the pulse has stopped.
 Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {});
 
-/// As without a pulse, which has no use for what comes once it has stopped.
+/// As without a pulse; the result is unusable if the pulse has stopped.
 MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse);
 
 }  // namespace abflat

@@ -8,9 +8,8 @@
 
 namespace abflat {
 
-/// Where a surface comes from. The one owner of the way from its triangles and corners through
-/// triangulation and welding to the mesh that the user gave, and of the way back. Refers to all
-/// three.
+/// Where a surface comes from. The single owner of the mapping from its triangles and corners
+/// through triangulation and welding to the user's mesh, and back. Refers to all three.
 class SurfaceMap {
  public:
   SurfaceMap(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface)
@@ -28,9 +27,9 @@ class SurfaceMap {
   }
   InputVertex vertex(SurfaceCorner c) const { return InputVertex(input_.faceVertices[corner(c)]); }
 
-  /// Of each corner of the input what a corner of the surface at the same place has, of the same
-  /// face where that is possible; T() where no triangle is left there. All corners of the surface
-  /// that belong to one corner of the input have the same.
+  /// For each input corner, the value of a surface corner at the same place, in the same face if
+  /// possible; T() if no triangle is left there. All surface corners that belong to one input
+  /// corner have the same value.
   template <class T>
   IdVector<InputCorner, T> toInput(const IdVector<SurfaceCorner, T>& ofCorner) const {
     IdVector<PolygonCorner, T> ofPolygon(welded_.inputCorner.size());

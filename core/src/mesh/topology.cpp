@@ -20,7 +20,7 @@ Fans findFans(const CornerTable& table, std::size_t vertexCount) {
     for (c = rotateClockwise(table.twin, start); c.exists(); c = rotateClockwise(table.twin, c))
       fans.ofCorner[c] = id;
   }
-  // Counting sort by input vertex keeps the order of first corners within a vertex.
+  // Counting sort by input vertex; keeps the order of first corners within a vertex.
   std::vector<std::uint32_t> offset(vertexCount + 1, 0);
   for (const InputVertex v : fans.inputVertex) ++offset[v + 1];
   std::partial_sum(offset.begin(), offset.end(), offset.begin());

@@ -8,7 +8,7 @@
 namespace abflat {
 
 /// Vertices of the surface as its triangles see them: one per fan of triangles that share edges at
-/// an input vertex. A vertex where the surface touches itself has several. Numbered by input
+/// an input vertex. A vertex where the surface touches itself has several fans. Numbered by input
 /// vertex, then by first corner.
 struct Fans {
   IdVector<SurfaceCorner, SurfaceVertex> ofCorner;
@@ -16,7 +16,7 @@ struct Fans {
 };
 Fans findFans(const CornerTable& table, std::size_t vertexCount);
 
-/// Parts of a surface that no edge joins.
+/// Connected components of a surface.
 using ComponentId = Id<struct ComponentTag>;
 struct Components {
   IdVector<SurfaceTriangle, ComponentId> ofTriangle;
@@ -24,7 +24,7 @@ struct Components {
 };
 Components findComponents(const CornerTable& table);
 
-/// Half-edges of one boundary loop, in order; the surface is on their left.
+/// Half-edges of one boundary loop, in order, with the surface on their left.
 using SurfaceLoop = std::vector<SurfaceCorner>;
 std::vector<SurfaceLoop> findBoundaryLoops(const CornerTable& table);
 

@@ -14,7 +14,7 @@ namespace abflat {
 
 using Vec3 = std::array<double, 3>;
 
-/// Where the vertices of a triangle are in a layout.
+/// Positions of a triangle's vertices in a layout.
 inline std::array<const double*, 3> pointsOf(const std::vector<double>& uv,
                                              const TriangleVertices& v) {
   return {&uv[2 * std::size_t{v[0]}], &uv[2 * std::size_t{v[1]}], &uv[2 * std::size_t{v[2]}]};
@@ -30,8 +30,8 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A root alone where no square can overflow or lose digits; hypot, several times slower,
-/// elsewhere.
+/// Uses a plain square root if no square can overflow or lose digits, otherwise hypot, which is
+/// several times slower.
 inline double norm(const Vec3& a) {
   const double square = dot(a, a);
   return square > 1e-280 && square < 1e280 ? std::sqrt(square) : portable::hypot(a[0], a[1], a[2]);
@@ -56,7 +56,7 @@ inline Vec3 areaVector(const std::vector<Vec3>& p) {
   return sum;
 }
 
-/// Unit vectors from corner k to the next, for coordinates of any magnitude; false when two corners
+/// Unit vectors from corner k to the next, for coordinates of any magnitude; false if two corners
 /// coincide.
 inline bool unitEdges(const std::vector<double>& positions, const TriangleVertices& v,
                       std::array<Vec3, 3>& e) {
@@ -71,7 +71,7 @@ inline bool unitEdges(const std::vector<double>& positions, const TriangleVertic
   return true;
 }
 
-/// Interior angles of a triangle in 3D, radians, by atan2 (accurate for needles). All zero when two
+/// Interior angles of a triangle in 3D, radians, by atan2 (accurate for needles). All zero if two
 /// corners coincide.
 inline std::array<double, 3> cornerAngles(const std::vector<double>& positions,
                                           const TriangleVertices& v) {
@@ -85,7 +85,7 @@ inline std::array<double, 3> cornerAngles(const std::vector<double>& positions,
   return angle;
 }
 
-/// An angle this small is rounding noise of the coordinates: the triangle is taken to have zero
+/// An angle this small is rounding noise of the coordinates, so the triangle is taken to have zero
 /// area.
 constexpr double kDegenerateAngle = 1e-9;
 
@@ -93,7 +93,7 @@ inline bool isDegenerate(const std::array<double, 3>& angles) {
   return std::min({angles[0], angles[1], angles[2]}) < kDegenerateAngle;
 }
 
-/// The same from coordinates: angles are computed only where their sines do not settle it.
+/// The same from coordinates; computes angles only if their sines do not settle it.
 inline bool isDegenerate(const std::vector<double>& positions, const TriangleVertices& v) {
   constexpr double kSettled = 10 * kDegenerateAngle;  // far above the rounding of a unit vector
   std::array<Vec3, 3> e;
@@ -103,13 +103,13 @@ inline bool isDegenerate(const std::vector<double>& positions, const TriangleVer
   return least < kSettled && isDegenerate(cornerAngles(positions, v));
 }
 
-/// Smallest angle made up for a triangle of zero area, whose own angles say nothing: small enough
+/// Smallest angle made up for a triangle of zero area, whose own angles mean nothing: small enough
 /// to cost its neighbours little, large enough to be drawn.
 constexpr double kMadeUpAngle = 1e-3;
 
-/// `alpha`, the angles of the triangle, or what stands for them where they say nothing: its third
-/// corner stays where it is along the longest edge, but is lifted from it, so that neighbours at
-/// the short edges are stretched little.
+/// `alpha`, the angles of the triangle, or substitutes if they mean nothing: the third corner keeps
+/// its position along the longest edge but is lifted off it, so that neighbours at the short edges
+/// are stretched little.
 inline std::array<double, 3> anglesOrMadeUp(const std::vector<double>& positions,
                                             const TriangleVertices& v,
                                             const std::array<double, 3>& alpha) {

@@ -9,8 +9,8 @@
 namespace abflat {
 namespace {
 
-/// Whether the two triangles that nearly every program makes of a quad, (0, 1, 2) and (0, 2, 3),
-/// are fine: texcoords should suit them, too.
+/// Whether the two triangles into which nearly every program splits a quad, (0, 1, 2) and (0, 2,
+/// 3), are fine. Texcoords should suit those as well.
 bool isFan(const std::vector<Point2>& quad, const std::vector<std::uint8_t>& keep) {
   if (keep[1] || keep[3]) return false;
   for (std::size_t k = 0; k < 4; ++k)
@@ -18,8 +18,8 @@ bool isFan(const std::vector<Point2>& quad, const std::vector<std::uint8_t>& kee
   return true;
 }
 
-/// A vertex with two faces that is cut off as an ear in both would be left with two triangles,
-/// which no flat mesh can have round an interior vertex.
+/// A vertex with two faces that is cut off as an ear in both would have only two triangles, which
+/// no flat mesh can have around an interior vertex.
 std::vector<std::uint8_t> facesPerVertex(const PolygonMesh& mesh) {
   std::vector<std::uint8_t> count(mesh.vertexCount(), 0);
   for (std::uint32_t v : mesh.faceVertices)

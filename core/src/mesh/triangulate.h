@@ -9,7 +9,7 @@
 
 namespace abflat {
 
-/// Triangles of a polygon mesh, for solving only. A face of n corners gives n - 2 triangles that
+/// Triangles of a polygon mesh, for solving only. A face with n corners gives n - 2 triangles that
 /// together have every edge of the face exactly once, whatever its shape.
 struct Triangulation {
   IdVector<SurfaceCorner, InputVertex> vertex;
@@ -18,8 +18,8 @@ struct Triangulation {
   IdVector<SurfaceCorner, std::uint8_t> isDiagonal;  ///< half-edge is a diagonal of its face
 };
 
-/// Convex quads are cut from their first corner to the third, others by ear clipping in the plane
-/// of each face's area vector; concave faces keep their shape.
+/// Convex quads are split from their first corner to the third; other faces by ear clipping in the
+/// plane of their area vector, so that concave faces keep their shape.
 Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse = {});
 
 }  // namespace abflat

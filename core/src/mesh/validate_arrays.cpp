@@ -5,7 +5,7 @@
 namespace abflat {
 namespace {
 
-/// What a mesh may have beside its faces.
+/// Checks what a mesh may have besides its faces.
 Status validateExtras(const PolygonMesh& mesh) {
   const auto invalid = [](const std::string& sentence) {
     return Status{StatusCode::InvalidMesh, sentence};

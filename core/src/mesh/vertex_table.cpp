@@ -11,7 +11,7 @@ std::uint64_t bitsOf(double x) {
   return bits;
 }
 
-/// Coordinates of scans and grids differ in few bits: all must reach the low ones.
+/// Coordinates of scans and grids differ in few bits; all of them must influence the low bits.
 std::size_t hashOf(double x, double y, double z) {
   std::uint64_t h = bitsOf(x) * 0x9e3779b97f4a7c15;
   h = ((h ^ (h >> 32)) + bitsOf(y)) * 0xbf58476d1ce4e5b9;

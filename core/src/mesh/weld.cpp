@@ -12,11 +12,12 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// Vertices that stand for others are further apart than the tolerance, so only so many fit into a
-/// cell, wherever they are; and most vertices need to look in their own or in one more.
+/// Vertices that represent others are further apart than the tolerance, so only a limited number
+/// fits into a cell. With this size most vertices need to look only in their own cell or in one
+/// more.
 constexpr double kCellPerTolerance = 4;
 
-/// First vertices of places, by the cell they are in: an open hash table whose order of lookups
+/// The first vertex of each place, by cell, in an open-addressing hash table whose lookup order
 /// depends on the input alone.
 class Places {
  public:
@@ -33,7 +34,7 @@ class Places {
       low_[i % 3] = std::min(low_[i % 3], positions[i]);
   }
 
-  /// The first vertex within reach of v that has been added, or kNone.
+  /// The first added vertex within reach of v, or kNone.
   std::uint32_t find(std::uint32_t v) const {
     Cell from, to;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -80,7 +81,7 @@ class Places {
   double at(std::uint32_t v, std::size_t d) const {
     return positions_[3 * static_cast<std::size_t>(v) + d];
   }
-  /// Extents may be as large as doubles get: halves of them do not overflow.
+  /// Extents may be as large as doubles get, so it works on halves, which do not overflow.
   std::int64_t cellOf(std::uint32_t v, std::size_t d, double shift) const {
     const double from = at(v, d) / 2 - low_[d] / 2 + shift / 2;
     return cellSize_ > 0 ? static_cast<std::int64_t>(std::floor(from / (cellSize_ / 2))) : 0;
@@ -103,7 +104,7 @@ class Places {
   std::vector<Slot> slots_;
 };
 
-/// Halved, so that it never overflows.
+/// Half of the bounding box diagonal, which cannot overflow.
 double halfDiagonal(const std::vector<double>& positions) {
   if (positions.empty()) return 0;
   double square = 0, largest = 0;

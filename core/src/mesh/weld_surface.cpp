@@ -10,11 +10,11 @@
 namespace abflat {
 namespace {
 
-/// More places within the tolerance are detail, not rounding.
+/// More places than this within the tolerance are detail, not rounding.
 constexpr std::size_t kMostPlaces = 64;
 
-/// So is what is further apart than this share of the edges there: one vertex far off makes the
-/// tolerance large, but none of the edges elsewhere.
+/// Places farther apart than this share of the edges there are detail as well: a single vertex far
+/// off makes the tolerance large, but not the edges elsewhere.
 constexpr double kMostOfEdge = 1e-3;
 
 bool haveCommon(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
@@ -25,7 +25,7 @@ bool haveCommon(const std::vector<std::uint32_t>& a, const std::vector<std::uint
   return false;
 }
 
-/// Merges places that are near each other, one group of them after the other.
+/// Merges places that are near each other, one group at a time.
 class Merger {
  public:
   Merger(const PolygonMesh& mesh, const Welding& near, Welding equal, const Pulse& pulse)
@@ -54,7 +54,7 @@ class Merger {
   std::uint32_t group(std::uint32_t place) const { return near_.ofVertex[place]; }
   std::uint32_t placeAt(std::uint32_t c) const { return equal_.ofVertex[mesh_.faceVertices[c]]; }
 
-  /// Places that have others near them, group by group.
+  /// Finds places that have others near them, group by group.
   void findGroups() {
     std::vector<std::uint32_t> count(of_.size(), 0);
     for (std::uint32_t v = 0; v < of_.size() && pulse_.beat(); ++v) count[group(v)] += of_[v] == v;
@@ -96,7 +96,7 @@ class Merger {
       visit(cornersAt_[i]);
   }
 
-  /// Places that edges lead to, one for each face beside an edge, in order.
+  /// Places that edges lead to, in order; one entry for each face next to an edge.
   std::vector<std::uint32_t> neighbours(std::uint32_t place) const {
     std::vector<std::uint32_t> out;
     forCorners(place, [&](std::uint32_t c) {
@@ -109,7 +109,7 @@ class Merger {
     return out;
   }
 
-  /// Whether an edge there has one face only.
+  /// Whether an edge there has only one face.
   static bool isOpen(const std::vector<std::uint32_t>& others) {
     for (std::size_t i = 0; i < others.size(); ++i) {
       const bool isLikeLast = i > 0 && others[i - 1] == others[i];
@@ -140,19 +140,20 @@ class Merger {
     return std::sqrt(square);
   }
 
-  /// How far others may be that are merged with a place, in units of the tolerance.
+  /// How far away others may be to be merged with a place, in units of the tolerance.
   double reachAt(std::uint32_t place, const std::vector<std::uint32_t>& others) const {
     double longest = 0;
     for (const std::uint32_t o : others) longest = std::max(longest, distance(place, o));
     return std::min(1.0, kMostOfEdge * longest);
   }
 
-  /// Each to the nearest that stands for others, of those that no face has both of.
+  /// Merges each place with the nearest one that represents others and does not share a face with
+  /// it.
   void mergeGroup(const std::uint32_t* begin, const std::uint32_t* end) {
     struct Standing {
       std::uint32_t place;
       double reach;
-      std::vector<std::uint32_t> faces;  ///< of all that it stands for, in order
+      std::vector<std::uint32_t> faces;  ///< of all that it represents, in order
     };
     std::vector<Standing> standing;
     for (const std::uint32_t* v = begin; v != end; ++v) {
@@ -185,15 +186,14 @@ class Merger {
   const Welding& near_;
   Welding equal_;
   const Pulse& pulse_;
-  std::vector<std::uint32_t> of_;       ///< per vertex that stands for its coordinates
+  std::vector<std::uint32_t> of_;       ///< per vertex, the one that represents its coordinates
   std::vector<std::uint32_t> grouped_;  ///< places
   std::vector<std::uint32_t> faceOfCorner_;
-  std::vector<std::uint32_t> firstCorner_;  ///< of each place in cornersAt_, which has none unless
-                                            ///< the place is grouped
+  std::vector<std::uint32_t> firstCorner_;  ///< per place, in cornersAt_; grouped places only
   std::vector<std::uint32_t> cornersAt_;
 };
 
-/// In order.
+/// Vertices that faces use, in order.
 std::vector<std::uint32_t> usedVertices(const PolygonMesh& mesh) {
   std::vector<std::uint8_t> isUsed(mesh.vertexCount(), 0);
   for (const std::uint32_t v : mesh.faceVertices) isUsed[v] = 1;
@@ -203,7 +203,8 @@ std::vector<std::uint32_t> usedVertices(const PolygonMesh& mesh) {
   return out;
 }
 
-/// `weld(positions)` for those alone: all others stay what they are, wherever they lie.
+/// Applies `weld(positions)` to those vertices only; all others stay as they are, wherever they
+/// lie.
 template <class Weld>
 Welding weldUsed(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used,
                  const Weld& weld) {

@@ -16,13 +16,13 @@ namespace {
 /// Corners of a face, or of a part of one.
 using Loop = std::vector<std::uint32_t>;
 
-/// Parts of faces that use no place twice, or only where they have holes.
+/// Splits faces into parts that visit no place twice, except where they have holes.
 class FaceSplitter {
  public:
   explicit FaceSplitter(const std::vector<double>& positions)
       : positions_(positions), positionOf_(positions.size() / 3, kNone) {}
 
-  /// Loops of corners, counted from 0; `places` per corner. They are valid until the next call.
+  /// Loops of corners, counted from 0; `places` are per corner. They are valid until the next call.
   const std::vector<Loop>& split(const std::vector<std::uint32_t>& places) {
     cutOff(places);
     if (loops_.size() < 2 || !hasReversed(positions_, places, loops_)) return loops_;
@@ -32,7 +32,7 @@ class FaceSplitter {
   }
 
  private:
-  /// Between two corners at one place lies a loop. Those of fewer than three corners are dropped.
+  /// Two corners at one place enclose a loop. Loops with fewer than three corners are dropped.
   void cutOff(const std::vector<std::uint32_t>& places) {
     loops_.clear();
     path_.clear();
@@ -56,7 +56,7 @@ class FaceSplitter {
   std::vector<Loop> loops_;
 };
 
-/// Faces that have the same vertices.
+/// Finds faces that have the same vertices.
 class Repetitions {
  public:
   Repetitions(const PolygonMesh& mesh, const Pulse& pulse) : mesh_(mesh) {
@@ -70,7 +70,7 @@ class Repetitions {
       for (std::size_t j = i; j-- > 0 && keys[j].first == keys[i].first;)
         if (repeats(keys[i].second, keys[j].second)) break;
   }
-  /// Earlier faces of the same vertices.
+  /// Number of earlier faces with the same vertices.
   std::uint32_t layer(std::uint32_t f) const { return layer_[f]; }
   /// The first of them, or kNone.
   std::uint32_t original(std::uint32_t f) const { return original_[f]; }
@@ -78,7 +78,7 @@ class Repetitions {
  private:
   using Key = std::pair<std::uint64_t, std::uint32_t>;
 
-  /// The same for any order of the vertices.
+  /// Does not depend on the order of the vertices.
   std::uint64_t hash(std::uint32_t f) const {
     std::uint64_t sum = 0;
     for (std::uint32_t c = mesh_.faceOffsets[f]; c < mesh_.faceOffsets[f + 1]; ++c) {
@@ -96,7 +96,8 @@ class Repetitions {
     return v;
   }
 
-  /// Of faces in their order: the one found first is the last that f repeats.
+  /// Must be called for faces in order: the first earlier face found is the last one that f
+  /// repeats.
   bool repeats(std::uint32_t f, std::uint32_t earlier) {
     if (sorted(f) != sorted(earlier)) return false;
     layer_[f] = layer_[earlier] + 1;
@@ -108,7 +109,7 @@ class Repetitions {
   std::vector<std::uint32_t> layer_, original_;
 };
 
-/// Gives faces that repeat others vertices of their own: one for each vertex and layer.
+/// Gives faces that repeat others their own vertices: one for each vertex and layer.
 void separateLayers(const Pulse& pulse, WeldedMesh& out) {
   const Repetitions repetitions(out.mesh, pulse);
   struct Copy {
@@ -174,10 +175,10 @@ void join(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& of) {
   of[second] = first;
 }
 
-/// Makes the ends of edges one that have no length beside the faces there, as poles of spheres and
-/// capsules have many: what they would tell of angles is noise.
+/// Merges the ends of edges whose length is negligible compared with the faces there, such as the
+/// many at poles of spheres and capsules. Angles computed from them would be noise.
 void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
-  constexpr double kNothing = 0x1p-40;  // of the longest side; a sine of pi is less
+  constexpr double kNothing = 0x1p-40;  // relative to the longest side; a sine of pi is less
   std::vector<double> sides;
   const auto measure = [&](std::uint32_t begin, std::uint32_t end) {
     sides.clear();
@@ -186,7 +187,7 @@ void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
                                       mesh.faceVertices[c + 1 < end ? c + 1 : begin])));
     return *std::max_element(sides.begin(), sides.end());
   };
-  // Of the faces round each vertex the smallest: its longest side.
+  // For each vertex, the longest side of the smallest face around it.
   std::vector<double> size(mesh.vertexCount(), HUGE_VAL);
   std::vector<std::uint32_t> faces;
   for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
@@ -208,7 +209,7 @@ void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
   }
 }
 
-/// Every vertex gets the first one that it is joined with.
+/// Points every vertex to the first one that it is joined with.
 void settle(Welding& welding) {
   std::vector<std::uint32_t>& of = welding.ofVertex;
   welding.merged = 0;

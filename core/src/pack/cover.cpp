@@ -8,14 +8,14 @@
 namespace abflat {
 namespace {
 
-/// floor, kept near the grid.
+/// floor, clamped to stay near the grid.
 int cell(double x, double size) {
   const double near = std::min(std::max(x, -1.0), size);
   const int truncated = static_cast<int>(near);
   return truncated - (near < truncated ? 1 : 0);
 }
 
-/// Bit i of word k to bit k of word i, by halves of ever smaller squares.
+/// Moves bit i of word k to bit k of word i, by swapping halves of ever smaller squares.
 void transpose64(std::uint64_t* words) {
   std::uint64_t mask = 0x00000000FFFFFFFF;
   for (int size = 32; size > 0; size /= 2, mask ^= mask << size) {
@@ -54,7 +54,8 @@ void BitGrid::set(int y, int first, int last) {
 }
 
 /// Marks the cells along an edge, and notes where it crosses the middles of rows. For a crossing
-/// any cell of the edge's in that row will do: the winding number matters only where no edge is.
+/// any cell of the edge in that row will do: the winding number only matters where there is no
+/// edge.
 void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
   const std::int32_t direction = a.y < b.y ? 1 : -1;
   if (direction < 0) std::swap(a, b);
@@ -63,7 +64,7 @@ void Cover::coverEdge(PlanePoint a, PlanePoint b, double slack, BitGrid& grid) {
   const int firstRow = std::max(cell(a.y - slack, gridHeight), 0);
   const int lastRow = std::min(cell(b.y + slack, gridHeight), grid.height - 1);
   const double rise = b.y - a.y;
-  // Below that the slope would magnify the rounding errors of y beyond the slack.
+  // Below this, the slope would magnify the rounding errors of y beyond the slack.
   const bool isFlat = firstRow == lastRow || !(rise > slack * 0x1p-12);
   const double slope = isFlat ? 0 : (b.x - a.x) / rise;
   for (int y = firstRow; y <= lastRow; ++y) {
@@ -157,7 +158,7 @@ void appendRuns(const BitGrid& grid, std::vector<Run>& runs) {
     const std::uint64_t* const row = grid.row(y);
     bool isInside = false;
     for (int w = 0; w < static_cast<int>(grid.stride); ++w) {
-      // A set bit where a run begins or ends.
+      // A bit is set where a run begins or ends.
       std::uint64_t edges = row[w] ^ (row[w] << 1 | (isInside ? 1 : 0));
       for (; edges; edges &= edges - 1) {
         const int x = 64 * w + lowestBit(edges);

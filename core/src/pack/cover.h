@@ -11,7 +11,7 @@ namespace abflat {
 /// Bits of a grid, row by row.
 struct BitGrid {
   int width = 0, height = 0;
-  std::size_t stride = 0;  ///< words a row
+  std::size_t stride = 0;  ///< words per row
   std::vector<std::uint64_t> words;
 
   void reset(int newWidth, int newHeight);
@@ -20,18 +20,18 @@ struct BitGrid {
     return words.data() + stride * static_cast<std::size_t>(y);
   }
   bool at(int x, int y) const { return row(y)[x >> 6] >> (x & 63) & 1; }
-  /// Cells first..last of a row; what is outside the grid is left out.
+  /// Sets cells first..last of a row; ignores those outside the grid.
   void set(int y, int first, int last);
 };
 
-/// Columns to rows.
+/// Swaps rows and columns.
 void transpose(const BitGrid& from, BitGrid& to);
 
-/// Half as many cells along each side, set where any of the four is. What is left over at the
-/// right and above is left out.
+/// Half as many cells along each side; a cell is set if any of its four is. Leftover cells at the
+/// right and top are dropped.
 BitGrid halved(const BitGrid& grid);
 
-/// Sets in `to` what is set in the grid. Both have the same size, or `to` is empty.
+/// Sets in `to` what is set in `grid`. Both have the same size, or `to` is empty.
 void add(const BitGrid& grid, BitGrid& to);
 
 double countCells(const BitGrid& grid);
@@ -41,11 +41,11 @@ struct Run {
   std::int32_t row, first, last;
 };
 
-/// Turns polygons to cells. Keeps its work space from one call to the next.
+/// Rasterizes polygons to cells. Keeps its work space from one call to the next.
 class Cover {
  public:
-  /// All cells (closed unit squares) that are at most `slack` away, along either axis, from the
-  /// covered area, rounding errors included. The grid is cut off at its border. `slack` must be
+  /// Covers all cells (closed unit squares) at most `slack` away, along either axis, from the
+  /// covered area, despite rounding errors. Cells outside the grid are dropped. `slack` must be
   /// well above the rounding errors of the coordinates.
   void cover(const Loops& loops, double slack, BitGrid& grid);
 
@@ -61,7 +61,7 @@ class Cover {
   std::vector<std::uint32_t> begin_;
 };
 
-/// In order of rows, then of cells.
+/// Ordered by row, then by cell.
 void appendRuns(const BitGrid& grid, std::vector<Run>& runs);
 
 }  // namespace abflat

@@ -7,16 +7,16 @@
 
 namespace abflat {
 
-/// Cells that a shape needs, as runs in the order in which they are best tested.
+/// The cells that a shape needs, as runs in the best order for testing them.
 struct Footprint {
   int width = 0, height = 0;
   std::vector<Run> runs;
   std::vector<std::int32_t> longest;  ///< cells of the longest run of each row
 
-  /// The longest run comes first, then rows far apart: what does not fit shows early.
+  /// Puts the longest run first, then rows far apart, so that misfits show early.
   void set(const BitGrid& grid);
 
-  /// Another one with left and right swapped, below and above swapped, or both.
+  /// Copies another footprint, swapped left to right, top to bottom, or both.
   void setMirrored(const Footprint& from, bool acrossX, bool acrossY);
 
  private:

@@ -44,8 +44,8 @@ void FreeMap::reset(int width, int height, int longest) {
   }
 }
 
-/// The first row from y on, or `end`, where the first runs of the footprint are no longer than what
-/// is free in their rows.
+/// The first row from y on at which the first runs of the footprint are no longer than the free run
+/// in their rows; `end` if there is none.
 int FreeMap::firstHopeful(const Footprint& footprint, int y, int end) const {
   constexpr std::size_t kLooks = 24;
   const std::size_t count = std::min(footprint.runs.size(), kLooks);
@@ -58,7 +58,7 @@ int FreeMap::firstHopeful(const Footprint& footprint, int y, int end) const {
       k = k + 1 < count ? k + 1 : 0;
       continue;
     }
-    // Up to where all of that row that is too long has moved past it.
+    // Advance until all too-long runs of the footprint have moved past that row.
     good = 0;
     while (y < end && y <= row && footprint.longest[static_cast<std::size_t>(row - y)] > length)
       ++y;
@@ -120,7 +120,7 @@ void FreeMap::take(const BitGrid& grid, int x, int y) {
   }
 }
 
-/// Cells first..last of a row have changed.
+/// Updates the map after cells first..last of a row have changed.
 void FreeMap::update(int y, int first, int last) {
   for (int k = 1; k < levels_; ++k) {
     const std::uint64_t* const from = row(k - 1, y);
@@ -135,9 +135,9 @@ void FreeMap::update(int y, int first, int last) {
 
 void FreeMap::boundLongest(int y) {
   FreeRun& longest = longest_[static_cast<std::size_t>(y)];
-  // It was no shorter before. Runs longer than all levels together are not asked for.
+  // It cannot have grown. Runs longer than all levels together are never asked for.
   int level = std::min(floorLog2(static_cast<std::uint32_t>(longest.length)), levels_ - 1);
-  // scratch_: where `length` free cells begin; it grows by ever smaller powers of two.
+  // scratch_: where `length` free cells begin; length grows by ever smaller powers of two.
   int length = 0;
   for (; level >= 0 && length < 8 << level; --level) {
     const std::uint64_t* const r = row(level, y);

@@ -14,28 +14,29 @@ struct Cell {
   bool isFound() const { return x >= 0; }
 };
 
-/// Free cells of one tile. Level k has a bit where 2^k free cells begin, so that two words tell of
+/// Free cells of one tile. Level k has a bit where 2^k free cells begin, so that two words tell for
 /// 64 places at once whether a run of any length is free there.
 class FreeMap {
  public:
-  /// All cells free. `longest`: of the runs of footprints that will be looked for; the shorter, the
-  /// faster.
+  /// Frees all cells. `longest`: longest run of the footprints that will be looked for; the
+  /// shorter, the faster.
   void reset(int width, int height, int longest);
 
-  /// Runs that will be looked for are no longer than that from now on: less memory is needed.
+  /// From now on no longer runs will be looked for, which saves memory.
   void limit(int longest);
 
-  /// No row has more free cells side by side.
+  /// Upper bound on the number of consecutive free cells in any row.
   int mostFree() const;
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// The lowest row, and in it the first cell, from row `begin` and before row `end`, where all of
-  /// the footprint is free.
+  /// The lowest row from `begin` on and before `end`, and in it the first cell, at which the whole
+  /// footprint is free.
   Cell find(const Footprint& footprint, int begin, int end);
 
-  /// Takes the cells of a grid whose cell (0, 0) is put at (x, y); those outside do not matter.
+  /// Takes the cells of a grid whose cell (0, 0) is put at (x, y); cells outside the tile are
+  /// ignored.
   void take(const BitGrid& grid, int x, int y);
 
  private:
@@ -50,7 +51,7 @@ class FreeMap {
   void update(int y, int first, int last);
   void boundLongest(int y);
 
-  /// The most free cells side by side in a row, up to an eighth too many, and where they begin.
+  /// The longest run of free cells in a row, up to an eighth too long, and where it begins.
   struct FreeRun {
     std::int32_t begin = 0, length = 0;
   };

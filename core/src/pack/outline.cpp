@@ -30,7 +30,7 @@ void addLoop(Loops& loops, const PackShape& shape, const std::uint32_t* vertices
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Edges of the positively oriented triangles that have no other one behind them, sorted.
+/// Edges of the positively oriented triangles that no other such triangle shares, sorted.
 std::vector<Edge> boundaryEdges(const PackShape& shape) {
   struct Side {
     Edge edge;  ///< the smaller vertex first
@@ -58,7 +58,7 @@ std::vector<Edge> boundaryEdges(const PackShape& shape) {
   return out;
 }
 
-/// As many edges end at each vertex as begin there, so every walk along unused ones comes back.
+/// As many edges end at each vertex as begin there, so every walk along unused edges closes.
 void addBoundary(Loops& loops, const PackShape& shape) {
   const std::vector<Edge> edges = boundaryEdges(shape);
   std::vector<std::uint8_t> isUsed(edges.size(), 0);

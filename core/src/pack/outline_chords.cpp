@@ -19,7 +19,7 @@ bool doCross(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
   return turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
 }
 
-/// The wedge between both edges at a point, inside.
+/// Whether the direction to `to` lies in the interior wedge between the two edges at a point.
 bool beginsInside(const std::vector<PlanePoint>& p, std::size_t i, PlanePoint to) {
   const PlanePoint before = p[(i + p.size() - 1) % p.size()], after = p[(i + 1) % p.size()];
   const bool isLeftOfBefore = turn(before, p[i], to) > 0, isLeftOfAfter = turn(p[i], after, to) > 0;
@@ -37,12 +37,12 @@ bool isInside(const std::vector<PlanePoint>& p, std::size_t i, std::size_t j) {
   return true;
 }
 
-/// Cuts that are alike: which share they part off, at which end, and across or along the box.
+/// Kinds of similar cuts: by the share they cut off, at which end, and across or along the box.
 constexpr std::size_t kShares = 5, kKinds = 4 * kShares;
 
 std::size_t kindOf(PlanePoint from, PlanePoint to, double share) {
   const double dx = to.x - from.x, dy = to.y - from.y;
-  // The way from one to the other lies to the right, and that is how much it encloses.
+  // The way from one point to the other lies to the right, and encloses `share`.
   const bool isRightSmaller = share < 0.5;
   const bool isAcross = std::abs(dy) > std::abs(dx);
   const bool isAtEnd = (isAcross ? dy > 0 : dx < 0) == isRightSmaller;

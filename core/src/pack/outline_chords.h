@@ -8,11 +8,11 @@ namespace abflat {
 struct OutlineChord {
   std::size_t from = 0, to = 0;  ///< from < to
   double length = 0;
-  double share = 0;  ///< of the area, of the part from one to the other
+  double share = 0;  ///< of the area, cut off by the part from `from` to `to`
 };
 
-/// Cuts that may make an outline fit better: of those that part off about as much, at the same
-/// end, and across or along, the shortest.
+/// Cuts that may make an outline fit better. Among those that cut off a similar share, at the same
+/// end and across or along, only the shortest.
 std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline);
 
 }  // namespace abflat

@@ -15,7 +15,7 @@ namespace abflat {
 namespace {
 
 constexpr int kMostResolution = 32768;
-/// Rows of ten, from 1001 to 9999.
+/// UDIM rows of ten, from 1001 to 9999.
 constexpr std::uint32_t kMostTiles = 8999;
 constexpr double kLastRow = 898;  // that has all ten
 constexpr double kLeastScale = 1e-100, kMostScale = 1e100;
@@ -37,7 +37,7 @@ double roundedDown(double x) {
     parseDouble(text(static_cast<int>(digits)) + "e" + text(exponent), out);
     return out;
   };
-  if (number(100) > x) --exponent;  // the logarithm is rounded
+  if (number(100) > x) --exponent;  // the logarithm may be rounded up
   double digits = 1000;
   while (digits > 100 && number(digits) > x) --digits;
   const double out = number(digits);
@@ -81,13 +81,13 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
   return {};
 }
 
-/// Side of the least tile in which that many single texels have their padding.
+/// Side of the smallest tile that holds that many single texels with their padding.
 int leastResolution(std::size_t count, int padding) {
   const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
   return side + (side - 1) * padding + 2 * ((padding + 1) / 2);
 }
 
-/// One call of pack.
+/// A single call of pack().
 class Packer {
  public:
   explicit Packer(const PackOptions& options) : options_(options) {}
@@ -120,7 +120,7 @@ class Packer {
     return takeFixed();
   }
 
-  /// Tiles with what stays where it is.
+  /// Sets up the tiles, with the fixed shapes in them.
   Status takeFixed() {
     taken_.assign(1, {});
     PackRaster raster(grid_);
@@ -145,7 +145,7 @@ class Packer {
     return {};
   }
 
-  /// Shapes are not kept besides: there may be as many as triangles.
+  /// Does not keep the shapes, since there may be as many as triangles.
   void makeItems(std::vector<PackShape>& shapes) {
     items_.resize(movable_.size());
     const int poses = options_.rotate ? posesFor(movable_.size()) : 1;
@@ -160,18 +160,18 @@ class Packer {
     });
   }
 
-  /// Texels per length of 1 of the charts. Where none has a texel, or one more than any tile, less
-  /// or more makes no difference.
+  /// Texels per unit length of the charts. Clamped: when no chart reaches a texel, or one exceeds
+  /// any tile, the exact value makes no difference.
   double scaleOf(double density) const {
     return std::clamp(density * options_.unit, kLeastScale, kMostScale);
   }
 
-  /// The other way round.
+  /// The inverse of scaleOf().
   double densityOf(double scale) const {
     return std::min(scale / options_.unit, std::numeric_limits<double>::max());
   }
 
-  /// About as many as will share one.
+  /// Rough number of items that will share a tile.
   std::size_t itemsOfTile() const {
     double texels = 0;
     for (const PackItem& item : items_)
@@ -217,7 +217,7 @@ class Packer {
     return placed_.fit == Fit::All ? Status{} : Status{StatusCode::Aborted, "cancelled"};
   }
 
-  /// Sets `placed_`. In one tile every strategy has its turn.
+  /// Sets `placed_`. In a single tile every strategy gets its turn.
   void tryAt(double density) {
     PlaceOptions options;
     options.texelsPerUnit = density;
@@ -249,7 +249,7 @@ class Packer {
                       densityOf(density_));
   }
 
-  /// Names what has been tried and does fit; `side` and `density` are about that.
+  /// Says what has been tried and what does fit; `side` and `density` refer to the latter.
   Status doesNotFit(const std::string& what, double side, double density) const {
     const double coarser = densityThatFits(density);
     if (coarser == 0) return {StatusCode::Aborted, "cancelled"};
@@ -261,7 +261,7 @@ class Packer {
                     text(options_.resolution) + " texels" + choiceOf(ways));
   }
 
-  /// The first from this one down; 0 when cancelled.
+  /// The first density from this one down that fits; 0 if cancelled.
   double densityThatFits(double from) const {
     PackOptions coarser = options_;
     for (double density = roundedDown(std::min(from, options_.texelDensity));;
@@ -272,7 +272,7 @@ class Packer {
     }
   }
 
-  /// The first from this one up; 0 when there is none, or when cancelled.
+  /// The first resolution from this one up that fits; 0 if there is none, or if cancelled.
   int resolutionThatFits(double from) const {
     PackOptions finer = options_;
     double side = from;
@@ -332,10 +332,10 @@ class Packer {
   PackGrid grid_;
   std::vector<std::uint32_t> movable_;    ///< shape of each item
   std::vector<std::uint32_t> fixedTile_;  ///< per shape
-  std::vector<BitGrid> taken_;            ///< per tile, by what is fixed; may be empty
+  std::vector<BitGrid> taken_;            ///< per tile, cells of fixed shapes; may be empty
   std::vector<PackItem> items_;
   Placed placed_;
-  double density_ = 0;  ///< texels per length of 1 of the charts
+  double density_ = 0;  ///< texels per unit length of the charts
   int tries_ = 0;
 };
 

@@ -9,31 +9,32 @@
 
 namespace abflat {
 
-/// One chart, laid out by itself.
+/// One chart in its own layout.
 struct PackShape {
   std::vector<double> uv;                ///< 2 per vertex, in a unit common to all charts, any pose
   std::vector<std::uint32_t> triangles;  ///< 3 vertices per triangle
-  /// Vertices of the boundary loop, counter-clockwise. Empty: the outlines of all triangles are
-  /// taken, which is right for any set of triangles, and slower.
+  /// Vertices of the boundary loop, counter-clockwise. If empty, the outlines of all triangles are
+  /// used, which is correct for any set of triangles but slower.
   std::vector<std::uint32_t> outline;
-  /// It stays where it is: its uv are places in the atlas already, and others go around it. With
-  /// several tiles its own is where the middle of its box lies.
+  /// The shape stays where it is: its uv are already places in the atlas, and others go around it.
+  /// If there are several tiles, it belongs to the one that contains the middle of its box.
   bool isFixed = false;
 };
 
 struct PackOptions {
   int resolution = 1024;  ///< texels along a side of the square tile
-  /// Free texels between charts, and half of that, rounded up, to the border.
+  /// Free texels between charts; half of that, rounded up, to the border.
   int padding = 2;
   bool rotate = true;
   double texelDensity = 0;  ///< texels per unit of the mesh; 0: the most that fits one tile
-  double unit = 1;          ///< of the mesh, in which a length of 1 of the charts is that long
-  bool udim = false;        ///< with a density: as many tiles as it takes, not one
-  /// Once all charts have a place, better ones are looked for until that many rows of texels or
-  /// larger cells have been, of all charts in all poses; 0: until none is found.
+  double unit = 1;          ///< length in the mesh's unit of a length of 1 in the charts
+  bool udim = false;        ///< with a density: as many tiles as needed, not one
+  /// Once all charts have a place, better ones are searched for until this many rows of texels (or
+  /// larger cells) have been looked at, over all charts in all poses; 0: until no better one is
+  /// found.
   double work = 0;
   ThreadPool* pool = nullptr;
-  /// Told a rough 0..1 from the calling thread; false cancels.
+  /// Receives a rough 0..1 on the calling thread; returning false cancels.
   std::function<bool(double)> progress;
 };
 
@@ -46,25 +47,25 @@ struct Placement {
 
   double u(const double* uv) const { return a * uv[0] - b * uv[1] + x; }
   double v(const double* uv) const { return b * uv[0] + a * uv[1] + y; }
-  /// Of the tile's unit square in the plane of all tiles: rows of ten, as UDIM 1001 + tile.
+  /// Position of the tile in the plane of all tiles: rows of ten, as in UDIM 1001 + tile.
   double column() const { return tile % 10; }
   double row() const { return (tile - tile % 10) / 10.0; }
 };
 
 struct Packing {
-  double scale = 1;  ///< of all charts that are not fixed: uv per length of 1
+  double scale = 1;  ///< of all charts that are not fixed: uv per unit length
   std::vector<Placement> placements;
   std::uint32_t tiles = 1;
-  double utilization = 0;   ///< area of all charts by that of all tiles
+  double utilization = 0;   ///< area of all charts over that of all tiles
   double texelDensity = 0;  ///< texels per unit of the mesh
   double seconds = 0;
-  int tries = 0;  ///< scales that were tried
+  int tries = 0;  ///< number of scales tried
 };
 
-/// Charts to atlas. No texel (closed unit square of the grid that `resolution` makes of a tile) is
-/// touched by two charts, and there are `padding` texels between any two in at least one of the
-/// two directions. That also holds for coordinates that are rounded to single precision. Errors:
-/// InvalidOption, InvalidMesh, Aborted; AtlasTooSmall says what does fit.
+/// Packs charts into an atlas. No texel (closed unit square of the grid that `resolution` makes of
+/// a tile) is touched by two charts, and any two charts have `padding` texels between them in at
+/// least one of the two directions. That also holds for coordinates rounded to single precision.
+/// Errors: InvalidOption, InvalidMesh, Aborted; AtlasTooSmall says what does fit.
 Result<Packing> pack(std::vector<PackShape> shapes, const PackOptions& options);
 
 }  // namespace abflat

@@ -6,11 +6,11 @@
 namespace abflat {
 namespace {
 
-/// Coordinates up to 16 (ten tiles in a row) rounded to single precision move by no more than this
-/// share of a tile.
+/// Rounding coordinates up to 16 (ten tiles in a row) to single precision moves them by no more
+/// than this share of a tile.
 constexpr double kRounding = 0x1p-20;
 
-/// Left and lower margin of a shape in its first cell, in slacks. There is another one above.
+/// Left and lower margin of a shape in its first cell, in slacks. There is another one at the top.
 constexpr double kMargin = 2;
 
 int divideUp(int a, int b) { return (a + b - 1) / b; }
@@ -74,8 +74,8 @@ const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double t
     return begin + static_cast<int>(cellsOf(grid_, length * texelsPerUnit + (padding + more)));
   };
   bits_.reset(cells(pose.width, margin.x), cells(pose.height, margin.y));
-  // Boxes of half a side `slack + padding` round the points of an edge touch just those texels that
-  // are within `padding` texels of one that is touched.
+  // Boxes of half-size `slack + padding` around the points of an edge touch exactly the texels
+  // within `padding` texels of one that the edge touches.
   cover_.cover(moved_, (grid_.slack + padding) / cell, bits_);
   return bits_;
 }

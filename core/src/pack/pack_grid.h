@@ -11,27 +11,28 @@ struct PackGrid {
   int padding = 0;
   int border = 0;
   int cell = 1;      ///< side of a cell
-  double slack = 0;  ///< covers what rounding does to coordinates
+  double slack = 0;  ///< covers the effect of rounding on coordinates
 
   int cells() const { return (resolution - 2 * border) / cell; }
 };
 
-/// Cells are as large as they can be without costing room: they have to be small beside the shapes.
+/// Makes cells as large as possible without wasting room: they have to be small compared with the
+/// shapes.
 PackGrid makePackGrid(int resolution, int padding, std::size_t shapes);
 
-/// Cells that a length takes.
+/// How many cells a length takes.
 double cellsOf(const PackGrid& grid, double texels);
 
-/// Margins of a shape at the left and below in its first cell, in texels. Cells that are shared by
-/// quarter turns have what is left of the last cell there as well.
+/// Left and lower margins of a shape in its first cell, in texels. If quarter turns share the
+/// cells, the rest of the last cell is added to them.
 PlanePoint margins(const PackGrid& grid, const Pose& pose, double texelsPerUnit);
 
-/// Where coordinates of a shape (rotated, in texels) have their origin when its footprint begins at
-/// the given cell.
+/// The texel position of a shape's origin (rotated, in texels) if its footprint begins at the given
+/// cell.
 PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, double texelsPerUnit, int cellX,
                        int cellY);
 
-/// Turns shapes to cells.
+/// Rasterizes shapes to cells.
 class PackRaster {
  public:
   explicit PackRaster(const PackGrid& grid) : grid_(grid) {}

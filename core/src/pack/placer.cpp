@@ -8,14 +8,14 @@
 namespace abflat {
 namespace {
 
-/// Twice the logarithm to base 2, rounded down: sizes within a factor of 1.4 are alike.
+/// Twice the base-2 logarithm, rounded down: sizes within a factor of 1.4 are similar.
 std::size_t sizeClass(double x) {
   int exponent = 0;
   const bool isUpper = std::frexp(x + 1, &exponent) >= 0.70710678118654752;
   return 2 * static_cast<std::size_t>(exponent - 1) + (isUpper ? 1 : 0);
 }
 
-/// Rounding errors must not choose between poses that are alike.
+/// Keeps rounding errors from choosing between equal poses.
 double rounded(double cells) { return std::round(cells * 256) / 256; }
 
 class Placer {
@@ -71,13 +71,14 @@ class Placer {
   }
 
  private:
-  /// None of a footprint is longer.
+  /// No run of a footprint is longer.
   int longestRun(double side) const {
     const double cells = cellsOf(grid_, side * options_.texelsPerUnit);
     return static_cast<int>(std::min<double>(cells, grid_.cells()));
   }
 
-  /// Each footprint has a run at least that long: as its cells would be in rows alike.
+  /// The longest run of each footprint is at least this long: as if its cells were spread evenly
+  /// over rows.
   int leastRun(const PackItem& item) const {
     if (item.loops.points.empty()) return grid_.cells();
     constexpr double kRounding = 0.999;
@@ -100,7 +101,7 @@ class Placer {
     return false;
   }
 
-  /// What items from each position of the order on need.
+  /// Computes what the items from each position of the order on need.
   void lookAhead() {
     remaining_.resize(strategy_.order.size());
     Runs now{1, grid_.cells()};
@@ -112,8 +113,8 @@ class Placer {
     }
   }
 
-  /// Tiles that have no room for any of the items to come are let go, and others keep what these
-  /// need.
+  /// Drops the memory of tiles that have no room for any remaining item; others keep what these
+  /// items need.
   void openTile() {
     if (remaining_.empty()) lookAhead();
     const auto [longest, least] = remaining_[position_];
@@ -177,7 +178,7 @@ class Placer {
       out[0].set(touched);
       if (poses.size() < 4) return;
       out[2].setMirrored(out[0], true, true);
-      // Two angles are half a turn apart. What is kept may be for more of them.
+      // The two angles differ by half a turn. Cells that are kept may serve more angles.
       if (strategy_.angles == 2 && space_.touched.empty()) return;
       transpose(touched, transposed_);
       upright_.set(transposed_);
@@ -195,7 +196,7 @@ class Placer {
     });
   }
 
-  /// Those that are kept, or made anew.
+  /// The kept cells, or newly made ones.
   template <typename Cells, typename Make>
   const Cells& keptOr(std::vector<PlaceSpace::AtScale<Cells>>& kept, std::uint32_t i,
                       std::uint32_t pose, Cells& otherwise, const Make& make) {
@@ -209,7 +210,7 @@ class Placer {
     return own.cells;
   }
 
-  /// The row above the item.
+  /// The first row above the item.
   int topOf(std::uint32_t i, const Spot& spot) const {
     if (!spot.cell.isFound()) return 0;
     const double height = items_[i].poses[spot.pose].height * options_.texelsPerUnit;
@@ -240,9 +241,9 @@ class Placer {
   struct Runs {
     int longest, least;  ///< of the longest runs of items
   };
-  std::vector<Runs> remaining_;       ///< by position, once there is a second tile
+  std::vector<Runs> remaining_;       ///< by position, set once there is a second tile
   std::vector<std::uint8_t> isFull_;  ///< per tile
-  std::size_t position_ = 0;          ///< in the order
+  std::size_t position_ = 0;          ///< position in the order
   double work_ = 0;
 };
 

@@ -13,10 +13,10 @@
 
 namespace abflat {
 
-/// A shape as the placing needs it.
+/// A shape in the form that placing needs.
 struct PackItem {
   Loops loops;
-  Poses poses;  ///< the first is that of the least box
+  Poses poses;  ///< the first is the one with the smallest box
   Mass mass;
 };
 
@@ -24,14 +24,14 @@ struct PackItem {
 double longestSide(const PackItem& item);
 double longestSide(const std::vector<PackItem>& items);
 
-/// Side of the least square that has room for each item in some pose.
+/// Side of the smallest square that holds each item in some pose.
 double sideForAll(const std::vector<PackItem>& items);
 
-/// How placing goes about it.
+/// How items are placed.
 struct PlaceStrategy {
   std::vector<std::uint32_t> order;  ///< of the items
-  int angles = 4;                    ///< of the poses, as many are tried
-  std::vector<std::uint32_t> poses;  ///< per item: the only one that is tried; empty: any
+  int angles = 4;                    ///< number of poses to try
+  std::vector<std::uint32_t> poses;  ///< per item: the only pose to try; empty: any
 };
 
 struct Spot {
@@ -41,8 +41,9 @@ struct Spot {
 
 enum class Fit { All, TooMany, Cancelled };
 
-/// Remembers for shapes of about the same size and filling, and for each quarter turn, below which
-/// row none of them fits any more, so that the thousandth does not begin its search at the bottom.
+/// Remembers, for shapes of similar size and fill and for each quarter turn, the row below which
+/// none of them fits any more, so that the thousandth shape need not start its search at the
+/// bottom.
 class SearchBegins {
  public:
   int& of(double width, double height, double area, std::size_t quarter);
@@ -51,16 +52,16 @@ class SearchBegins {
   std::map<std::uint32_t, int> begins_;
 };
 
-/// What placing works with, kept from one try to the next: memory, and what is still true then.
+/// Work space of placing, kept from one try to the next: memory, and results that stay true.
 struct PlaceSpace {
   template <typename Cells>
   struct AtScale {
     double texelsPerUnit = 0;
     Cells cells;
   };
-  /// In each quarter turn from a pose.
+  /// For each quarter turn from a pose.
   using Footprints = std::array<Footprint, 4>;
-  /// Per item and pose, made when they are needed. Empty: they are not kept.
+  /// Per item and pose, made on demand. Empty: not kept.
   std::vector<AtScale<Footprints>> touched;
   std::vector<AtScale<BitGrid>> taken;
   std::vector<FreeMap> tiles;
@@ -79,22 +80,22 @@ struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
   double mostMissing = -1;  ///< area of items that may stay without a place; negative: none may
-  const PlaceStart* start = nullptr;                 ///< of the first tile; null: `taken` tells
-  std::function<bool(std::size_t placed)> onPlaced;  ///< false cancels
+  const PlaceStart* start = nullptr;  ///< initial state of the first tile; null: use `taken`
+  std::function<bool(std::size_t placed)> onPlaced;  ///< returning false cancels
 };
 
 struct Placed {
   Fit fit = Fit::All;
-  std::vector<Spot> spots;  ///< as many as items
+  std::vector<Spot> spots;  ///< one per item
   std::uint32_t tiles = 0;
-  double work = 0;            ///< rows of cells of all poses that were tried or taken
-  int rows = 0;               ///< of the tiles that are used, counted from the bottom
-  std::uint32_t missing = 0;  ///< the first item that found no place, unless all did
+  double work = 0;            ///< rows of cells, over all poses that were tried or taken
+  int rows = 0;               ///< highest row used in the tiles, counted from the bottom
+  std::uint32_t missing = 0;  ///< first item without a place, if there is one
 };
 
-/// Items in order, each in the pose and at the place where its mass is lowest, in the first tile
-/// that has one. `taken`: cells that are taken at first, per tile, or an empty grid; more tiles are
-/// added behind them. `space`: new, or of earlier calls with the same items and grid.
+/// Places items in order, each in the pose and place where its mass is lowest, in the first tile
+/// that has room. `taken`: initially taken cells per tile, or an empty grid; more tiles are added
+/// after these. `space`: new, or from earlier calls with the same items and grid.
 Placed place(const std::vector<PackItem>& items, const PlaceStrategy& strategy,
              const PackGrid& grid, const std::vector<BitGrid>& taken, const PlaceOptions& options,
              PlaceSpace& space);

@@ -70,8 +70,8 @@ Pose leastBoxPose(const std::vector<PlanePoint>& hull) {
   Pose best;
   measure(best, hull);
   if (hull.size() < 2) return best;
-  // One side of the box lies along an edge of the hull. Of boxes alike the first is taken, so that
-  // rounding does not choose.
+  // One side of the box lies along an edge of the hull. Among equal boxes the first is taken, so
+  // that rounding does not decide.
   constexpr double kAlike = 1 - 1e-9;
   double least = -1;
   const std::size_t n = hull.size();

@@ -11,16 +11,16 @@ struct Pose {
   double cos = 1, sin = 0;
   double minX = 0, minY = 0;
   double width = 0, height = 0;
-  int quarter = 0;  ///< quarter turns from a pose that it shares its cells with
+  int quarter = 0;  ///< quarter turns from the pose whose cells it shares
 
   PlanePoint rotated(PlanePoint p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
 };
 
-/// With `angle` in `of`-ths of a full turn; exact for quarters.
+/// Rotates by `angle` / `of` of a full turn; exact for quarters.
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull);
 
-/// A full turn in equal steps: 1, or a multiple of 4. Those of the second quarter on are exactly
-/// the ones of the first, turned, so only these are kept.
+/// A full turn in equal steps: 1, or a multiple of 4. Poses from the second quarter on are exactly
+/// those of the first, rotated, so only the first quarter is kept.
 class Poses {
  public:
   Poses() = default;
@@ -35,7 +35,7 @@ class Poses {
   std::uint32_t count_ = 0;
 };
 
-/// The least area of the box among all rotations; wider than high.
+/// The rotation with the smallest box area; the box is wider than high.
 Pose leastBoxPose(const std::vector<PlanePoint>& hull);
 
 }  // namespace abflat

@@ -47,7 +47,7 @@ PackItem QuickFit::exchange(std::size_t i, PackItem item) {
   return item;
 }
 
-/// The cells that were kept of it.
+/// Discards the kept cells of an item.
 void QuickFit::forget(std::size_t i) {
   for (std::size_t k = i * poses_; k < (i + 1) * poses_; ++k)
     space_.touched[k].texelsPerUnit = space_.taken[k].texelsPerUnit = 0;

@@ -4,31 +4,33 @@
 
 namespace abflat {
 
-/// Tells on few cells and in few poses which outlines find room in a square: what packing will tell
-/// in a hundred times as long.
+/// Estimates, on few cells and in few poses, which outlines fit into a square. Packing takes a
+/// hundred times as long to decide that.
 class QuickFit {
  public:
   QuickFit(int resolution, int padding, bool rotate);
 
-  /// `outline`: counter-clockwise and simple; empty: it takes no room.
+  /// `outline`: counter-clockwise and simple; if empty, the item takes no room.
   PackItem itemOf(const std::vector<PlanePoint>& outline) const;
 
   const std::vector<PackItem>& items() const { return items_; }
   void add(PackItem item);
   void removeLast();
-  /// Returns the one before.
+  /// Returns the previous item.
   PackItem exchange(std::size_t i, PackItem item);
 
-  /// Per item whether it has a place in a square of that side, the largest placed first. Where
-  /// those without have more than the area `mostMissing`, not all that have one are told.
+  /// Per item, whether it has a place in a square of that side, placing the largest first. Stops
+  /// early once the items without a place exceed the area `mostMissing`; then some items that would
+  /// fit are not reported.
   std::vector<std::uint8_t> placed(double side, double mostMissing);
   std::vector<std::uint8_t> placed(double side);
 
-  /// Items larger than all of those are not to change until `release`: they are placed but once.
+  /// Promises that items larger than all of these stay unchanged until `release`, so that they are
+  /// placed only once.
   void hold(double side, const std::vector<std::uint32_t>& items);
   void release() { isHeld_.clear(); }
 
-  /// About the side of the least square that has room for all; 0 where they have no area.
+  /// Approximate side of the smallest square that holds all items; 0 if they have no area.
   double leastSide();
 
  private:

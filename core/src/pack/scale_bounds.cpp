@@ -6,8 +6,8 @@
 namespace abflat {
 namespace {
 
-/// Area that the items need at least when they keep `gap` from each other (Brunn and Minkowski: a
-/// shape grown by a square of side g has at least (sqrt(area) + g)^2).
+/// The least area that items need if they keep `gap` from each other (Brunn and Minkowski: a shape
+/// grown by a square of side g has at least the area (sqrt(area) + g)^2).
 double grownArea(const std::vector<PackItem>& items, double scale, double gap) {
   double sum = 0;
   for (const PackItem& item : items) {
@@ -17,7 +17,7 @@ double grownArea(const std::vector<PackItem>& items, double scale, double gap) {
   return sum;
 }
 
-/// The scale at which they need `available`, by bisection below `most`.
+/// The scale at which they need the area `available`, by bisection below `most`.
 double scaleOfArea(const std::vector<PackItem>& items, double gap, double available, double most) {
   double low = 0, high = most;
   for (int i = 0; i < 60 && high > low * (1 + 1e-6); ++i) {
@@ -31,7 +31,7 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken) {
-  // For charts as small as numbers get the scale would be infinite.
+  // For charts of the tiniest possible size the scale would be infinite.
   constexpr double kMostScale = 1e300;
   const double longest = longestSide(items);
   if (longest == 0) return {};
@@ -40,7 +40,7 @@ ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid
   out.most = scaleOfArea(items, grid.padding, padded * padded,
                          std::min((side - 4 * grid.slack) / sideForAll(items), kMostScale));
   out.least = std::min(out.most, grid.slack / longest);
-  // Charts fill about that much of what is free; half a cell is lost on each side.
+  // Charts fill about this share of the free area; half a cell is lost on each side.
   constexpr double kFill = 0.72;
   const double freeShare =
       1 - countCells(taken) / (static_cast<double>(grid.cells()) * grid.cells());

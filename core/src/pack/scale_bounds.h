@@ -8,11 +8,11 @@
 
 namespace abflat {
 
-/// In texels per unit.
+/// In texels per unit length.
 struct ScaleBounds {
   double least = 1;  ///< each item takes one texel
-  double most = 1;   ///< none above is possible, because of the boxes of the items and their area
-  double guess = 1;  ///< what may just fit
+  double most = 1;   ///< nothing above is possible, given the items' boxes and area
+  double guess = 1;  ///< may just fit
 };
 
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,

@@ -14,10 +14,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// The search on one grid.
+/// The search on a single grid.
 class Search {
  public:
-  /// `usualTries`: of all searches that share `best`.
+  /// `usualTries`: total over all searches that share `best`.
   Search(const std::vector<PackItem>& items, const PackGrid& grid, const BitGrid& taken,
          const ScaleOptions& options, double usualTries, ScaleSearch& best)
       : items_(items),
@@ -29,13 +29,13 @@ class Search {
         bounds_(scaleBounds(items, grid, taken)),
         out_(best) {}
 
-  /// Whether there is nothing to search because boxes are what bounds the scale.
+  /// Whether there is nothing to search, because boxes alone limit the scale.
   bool isAtBound(const std::vector<PlaceStrategy>& strategies) {
     const std::size_t count = std::min<std::size_t>(strategies.size(), 2);
     return bounds_.guess == bounds_.most && attempt(bounds_.most, strategies, 0, count) != kNone;
   }
 
-  /// Finds a scale at which the first strategy fits. False when there is none.
+  /// Finds a scale at which the first strategy fits. False if there is none.
   bool begin(const std::vector<PlaceStrategy>& strategies) {
     // The part that was placed would fill the tile; a little more room is lost between the charts.
     constexpr double kLeastStep = 0.8, kMostStep = 0.985;
@@ -48,8 +48,8 @@ class Search {
     return true;
   }
 
-  /// Steps up until `count` strategies have none any more, beginning with `strategy`, and then
-  /// always with the last that had; returns that one.
+  /// Steps up until `count` strategies in a row fail, starting with `strategy` and then always with
+  /// the last one that succeeded, which is returned.
   std::size_t climb(const std::vector<PlaceStrategy>& strategies, std::size_t strategy,
                     std::size_t count, double step) {
     bool isBold = true;
@@ -84,15 +84,15 @@ class Search {
            (out_.texelsPerUnit > 0 && options_.work > 0 && out_.work >= options_.work);
   }
 
-  /// What should fit as well, by the height that was not used.
+  /// A scale that should fit as well, judging by the unused height.
   double boldScale() const {
     const double scale = out_.texelsPerUnit, rows = std::max(out_.best.rows, 1);
     const double guess = scale * std::sqrt(grid_.cells() / rows);
     return std::min(guess < bad_ ? guess : (scale + bad_) / 2, bounds_.most);
   }
 
-  /// As if `count` strategies from `first` on were tried until one fits, which is returned; several
-  /// at a time.
+  /// Behaves as if `count` strategies from `first` on were tried until one fits, which is returned,
+  /// but tries several at a time.
   std::size_t attempt(double scale, const std::vector<PlaceStrategy>& strategies, std::size_t first,
                       std::size_t count) {
     std::size_t fitting = kNone;
@@ -134,7 +134,7 @@ class Search {
     placedShare_ = all > 0 ? before / all : 0;
   }
 
-  /// Of the current try that many items are placed.
+  /// Reports how many items the current try has placed.
   bool tell(std::size_t placed) {
     if (!options_.progress || placed % 64 != 0) return true;
     const double share = static_cast<double>(placed) / static_cast<double>(items_.size() + 1);
@@ -142,7 +142,7 @@ class Search {
     return !isCancelled_;
   }
 
-  /// So many strategies try the same scale that keeping cells is worth the memory.
+  /// With this many strategies at the same scale, keeping cells is worth the memory.
   static constexpr std::size_t kLeastToKeep = 3;
 
   const std::vector<PackItem>& items_;
@@ -150,15 +150,15 @@ class Search {
   const std::vector<BitGrid> taken_;
   const ScaleOptions& options_;
   const double usualTries_;
-  std::vector<PlaceSpace> spaces_;  ///< of each try at once
+  std::vector<PlaceSpace> spaces_;  ///< one per concurrent try
   const ScaleBounds bounds_;
   ScaleSearch& out_;
-  double bad_ = kInfinity;  ///< the last scale that did not fit, but for small steps up
-  double placedShare_ = 0;  ///< of the area, by the last try that did not fit
+  double bad_ = kInfinity;  ///< the last scale that did not fit, apart from small steps up
+  double placedShare_ = 0;  ///< share of the area placed by the last try that did not fit
   bool isCancelled_ = false;
 };
 
-/// The same places on a grid of smaller cells, of which a whole number makes a larger one.
+/// Moves the places to a grid of smaller cells, a whole number of which make up a larger one.
 void refine(const std::vector<PackItem>& items, const PackGrid& from, const PackGrid& to,
             ScaleSearch& found) {
   const int parts = from.cell / to.cell;
@@ -175,8 +175,8 @@ void refine(const std::vector<PackItem>& items, const PackGrid& from, const Pack
   }
 }
 
-/// Which strategy is the best, and which pose of each item, shows on larger cells as well, in a
-/// fraction of the time.
+/// Larger cells already show which strategy is best, and which pose of each item, in a fraction of
+/// the time.
 PackGrid coarseGrid(PackGrid grid, std::size_t items) {
   const double least = items <= kFewItems ? 24 : 16;  // cells along the side of an item
   const double perSide = std::sqrt(static_cast<double>(items));

@@ -8,20 +8,19 @@ namespace abflat {
 struct ScaleOptions {
   double work = 0;  ///< see PackOptions
   ThreadPool* pool = nullptr;
-  /// Told a rough 0..1 from the calling thread; false cancels.
+  /// Receives a rough 0..1 on the calling thread; returning false cancels.
   std::function<bool(double)> progress;
 };
 
 struct ScaleSearch {
-  Placed best;  ///< TooMany when not even one texel for each item fits
+  Placed best;  ///< TooMany if not even one texel per item fits
   double texelsPerUnit = 0;
   int tries = 0;
-  double work = 0;  ///< of them together
+  double work = 0;  ///< of all tries together
 };
 
-/// The largest scale that is found at which all items fit one tile. `taken`: cells that others
-/// have, or an empty grid.
-/// Threads do not change the result.
+/// Finds the largest scale it can at which all items fit one tile. `taken`: cells that are already
+/// taken, or an empty grid. The result does not depend on threads.
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken, const ScaleOptions& options);
 

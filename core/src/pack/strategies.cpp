@@ -9,7 +9,7 @@ namespace abflat {
 namespace {
 
 struct Effort {
-  std::size_t items;  ///< for up to so many
+  std::size_t items;  ///< for at most this many items
   int poses;
   std::size_t strategies;
   int angles;  ///< of every second strategy
@@ -37,14 +37,15 @@ double sizeOf(const PackItem& item, Key key) {
   return width * width;
 }
 
-/// In [0, 1), different for each item and each round.
+/// A number in [0, 1), different for each item and round.
 double disorder(std::uint64_t item, std::uint64_t round) {
   std::uint64_t x = (item + 1) * 0x9E3779B97F4A7C15u + round * 0xBF58476D1CE4E5B9u;
   x = (x ^ x >> 31) * 0x94D049BB133111EBu;
   return static_cast<double>((x ^ x >> 29) >> 11) * 0x1p-53;
 }
 
-/// Largest first. Sizes count to nine digits of the largest: rounding errors must not decide.
+/// Largest first. Sizes are compared to nine digits of the largest, so that rounding errors do not
+/// decide.
 std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, unsigned round) {
   constexpr double kDigits = 1e9, kDisorder = 0.4;
   double largest = 0;
@@ -75,7 +76,8 @@ std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items) {
   const Effort effort = effortFor(items.size());
   std::vector<PlaceStrategy> out;
   for (std::size_t k = 0; k < effort.strategies; ++k) {
-    // Every second one with more angles; after all keys have had their turn, in slight disorder.
+    // Every second one has more angles; once all keys have had their turn, the order is slightly
+    // shuffled.
     const int angles = k % 2 == 0 ? effort.angles : k % 4 == 1 ? effort.poses : 8;
     PlaceStrategy next{ordered(items, kKeys[k % 3], static_cast<unsigned>(k / 3)), angles, {}};
     const bool isNew = std::none_of(out.begin(), out.end(), [&next](const PlaceStrategy& other) {

@@ -35,7 +35,7 @@ std::vector<Use> findUses(const PolygonMesh& mesh, const Texcoords& texcoords,
   return uses;
 }
 
-/// The first face of each texcoord, in words.
+/// The first face of each texcoord, as text.
 std::string facesToChoose(std::vector<Use> uses) {
   constexpr std::size_t kMost = 8;
   std::stable_sort(uses.begin(), uses.end(),
@@ -80,7 +80,7 @@ Result<TexcoordId> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>& u
   return chosen->texcoord;
 }
 
-/// A pin and the texcoord that it means.
+/// A pin and the texcoord that it refers to.
 struct Found {
   const Pin* pin;
   TexcoordId texcoord;

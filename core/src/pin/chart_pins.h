@@ -11,15 +11,14 @@
 
 namespace abflat {
 
-/// The texcoords of an input's corners, numbered through all charts.
+/// The texcoords of an input's corners, numbered across all charts.
 struct Texcoords {
-  IdVector<InputCorner, TexcoordId> ofCorner;  ///< none where the corner has none
-  IdVector<ChartId, TexcoordId> firstOf;       ///< of each chart; ends with their count
+  IdVector<InputCorner, TexcoordId> ofCorner;  ///< none if the corner has no texcoord
+  IdVector<ChartId, TexcoordId> firstOf;       ///< of each chart; ends with the total
 };
 
-/// The pins of each chart, at their uv. Errors: InvalidOption for a pin that does not tell a
-/// texcoord and a place, for two that contradict each other, and for one that is alone in its
-/// chart.
+/// The pins of each chart, at their uv. Errors: InvalidOption for a pin that does not determine a
+/// texcoord and a place, for two pins that contradict each other, and for a single pin in a chart.
 Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh& mesh,
                                                               const Texcoords& texcoords,
                                                               const std::vector<Pin>& pins);

@@ -11,16 +11,17 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// Of the largest entry of the right-hand side, where iterations take the place of a factor.
+/// Relative to the largest entry of the right-hand side, if iterations replace a factor.
 constexpr double kTolerance = 1e-13;
 
-/// The rows of the unknowns that are not pinned; what the pins add comes to the right-hand side.
+/// The rows of the unknowns that are not pinned; contributions of the pins move to the right-hand
+/// side.
 struct Reduced {
   Matrix lower;  ///< triangle
   Eigen::VectorXd rhs;
 };
 
-/// `unknown`: row of each entry of x, -1 of the pinned ones, whose values `x` has.
+/// `unknown`: row of each entry of x; -1 for pinned entries, whose values are in `x`.
 Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown, int count,
                     const Eigen::VectorXd& x) {
   Reduced out{{}, Eigen::VectorXd::Zero(count)};

@@ -15,10 +15,10 @@ namespace abflat {
 Eigen::SparseMatrix<double> conformalEnergy(const DiskChart& chart,
                                             const std::vector<double>& angles);
 
-/// The least energy with the pinned vertices, two or more, where `uv` has them: replaces the uv of
-/// all others. False, and unchanged, when the system is singular to the precision of numbers, or,
-/// without a factor because of `memory`, when the iterations do not converge. Sets what a factor
-/// needs. Results do not depend on `pool`; null: one thread.
+/// Minimises the energy with two or more pinned vertices held where `uv` has them, and replaces the
+/// uv of all others. False, leaving uv unchanged, if the system is singular to floating-point
+/// precision or if, with no factor because of `memory`, the iterations do not converge. Sets the
+/// memory that a factor needs. Results do not depend on `pool`; null: one thread.
 bool relaxConformally(const Eigen::SparseMatrix<double>& energy,
                       const std::vector<ChartVertex>& pinned, std::vector<double>& uv,
                       FactorMemory& memory, ThreadPool* pool = nullptr);

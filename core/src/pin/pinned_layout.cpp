@@ -19,7 +19,7 @@ struct Similarity {
   }
 };
 
-/// Middle to middle; a + ib = sum conj(z) w / sum |z|^2 for vectors z and w from there.
+/// Maps middle to middle; a + ib = sum conj(z) w / sum |z|^2 for vectors z and w from the middles.
 Similarity bestSimilarity(const std::vector<double>& uv, const std::vector<ChartPin>& pins) {
   Similarity s;
   const auto n = static_cast<double>(pins.size());
@@ -39,7 +39,7 @@ Similarity bestSimilarity(const std::vector<double>& uv, const std::vector<Chart
     b += x * v - y * u;
     square += x * x + y * y;
   }
-  if (!(square > 0)) return s;  // a layout without extent stays so
+  if (!(square > 0)) return s;  // a layout without extent is not scaled
   s.a = a / square;
   s.b = b / square;
   return s;

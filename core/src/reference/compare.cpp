@@ -26,12 +26,12 @@ Embedding embedHarmonic(const DiskChart& chart) {
 struct Method {
   MethodKey key;
   const char* title;
-  double work;                           ///< rough share of the time
+  double work;                           ///< rough share of the total time
   double t, balance;                     ///< of abflat
   Embedding (*embed)(const DiskChart&);  ///< null: abflat
 };
 
-/// Leaves MIPS nearly alone: what the other term adds moves nothing that is measured, and gives the
+/// Leaves MIPS almost unchanged: the other term affects nothing that is measured, and gives the
 /// layout a scale.
 constexpr double kMips = 1e-6;
 
@@ -52,7 +52,7 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// Fills everything that follows from the coordinates.
+/// Fills in everything that follows from the coordinates.
 void measure(const DiskChart& chart, MethodResult& row) {
   std::vector<double> uv = row.uv;
   for (double& x : uv) x /= chart.unit;  // exact, and away from the ends of the range
@@ -102,7 +102,7 @@ class Comparer {
  private:
   static Status aborted() { return {StatusCode::Aborted, "cancelled"}; }
 
-  /// `inside`: progress of the method itself.
+  /// `inside`: progress within the method.
   bool tell(const Method& method, Progress inside) const {
     inside.method = method.key;
     inside.fraction = (done_ + method.work * inside.fraction) / total_;
@@ -111,7 +111,7 @@ class Comparer {
 
   StatusCode addAbflat(const Method& method, MethodResult& row) const {
     FlattenOptions options;
-    options.threads = 1;  // as the methods that it is compared with
+    options.threads = 1;  // like the methods it is compared with
     options.t = method.t;
     options.balance = method.balance;
     options.progress = [&](const Progress& inside) { return tell(method, inside); };

@@ -5,7 +5,7 @@
 
 namespace abflat {
 
-/// 3D angle of every corner; those of triangles without area are made up and above 0.
+/// 3D angle of every corner; triangles without area get made-up angles above 0.
 inline IdVector<ChartCorner, double> drawableAngles(const DiskChart& chart) {
   IdVector<ChartCorner, double> out;
   out.reserve(chart.vertexOfCorner.size());

@@ -13,7 +13,7 @@ namespace abflat {
 HalfEdgeWeights meanValueWeights(const DiskChart& chart);
 
 /// Pinkall and Polthier 1993, Eck et al. 1995: (cot a + cot b)/2 with the angles a and b opposite
-/// of the edge. The result minimises the Dirichlet energy, with a fixed boundary the same as
+/// the edge. The result minimises the Dirichlet energy; with a fixed boundary this is the same as
 /// Desbrun et al.'s discrete conformal parameterization (2002). Weights of obtuse pairs are
 /// negative, so triangles may flip.
 HalfEdgeWeights harmonicWeights(const DiskChart& chart);

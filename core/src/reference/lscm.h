@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// Two boundary vertices far apart in 3D: the farthest from the middle of the boundary, and the
-/// farthest from that one. Independent of the numbering, up to ties.
+/// Two boundary vertices far apart in 3D: the one farthest from the middle of the boundary, and the
+/// one farthest from that. Independent of the numbering, up to ties.
 std::array<ChartVertex, 2> findPins(const DiskChart& chart);
 
 /// Lévy, Petitjean, Ray, Maillot: "Least squares conformal maps for automatic texture atlas

@@ -11,7 +11,7 @@ namespace abflat {
 namespace {
 
 constexpr double kShareOfEdge = 0.25;
-/// Of the energy of as much surface as lies within reach.
+/// Relative to the energy of as much surface as lies within reach.
 constexpr double kStrength = 0.1;
 
 }  // namespace
@@ -65,8 +65,8 @@ void BoundaryBarrier::addDerivatives(const std::vector<double>& uv, Eigen::Vecto
   for (const Contact& c : contacts(uv)) {
     const double x = c.distance / c.reach;
     BarrierValue at = barrierAt(x);
-    // Hardly any of those that begin at rounding's distance are pressed: they may go farther at
-    // once than to twice of it.
+    // Hardly any of the contacts that start at rounding distance are under pressure, so one step
+    // may take them to more than twice their distance.
     at.curvature *= std::min(1.0, 2 * x);
     c.addBarrier(at, c.reach, c.weight, gradient, hessian);
   }

@@ -11,16 +11,17 @@
 
 namespace abflat {
 
-/// Places of the boundary that are nearer are held apart, in the root of the surface's area. Less
-/// where some touch to begin with: each step takes them to a few times their distance only.
+/// Places of the boundary nearer than this are held apart, in units of the square root of the
+/// surface's area. The smaller value applies if some touch from the start, because each step takes
+/// them to only a few times their distance.
 constexpr double kContactReach = 3e-4, kContactReachOfTouching = 3e-5;
 
 struct BarrierValue {
   double value, slope, curvature;
 };
 
-/// -(1 - x)^2 log x below 1, nothing above (Li et al. 2020). Near 0 a step of Newton's method takes
-/// x to twice its distance; a barrier like 1 / x^2 would take many more steps.
+/// -(1 - x)^2 log x below 1, zero above (Li et al. 2020). Near 0 a Newton step doubles x; with a
+/// barrier like 1 / x^2 many more steps would be needed.
 inline BarrierValue barrierAt(double x) {
   if (x >= 1) return {0, 0, 0};
   const double rest = 1 - x, log = portable::log(x);
@@ -40,7 +41,8 @@ struct BoundaryContact {
     return sum;
   }
 
-  /// Of an energy of the quantity. `hessian` gets the lower triangle; two rows a vertex, u and v.
+  /// Adds the derivatives of an energy of the quantity. `hessian` gets the lower triangle; two rows
+  /// per vertex, u and v.
   void addDerivatives(double slope, double curvature, Eigen::VectorXd& gradient,
                       SparseEntries& hessian) const {
     for (std::size_t i = 0; i < 6; ++i) {
@@ -55,15 +57,15 @@ struct BoundaryContact {
     }
   }
 
-  /// w times a barrier of quantity / reach.
+  /// Adds those of w times a barrier of quantity / reach.
   void addBarrier(const BarrierValue& at, double reach, double w, Eigen::VectorXd& gradient,
                   SparseEntries& hessian) const {
     addDerivatives(w * at.slope / reach, w * at.curvature / (reach * reach), gradient, hessian);
   }
 };
 
-/// Of places of an edge, `share` of the way from its first vertex to its second, and a vertex:
-/// their distance along a normal.
+/// The distance along a normal between a vertex and the place on an edge that is `share` of the way
+/// from its first vertex to its second.
 inline BoundaryContact distanceContact(const std::array<ChartVertex, 3>& vertex, double share,
                                        const Point2& normal) {
   const double shares[3] = {1, share - 1, -share};

@@ -6,7 +6,7 @@
 namespace abflat {
 namespace {
 
-/// Of the energy, as a function of P = |z|^2 and Q = |w|^2.
+/// Derivatives of the energy as a function of P = |z|^2 and Q = |w|^2.
 struct SquareDerivatives {
   double p, q, pp, pq, qq;
 };
@@ -20,12 +20,12 @@ SquareDerivatives derivatives(double p, double q, double b) {
           b * (3 * sum * i4 + 2 * i3) + a * 4 * p * i3};
 }
 
-/// A symmetric matrix of two rows.
+/// A symmetric 2x2 matrix.
 struct Symmetric2 {
   double xx, xy, yy;
 };
 
-/// Without its negative eigenvalues.
+/// The matrix without its negative eigenvalues.
 Symmetric2 projected(const Symmetric2& m) {
   const double mean = (m.xx + m.yy) / 2, half = (m.xx - m.yy) / 2;
   const double radius = std::sqrt(half * half + m.xy * m.xy);
@@ -37,7 +37,8 @@ Symmetric2 projected(const Symmetric2& m) {
   return {scale * (radius + half), scale * m.xy, scale * (radius - half)};
 }
 
-/// For scalings by r: the secant of r^2 + r^-2 from r to 1 in the curvature at r.
+/// For scalings by r: the secant of the slope of r^2 + r^-2 from r to 1, relative to the curvature
+/// at r.
 double secantShare(double r) {
   const double i = 1 / r, i2 = i * i;
   return (1 + i + i2 + i * i2) / (1 + 3 * i2 * i2);

@@ -6,7 +6,7 @@
 namespace abflat {
 namespace {
 
-/// -1 where the pattern has no such entry.
+/// -1 if the pattern has no such entry.
 int placeOf(const Eigen::SparseMatrix<double>& matrix, int row, int column) {
   const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column];
   const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];

@@ -7,14 +7,14 @@
 
 namespace abflat {
 
-/// A symmetric matrix, lower triangle by columns, and entries that its pattern does not have. The
-/// pattern of the sum only grows, so that one analysis of it serves many sums.
+/// A symmetric matrix, stored as its lower triangle by columns, plus entries outside its pattern.
+/// The pattern of the sum only grows, so that one analysis of it serves many sums.
 class ExtendedMatrix {
  public:
-  /// Keeps a reference to the matrix. The pattern has `more` from the start.
+  /// Keeps a reference to the matrix. The pattern includes `more` from the start.
   ExtendedMatrix(const Eigen::SparseMatrix<double>& own, SparseEntries more);
 
-  /// Of the matrix as it is now and what is added. True where the pattern is new.
+  /// Adds the entries to the matrix as it is now. True if the pattern is new.
   bool add(const SparseEntries& entries);
 
   const Eigen::SparseMatrix<double>& sum() const { return isOwn_ ? own_ : sum_; }
@@ -23,10 +23,10 @@ class ExtendedMatrix {
   void buildPattern();
 
   const Eigen::SparseMatrix<double>& own_;
-  SparseEntries more_;  ///< places of the pattern beside those of the matrix
+  SparseEntries more_;  ///< places in the pattern beyond those of the matrix
   Eigen::SparseMatrix<double> sum_;
-  std::vector<int> place_;  ///< in the sum, of each entry of the matrix
-  bool isOwn_ = true;       ///< the sum has no more entries than the matrix
+  std::vector<int> place_;  ///< per entry of the matrix: its place in the sum
+  bool isOwn_ = true;       ///< the sum has no entries beyond those of the matrix
 };
 
 }  // namespace abflat

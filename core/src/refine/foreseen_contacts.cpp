@@ -9,16 +9,16 @@
 namespace abflat {
 namespace {
 
-/// Of a step: where its course is looked at, so that what touches first is found too.
+/// Shares of a step at which its course is checked, so that what touches first is found too.
 constexpr double kMoments[] = {0.125, 0.25, 0.5, 1};
-/// That of the barrier where places are half its reach apart: stiffer than any surface, and no
-/// more than single precision holds.
+/// The stiffness of the barrier at half its reach: stiffer than any surface, but within what single
+/// precision can hold.
 constexpr double kStiffness = 64;
-/// Of angles, likewise.
+/// The same for angles.
 constexpr double kAngleStiffness = 210;
-/// Springs that one look asks for: of more most are behind others.
+/// If one look asks for more springs than this, most of them are behind others.
 constexpr std::size_t kCrowd = 300;
-/// Of the margin: angles that come as near to their bounds may exceed them next.
+/// As a share of the margin: angles this close to their bounds may exceed them in the next step.
 constexpr double kNear = 0.25;
 
 std::vector<double> moved(std::vector<double> uv, const std::vector<double>& step, double by) {
@@ -31,8 +31,8 @@ std::vector<double> moved(std::vector<double> uv, const std::vector<double>& ste
 ForeseenContacts::ForeseenContacts(const DiskChart& chart, const OutlineShape& shape, double reach)
     : chart_(chart), shape_(shape), area_(surfaceArea(chart)), distance_(reach) {}
 
-/// Between a point and the place of an edge that is nearest `then`. Its gap is not positive where
-/// they are not on the right sides of each other `now`.
+/// A spring between a point and the place of an edge that is nearest to it `then`. Its gap is not
+/// positive if they are on the wrong sides of each other `now`.
 ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& now,
                                                     const std::vector<double>& then,
                                                     BoundaryIndex point, BoundaryIndex edge) const {
@@ -54,7 +54,7 @@ ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& n
   return s;
 }
 
-/// Of an angle.
+/// A spring that keeps an angle below its bound.
 ForeseenContacts::Spring ForeseenContacts::springAt(const OutlineShape::Bound& bound,
                                                     const std::vector<double>& uv) const {
   const OutlineShape::Slack slack = shape_.slackOf(bound, uv);
@@ -103,14 +103,14 @@ bool ForeseenContacts::add(const Spring& spring) {
   const bool isKnown = at != springs_.end() && !isBefore(spring, *at);
   if (isKnown && !isCrowded_) return false;
   if (isKnown)
-    *at = spring;  // it crosses although it is held: elsewhere than it was
+    *at = spring;  // it crosses although it is held, so it must do so elsewhere
   else
     springs_.insert(at, spring);
   return true;
 }
 
-/// Angles do not change in proportion to a long step: springs follow what they do at its end. True
-/// where one exceeds its bound there.
+/// Angles do not change in proportion to a long step, so springs follow their values at its end.
+/// True if one exceeds its bound there.
 bool ForeseenContacts::updateAngles(const std::vector<double>& uv, const std::vector<double>& step,
                                     double length) {
   if (shape_.bounds().empty()) return false;
@@ -156,7 +156,7 @@ std::vector<ForeseenContacts::Spring> ForeseenContacts::crossed(const std::vecto
   return out;
 }
 
-/// Of each point what it meets first.
+/// Keeps only what each point meets first.
 void ForeseenContacts::keepFirst(std::vector<Spring>& springs) {
   std::stable_sort(springs.begin(), springs.end(), [](const Spring& a, const Spring& b) {
     return a.point != b.point     ? a.point < b.point
@@ -172,7 +172,7 @@ bool ForeseenContacts::update(const std::vector<double>& uv, const std::vector<d
   bool isCrossing = false;
   std::vector<Spring> wanted = crossed(uv, step, length, isCrossing);
   isCrowded_ = isCrowded_ || wanted.size() > kCrowd;
-  // In a crowd what pulls is pushed by the next one once it is gone.
+  // In a crowd, a point released from a spring that pulls is pushed by the next one.
   bool isChanged = !isCrowded_ && releasePulling(step);
   if (isCrowded_) keepFirst(wanted);
   if (updateAngles(uv, step, angleLength)) isChanged = isCrossing = true;

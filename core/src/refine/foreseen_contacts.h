@@ -7,38 +7,37 @@
 
 namespace abflat {
 
-/// Places where the boundary would cross itself along a step, or an angle exceed its bound. Springs
-/// keep them from it in the model of the energy that the step minimises, so that the step is not
+/// Places where the boundary would cross itself along a step, or an angle would exceed its bound.
+/// Springs prevent this in the model of the energy that the step minimises, so that the step is not
 /// cut short there.
 class ForeseenContacts {
  public:
-  /// Keeps references.
+  /// Keeps references to the chart and the shape.
   ForeseenContacts(const DiskChart& chart, const OutlineShape& shape, double reach);
 
-  /// Of the springs that the last step needed, keeps those that the next one from `uv` may need.
+  /// Of the springs that the last step needed, keeps those that the next one, from `uv`, may need.
   void begin(const std::vector<double>& uv);
 
-  /// Looks along a step that was found with the springs so far: adds some where it crosses, takes
-  /// away those that pull. False where the step is as good as it gets: crosses nowhere, or only
-  /// where springs do not help.
-  /// Angles are looked at after `angleLength` of it.
+  /// Looks along a step that was found with the springs so far: adds springs where it crosses, and
+  /// removes those that pull. False if the step cannot be improved: it crosses nowhere, or only
+  /// where springs do not help. Angles are checked after `angleLength` of the step.
   bool update(const std::vector<double>& uv, const std::vector<double>& step, double length,
               double angleLength);
 
   void clear() { springs_.clear(); }
 
-  /// Of the springs' energy where `begin` was told.
+  /// Adds the derivatives of the springs' energy at the `uv` passed to `begin`.
   void addDerivatives(Eigen::VectorXd& gradient, SparseEntries& hessian) const;
 
  private:
   struct Spring {
-    BoundaryIndex point, edge;  ///< the same twice: an angle
-    bool isBeside;              ///< the point an inner place of the edge
+    BoundaryIndex point, edge;  ///< equal for an angle
+    bool isBeside;              ///< the nearest place of the edge is not one of its ends
     BoundaryContact contact;
-    double gap;     ///< now
-    double target;  ///< after the step, at least
+    double gap;     ///< before the step
+    double target;  ///< smallest allowed gap after the step
     double stiffness;
-    double moment = 0;  ///< of the step, where it was seen to cross
+    double moment = 0;  ///< share of the step at which it was seen to cross
   };
 
   Spring springAt(const std::vector<double>& now, const std::vector<double>& then,
@@ -48,7 +47,7 @@ class ForeseenContacts {
   static bool isBefore(const Spring& a, const Spring& b);
   std::vector<Spring>::iterator placeFor(const Spring& spring);
   bool releasePulling(const std::vector<double>& step);
-  /// What the step would go through, in its order.
+  /// Springs for what the step would go through, in the order in which it does.
   std::vector<Spring> crossed(const std::vector<double>& uv, const std::vector<double>& step,
                               double length, bool& isCrossing) const;
   static void keepFirst(std::vector<Spring>& springs);
@@ -57,7 +56,7 @@ class ForeseenContacts {
   const DiskChart& chart_;
   const OutlineShape& shape_;
   double area_, distance_;
-  std::vector<Spring> springs_;  ///< by points, then by edges
+  std::vector<Spring> springs_;  ///< by point, then by edge
   bool isCrowded_ = false;       ///< since `begin`
 };
 

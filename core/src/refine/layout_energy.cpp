@@ -9,9 +9,9 @@
 namespace abflat {
 namespace {
 
-constexpr std::size_t kGrain = 4096;  ///< triangles that are one piece of work
+constexpr std::size_t kGrain = 4096;  ///< triangles per piece of work
 
-/// valueOf(triangles) of pieces of the triangles, in order.
+/// valueOf(triangles) for consecutive pieces of the triangles, in order.
 template <class ValueOf>
 std::vector<double> byPieces(const RestTriangles& rest, ThreadPool* pool, const ValueOf& valueOf) {
   std::vector<double> out((rest.size() + kGrain - 1) / kGrain);
@@ -32,7 +32,7 @@ double determinant(const PlaneMap& m) {
   return m[0] * m[0] + m[1] * m[1] - m[2] * m[2] - m[3] * m[3];
 }
 
-/// The least positive root of a + b x + c x^2 with a > 0, or infinity.
+/// The smallest positive root of a + b x + c x^2 with a > 0, or infinity.
 double firstRoot(double a, double b, double c) {
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return std::numeric_limits<double>::infinity();

@@ -8,17 +8,17 @@
 
 namespace abflat {
 
-/// The energy of a layout: that of its triangles by weight. Infinite where one is flipped. Does not
-/// depend on `pool`; null: one thread.
+/// The energy of a layout: the weighted sum over its triangles. Infinite if one is flipped. Does
+/// not depend on `pool`; null: one thread.
 double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, double balance,
                     const std::vector<double>& uv, ThreadPool* pool = nullptr);
 
-/// What the layout has to be scaled by to have the least energy; 1 where that is all the same.
+/// The factor by which to scale the layout for the least energy; 1 if scale makes no difference.
 double bestScale(const DiskChart& chart, const RestTriangles& rest, double balance,
                  const std::vector<double>& uv);
 
-/// The longest step in a direction, at most `most`, before a triangle of a layout without flipped
-/// ones has no area.
+/// The longest step in a direction, at most `most`, before a triangle loses its area. The layout
+/// must have no flipped triangles.
 double longestStep(const DiskChart& chart, const RestTriangles& rest, const std::vector<double>& uv,
                    const std::vector<double>& direction, double most, ThreadPool* pool = nullptr);
 

@@ -9,7 +9,8 @@
 namespace abflat {
 namespace {
 
-/// Squares of a grid that edges come near to, so that a point finds its edges in its own square.
+/// A grid whose squares know the edges near them, so that a point finds its edges in its own
+/// square.
 class EdgeGrid {
  public:
   EdgeGrid(const std::vector<double>& points, double reach) : points_(points), reach_(reach) {
@@ -30,7 +31,7 @@ class EdgeGrid {
     return points_[2 * (i == count() ? 0 : i) + d];
   }
 
-  /// use(edge), in order.
+  /// Calls use(edge), in order.
   template <class Use>
   void forEdgesNear(std::uint32_t point, const Use& use) const {
     const std::uint64_t key = keyOf(cell(at(point, 0), 0), cell(at(point, 1), 1));

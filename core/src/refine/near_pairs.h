@@ -10,8 +10,8 @@ struct NearPair {
   std::uint32_t point, edge;
 };
 
-/// Those at most `reach` apart, by points and then by edges; some that are farther apart may be
-/// among them. Close to linear where few are near.
+/// All pairs at most `reach` apart, by point and then by edge; may include some that are farther
+/// apart. Close to linear if few are near.
 std::vector<NearPair> findNearPairs(const std::vector<double>& points, double reach);
 
 }  // namespace abflat

@@ -11,9 +11,10 @@
 namespace abflat {
 namespace {
 
-/// Of straight parts across, beside about 10 for a vertex of the surface.
+/// Stiffness of straight parts in the perpendicular direction; that of a vertex of the surface is
+/// about 10.
 constexpr double kStiffness = 1e4;
-/// Of all bounds together.
+/// Strength of all bounds together.
 constexpr double kStrength = 3e-3;
 
 }  // namespace
@@ -78,7 +79,7 @@ OutlineShape::Slack OutlineShape::slackOf(const Bound& bound, const std::vector<
   const std::array<ChartVertex, 3> v = cornerAt(bound.place);
   const auto [x, p, q] = pointsOf(uv, {v[0], v[1], v[2]});
   const double px = p[0] - x[0], py = p[1] - x[1], qx = q[0] - x[0], qy = q[1] - x[1];
-  // From the edge that goes on to the one that came: the surface is on the left.
+  // From the outgoing edge to the incoming one: the surface is on the left.
   double angle = portable::atan2(qx * py - qy * px, qx * px + qy * py);
   if (angle < 0) angle += 2 * kPi;
   Slack out{bound.most - angle, {v, {}}};

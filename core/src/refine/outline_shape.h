@@ -7,12 +7,12 @@
 
 namespace abflat {
 
-/// What the outline has to keep.
+/// What the outline has to conform to.
 struct OutlineRules {
   StraightPlaces straight;
-  BoundaryBounds bounds;  ///< from 2 on any angle is allowed; empty: any
-  /// Radians, that angles stay away from their bounds where that costs little. They begin so far
-  /// away.
+  BoundaryBounds bounds;  ///< 2 or more: any angle is allowed; empty: no bounds
+  /// Radians: distance that angles keep from their bounds where that costs little. They start out
+  /// this far away.
   double margin = 0;
 
   bool isEmpty() const { return straight.empty() && bounds.empty(); }
@@ -24,16 +24,16 @@ class OutlineShape {
   /// Keeps a reference to the chart.
   OutlineShape(const DiskChart& chart, const OutlineRules& rules);
 
-  /// Puts what lies within a straight part on the line between its ends.
+  /// Puts the vertices within a straight part on the line between its ends.
   void straighten(std::vector<double>& uv) const;
 
-  /// Infinite where an angle is not below its bound.
+  /// Infinite if an angle is not below its bound.
   double energy(const std::vector<double>& uv) const;
-  /// See BoundaryBarrier. Straight parts are stiff across.
+  /// See BoundaryBarrier. Straight parts are stiff in the perpendicular direction.
   void addDerivatives(const std::vector<double>& uv, Eigen::VectorXd& gradient,
                       SparseEntries& hessian) const;
 
-  /// Where the Hessian may have entries, whatever the layout.
+  /// Where the Hessian may have entries, for any layout.
   SparseEntries entries() const;
 
   struct Bound {
@@ -43,7 +43,7 @@ class OutlineShape {
   const std::vector<Bound>& bounds() const { return bounds_; }
   double margin() const { return margin_; }
 
-  /// What an angle is below its bound, and how that changes.
+  /// How far an angle is below its bound, and how that changes.
   struct Slack {
     double value;
     BoundaryContact contact;
@@ -51,21 +51,21 @@ class OutlineShape {
   Slack slackOf(const Bound& bound, const std::vector<double>& uv) const;
 
  private:
-  /// Straight places come between.
+  /// The straight places are those strictly between the two ends.
   struct Run {
     BoundaryIndex from, to;
   };
   void findRuns(const StraightPlaces& straight);
   void findBounds(const OutlineRules& rules);
-  /// A boundary vertex, the one before and the one after it.
+  /// A boundary vertex, followed by the one before it and the one after it.
   std::array<ChartVertex, 3> cornerAt(BoundaryIndex i) const {
     return {chart_.boundaryVertex(i), chart_.boundaryVertex(chart_.before(i)),
             chart_.boundaryVertex(chart_.after(i))};
   }
-  /// use(vertex) for what lies within a run.
+  /// Calls use(vertex) for every vertex strictly within a run.
   template <class Use>
   void within(const Run& run, const Use& use) const;
-  /// How far along a run a vertex lies, as a share of it.
+  /// How far along a run a vertex lies, as a share of its length.
   double shareOf(const Run& run, ChartVertex vertex, const std::vector<double>& uv) const;
 
   const DiskChart& chart_;

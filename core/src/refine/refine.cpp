@@ -16,24 +16,25 @@
 namespace abflat {
 namespace {
 
-/// Of the residual in the largest entry of the gradient.
+/// Residual of the linear system, relative to the largest entry of the gradient.
 constexpr double kLinearTolerance = 1e-2;
-/// Where springs are so stiff that a little of the residual is a long way.
+/// The same where springs are so stiff that even a small residual goes a long way.
 constexpr double kLinearToleranceHeld = 1e-4;
-/// Of the way to the first triangle without area.
+/// Share of the way to the first triangle without area.
 constexpr double kShareOfLongest = 0.9;
-/// A step that promises to take more of the energy above 1 is followed by one from far away.
+/// A step that promises to gain more than this share of the energy above 1 is followed by one of
+/// the Far kind.
 constexpr double kFar = 0.15;
-/// Of the energy, counts as much as all of the energy above 1.
+/// This share of the whole energy counts as much as all of the energy above 1.
 constexpr double kShareOfEnergy = 0.025;
-/// Of what a step gains in what the one before gained: no better is hoped for, and nothing is
-/// concluded from worse.
+/// Ratio of a step's gain to that of the step before: a better one is not expected, and nothing is
+/// concluded from a worse one.
 constexpr double kFastest = 0.1, kSlowest = 0.5;
-/// Of looking ahead in a step: each of them solves a system.
+/// How often a step may look ahead: each time solves a system.
 constexpr int kRounds = 6;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 40;
-/// Of the energy: less is not to be told from its rounding.
+/// Relative to the energy: smaller changes are indistinguishable from rounding.
 constexpr double kRounding = 1e-10;
 
 std::vector<std::uint32_t> rankOfRows(const IdVector<ChartVertex, std::uint32_t>& ofVertices) {
@@ -42,7 +43,7 @@ std::vector<std::uint32_t> rankOfRows(const IdVector<ChartVertex, std::uint32_t>
   return out;
 }
 
-/// For layouts that are to stay that much smaller.
+/// Has the effect of scaling every layout by `scale`.
 RestTriangles scaledDown(RestTriangles rest, double scale) {
   for (RestTriangle& t : rest) {
     t.c1x *= scale;
@@ -90,8 +91,8 @@ class Refiner {
   }
 
  private:
-  /// The energy does not change when the whole layout moves: where nothing is fixed one vertex is,
-  /// and the one farthest from it does not turn round it.
+  /// The energy does not change when the whole layout moves. So if nothing is fixed, one vertex is
+  /// held, and the vertex farthest from it is kept from turning round it.
   void findHeld() {
     isFixed_ = options_.isFixed;
     if (std::find(isFixed_.begin(), isFixed_.end(), 1) != isFixed_.end()) return;
@@ -140,7 +141,7 @@ class Refiner {
       if (isFixedRow(row)) gradient_[row] = 0;
   }
 
-  /// Of contacts.
+  /// Reach of contacts.
   double reach() const {
     const double size = std::sqrt(surfaceArea(chart_)), least = kContactReachOfTouching * size;
     return BoundaryBarrier(chart_, least).energy(uv_) > 0 ? least : kContactReach * size;
@@ -150,7 +151,7 @@ class Refiner {
     if (!foreseen_) foreseen_ = std::make_unique<ForeseenContacts>(chart_, shape_, reach());
   }
 
-  /// Without those of rows that are fixed.
+  /// The entries without those in fixed rows or columns.
   SparseEntries freeOf(SparseEntries entries) const {
     const auto isFixed = [&](const auto& e) { return isFixedRow(e.row()) || isFixedRow(e.col()); };
     entries.erase(std::remove_if(entries.begin(), entries.end(), isFixed), entries.end());
@@ -163,7 +164,7 @@ class Refiner {
     solver_ = makeRowSolverWithin(matrix, kinds(), out_.memory, options_.pool, rankOfRows(rank));
   }
 
-  /// False where the system has no solution.
+  /// False if the system has no solution.
   bool findDirection() {
     if (foreseen_) foreseen_->begin(uv_);
     if (!minimizeModel()) return false;
@@ -174,11 +175,11 @@ class Refiner {
     }
     if (slope() < 0) return true;
     if (!foreseen_) return false;
-    foreseen_->clear();  // together they push uphill
+    foreseen_->clear();  // together the springs push uphill
     return minimizeModel() && slope() < 0;
   }
 
-  /// Of the energy, along the direction.
+  /// Slope of the energy along the direction.
   double slope() {
     slope_ = 0;
     for (std::size_t i = 0; i < direction_.size(); ++i)
@@ -186,13 +187,13 @@ class Refiner {
     return slope_;
   }
 
-  /// Of the direction, without a flip.
+  /// The longest step along the direction without a flip, at most 1.
   double longest() const {
     return std::min(
         1.0, kShareOfLongest * longestStep(chart_, rest_, uv_, direction_, 2, options_.pool));
   }
 
-  /// With the springs that are foreseen.
+  /// Includes the foreseen springs.
   bool minimizeModel() {
     ++solves_;
     Eigen::VectorXd b = gradient_;
@@ -200,7 +201,7 @@ class Refiner {
     if (foreseen_) foreseen_->addDerivatives(b, contacts);
     for (int row = 0; row < b.size(); ++row) b[row] = isFixedRow(row) ? 0 : -b[row];
     if (matrix_->add(freeOf(std::move(contacts)))) makeSolver(matrix_->sum());
-    solver_->forget();  // it would take more iterations than a new factor pays for
+    solver_->forget();  // iterating with an old factor would cost more than a new one
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     const double share = foreseen_ ? kLinearToleranceHeld : kLinearTolerance;
     const double tolerance = share * b.lpNorm<Eigen::Infinity>();
@@ -240,7 +241,8 @@ class Refiner {
     }
   }
 
-  /// What steps after the next one would gain, were they to go on as from the last to this one.
+  /// The gain of all steps after the next one, if gains go on shrinking as from the last step to
+  /// this one.
   double remainder(double gain) const {
     const double rate = std::max(gain / lastGain_, kFastest);
     return lastGain_ > 0 && rate < kSlowest ? gain * rate / (1 - rate) : gain;
@@ -278,20 +280,20 @@ class Refiner {
   std::vector<double> uv_, direction_;
   RefineSystem system_;
   OutlineShape shape_;
-  std::unique_ptr<BoundaryBarrier> barrier_;  ///< once the boundary would cross itself
+  std::unique_ptr<BoundaryBarrier> barrier_;  ///< exists once the boundary would cross itself
   std::unique_ptr<ForeseenContacts> foreseen_;
   Eigen::VectorXd gradient_;
   SparseEntries contacts_;
   std::unique_ptr<ExtendedMatrix> matrix_;
   int solves_ = 0;
   bool isSimple_ = true;
-  bool isFar_ = true;    ///< from the minimum
-  bool isFull_ = false;  ///< the last step
+  bool isFar_ = true;    ///< far from the minimum
+  bool isFull_ = false;  ///< whether the last step was taken in full
   std::unique_ptr<RowSolver> solver_;
   IdVector<ChartVertex, std::uint8_t> isFixed_;
   ChartVertex held_, far_;
   double energy_ = 0, slope_ = 0;
-  double lastGain_ = 0;  ///< that a full step promised; 0: there was none
+  double lastGain_ = 0;  ///< promised by the last step if that was taken in full; otherwise 0
   Refinement out_;
 };
 

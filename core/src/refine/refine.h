@@ -13,22 +13,23 @@
 namespace abflat {
 
 struct RefineOptions {
-  double balance = 0;  ///< see elementEnergy; nothing is to be done for 0
+  double balance = 0;  ///< see elementEnergy; for 0 there is nothing to do
   /// Which vertices stay where they are; empty: none.
   IdVector<ChartVertex, std::uint8_t> isFixed;
-  OutlineRules outline;  ///< the layout has to keep to it from the start
+  OutlineRules outline;  ///< the layout has to conform to it from the start
   int maxSteps = 100;
-  int maxSolves = std::numeric_limits<int>::max();  ///< of linear systems, in all steps together
-  /// Of the energy above 1, and 1/40 of that of the whole: it does not matter that further steps
-  /// would gain less.
+  int maxSolves = std::numeric_limits<int>::max();  ///< linear systems, over all steps
+  /// The iteration ends once further steps would gain less than this share of the energy above 1
+  /// and of 1/40 of the whole energy.
   double tolerance = 4e-3;
-  /// Of the energy: nor does this, once the boundary is held and a step takes several systems.
+  /// In units of energy: the gain that may be forgone in addition, once the boundary is held and a
+  /// step solves several systems.
   double leastHeld = 0;
-  /// Where another is known than that of the chart; empty: none.
+  /// An elimination rank to use in place of the chart's; empty: none.
   IdVector<ChartVertex, std::uint32_t> eliminationRank;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
-  /// Hears of each step; false: no further one.
+  /// Called for each step; return false to stop.
   std::function<bool()> onStep;
 };
 
@@ -36,20 +37,20 @@ struct Refinement {
   std::vector<double> uv;
   double energyBefore = 0, energy = 0;
   int steps = 0;
-  bool isConverged = false;  ///< false: ended by the limit of steps, by rounding or by the caller
-  bool isHeldApart = false;  ///< the boundary would have crossed itself
+  bool isConverged = false;  ///< false: stopped by a limit, by rounding or by the caller
+  bool isHeldApart = false;  ///< the boundary would otherwise have crossed itself
   FactorMemory memory;
 };
 
-/// From a layout without flipped triangles to another of less energy, by projected Newton (Teran et
+/// Takes a layout without flipped triangles to one of less energy, by projected Newton (Teran et
 /// al. 2005; eigenvalues in closed form after Smith, de Goes and Kim 2019) with steps that flip no
-/// triangle (Smith and Schaefer 2015). The boundary is free. Energies are those at the scale where
-/// the layout that is given has the least; it is scaled to that, unless something is fixed. One
-/// that does not cross itself is kept apart where it would; one that does may go on to, until it no
-/// longer does.
+/// triangle (Smith and Schaefer 2015). The boundary is free. Energies are measured at the scale at
+/// which the given layout has the least; the layout is scaled to that unless something is fixed. A
+/// boundary that does not cross itself is kept from doing so; one that does may go on crossing
+/// itself until it no longer does.
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
 
-/// Of a layout, at the scale where it is least.
+/// The energy of a layout at the scale that minimises it.
 double energyOf(const DiskChart& chart, const std::vector<double>& uv, double balance);
 
 }  // namespace abflat

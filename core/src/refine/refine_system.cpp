@@ -8,10 +8,10 @@
 namespace abflat {
 namespace {
 
-constexpr std::uint32_t kGrain = 2048;  ///< triangles or columns that are one piece of work
+constexpr std::uint32_t kGrain = 2048;  ///< triangles or columns per piece of work
 constexpr std::uint32_t kRegions = 16;
 
-/// What a vertex moves z and w by, for its u and its v.
+/// How z and w change as a vertex moves in u and in v.
 using VertexColumns = std::array<PlaneMap, 2>;
 
 std::array<VertexColumns, 3> columnsOf(const RestTriangle& t) {
@@ -103,7 +103,7 @@ void RefineSystem::buildPattern() {
   gradient_.resize(rows);
 }
 
-/// Into the rows of the vertices of a region only; columns of the matrix count as rows.
+/// Adds only to the rows of the vertices of one region; columns of the matrix count as rows.
 void RefineSystem::addTriangle(const RefinePoint& at, ChartTriangle f, std::uint32_t region) {
   const RestTriangle& rest = rest_[f];
   if (rest.weight == 0) return;

@@ -5,10 +5,10 @@
 namespace abflat {
 namespace {
 
-/// Of what is no surface, in the mean weight of a triangle.
+/// Weight of a triangle that is not part of the surface, relative to the mean weight of a triangle.
 constexpr double kLittle = 1e-3;
 
-/// A triangle with corners at 0, (length, 0) and (x, height). None where it has no area.
+/// A triangle with corners at 0, (length, 0) and (x, height). Left out if it has no area.
 RestTriangle restTriangle(double length, double x, double height, double weight) {
   RestTriangle out;
   const double doubleArea = length * height;

@@ -13,7 +13,7 @@
 
 namespace abflat {
 
-/// Counts of an input that could not be read are not known, but reports have their keys.
+/// Counts of an input that could not be read are unknown, but reports still have their keys.
 class NullWriter {
  public:
   explicit NullWriter(JsonWriter& json) : json_(json) {}
@@ -26,8 +26,8 @@ class NullWriter {
   JsonWriter& json_;
 };
 
-/// Writes as JSON what visitFields() tells of. Three things are written by hand: options, of which
-/// words stand for numbers, the input, of which reports have a part, and a Status.
+/// Writes as JSON what visitFields() visits. Three things are written by hand: options, where words
+/// stand for numbers; the input, of which reports have only a part; and a Status.
 class FieldWriter {
  public:
   template <class T>
@@ -60,7 +60,7 @@ class FieldWriter {
     }
   }
 
-  /// What follows is inside, until end().
+  /// The fields that follow go inside, until end().
   void begin(const char* name) { json_.object(name); }
   void end() { json_.end(); }
 
@@ -70,7 +70,7 @@ class FieldWriter {
     forEachOption(options, [&](const char* key, const auto& value) { json_.field(key, value); });
     json_.end();
   }
-  /// Of a report: its input.
+  /// The input part of a report.
   template <class Report>
   void inputSummary(const char* name, const Report& report) {
     json_.object(name);
@@ -84,7 +84,7 @@ class FieldWriter {
     json_.end();
   }
   void verdict(const char* name, const Status& status);
-  /// Nothing where there is none.
+  /// Writes nothing if there is no error.
   void reportError(const char* name, const Status& error);
 
   std::string take() { return json_.take(); }

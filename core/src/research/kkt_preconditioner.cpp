@@ -6,7 +6,7 @@
 namespace abflat {
 namespace {
 
-/// Of w: smaller entries of |H| count as this.
+/// As a share of w: smaller entries of |H| are raised to this.
 constexpr double kLeastCurvature = 0.05;
 
 double inverseSum(const Element& e) {

@@ -9,13 +9,13 @@
 namespace abflat {
 
 /// A symmetric positive definite approximation of the system (8): |H|; the triangles' block of the
-/// Schur complement, eliminated exactly; and of what is left the two diagonal blocks, angle sums
-/// and wheels, each a scalar Laplacian-like matrix on the mesh.
+/// Schur complement, eliminated exactly; and, of the rest, the two diagonal blocks, angle sums and
+/// wheels, each a scalar Laplacian-like matrix on the mesh.
 class KktPreconditioner {
  public:
   KktPreconditioner(const AngleProblem& problem, const ConstraintRows& rows);
 
-  /// `rowScale` as in KktSystem. False when a block cannot be factored.
+  /// `rowScale` as in KktSystem. False if a block cannot be factored.
   bool factor(const Linearization& lin, const std::vector<std::uint8_t>& active,
               const std::vector<double>& rowScale);
   void apply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const;

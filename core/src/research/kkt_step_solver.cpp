@@ -13,7 +13,7 @@ namespace {
 constexpr double kUsableResidual = 0.1;
 
 /// Without rounding each method would end after as many iterations as there are rows. With a
-/// preconditioner a small part of that is enough; without, rounding takes it to several times as
+/// preconditioner a small part of that is enough; without one, rounding makes it several times as
 /// many.
 int iterationLimit(Eigen::Index rows, bool isPreconditioned, int most) {
   constexpr Eigen::Index kFew = 100, kWithout = 8;

@@ -12,8 +12,8 @@ namespace abflat {
 struct KktSystem {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd rhs;
-  /// Per row: derivative of the wheel as it stands in the system over that of its logarithm, at a
-  /// point that satisfies it; 1 for all other rows.
+  /// Per row: derivative of the wheel as it stands in the system divided by that of its logarithm,
+  /// at a point that satisfies it; 1 for all other rows.
   std::vector<double> rowScale;
 };
 

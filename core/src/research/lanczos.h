@@ -17,7 +17,7 @@ class Lanczos {
   }
 
   double alpha() const { return alpha_; }
-  double beta() const { return beta_; }  ///< of the vector to come
+  double beta() const { return beta_; }  ///< of the next vector
   double previousBeta() const { return previousBeta_; }
   const Eigen::VectorXd& vector() const { return v_; }
 

@@ -7,10 +7,11 @@
 namespace abflat {
 namespace {
 
-/// Vectors that GMRES keeps: small systems have no more rows, and it ends as the theory says.
+/// Vectors that GMRES keeps. Small systems have no more rows than that, so it ends as the theory
+/// says.
 constexpr Eigen::Index kFewestKept = 100, kSmallSystem = 400;
 
-/// A LinearOperator as Eigen's solvers want their preconditioners.
+/// A LinearOperator in the form in which Eigen's solvers expect their preconditioners.
 class Preconditioner {
  public:
   void set(const LinearOperator& apply) { apply_ = apply; }
@@ -70,8 +71,8 @@ LinearSolveResult bicgstab(const Eigen::SparseMatrix<double>& matrix, const Eige
                            const LinearSolveOptions& options,
                            const LinearOperator& preconditioner) {
   Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Preconditioner> solver;
-  // From 0 it breaks down at once where only constraints are violated: their block is empty, so
-  // that r^T A r = 0.
+  // Starting from 0 it breaks down at once if only constraints are violated: their block is empty,
+  // so that r^T A r = 0.
   Eigen::VectorXd guess = rhs;
   if (preconditioner) preconditioner(rhs, guess);
   return run(solver, matrix, rhs, options, preconditioner, guess);

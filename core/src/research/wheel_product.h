@@ -13,13 +13,13 @@ struct WheelProduct {
   double value() const { return next - prev; }
 };
 
-/// Those of boundary vertices mean nothing.
+/// Entries of boundary vertices are meaningless.
 using WheelProducts = IdVector<ChartVertex, WheelProduct>;
 WheelProducts wheelProducts(const AngleProblem& problem, const std::vector<double>& angles);
 
 /// Corners round each vertex.
 struct VertexCorners {
-  std::vector<std::uint32_t> offset;  ///< of each vertex, in the next
+  std::vector<std::uint32_t> offset;  ///< per vertex: where its corners begin in the next array
   std::vector<ChartCorner> corner;
 };
 VertexCorners cornersOfVertices(const AngleProblem& problem);

@@ -13,7 +13,7 @@ PolygonMesh makeAlphaBand(double detail) {
       scaledCount(120, detail), scaledCount(8, detail), [](double u, double v) -> Point {
         const double s = kEnd * (2 * u - 1), offset = kWidth * (0.5 - v);
         const double dx = 2 * s, dy = 3 * s * s - 1, length = portable::hypot(dx, dy);
-        // (dy, -dx) points to the right of the centre line, outwards of the loop.
+        // (dy, -dx) points to the right of the centre line, out of the loop.
         return {s * s - 1 + offset * dy / length, s * s * s - s - offset * dx / length, kRise * s};
       });
 }

@@ -2,7 +2,7 @@
 
 #include "abflat/mesh.h"
 
-// One generator a file; `detail` as in abflat/samples.h.
+// One generator per file; `detail` as in abflat/samples.h.
 namespace abflat {
 
 /// Exact half of the unit sphere.
@@ -14,7 +14,7 @@ PolygonMesh makeWavyStrip(double detail);
 /// Head with nose, eye sockets, chin and ears, open at the neck and cut from there to the crown.
 PolygonMesh makeHead(double detail);
 
-/// Ribbon along a Greek alpha: its ends cross over each other with a difference in height.
+/// Ribbon along a Greek alpha: its ends cross at different heights.
 PolygonMesh makeAlphaBand(double detail);
 
 /// Flat square with three balls on narrow necks.

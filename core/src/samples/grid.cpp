@@ -32,7 +32,7 @@ void joinRows(MeshBuilder& mesh, const std::vector<std::uint32_t>& outer,
   const std::size_t n = outer.size() - 1, m = inner.size() - 1;
   std::size_t i = 0, j = 0;
   while (i < n || j < m) {
-    // Go on along the row whose next edge has its middle first.
+    // Advance along the row whose next edge has the earlier midpoint.
     if (j == m || (i < n && (2 * i + 1) * m <= (2 * j + 1) * n)) {
       mesh.addTriangle(outer[i], outer[i + 1], inner[j]);
       ++i;

@@ -9,13 +9,14 @@
 
 namespace abflat {
 
-/// xyz as generators think: z up, the front towards -y. Meshes have y up and the front towards +z,
-/// as OBJ viewers show them.
+/// xyz as the generators use it: z up, the front towards -y. Meshes have y up and the front towards
+/// +z, as OBJ viewers show them.
 using Point = std::array<double, 3>;
 
 constexpr double kSamplePi = 3.14159265358979323846;
 
-/// `count` at detail 1, so that counts in two directions multiply to faces linear in detail.
+/// The count for a detail at which it is `count` for detail 1, chosen so that the product of two
+/// such counts, and with it the number of faces, is linear in detail.
 unsigned scaledCount(unsigned count, double detail);
 
 /// Mesh under construction.
@@ -34,11 +35,11 @@ struct MeshBuilder {
 void joinRows(MeshBuilder& mesh, const std::vector<std::uint32_t>& outer,
               const std::vector<std::uint32_t>& inner);
 
-/// columns x rows squares over [0,1]^2, each cut in two, the cuts alternating.
+/// columns x rows squares over [0,1]^2, each cut in two along alternating diagonals.
 PolygonMesh rectangleMesh(unsigned columns, unsigned rows,
                           const std::function<Point(double u, double v)>& at);
 
-/// Unit disk as a centre and rings round it, mapped to space.
+/// Unit disk made of a centre and rings around it, mapped to space.
 struct RingDisk {
   unsigned rings = 1;                             ///< at equal distances
   std::function<unsigned(double r)> ringSize;     ///< edges of the ring of radius r in (0,1]

@@ -16,7 +16,7 @@ struct Bump {
   double height, width, tallness;  ///< of the skull's radius; radians sideways and up
 };
 
-// Longitudes grow to the left; each bump beside the middle has a twin on the other side.
+// Longitudes grow to the left; each bump off the middle has a twin on the other side.
 constexpr Bump kBumps[] = {
     {0, 1, 0.15, 0.11, 0.17},      // bridge of the nose
     {0, -11, 0.22, 0.15, 0.10},    // tip of the nose
@@ -33,7 +33,7 @@ constexpr Bump kBumps[] = {
 };
 
 constexpr double kNeckRadius = 0.47;
-constexpr double kNeckLatitude = -52;  // degrees; below, the skull goes over into the neck
+constexpr double kNeckLatitude = -52;  // degrees; below, the skull merges into the neck
 
 double radians(double degrees) { return degrees * kSamplePi / 180; }
 
@@ -78,7 +78,7 @@ PolygonMesh makeHead(double detail) {
   RingDisk disk;
   disk.rings = scaledCount(36, detail);
   const auto latitudeAt = [](double r) { return radians(90 - r * (90 - kCutLatitude)); };
-  // As many edges along a parallel as keep them as long as the meridians'.
+  // As many edges along a parallel as make them as long as those of the meridians.
   const double spacing = radians(90 - kCutLatitude) / disk.rings;
   disk.ringSize = [=](double r) {
     const double level = latitudeAt(r) > 0 ? portable::cos(latitudeAt(r))

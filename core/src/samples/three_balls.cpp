@@ -29,7 +29,7 @@ std::array<double, 2> outline(double s) {
   return {kBall * portable::sin(a), kFillet + kBall * (portable::cos(below) - portable::cos(a))};
 }
 
-/// Square lattice of blocks; vertices inside of block squares with a ball are left out.
+/// Square lattice of blocks; vertices inside block squares with a ball are left out.
 class Patch {
  public:
   explicit Patch(unsigned cells) : cells_(cells), lattice_(3 * cells + 1) {}
@@ -90,7 +90,7 @@ class Patch {
     return out;
   }
 
-  /// Half way between a block's outline and the foot of its ball, so that no triangle is long.
+  /// Halfway between a block's outline and the foot of its ball, so that no triangle is long.
   std::vector<std::uint32_t> betweenSquareAndFoot(const std::vector<std::uint32_t>& square,
                                                   double cx, double cy) {
     std::vector<std::uint32_t> out;

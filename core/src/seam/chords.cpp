@@ -19,7 +19,7 @@ void ChordFinder::walk(CutChartId chart) {
   for (std::size_t i = 0; i < order_.size(); ++i)
     for (const SurfaceCorner h : cornersOf(order_[i])) {
       const SurfaceCorner o = surface_.twin[h];
-      // Of a disk no triangle is met twice; were the chart none, the walk would still end.
+      // On a disk no triangle is met twice; if the chart were not a disk, the walk would still end.
       if (!o.exists()) continue;
       const SurfaceTriangle next = triangleOf(o);
       if (next == root || parent_[next].exists() || paths_.forest.isTreeEdge(surface_, h)) continue;
@@ -35,7 +35,7 @@ void ChordFinder::numberLoop(CutChartId chart) {
   for (const BoundaryIndex i : loop.ids()) alongLoop_[surface_.tail(loop[i])] = i;
 }
 
-/// Of the pairs, those whose half-edges end up in different charts.
+/// The share of the pairs whose half-edges end up in different charts.
 double ChordFinder::resolvedShare(SurfaceCorner h,
                                   const std::vector<std::array<BoundaryIndex, 2>>& pairs) const {
   const auto endOf = [&](OpenVertex v) { return alongLoop_[paths_.forest.source[v]]; };
@@ -47,7 +47,7 @@ double ChordFinder::resolvedShare(SurfaceCorner h,
   return static_cast<double>(resolved) / static_cast<double>(pairs.size());
 }
 
-/// h is none where it would cut off next to nothing or open a hole that stays filled.
+/// h is none if the chord would cut off next to nothing or open a hole that has to stay filled.
 Chord ChordFinder::chordAt(SurfaceCorner h, CutChartId chart) const {
   constexpr double kLeastShare = 0.02;
   const double all = surface_.charts[chart].area;
@@ -72,7 +72,7 @@ Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryI
     const double smaller = std::min(c.left, c.right);
     double score = c.length / std::sqrt(smaller);
     if (best.h.exists() && score >= bestScore) continue;
-    constexpr double kUnresolved = 3;  // so much longer may a chord be that resolves all
+    constexpr double kUnresolved = 3;  // a chord that resolves all pairs may be this much longer
     c.resolved = pairs.empty() ? 1 : resolvedShare(h, pairs);
     score *= 1 + (kUnresolved - 1) * (1 - c.resolved);
     if (!best.h.exists() || score < bestScore) {

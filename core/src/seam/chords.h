@@ -11,19 +11,19 @@ namespace abflat {
 struct Chord {
   SurfaceCorner h;
   double length = 0;
-  double left = 0, right = 0;  ///< area on the side of h, and on the other
-  double resolved = 0;         ///< share of the pairs asked for that it separates
+  double left = 0, right = 0;  ///< area on h's side, and on the other
+  double resolved = 0;         ///< share of the given pairs that it separates
 };
 
-/// All edges off the forest of paths. Those of a disk are a spanning tree of its triangles, so each
-/// splits it in two, and one pass over the tree gives all areas.
+/// Considers all edges that are not in the forest of paths. In a disk they form a spanning tree of
+/// its triangles, so each one splits it in two, and one pass over the tree gives all areas.
 class ChordFinder {
  public:
   explicit ChordFinder(const CutPaths& paths);
 
-  /// Of least length / sqrt(smaller area), where chords that do not separate pairs of boundary
-  /// half-edges which will lie on each other count as longer; h is none when there is none.
-  /// `pairs` are of the chart's loop.
+  /// The chord with the least length / sqrt(smaller area). A chord counts as longer if it does not
+  /// separate pairs of boundary half-edges that will overlap. h is none if there is no chord.
+  /// `pairs` belong to the chart's loop.
   Chord best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
 
  private:
@@ -36,8 +36,8 @@ class ChordFinder {
   const CutPaths paths_;
   const CutSurface& surface_;
   std::vector<SurfaceTriangle> order_;
-  IdVector<SurfaceTriangle, SurfaceCorner> parent_;  ///< of the triangle towards the root
-  IdVector<SurfaceTriangle, double> area_;           ///< of the subtree
+  IdVector<SurfaceTriangle, SurfaceCorner> parent_;  ///< from each triangle towards the root
+  IdVector<SurfaceTriangle, double> area_;           ///< of each subtree
   IdVector<OpenVertex, BoundaryIndex> alongLoop_;    ///< of the boundary vertices seen so far
 };
 

@@ -34,9 +34,9 @@ struct Loop {
   SurfaceCorner h;
 };
 
-/// Edges that are in neither the forest of paths nor a spanning tree of the triangles: each closes
-/// one loop that topology needs cut (tree-cotree decomposition). The dearest loops are left to the
-/// spanning tree (Erickson and Whittlesey 2005).
+/// Edges that are in neither the forest of paths nor a spanning tree of the triangles. Each closes
+/// one loop that the topology requires to be cut (tree-cotree decomposition). The spanning tree
+/// takes the edges of the costliest loops (Erickson and Whittlesey 2005).
 std::vector<SurfaceCorner> neededEdges(const CutPaths& paths) {
   const CutSurface& s = paths.surface;
   std::vector<Loop> loops;
@@ -55,17 +55,17 @@ std::vector<SurfaceCorner> neededEdges(const CutPaths& paths) {
   return needed;
 }
 
-/// A boundary of fewer edges cannot be drawn.
+/// A boundary with fewer than three edges cannot be drawn.
 bool isAlmostClosed(const CutSurface& s, const CutSurface::Chart& chart) {
   return chart.isDisk() && s.loop(chart.firstLoop).size() < 3;
 }
 
-/// A sphere is opened along a path from its anchor, or from what is open of it, so that three edges
-/// or more are open.
+/// Opens a sphere along a path from its anchor, or from its existing opening, so that at least
+/// three edges are open.
 double openSphere(const CutPaths& paths, CutChartId chart, Seams& seams) {
   const CutSurface& s = paths.surface;
   const PathForest& forest = paths.forest;
-  OpenVertex first, second;  // the farthest vertices
+  OpenVertex first, second;  // the two farthest vertices
   const auto isFarther = [&](OpenVertex v, OpenVertex than) {
     if (!than.exists()) return true;
     const bool isBarred = !(forest.distance[v] < kBarredCost);

@@ -4,7 +4,7 @@
 
 namespace abflat {
 
-/// What topology needed.
+/// The cuts required by the topology.
 struct TopologyCut {
   std::uint32_t handleLoops = 0;  ///< two for each handle
   std::uint32_t joinedLoops = 0;  ///< boundary loops joined to others
@@ -13,7 +13,7 @@ struct TopologyCut {
 };
 
 /// Adds the seams that make every chart a topological disk. `anchors`: the vertex of each chart
-/// from which it is opened if it is closed; empty: any.
+/// from which it is opened if it is closed; empty: any vertex.
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& surface,
                        const IdVector<CutChartId, OpenVertex>& anchors, Seams& seams,
                        const Pulse& pulse = {});

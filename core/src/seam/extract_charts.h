@@ -6,20 +6,22 @@
 
 namespace abflat {
 
-/// Some charts of a cut surface as a surface of their own, open where it was cut. Its mesh has
-/// numbers of its own.
+/// Some charts of a cut surface as a surface of their own, open where it was cut. Its mesh is
+/// numbered independently.
 struct SeamPart {
   SeamMesh mesh;
-  IdVector<SurfaceCorner, SurfaceCorner> wholeHalfEdge;  ///< what is one of the part in the whole
+  IdVector<SurfaceCorner, SurfaceCorner>
+      wholeHalfEdge;  ///< in the whole, per half-edge of the part
   IdVector<SurfaceVertex, SurfaceVertex> wholeVertex;
 
-  /// Makes the whole that of `between`, which has been the whole.
+  /// Re-expresses this part, whose whole was the mesh of `between`, in terms of the whole of
+  /// `between`.
   void embedIn(const SeamPart& between) {
     for (SurfaceCorner& h : wholeHalfEdge) h = between.wholeHalfEdge[h];
     for (SurfaceVertex& v : wholeVertex) v = between.wholeVertex[v];
   }
 
-  /// Of what the whole has per vertex, that of the part's.
+  /// Picks the part's vertices from per-vertex values of the whole.
   template <class T>
   IdVector<SurfaceVertex, T> ofVertices(const IdVector<SurfaceVertex, T>& whole) const {
     IdVector<SurfaceVertex, T> out;

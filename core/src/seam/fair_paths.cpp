@@ -16,22 +16,22 @@ using Path = std::vector<SurfaceCorner>;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Of the root of the mesh's area: however long a path is, it goes no farther from where it was.
+/// Relative to the root of the mesh's area. A path moves no farther than this, however long it is.
 constexpr double kFarthest = 0.15;
 
-/// Where a path goes on from one half-edge to another with the angle `side` on one of its sides.
+/// Cost of turning from one half-edge to another, with the angle `side` on one side of the path.
 double turnCost(const SeamMesh& m, SurfaceCorner from, SurfaceCorner to, double side) {
-  constexpr double kTurning = 2;  // of the edges' mean length, for a full turn
+  constexpr double kTurning = 2;  // in mean lengths of the two edges, for a full turn
   const double all = m.angleSum[m.vertexOfCorner[to]];
   const double turn = all > 0 ? 2 * side / all - 1 : 0;
   return kTurning * turn * turn * (m.length[from] + m.length[to]) / 2;
 }
 
 struct Entry {
-  double expected;  ///< of all the path
+  double expected;  ///< of the whole path
   double passed;
   SurfaceCorner at;
-  bool operator<(const Entry& o) const {  // the queue's top is the greatest
+  bool operator<(const Entry& o) const {  // so that the top of the queue is the smallest
     return expected != o.expected ? expected > o.expected : at > o.at;
   }
 };
@@ -103,7 +103,7 @@ class Fairer {
     return out;
   }
 
-  /// From junction to junction; halves of those that end where they begin.
+  /// Paths from junction to junction. A path that ends where it begins is listed as two halves.
   std::vector<Path> paths() const {
     std::vector<Path> out;
     IdVector<SurfaceCorner, std::uint8_t> isSeen(seams_.size(), 0);
@@ -135,14 +135,14 @@ class Fairer {
     return out;
   }
 
-  /// As it was when paths were listed.
+  /// Whether the path is still as it was when paths were listed.
   bool isThere(const Path& path) const {
     for (std::size_t i = 0; i < path.size(); ++i)
       if (!seams_[path[i]] || (i > 0 && isJunction(tail(path[i])))) return false;
     return !path.empty();
   }
 
-  /// Nothing has changed at its ends since it could not be drawn better.
+  /// Whether nothing has changed at its ends since no better path was found.
   bool isSettled(const Path& path) const {
     return std::all_of(path.begin(), path.end(), [&](SurfaceCorner h) { return isSettled_[h]; });
   }
@@ -160,7 +160,7 @@ class Fairer {
   }
 
   bool fair(const Path& path) {
-    // An end within a chart stays, so that the junction at the other one slides.
+    // An end within a chart stays in place, so the junction at the other end slides.
     Path now = isEnd(head(path.back())) ? reversed(path) : path;
     bool isChanged = redraw(now);
     if (!isEnd(tail(now.front()))) {
@@ -195,8 +195,8 @@ class Fairer {
     return isBetter;
   }
 
-  /// Those that can be reached without going farther from the path's vertex that they are reached
-  /// from.
+  /// Vertices that can be reached without straying farther than `most` from the path vertex they
+  /// are reached from.
   std::vector<SurfaceVertex> verticesNear(const Path& path, double most) {
     std::vector<SurfaceVertex> out, from;
     const auto add = [&](SurfaceVertex v, SurfaceVertex start) {
@@ -215,8 +215,8 @@ class Fairer {
     return out;
   }
 
-  /// Of the open surface: the boundary that the sector of an outgoing half-edge begins with,
-  /// clockwise of it.
+  /// The sector of the open surface that an outgoing half-edge is in, named by the boundary
+  /// half-edge on its clockwise side.
   SurfaceCorner sectorOf(SurfaceCorner h) const {
     while (!isBarrier(h)) h = rotateClockwise(mesh_.twin, h);
     return h;
@@ -228,12 +228,12 @@ class Fairer {
     return h;
   }
 
-  /// Sectors that the path, which is open, may end in: its own and those that its end slides to.
+  /// Sectors that the open path may end in: its own, and those that its end can slide to.
   Path goalsOf(const Path& path, double most) const {
     const SurfaceVertex last = head(path.back());
     if (!isOutline(last)) return {};
     Path out{sectorOf(mesh_.twin[path.back()])};
-    if (count_[last] < 2 && !isOpen_[last]) return out;  // the half of a loop
+    if (count_[last] < 2 && !isOpen_[last]) return out;  // half of a loop
     for (const bool isForward : {true, false}) {
       double slid = 0;
       for (SurfaceCorner h = out.front(); slid < most;) {
@@ -248,8 +248,9 @@ class Fairer {
     return out;
   }
 
-  /// The cheapest one for a path that is open; empty where that is no better. Each vertex knows but
-  /// the cheapest way to it, which need not be that of the fewest turns behind it.
+  /// The cheapest path to replace one that has been opened; empty if it is no better. Each vertex
+  /// only knows the cheapest way to reach it, which need not be the one that turns least
+  /// afterwards.
   Path cheapest(const Path& path, double slide) {
     const double most = pathCost(mesh_, cost_, path);
     const SurfaceVertex first = tail(path.front()), last = head(path.back());
@@ -269,7 +270,7 @@ class Fairer {
     const auto reach = [&](SurfaceCorner h, double passed, SurfaceCorner before) {
       const SurfaceVertex v = head(h);
       if (!isNear_[v] || !mesh_.twin[h].exists()) return;
-      // On an outline it matters from where it is reached.
+      // On an outline, the side from which a vertex is reached matters.
       if (!(passed < passed_[v]) && !isBlocked(v)) return;
       const double expected = passed + toGo(v);
       if (!(expected < most)) return;
@@ -317,11 +318,11 @@ class Fairer {
   const Pulse& pulse_;
   const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
   IdVector<SurfaceCorner, std::uint8_t> isFixed_, isSettled_;
-  /// At the mesh's boundary, at a filled hole, at a seam that stays, near the path.
+  /// On the mesh's boundary, on a filled hole, on a seam that stays, near the path.
   IdVector<SurfaceVertex, std::uint8_t> isOpen_, isFilled_, hasFixed_, isNear_;
-  IdVector<SurfaceVertex, int> count_;             ///< of seams
-  IdVector<SurfaceVertex, double> passed_;         ///< on the way to a vertex
-  IdVector<SurfaceCorner, SurfaceCorner> before_;  ///< the one that leads to it
+  IdVector<SurfaceVertex, int> count_;             ///< number of seams at the vertex
+  IdVector<SurfaceVertex, double> passed_;         ///< cost of the way to the vertex
+  IdVector<SurfaceCorner, SurfaceCorner> before_;  ///< the half-edge leading to it
 };
 
 }  // namespace

@@ -8,18 +8,19 @@
 
 namespace abflat {
 
-/// Of a path along half-edges that follow each other: the cost of its edges, and where it turns a
-/// share of those beside that grows with the square of the angle, as it is on the surface.
+/// Cost of a path of consecutive half-edges: the cost of its edges plus, at each turn, a share of
+/// the lengths of the two edges that grows with the square of the turning angle on the surface.
 double pathCost(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
                 const std::vector<SurfaceCorner>& path);
 
-/// Of an edge's length, what it costs at least.
+/// The least cost of an edge, relative to its length.
 constexpr double kLeastCost = 0.3;
 
-/// Draws each seam between ends and junctions anew, as a path of less cost near where it was. The
-/// junction that it comes from may slide along other seams. Charts stay as many, and keep their
-/// topology. `cost` is that of a seam along a half-edge, and `width` says of one that is there how
-/// far away its path may go, over its length; 0: the edge stays. False when nothing is changed.
+/// Redraws each seam between ends and junctions as a cheaper path near its former place. The
+/// junction that a path comes from may slide along other seams. The number of charts and their
+/// topology stay the same. `cost` is that of a seam along a half-edge. `width` says, for each
+/// half-edge of a seam, how far its path may move, divided by the path's length; 0: the edge stays.
+/// False if nothing has changed.
 bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
                IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse = {});
 

@@ -10,10 +10,11 @@
 namespace abflat {
 namespace {
 
-/// Of the bound: the rest is for taking seams back, and for what flattening adds.
+/// Share of the bound that may be used: the rest is for taking seams back, and for what flattening
+/// adds.
 constexpr double kShare = 0.8;
 
-/// Why a chart cannot have its seams drawn so.
+/// Why a chart cannot have its seams redrawn this way.
 enum class Fault : std::uint8_t { None, Stretched, Overlapping };
 using Faults = IdVector<CutChartId, Fault>;
 
@@ -74,11 +75,11 @@ class SeamFairer {
     return out;
   }
 
-  /// Paths at faulty charts are to stay nearer to where they were: where one is stretched too much,
-  /// those that left a vertex whose scale is far off now.
+  /// Keeps paths at faulty charts nearer to their former place. For a chart that is stretched too
+  /// much, these are only the paths that left a vertex whose scale is now far off.
   void narrow(float share, const Seams& now, const CutSurface& after, const Prediction& told,
               const Faults& faults, const LogScales& u) {
-    constexpr double kFarOff = 0.05, kAsFar = 0.5;  // the latter of the farthest of the chart
+    constexpr double kFarOff = 0.05, kAsFar = 0.5;  // kAsFar: relative to the farthest of the chart
     IdVector<SurfaceVertex, std::uint8_t> isOnSeam(mesh_.vertexCount(), 0);
     for (const SurfaceCorner h : now.ids())
       if (now[h]) isOnSeam[mesh_.vertexOfCorner[h]] = 1;

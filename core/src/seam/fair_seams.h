@@ -4,8 +4,8 @@
 
 namespace abflat {
 
-/// Draws seams anew where that makes them cheaper or straighter, as far as no chart goes beyond its
-/// bounds for it. True when the scale has last been solved for the seams as they are now.
+/// Redraws seams where that makes them cheaper or straighter, as long as no chart exceeds its
+/// bounds because of it. True if the scale's last solution is for the seams as they are now.
 bool fairSeams(const SeamWork& work);
 
 }  // namespace abflat

@@ -20,7 +20,7 @@
 namespace abflat {
 namespace {
 
-/// For each chart the vertex of most extreme scale: the tip of something that sticks out.
+/// For each chart the vertex of most extreme scale, such as the tip of something that sticks out.
 IdVector<CutChartId, OpenVertex> extremes(const CutSurface& s, const Prediction& p,
                                           const LogScales& u) {
   IdVector<CutChartId, OpenVertex> out(s.charts.size());
@@ -32,12 +32,13 @@ IdVector<CutChartId, OpenVertex> extremes(const CutSurface& s, const Prediction&
   return out;
 }
 
-/// Vertices inside, in order, that only two triangles meet at: no flat layout has both.
+/// Interior vertices at which only two triangles meet, in order. No flat layout can contain both
+/// triangles.
 std::vector<SurfaceVertex> verticesOfTwo(const SeamMesh& mesh) {
   IdVector<SurfaceVertex, std::uint8_t> corners(mesh.vertexCount(), 0);
   for (const SurfaceCorner c : mesh.corners()) {
     std::uint8_t& count = corners[mesh.vertexOfCorner[c]];
-    // At the boundary there may be any number.
+    // At the boundary any number is fine.
     if (!mesh.twin[c].exists() || !mesh.twin[prevCorner(c)].exists()) count = 3;
     if (count < 3) ++count;
   }
@@ -47,8 +48,8 @@ std::vector<SurfaceVertex> verticesOfTwo(const SeamMesh& mesh) {
   return out;
 }
 
-/// Cuts in rounds. A chart that a round leaves as it is stays so; the rounds go on with the others
-/// alone as soon as these are much less than all.
+/// Cuts in rounds. A chart that a round leaves unchanged is done; the rounds continue with only the
+/// others as soon as they make up much less than the whole.
 class Finder {
  public:
   Finder(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report)
@@ -73,7 +74,7 @@ class Finder {
   void handBack();
   bool isWhole() const { return mesh_ == &whole_; }
   SurfaceCorner toWhole(SurfaceCorner h) const { return isWhole() ? h : part_.wholeHalfEdge[h]; }
-  /// A disk as it was given: all of its triangles, and no edge twice.
+  /// Whether the chart is still a disk as given, with all of its triangles and no edge used twice.
   bool isUntouched(const CutSurface& s, CutChartId chart) const {
     const CutSurface::Chart& now = s.charts[chart];
     const SurfaceTriangle triangle = triangleOf(toWhole(cornerOf(now.firstTriangle, 0)));
@@ -90,7 +91,7 @@ class Finder {
 
   const Pulse pulse_{[this] { return goesOn(); }};
   const SeamMesh& whole_;
-  const SeamMesh* mesh_;  ///< what is still being cut: the whole or part_.mesh
+  const SeamMesh* mesh_;  ///< what is still being cut: whole_ or part_.mesh
   SeamPart part_;
   Seams seams_;           ///< of *mesh_
   Seams given_, result_;  ///< of the whole; seams_ are added when their part is done
@@ -100,8 +101,8 @@ class Finder {
   SeamReport& report_;
   std::unique_ptr<LogScale> scale_;
   Prediction prediction_;
-  LogScales u_;                                   ///< of the whole, as it was last told
-  IdVector<CutChartId, std::uint8_t> isChanged_;  ///< in the round at work
+  LogScales u_;                                   ///< of the whole, as last solved
+  IdVector<CutChartId, std::uint8_t> isChanged_;  ///< in the current round
 };
 
 void Finder::analyse() {
@@ -135,7 +136,7 @@ void Finder::open() {
   openBetweenTwo();
 }
 
-/// Cuts to vertices between two triangles, so that these need not lie on each other.
+/// Cuts to vertices where two triangles meet, so that these need not lie on top of each other.
 void Finder::openBetweenTwo() {
   const std::vector<SurfaceVertex> ends = verticesOfTwo(whole_);
   if (ends.empty()) return;
@@ -152,7 +153,7 @@ CutSurface Finder::cut() {
                                                                  : s;
 }
 
-/// With automatic seams towards the peaks, otherwise towards the holes that cost most.
+/// Adds slits: towards the peaks with automatic seams, otherwise towards the costliest holes.
 void Finder::slit(const CutPaths& paths, const LogScales& u) {
   const CutSurface& s = paths.surface;
   const std::vector<OpenVertex> ends =
@@ -167,7 +168,7 @@ void Finder::slit(const CutPaths& paths, const LogScales& u) {
 }
 
 IdVector<CutChartId, SplitFor> Finder::splitsAsked(const CutSurface& s) const {
-  constexpr double kTellsNothing = 1.5;  // stretch above which the outline is not to be trusted
+  constexpr double kTellsNothing = 1.5;  // stretch above which the outline is unreliable
   IdVector<CutChartId, SplitFor> asked(s.charts.size(), SplitFor::Nothing);
   if (!options_.isAuto) return asked;
   for (const CutChartId c : s.charts.ids()) {
@@ -177,7 +178,7 @@ IdVector<CutChartId, SplitFor> Finder::splitsAsked(const CutSurface& s) const {
   return asked;
 }
 
-/// False when no chart was changed.
+/// False if no chart was changed.
 bool Finder::improve() {
   Stopwatch watch;
   const CutSurface s = cut();
@@ -207,8 +208,8 @@ bool Finder::improve() {
   return finishUnchanged(s);
 }
 
-/// Hands back what is done and keeps the rest as a part of its own where that is much smaller;
-/// false when all is done.
+/// Hands back finished charts and, if the rest is much smaller, continues on the rest as a part of
+/// its own. False if all is done.
 bool Finder::finishUnchanged(const CutSurface& s) {
   std::size_t changed = 0;
   for (const CutChartId c : s.charts.ids())
@@ -219,7 +220,7 @@ bool Finder::finishUnchanged(const CutSurface& s) {
   if (changed == 0) return false;
   SeamPart rest = extractCharts(*mesh_, s, isChanged_, pulse_);
   Seams seams;
-  // What was cut before this round is the part's boundary.
+  // What was cut before this round is on the part's boundary.
   for (const SurfaceCorner h : rest.wholeHalfEdge) seams.push_back(seams_[h] && s.twin[h].exists());
   if (!isWhole()) rest.embedIn(part_);
   part_ = std::move(rest);
@@ -258,7 +259,7 @@ Seams Finder::run() {
     analyse();
   }
   const SeamWork work{whole_, given_, options_, *scale_, u_, result_};
-  // Slits and splits are made where each is needed; together they may be more than that.
+  // Slits and splits are added one by one where needed; together they may be more than needed.
   if (options_.isAuto && goesOn()) report_.merges = mergeCharts(work);
   const bool isSolved = options_.isAuto && goesOn() && fairSeams(work);
   report_.found = result_;
@@ -280,7 +281,7 @@ double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
-/// Shorter where they run along creases.
+/// Length of the seams, where those along creases count as shorter.
 double costOf(const SeamMesh& mesh, const Seams& seams) {
   double sum = 0;
   for (const SurfaceCorner h : seams.ids())
@@ -288,13 +289,13 @@ double costOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
-/// Finds seams of a mesh in which nothing is cut yet on one side of its plane of symmetry alone.
+/// For a mesh without cuts so far, finds seams on only one side of its plane of symmetry.
 class SymmetricFinder {
  public:
   SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options)
       : mesh_(mesh), options_(options) {}
 
-  /// Replaces `seams`, which `report` is about, by symmetric ones where these are to be preferred.
+  /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
   void run(Seams& seams, SeamReport& report) const {
     const double cost = costOf(mesh_, seams);
     if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
@@ -321,10 +322,11 @@ class SymmetricFinder {
   }
 
  private:
-  /// Share of seams that are mirrored already: it is a matter of few edges.
+  /// Seams with a larger mirrored share stay as they are: only few edges would change.
   static constexpr double kSymmetric = 0.9;
-  /// Measured, of what lies in the plane: where it is more than the former of all seams, or the
-  /// latter of it with the seams beside are, they come out longer.
+  /// Found by measurement, for the seams in the plane: if they cost more than kMostOfPlane of all
+  /// seams, or if kLeastOfPlane of them plus the seams beside the plane cost more than all seams,
+  /// the result comes out longer.
   static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
 
   bool isTooMuch(double now, double most) const {

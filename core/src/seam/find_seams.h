@@ -12,22 +12,22 @@ namespace abflat {
 
 struct SeamOptions {
   bool isAuto = true;  ///< false: only what topology needs
-  /// Bound of a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
+  /// Bound on a chart's predicted symmetric Dirichlet energy / 4; 1 is an isometry.
   double maxStretch = 1.04;
-  Seams first;  ///< to begin with, beside what is given; empty: none
-  /// Least share of its convex hull that a chart may fill once it has been cut.
+  Seams first;  ///< to start with, besides the given ones; empty: none
+  /// Least share of its convex hull that a chart has to fill once it has been cut.
   double leastFill = 0.5;
   /// Share of a chart that its predicted layout may cover twice.
   double mostOverlap = 0.0003;
-  /// Charts are to be no longer, in the unit of the mesh; infinite: no matter how long.
+  /// The longest that a chart may be, in the mesh's unit; infinite: no limit.
   double longest = std::numeric_limits<double>::infinity();
-  /// What is a disk before anything is cut stays whole, however much it is distorted.
+  /// Parts that are disks before anything is cut stay whole, however much they are distorted.
   bool keepDisks = false;
-  EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are sought
+  EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
-  std::function<bool()> keepsOn;          ///< false: stop with the seams so far, which cut to disks
+  std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which still cut to disks
 };
 
 struct SeamReport {
@@ -35,19 +35,19 @@ struct SeamReport {
   double seamLength = 0;  ///< in 3D, over sqrt(surface area)
   std::uint32_t slits = 0, splits = 0, merges = 0;
   std::uint32_t handleLoops = 0;
-  double handleLength = 0;  ///< of the seams that topology needs, over sqrt(surface area)
-  double stretch = 1;       ///< predicted, mean by area
+  double handleLength = 0;  ///< of the seams required by the topology, over sqrt(surface area)
+  double stretch = 1;       ///< predicted, area-weighted mean
   int rounds = 0;
   EliminationRanks eliminationRanks;  ///< of the mesh
-  Seams found;                        ///< before they were shortened
-  LogScales foundScale;               ///< `scale` before that
-  LogScales scale;                    ///< that is expected
+  Seams found;                        ///< the seams before they were shortened
+  LogScales foundScale;               ///< `scale` before shortening
+  LogScales scale;                    ///< expected log-scale
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
 };
 
-/// `given` seams are kept. Afterwards every chart is a topological disk, what fills holes included;
-/// rims of holes that are open again are marked like seams.
+/// `given` seams are kept. Afterwards every chart is a topological disk, counting hole fillings;
+/// rims of holes that were opened again are marked like seams.
 Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report);
 
 }  // namespace abflat

@@ -20,7 +20,7 @@ Vec3 normalOf(const PolygonMesh& mesh, const Surface& surface, SurfaceTriangle f
   return n;
 }
 
-/// Angle between the normals, in degrees; 0 where a triangle has none.
+/// Angle between the normals, in degrees; 0 if a triangle has no normal.
 double bend(const Vec3& a, const Vec3& b) {
   return portable::atan2(norm(cross(a, b)), dot(a, b)) * (180 / kPi);
 }
@@ -30,7 +30,7 @@ void mark(const Surface& surface, SurfaceCorner h, Seams& seams) {
   if (twin.exists()) seams[h] = seams[twin] = 1;
 }
 
-/// Calls visit(half-edge, twin) once for each edge that has two sides.
+/// Calls visit(half-edge, twin) once for each edge with two sides.
 template <class Visit>
 void forEachEdge(const Surface& surface, const Visit& visit) {
   for (const SurfaceCorner h : surface.table.corners()) {
@@ -50,7 +50,8 @@ void markSharp(const SurfaceMap& map, double degrees, Seams& seams) {
   });
 }
 
-/// By value: files may list a texcoord several times. No texcoord is a value of its own.
+/// Compares values, since files may list a texcoord several times. A missing texcoord counts as a
+/// value of its own.
 bool hasSameTexcoord(const CornerTexcoords& given, InputCorner cornerA, InputCorner cornerB) {
   const std::size_t a = given.ofCorner[cornerA], b = given.ofCorner[cornerB];
   if (a == kNoTexcoord || b == kNoTexcoord || a == b) return a == b;
@@ -90,7 +91,7 @@ std::string nameOf(const EdgeVertices& e) {
   return std::to_string(e[0]) + "-" + std::to_string(e[1]);
 }
 
-/// Vertices at one place are the same for an edge.
+/// Coincident vertices are the same here.
 Status markEdges(const SurfaceMap& map, const std::vector<EdgeVertices>& edges, Seams& seams) {
   const PolygonMesh& input = map.input();
   const auto firstAtPlace = [&](std::uint32_t v) {

@@ -6,20 +6,20 @@
 
 namespace abflat {
 
-/// The seams that the user asks for. Errors: InvalidOption names an edge that does not
-/// exist, or what the mesh lacks.
+/// The seams that the user asks for. Errors: InvalidOption, naming an edge that does not exist, or
+/// what the mesh lacks.
 Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources);
 
-/// Texcoords of the corners of the input's faces.
+/// Texcoords of the input's face corners.
 struct CornerTexcoords {
   const std::vector<double>& texcoords;        ///< 2 numbers each
-  const std::vector<std::uint32_t>& ofCorner;  ///< by InputCorner; kNoTexcoord where it has none
+  const std::vector<std::uint32_t>& ofCorner;  ///< by InputCorner; kNoTexcoord if it has none
 };
 
-/// Whether texcoords are the same on both sides of an edge, which has a twin.
+/// Whether texcoords are the same on both sides of an edge that has a twin.
 bool hasSameTexcoords(const CornerTexcoords& given, const SurfaceMap& map, SurfaceCorner halfEdge);
 
-/// Seams as edges of the input, each once and with its smaller vertex first.
+/// Seams as edges of the input, each listed once with its smaller vertex first.
 std::vector<EdgeVertices> seamEdges(const SurfaceMap& map, const Seams& seams);
 
 }  // namespace abflat

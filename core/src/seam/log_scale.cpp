@@ -37,7 +37,7 @@ LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool, EliminationRanks rank
       }()),
       factor_(symbolic_, positiveDefinite(pool)) {}
 
-/// Lower triangle by columns: the diagonal first, then the neighbours of greater number. Several
+/// Lower triangle by columns: the diagonal first, then neighbours with greater numbers. Several
 /// edges between the same two vertices share an entry.
 void LogScale::buildPattern() {
   const std::uint32_t n = mesh_.vertexCount();
@@ -104,7 +104,7 @@ LogScales LogScale::solve(const CutSurface& s, const std::vector<OpenVertex>& an
   return u;
 }
 
-/// Rows of fixed vertices are those of the identity: the pattern stays.
+/// Rows of fixed vertices become identity rows, so that the pattern stays the same.
 void LogScale::assemble(const IdVector<SurfaceVertex, std::uint8_t>& isFixed) {
   std::fill(values_.begin(), values_.end(), 0.0);
   for (const SurfaceVertex v : mesh_.vertices())

@@ -14,14 +14,14 @@ namespace abflat {
 /// (Springborn et al. 2008, linearised; this boundary distorts areas least). Lengths grow by e^u.
 class LogScale {
  public:
-  /// `ranks`: those of a mesh that has these vertices; empty where none are known.
+  /// `ranks`: those of a mesh that contains these vertices; empty if unknown.
   LogScale(const SeamMesh& mesh, ThreadPool* pool, EliminationRanks ranks = {});
 
-  /// `anchors` are vertices of the cut surface that closed charts are held
-  /// at; there the curvature is taken relative to its mean. Empty when the system cannot be solved.
+  /// `anchors` are vertices of the cut surface at which closed charts are held; in these charts
+  /// curvature is taken relative to its mean. Empty if the system cannot be solved.
   LogScales solve(const CutSurface& surface, const std::vector<OpenVertex>& anchors);
 
-  /// Another right-hand side for the charts of the last solve().
+  /// Solves with another right-hand side, for the charts of the last solve().
   void solveAgain(IdVector<SurfaceVertex, double>& b) { factor_.solve(b.raw().data()); }
 
   EliminationRanks eliminationRanks() const { return EliminationRanks(symbolic_->place); }
@@ -33,7 +33,7 @@ class LogScale {
   const SeamMesh& mesh_;
   ThreadPool* pool_;
   std::vector<int> columnStart_, row_;
-  /// Of a half-edge among the values; kNone where there is none.
+  /// Index of a half-edge's entry in values_; kNone if it has none.
   IdVector<SurfaceCorner, std::uint32_t> entryOfEdge_;
   std::vector<double> values_;
   std::shared_ptr<const CholeskySymbolic> symbolic_;

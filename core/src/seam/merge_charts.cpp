@@ -15,31 +15,32 @@
 namespace abflat {
 namespace {
 
-/// How much larger the convex hull of a union may be than those of its charts together: hulls tell
-/// what packing needs.
+/// How much larger the convex hull of a union may be than the hulls of its charts together. Hulls
+/// predict the room needed for packing.
 constexpr double kMostRoom = 1.05;
 
-/// The same of a union that hangs together by a part of its seam, and what else it has to keep: the
-/// share of its hull that it fills, and its extent, over the root of the mesh's area, so that it
-/// fits a square that is filled well, from corner to corner.
+/// Limits for a union that is joined along only a part of its seam: its hull as above, the share of
+/// its hull that it fills, and its extent. The latter is relative to the root of the mesh's area,
+/// so that the union fits into a well-filled square from corner to corner.
 constexpr double kMostRoomOfHinged = 1.4, kLeastFill = 0.3, kLongest = 1.9;
 
-/// A path along which two charts touch. Opening it joins two disks to one.
+/// A path along which two charts touch. Opening it joins two disks into one.
 struct Run {
   CutChartId a, b;                   ///< a < b
   std::vector<SurfaceCorner> edges;  ///< half-edges of a, in order
-  BoundaryIndex begin;               ///< of the first one, along the loop of a
+  BoundaryIndex begin;               ///< index of the first edge in the loop of a
   double length = 0;
 };
 
-/// What would be joined: on a surface of its own, or where that is most of the whole on that.
+/// What would be joined, on a surface of its own, or on the whole surface if that is mostly what is
+/// joined.
 struct Trial {
   std::unique_ptr<SeamPart> part;  ///< null: the whole
   CutSurface joined, apart;
   LogScales u;  ///< of the joined surface
   Prediction prediction;
 
-  /// What a half-edge of the whole is in it.
+  /// The half-edge of the trial that corresponds to one of the whole.
   SurfaceCorner inTrial(SurfaceCorner h) const {
     if (!part) return h;
     const auto& all = part->wholeHalfEdge;
@@ -82,11 +83,11 @@ class Merger {
     return done;
   }
 
-  /// Parts of the runs that charts could hang together by, of each those first that are nearest to
-  /// its middle.
+  /// Parts of the runs along which charts could stay joined; for each run, those nearest to its
+  /// middle come first.
   std::vector<Run> hingesOf(const CutSurface& s, const std::vector<Run>& runs) const {
-    constexpr double kWidth = 0.15;  // of the root of the smaller chart's area
-    constexpr int kMost = 5;         // of a run
+    constexpr double kWidth = 0.15;  // relative to the root of the smaller chart's area
+    constexpr int kMost = 5;         // per run
     std::vector<Run> out;
     for (const Run& run : runs) {
       const double width = kWidth * std::sqrt(std::min(s.charts[run.a].area, s.charts[run.b].area));
@@ -101,7 +102,7 @@ class Merger {
     return out;
   }
 
-  /// The edges that begin between two distances along it.
+  /// The edges of the run that begin between two distances along it.
   Run partOf(const Run& run, double from, double to) const {
     Run out{run.a, run.b, {}, run.begin, 0};
     double passed = 0;
@@ -116,7 +117,7 @@ class Merger {
     return out;
   }
 
-  /// The chart behind an edge that may be opened.
+  /// The chart on the other side of an edge, if the seam there may be removed.
   CutChartId behind(const CutSurface& s, SurfaceCorner h) const {
     return work_.kept[h] || !mesh_.isOnSurface(h) ? CutChartId() : s.chartOf(mesh_.twin[h]);
   }
@@ -124,10 +125,10 @@ class Merger {
   void addRuns(const CutSurface& s, CutChartId chart, std::vector<Run>& out) const {
     const BoundaryLoop loop = s.outline(chart);
     const std::size_t n = loop.size();
-    std::size_t start = 0;  // of a run
+    std::size_t start = 0;  // index where a run begins
     const auto behindAt = [&](std::size_t i) { return behind(s, loop[BoundaryIndex(i % n)]); };
     while (start < n && behindAt(start) == behindAt(start + n - 1)) ++start;
-    if (start == n) return;  // one chart goes all the way round
+    if (start == n) return;  // a single chart goes all the way round
     CutChartId last;
     for (std::size_t i = 0; i < n; ++i) {
       const BoundaryIndex at((start + i) % n);
@@ -142,7 +143,7 @@ class Merger {
     }
   }
 
-  /// Points of both outlines that the run brings together.
+  /// Points of the two outlines that the run brings together.
   OutlinePairs pairsOf(const CutSurface& s, const ChartOutlines& outlines, const Run& run) const {
     const BoundaryLoop loop = s.outline(run.b);
     const std::size_t n = outlines[run.a].size(), m = loop.size();
@@ -154,20 +155,20 @@ class Merger {
     return pairs;
   }
 
-  /// Whether the charts, as they would lie by themselves, fit together.
+  /// Whether the charts' separate layouts fit together.
   bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const Run& run) const {
     const OutlinePairs pairs = pairsOf(s, outlines, run);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
     if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
-    // A part of a seam changes so little that the union is as good as known.
+    // Joining along a part of a seam changes so little that the union is as good as known.
     const Outline both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
     const Shape shape = measureShape(both);
     return shape.crossings.empty() && shape.extent <= longest_ && shape.fill >= kLeastFill;
   }
 
-  /// The same, but two charts that do not fit are asked only once. Charts do nothing but grow, so
-  /// one that has as many triangles as before is the one from before.
+  /// The same, but remembers pairs that do not fit, so that each is checked only once. Charts only
+  /// grow, so a chart with as many triangles as before is unchanged.
   bool stillPromises(const CutSurface& s, ChartOutlines& outlines, const Run& run) {
     const std::array<std::size_t, 3> sizes = {s.charts[run.a].triangles, s.charts[run.b].triangles,
                                               run.edges.size()};
@@ -185,7 +186,7 @@ class Merger {
                        [&](SurfaceCorner h) { return isRefused_[h]; });
   }
 
-  /// The longest ones that promise something, no two with a chart in common.
+  /// The longest promising runs, no two of which share a chart.
   std::vector<Run> matching(const CutSurface& s) {
     std::vector<Run> runs;
     ChartOutlines outlines(s.charts.size());
@@ -214,9 +215,10 @@ class Merger {
     for (const SurfaceCorner h : run.edges) isRefused_[h] = isRefused_[mesh_.twin[h]] = 1;
   }
 
-  /// The unions of what the runs, which are open, are between. `apart`: before they were.
+  /// Solves for the unions of the charts that the runs, which are already opened, separate.
+  /// `apart`: the surface before that.
   Trial tryOut(const std::vector<Run>& runs, CutSurface apart) {
-    constexpr std::size_t kMost = 2;  // times as much: an order of elimination is for the whole
+    constexpr std::size_t kMost = 2;  // times as many: the elimination order is for the whole
     CutSurface s = cutAlong(mesh_, seams_, pulse_);
     IdVector<CutChartId, std::uint8_t> isUnion(s.charts.size(), 0);
     for (const Run& run : runs) isUnion[s.chartOf(run.edges.front())] = 1;
@@ -252,10 +254,10 @@ class Merger {
 
   const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
-  /// `h`: one of the half-edges that are open.
+  /// `h`: one of the opened half-edges.
   bool keepsBounds(const Trial& trial, SurfaceCorner h) const {
-    // What is cut, is cut for good reasons: no union is to come near the bound. One that hangs
-    // together by a part of its seam alone is not stretched more than its charts are.
+    // What is cut is cut for good reasons, so no union may come near the bound. One that is joined
+    // only along a part of its seam is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
     const double ofBound = isHinge_ ? kNearlyAll : kMuch;
     const CutSurface& s = trial.joined;
@@ -309,9 +311,10 @@ class Merger {
   LogScales& u_;
   Seams& seams_;
   const double longest_;
-  bool isHinge_ = false;  ///< joined along parts of runs
+  bool isHinge_ = false;  ///< joining along parts of runs
   IdVector<SurfaceCorner, std::uint8_t> isRefused_;
-  /// By the first half-edge of a run, triangles of both charts and edges when they did not fit.
+  /// By the first half-edge of a run: triangles of both charts, and edges, at the time they did not
+  /// fit.
   std::map<SurfaceCorner, std::array<std::size_t, 3>> unpromising_;
 };
 

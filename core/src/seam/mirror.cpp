@@ -9,14 +9,14 @@
 namespace abflat {
 namespace {
 
-/// Of the unit cube: models are mirrored exactly, but written with few digits.
+/// In the unit cube. Models are mirrored exactly, but written with few digits.
 constexpr double kTolerance = 1e-4;
-/// While the plane is not known better.
+/// Used while the plane is only roughly known.
 constexpr double kCoarse = 1e-3;
-/// Of the vertices that have an image, and of the edges: diagonals of mirrored polygons need not
-/// be.
+/// Shares of the vertices and of the edges that must have an image. For edges it is less, since
+/// diagonals of mirrored polygons need not be mirrored.
 constexpr double kLeastShare = 0.9, kLeastShareOfEdges = 0.5;
-/// Vertices that are asked.
+/// How many vertices are sampled.
 constexpr std::uint32_t kFew = 100, kMany = 1000;
 
 Vec3 pointOf(const SeamMesh& mesh, SurfaceVertex v) {
@@ -74,9 +74,9 @@ Vec3 centreOf(const SeamMesh& mesh, SurfaceTriangle triangle) {
   return out;
 }
 
-/// Through the middle of the surface: across its principal axes, one of which is the normal of any
-/// plane that it is symmetric to, and across those of the coordinates, where there is no telling
-/// which axes are principal.
+/// Planes through the middle of the surface. A plane of symmetry is perpendicular to one of its
+/// principal axes; the coordinate axes are tried as well, for surfaces whose principal axes are
+/// ambiguous.
 std::vector<Plane> candidates(const SeamMesh& mesh) {
   const double all = mesh.totalArea();
   if (!(all > 0)) return {};
@@ -99,7 +99,7 @@ std::vector<Plane> candidates(const SeamMesh& mesh) {
   return out;
 }
 
-/// Vertices by cells, in which near ones are found.
+/// Vertices sorted into cells, to find those near a point.
 class VertexCells {
  public:
   explicit VertexCells(const SeamMesh& mesh) : mesh_(mesh) {
@@ -151,10 +151,10 @@ class VertexCells {
 
 struct Fit {
   Plane plane;
-  double share;  ///< of the vertices beside it that have an image
+  double share;  ///< of the sampled vertices off the plane, those with an image
 };
 
-/// The plane that every so manieth vertex is mirrored at, as far as it has an image.
+/// The plane that best mirrors every n-th vertex, among those that have an image.
 Fit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane, double tolerance,
           std::uint32_t sample) {
   const std::uint32_t stride = 1 + mesh.vertexCount() / sample;
@@ -227,7 +227,7 @@ Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
     const SurfaceVertex tail = image[mesh.tail(h)];
     const SurfaceVertex head = image[mesh.head(h)];
     const bool hasBoth = tail.exists() && head.exists();
-    // The image of one at the boundary would be on its other side.
+    // The image of a boundary half-edge would be on its other side.
     out.image.push_back(hasBoth ? halfEdgeBetween(mesh, outgoing, tail, head) : SurfaceCorner());
     found += out.image[h].exists() || !mesh.twin[h].exists();
     pulse.beat();

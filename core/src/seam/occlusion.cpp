@@ -9,9 +9,9 @@
 namespace abflat {
 namespace {
 
-/// Neighbouring triangles that look about the same way, as one.
+/// Neighbouring triangles that face about the same way, treated as one.
 struct Patch {
-  Vec3 center{}, normal{};  ///< sums, weighted by area, until settled
+  Vec3 center{}, normal{};  ///< sums weighted by area, until settled
   double area = 0;
 };
 using PatchId = Id<struct PatchTag>;
@@ -23,7 +23,8 @@ Vec3 sum(const Vec3& a, const Vec3& b, double weight) {
 }  // namespace
 
 IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
-  // A surface passes some fifteen times the square of that many patches, whose square is the work.
+  // A surface passes through some fifteen times the square of that many patches; the work is the
+  // square of their number.
   const double wanted = 0.7 * std::sqrt(std::sqrt(static_cast<double>(mesh.triangleCount())));
   const auto cells = static_cast<std::uint32_t>(std::clamp(wanted, 2.0, 12.0));
   std::vector<PatchId> patchAt(std::size_t{8} * cells * cells * cells);

@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// How much of what a triangle looks out on is the surface itself: 0 on a convex body, near 1
-/// at the bottom of a groove, between legs, behind an ear. To the accuracy of some hundred patches.
+/// How much of the view from a triangle is blocked by the surface itself: 0 on a convex body, near
+/// 1 at the bottom of a groove, between legs, behind an ear. Accurate to some hundred patches.
 IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -10,11 +10,11 @@
 namespace abflat {
 namespace {
 
-/// Interior angle at the vertex that a boundary half-edge leaves: each triangle's angle changes by
-/// half of cot(opposite angle) (u_j - u_i) for both of its edges there.
+/// Interior angle at the tail of a boundary half-edge: each triangle's angle changes by half of
+/// cot(opposite angle) (u_j - u_i) for both of its edges there.
 double flatAngle(const SeamMesh& mesh, const CutSurface& s, SurfaceCorner h, const LogScales& u) {
   const double own = u[mesh.vertexOfCorner[h]];
-  // Of an edge on the boundary only one triangle counts.
+  // An edge on the boundary has only one triangle.
   double angle = mesh.weight[h] / 2 * (u[mesh.head(h)] - own);
   while (true) {
     angle += mesh.angle[h];
@@ -30,7 +30,7 @@ double cross(const Point2& a, const Point2& b, const Point2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Area that is covered more than once, by sweeping lines over the outline.
+/// Area that is covered more than once, found by sweeping lines over the outline.
 double overlapArea(const Outline& p) {
   constexpr std::size_t kLines = 96;
   double low = p.front()[1], high = p.front()[1];
@@ -91,7 +91,7 @@ Outline predictOutline(const SeamMesh& mesh, const CutSurface& s, CutChartId cha
     at[0] += lengths[i] * direction.cos;
     at[1] += lengths[i] * direction.sin;
   }
-  double passed = 0;  // what is missing to close is shared out by length
+  double passed = 0;  // the gap left when closing is distributed by length
   for (const BoundaryIndex i : boundary.ids()) {
     for (std::size_t d = 0; d < 2; ++d) out[i][d] -= length > 0 ? at[d] * passed / length : 0;
     passed += lengths[i];
@@ -147,7 +147,7 @@ Shape measureShape(const Outline& outline) {
   const double area = polygonArea(outline);
   if (outline.size() < 3) return shape;
   shape.extent = longestExtent(outline);
-  if (!(area > 0)) {  // turned inside out: nothing of it will fit
+  if (!(area > 0)) {  // turned inside out, so nothing will fit
     shape.fill = 0;
     return shape;
   }
@@ -156,7 +156,7 @@ Shape measureShape(const Outline& outline) {
   for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
   for (const auto& [i, j] : findCrossings(points, kMostCrossings).first)
     shape.crossings.push_back({BoundaryIndex(i), BoundaryIndex(j)});
-  // What does not cross itself covers nothing twice.
+  // An outline that does not cross itself covers nothing twice.
   if (!shape.crossings.empty()) shape.overlap = overlapArea(outline) / area;
   return shape;
 }

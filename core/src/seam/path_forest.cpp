@@ -10,12 +10,12 @@ namespace {
 struct Entry {
   double distance;
   OpenVertex vertex;
-  bool operator<(const Entry& o) const {  // the queue's top is the greatest
+  bool operator<(const Entry& o) const {  // so that the top of the queue is the smallest
     return distance != o.distance ? distance > o.distance : vertex > o.vertex;
   }
 };
 
-/// visit(half-edge, neighbour) for the edges at a vertex, counter-clockwise.
+/// Calls visit(half-edge, neighbour) for the edges at a vertex, counter-clockwise.
 template <typename Visit>
 void forEachEdge(const CutSurface& s, OpenVertex v, Visit visit) {
   const SurfaceCorner first = s.outgoing[v];

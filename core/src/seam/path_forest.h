@@ -10,8 +10,8 @@ namespace abflat {
 
 /// Cheapest paths from every vertex of a cut surface to its chart's boundary.
 struct PathForest {
-  /// kBarredCost or more where every path leads through what is barred, infinite in charts that
-  /// paths are not needed in.
+  /// kBarredCost or more if every path passes through a barred edge; infinite in charts for which
+  /// no paths are needed.
   IdVector<OpenVertex, double> distance;
   IdVector<OpenVertex, SurfaceCorner> towards;  ///< the edge to the next vertex; none at a source
   IdVector<OpenVertex, OpenVertex> next;
@@ -27,28 +27,27 @@ struct PathForest {
   }
 };
 
-/// Sources are all boundary vertices and `extra` ones (one for each closed chart).
-/// `pulse` beats, and is not asked whether to go on. `isWanted`: whether paths are needed in a
-/// chart; empty: everywhere.
+/// Sources are all boundary vertices and the `extra` ones (one for each closed chart). `pulse` only
+/// beats here; it cannot stop the work. `isWanted`: whether a chart needs paths; empty: all do.
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& surface,
                      const std::vector<OpenVertex>& extra,
                      const IdVector<CutChartId, std::uint8_t>& isWanted = {},
                      const Pulse& pulse = {});
 
-/// A mesh that is cut, and paths to where it is open.
+/// A cut mesh, with paths to where it is open.
 struct CutPaths {
   const SeamMesh& mesh;
   const CutSurface& surface;
   const PathForest& forest;
 
-  /// Of the cheapest way from boundary to boundary along an edge.
+  /// Cost of the cheapest way from boundary to boundary along the given edge.
   double costThrough(SurfaceCorner h) const {
     return forest.distance[surface.tail(h)] + mesh.cost[h] + forest.distance[surface.head(h)];
   }
 };
 
-/// Marks the path from a vertex to its source as seams; returns the length of what was not marked
-/// before.
+/// Marks the path from a vertex to its source as seams; returns the length of the edges that were
+/// not marked before.
 double markPath(const SeamMesh& mesh, const PathForest& forest, OpenVertex vertex, Seams& seams);
 double markEdge(const SeamMesh& mesh, SurfaceCorner h, Seams& seams);
 /// Marks an edge and the paths from both of its ends.

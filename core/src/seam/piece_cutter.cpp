@@ -14,7 +14,7 @@ double cross(PlanePoint o, PlanePoint a, PlanePoint b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/// visit(half-edge) for those that leave a vertex, with the surface on their left.
+/// Calls visit(half-edge) for those that leave a vertex, with the surface on their left.
 template <typename Visit>
 void forEachEdge(const CutSurface& s, OpenVertex v, Visit visit) {
   const SurfaceCorner first = s.outgoing[v];
@@ -31,7 +31,7 @@ bool contains(const std::vector<OpenVertex>& list, OpenVertex x) {
   return std::find(list.begin(), list.end(), x) != list.end();
 }
 
-/// From one point of a loop to another, both included.
+/// The vertices from one point of a loop to another, both included.
 IdVector<BoundaryIndex, OpenVertex> wayAlong(const IdVector<BoundaryIndex, OpenVertex>& loop,
                                              BoundaryIndex from, BoundaryIndex to) {
   IdVector<BoundaryIndex, OpenVertex> out;
@@ -65,7 +65,7 @@ double PieceCutter::distance(OpenVertex a, OpenVertex b) const {
   return std::sqrt(x * x + y * y);
 }
 
-/// The one asked for comes first.
+/// The vertices near point i of the loop; that point comes first.
 PieceCutter::Vertices PieceCutter::verticesNear(const Loop& loop, BoundaryIndex i,
                                                 double reach) const {
   Vertices out{loop[i]};
@@ -85,8 +85,8 @@ bool PieceCutter::isOpen(PieceId piece, SurfaceCorner h) const {
          mesh_.cost[h] < kBarredCost;
 }
 
-/// The cheapest path through the inside that leaves the straight one by little, of at most `room`
-/// times its length; empty where there is none.
+/// The cheapest path through the inside that stays near the straight line and is at most `room`
+/// times as long; empty if there is none.
 PieceCutter::Path PieceCutter::findPath(PieceId piece, const Vertices& from, const Vertices& to,
                                         double room) const {
   constexpr double kStraightness = 8;
@@ -127,7 +127,7 @@ PieceCutter::Path PieceCutter::findPath(PieceId piece, const Vertices& from, con
   return out;
 }
 
-/// That an edge leads through, or along; none where it does neither.
+/// The hole that an edge passes through or along; none if there is no such hole.
 HoleId PieceCutter::holeAt(SurfaceCorner h) const {
   for (const SurfaceCorner side : {h, mesh_.twin[h]})
     if (mesh_.isFilling(triangleOf(side))) return mesh_.hole[triangleOf(side)];
@@ -143,14 +143,15 @@ void PieceCutter::take(const Path& path) {
   }
 }
 
-/// What fills the hole connects nothing any more.
+/// From now on the filling of the hole connects nothing.
 void PieceCutter::open(HoleId hole) {
   for (const SurfaceCorner h : mesh_.fillingCorners())
     if (mesh_.hole[triangleOf(h)] == hole && surface_.twin[h].exists())
       isCut_[h] = isCut_[surface_.twin[h]] = 1;
 }
 
-/// Along a hole's rim, counter-clockwise round the hole; none where it does not pass the vertex.
+/// The next vertex along a hole's rim, counter-clockwise around the hole; none if the rim does not
+/// pass `v`.
 OpenVertex PieceCutter::nextAlongRim(HoleId hole, OpenVertex v) const {
   for (std::size_t i = mesh_.triangleCount(); i-- > 0;) {
     const SurfaceTriangle f(i);
@@ -162,17 +163,17 @@ OpenVertex PieceCutter::nextAlongRim(HoleId hole, OpenVertex v) const {
   return {};
 }
 
-/// The vertices between two of a hole's rim.
+/// Adds the vertices between two vertices of a hole's rim.
 void PieceCutter::addRim(HoleId hole, OpenVertex from, OpenVertex to, Vertices& out) const {
-  // A rim that passes a vertex twice is not followed for ever.
+  // Guards against following a rim for ever if it passes a vertex twice.
   const std::size_t most = out.size() + mesh_.triangleCount();
   for (OpenVertex v = nextAlongRim(hole, from); v.exists() && v != to && out.size() < most;
        v = nextAlongRim(hole, v))
     out.push_back(v);
 }
 
-/// What lies between the ends of a path on one side of it: where it leads through a hole or
-/// along it, the rim.
+/// The vertices between the ends of a path, seen from one side of it: where the path goes through
+/// or along a hole, they follow the rim.
 PieceCutter::Vertices PieceCutter::sideOf(const Path& path, bool isRight) const {
   Vertices out;
   for (std::size_t k = 0; k < path.size(); ++k) {
@@ -197,7 +198,7 @@ void PieceCutter::addTriangle(SurfaceTriangle f, Piece& out) const {
   out.flatArea += cross(corner(0), corner(1), corner(2)) / 2;
 }
 
-/// What lies on one side of the cuts gets a label of its own.
+/// Gives what lies on one side of the cuts a label of its own.
 void PieceCutter::relabel(PieceId piece, SurfaceTriangle start, PieceId label, Piece& out) {
   std::vector<SurfaceTriangle> stack{start};
   pieceOfTriangle_[start] = label;
@@ -217,7 +218,7 @@ void PieceCutter::relabel(PieceId piece, SurfaceTriangle start, PieceId label, P
 bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach) {
   constexpr double kNarrow = 1.2, kWide = 2;
   const Loop loop = pieces_[piece].loop;
-  // No vertex is near both.
+  // Halving the distance keeps any vertex from being near both ends.
   const double near = std::min(reach, distance(loop[from], loop[to]) / 2);
   const Vertices begins = verticesNear(loop, from, near), ends = verticesNear(loop, to, near);
   Path path = findPath(piece, begins, ends, kNarrow);

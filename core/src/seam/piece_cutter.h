@@ -7,29 +7,29 @@
 
 namespace abflat {
 
-/// The charts of the surface come first; each cut adds one.
+/// The charts of the surface come first; each cut adds one piece.
 using PieceId = Id<struct PieceTag>;
 
-/// A chart that lies in the plane, or what cuts have left of it.
+/// A chart that lies in the plane, or what cuts have left of one.
 struct Piece {
   IdVector<BoundaryIndex, OpenVertex> loop;  ///< counter-clockwise
-  double area = 0;                           ///< of the surface
-  double flatArea = 0;                       ///< of that where it lies
+  double area = 0;                           ///< on the surface
+  double flatArea = 0;                       ///< of the same, in the plane
 };
 
-/// Cuts charts in two along paths of edges that are about straight where the charts lie.
+/// Cuts flattened charts in two along paths of edges that are roughly straight in the plane.
 class PieceCutter {
  public:
-  /// `at`: where the vertices of the surface lie. The pieces are its charts.
+  /// `at`: positions of the surface's vertices in the plane. The initial pieces are its charts.
   PieceCutter(const SeamMesh& mesh, const CutSurface& surface,
               const IdVector<OpenVertex, PlanePoint>& at);
 
   const IdVector<PieceId, Piece>& pieces() const { return pieces_; }
   const std::vector<SurfaceCorner>& cuts() const { return cuts_; }
-  double length() const { return length_; }  ///< of the cuts that can be seen
+  double length() const { return length_; }  ///< of the visible cuts
 
-  /// From about one point of its loop to about another, at most `reach` away. What is on the right
-  /// of the cut becomes a new piece, the last. False where there is no path.
+  /// Cuts from near one point of the loop to near another, at most `reach` away from each. What is
+  /// on the right of the cut becomes a new piece, the last one. False if there is no path.
   bool split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach);
 
  private:
@@ -57,7 +57,7 @@ class PieceCutter {
   const IdVector<OpenVertex, PlanePoint>& at_;
   IdVector<PieceId, Piece> pieces_;
   IdVector<SurfaceTriangle, PieceId> pieceOfTriangle_;
-  IdVector<OpenVertex, std::uint8_t> isTaken_;  ///< at the boundary of its piece
+  IdVector<OpenVertex, std::uint8_t> isTaken_;  ///< on the boundary of its piece
   IdVector<SurfaceCorner, std::uint8_t> isCut_;
   std::vector<SurfaceCorner> cuts_;
   double length_ = 0;

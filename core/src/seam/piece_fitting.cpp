@@ -20,7 +20,7 @@ double perimeterOf(const Loop& loop) {
   return sum;
 }
 
-/// Points of a loop, at least so far apart.
+/// Points of a loop, at least `spacing` apart.
 std::vector<BoundaryIndex> sampled(const Loop& loop, double spacing) {
   std::vector<BoundaryIndex> out;
   for (const BoundaryIndex i : loop.ids())
@@ -28,7 +28,7 @@ std::vector<BoundaryIndex> sampled(const Loop& loop, double spacing) {
   return out;
 }
 
-/// From one of the points that are asked for to another.
+/// Points from one of the `asked` points to another.
 std::vector<PlanePoint> pointsBetween(const Loop& loop, const std::vector<BoundaryIndex>& asked,
                                       std::size_t from, std::size_t to) {
   std::vector<PlanePoint> out;
@@ -50,7 +50,7 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
   for (const CutChartId chart : flat.surface.charts.ids()) {
     const PieceId piece = addPiece();
     shapes_[piece].canCut = flat.canCut[chart] != 0;
-    // What has been taken out of a hole takes no room.
+    // The filling taken out of a hole needs no room.
     if (!mesh.isFilling(flat.surface.charts[chart].firstTriangle)) takeShape(piece);
   }
 }
@@ -90,7 +90,7 @@ void PieceFitting::takeShape(PieceId p) {
   constexpr double kPoints = 400, kEnds = 72;
   const Piece& piece = cutter_.pieces()[p];
   Shape& shape = shapes_[p];
-  // Each is to have its own area.
+  // Scales each piece to its own area.
   const double factor =
       piece.flatArea > 0 ? std::sqrt(piece.area * flat_.unitArea / piece.flatArea) : 1;
   shape.loop.clear();
@@ -102,7 +102,7 @@ void PieceFitting::takeShape(PieceId p) {
   shape.chords.reset();
   const std::vector<BoundaryIndex> fine = sampled(shape.loop, perimeter / kPoints);
   PackItem item = fit_.itemOf(pointsBetween(shape.loop, fine, 0, fine.size() - 1));
-  // Of a needle rounding may leave no area.
+  // Rounding may leave a needle without area.
   const double area = std::max(piece.area * flat_.unitArea, 0.0);
   shape.solid = item.mass.area > 0 && area > 0 ? area / item.mass.area : 1;
   item.mass.area = area;
@@ -112,7 +112,7 @@ void PieceFitting::takeShape(PieceId p) {
 double PieceFitting::missingWith(const Candidate& c, double side, double most) {
   constexpr double kHasHole = 0.95;
   if (shapes_[c.piece].solid < kHasHole) {
-    // What the cut leaves of the hole's rim belongs to the outlines.
+    // What the cut leaves of the hole's rim becomes part of the outlines.
     PieceFitting trial = *this;
     trial.cut(c);
     return trial.missingArea(trial.placed(side, most));
@@ -131,7 +131,7 @@ double PieceFitting::missingWith(const Candidate& c, double side, double most) {
   return out;
 }
 
-/// Cuts of the two largest pieces that have no place.
+/// Possible cuts of the two largest pieces without a place.
 std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& isPlaced) {
   PieceId asked[2];
   const auto areaOf = [&](PieceId p) { return p.exists() ? fit_.items()[p].mass.area : -1; };
@@ -154,15 +154,15 @@ std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& is
 
 bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, double mostCost,
                            int& tries) {
-  constexpr double kWithOthers = 1.2;  // of a piece's area may find a place when it is cut
-  constexpr double kHalf = 0.3;        // at least
+  constexpr double kWithOthers = 1.2;  // times a piece's area may find a place when it is cut
+  constexpr double kHalf = 0.3;        // of the area, at least
   std::vector<Candidate> candidates = candidatesOf(isPlaced);
   const double affordable = (mostCost - cost()) * unit_;
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                   [&](const Candidate& c) { return c.cost > affordable; }),
                    candidates.end());
   if (candidates.empty()) return false;
-  // What may bring the most for its cost comes first.
+  // Starts with cuts that may gain the most for their cost.
   const auto mostOf = [&](const Candidate& c) {
     return std::min(missing, kWithOthers * fit_.items()[c.piece].mass.area);
   };
@@ -191,7 +191,7 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
     if (cut(*first)) return true;
     first->gain = 0;
   }
-  // Nothing finds a place yet: one is halved.
+  // No cut lets anything find a place yet, so halve a piece.
   for (const Candidate& c : candidates)
     if (std::min(c.chord.share, 1 - c.chord.share) > kHalf && cut(c)) return true;
   return false;

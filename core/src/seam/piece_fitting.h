@@ -10,35 +10,35 @@
 
 namespace abflat {
 
-/// Charts that have been flattened, on the cut surface.
+/// Charts that have been flattened, on their cut surface.
 struct FlatSurface {
   CutSurface surface;
   IdVector<OpenVertex, PlanePoint> at;
   IdVector<CutChartId, std::uint8_t> canCut;
-  double unitArea = 1;  ///< of the plane, for an area of 1 of the mesh
+  double unitArea = 1;  ///< area in the plane of an area of 1 on the mesh
 };
 
-/// Cuts charts until they find room in a square.
+/// Cuts charts until they fit into a square.
 class PieceFitting {
  public:
   PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit);
-  PieceFitting(const PieceFitting& other);  // in one place: there is much to copy
+  PieceFitting(const PieceFitting& other);  // out of line: there is much to copy
   ~PieceFitting();
 
-  /// About the side of the least square that has room for the pieces as they are.
+  /// Approximate side of the smallest square that holds the pieces as they are.
   double leastSide() { return fit_.leastSide(); }
 
   /// Cuts where the most area finds a place for the length of the cut, one cut after the other,
-  /// until all has one in a square of that side. False where that would cost more than `mostCost`,
-  /// nothing helps, or `tries`, which are counted down, end.
+  /// until everything fits into a square of that side. False if that would cost more than
+  /// `mostCost`, if nothing helps, or if `tries`, which counts down, runs out.
   bool fitInto(double side, double mostCost, int& tries);
 
   const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
-  /// Of the cuts, over the root of the surface's area.
+  /// Length of the cuts, divided by the root of the surface area.
   double length() const { return cutter_.length() / size_; }
   double cost() const { return costOf(count(), length()); }
-  /// A cut costs as much as that length of it, besides its own: two charts are harder to paint on.
+  /// A cut costs its length plus a fixed amount: two charts are harder to paint on.
   static double costOf(int count, double length) { return length + kCostOfCut * count; }
 
  private:
@@ -47,8 +47,8 @@ class PieceFitting {
   struct Candidate {
     PieceId piece;
     OutlineChord chord;
-    double cost = 0;  ///< in the plane, about, without what leads through holes
-    double gain = 0;  ///< area that finds a place, over the cost
+    double cost = 0;  ///< approximate, in the plane, without the parts inside holes
+    double gain = 0;  ///< area that finds a place, divided by the cost
   };
 
   PieceId addPiece();
@@ -61,12 +61,12 @@ class PieceFitting {
   bool cutBest(const Placed& isPlaced, double missing, double side, double mostCost, int& tries);
   bool cut(const Candidate& candidate);
 
-  /// One piece, as it is packed.
+  /// One piece, in the form used for packing.
   struct Shape {
     IdVector<BoundaryIndex, PlanePoint> loop;
     std::vector<BoundaryIndex> ends;  ///< points of the loop where cuts may end
-    double reach = 0;                 ///< from one to the next
-    double solid = 1;                 ///< share of what the loop bounds that is no hole
+    double reach = 0;                 ///< distance from one end to the next
+    double solid = 1;                 ///< share of the area within the loop that is not a hole
     std::optional<std::vector<OutlineChord>> chords;
     bool canCut = true;
   };
@@ -75,7 +75,7 @@ class PieceFitting {
 
   const FlatSurface& flat_;
   double unit_ = 1;  ///< root of the area, in the plane
-  QuickFit fit_;     ///< items are counted like pieces
+  QuickFit fit_;     ///< items are numbered like pieces
   PieceCutter cutter_;
   IdVector<PieceId, Shape> shapes_;
   int charts_ = 0;

@@ -9,7 +9,7 @@
 namespace abflat {
 namespace {
 
-/// e^(2u), where u is so large that nothing could be told any more, its bound.
+/// e^(2u), clamped where u is so large that it predicts nothing any more.
 double areaScale(double u) {
   constexpr double kMost = 8;
   return portable::exp(2 * std::clamp(u, -kMost, kMost));
@@ -31,7 +31,7 @@ double kinkStretch(const SeamMesh& mesh, const CutSurface& s, OpenVertex v) {
   const SurfaceVertex i = s.meshVertex[v];
   const double ring = 3 * mesh.vertexArea[i];
   if (s.isBoundary[v] || !(ring > kLeastShare * s.charts[s.chartOf(v)].area)) return 0;
-  // Angles that grow by a share of x make singular values differ by about as much.
+  // If angles grow by a factor of 1 + x, singular values differ by about x as well.
   const double x = 2 * kPi / mesh.angleSum[i] - 1;
   return std::min(1.0, x * x / 2);
 }

@@ -11,8 +11,8 @@ using Complex = std::complex<double>;
 
 Complex at(const Point2& p) { return {p[0], p[1]}; }
 
-/// The motion that takes points of b to those of a that they are to meet; `turn` is 0 where there
-/// is none.
+/// The motion that takes points of b to those of a that they should meet; `turn` is 0 if there is
+/// none.
 struct Motion {
   Complex turn = 0, from = 0, to = 0;
 

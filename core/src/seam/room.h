@@ -6,15 +6,15 @@
 
 namespace abflat {
 
-/// Points of two outlines that are to lie on each other.
+/// Points of two outlines that should coincide.
 using OutlinePairs = std::vector<std::pair<BoundaryIndex, BoundaryIndex>>;
 
-/// Two outlines, the second one moved and turned so that pairs of their points come to lie on each
-/// other as well as possible: area of the convex hull of both over the sum of those of each.
+/// Moves and rotates the second outline so that paired points coincide as well as possible. Returns
+/// the area of the convex hull of both over the sum of their separate hulls.
 double roomTogether(const Outline& a, const Outline& b, const OutlinePairs& pairs);
 
-/// Their common outline, when they are put together so; `pairs` are in order, and those of a run.
-/// Empty where they cannot be.
+/// The common outline of the two when put together like that; `pairs` are in order and belong to
+/// one run. Empty if they cannot be put together.
 Outline outlineTogether(const Outline& a, const Outline& b, const OutlinePairs& pairs);
 
 }  // namespace abflat

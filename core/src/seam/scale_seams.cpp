@@ -10,13 +10,13 @@
 namespace abflat {
 namespace {
 
-/// Charts are to have faces of fewer octaves. Single precision has 24, of which large charts need
-/// some for the number of their faces.
+/// The size range of faces that a chart may have, in octaves. Single precision has 24, of which
+/// large charts need some for the number of their faces.
 constexpr std::size_t kMostOctaves = 16;
-/// A smaller share of the faces may be below: slivers of isosurfaces, for example.
+/// Up to this share of the faces may be smaller: slivers of isosurfaces, for example.
 constexpr double kFew = 0.1;
 
-/// Per triangle, the longest side of its face.
+/// Per triangle, the longest side of the face it belongs to.
 IdVector<SurfaceTriangle, double> longestSides(const PolygonMesh& mesh, const Surface& surface) {
   const Triangulation& t = surface.triangulation;
   IdVector<PolygonFace, double> ofFace(mesh.faceCount(), 0);
@@ -30,7 +30,7 @@ IdVector<SurfaceTriangle, double> longestSides(const PolygonMesh& mesh, const Su
   return out;
 }
 
-/// Counts of an octave each, from the smallest one.
+/// Counts per octave, starting with the smallest one.
 struct Octaves {
   int first = 0;
   std::vector<std::uint32_t> faces;  ///< triangles of that size
@@ -70,8 +70,8 @@ Octaves countOctaves(const CornerTable& table, const IdVector<SurfaceTriangle, i
   return out;
 }
 
-/// From begin to end, both of which hold faces, where the fewest edges are cut; in the middle of
-/// octaves that are as good.
+/// The border between `begin` and `end`, both of which hold faces, that cuts the fewest edges.
+/// Among equally good octaves it is the middle of the longest stretch.
 std::size_t bestBetween(const Octaves& octaves, std::size_t begin, std::size_t end) {
   std::size_t best = begin + 1, length = 0;
   for (std::size_t i = begin + 1; i < end;) {
@@ -88,7 +88,7 @@ std::size_t bestBetween(const Octaves& octaves, std::size_t begin, std::size_t e
   return best;
 }
 
-/// Parts octaves from begin to end until each part has few.
+/// Splits the octaves from begin to end until each part has few.
 void part(const Octaves& octaves, std::size_t begin, std::size_t end,
           std::vector<std::size_t>& borders) {
   const auto& faces = octaves.faces;

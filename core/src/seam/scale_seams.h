@@ -9,20 +9,21 @@
 
 namespace abflat {
 
-/// Where faces of very different size meet.
+/// A place where faces of very different sizes meet.
 struct ScaleJump {
   SurfaceTriangle large, small;
-  double largeSide = 0, smallSide = 0;  ///< the longest of their faces
+  double largeSide = 0, smallSide = 0;  ///< longest sides of the two faces
 };
 
-/// Which triangles are alike in size.
+/// Groups of triangles of similar size.
 struct Scales {
-  IdVector<SurfaceTriangle, std::uint8_t> ofTriangle;  ///< empty where all are
+  IdVector<SurfaceTriangle, std::uint8_t> ofTriangle;  ///< empty if there is only one scale
   std::optional<ScaleJump> sharpest;                   ///< where two scales meet
 };
 
-/// Adds seams between faces so different in size that no numbers could hold both in one chart, as
-/// where one vertex lies far off. Tiny faces that are few stay with the others.
+/// Adds seams between faces that differ so much in size that no floating-point numbers could hold
+/// both in one chart, such as where one vertex lies far off. A small number of tiny faces stays
+/// with the others.
 Scales addScaleSeams(const PolygonMesh& mesh, const Surface& surface, Seams& seams);
 
 }  // namespace abflat

@@ -11,10 +11,10 @@
 namespace abflat {
 namespace {
 
-/// What one round may free; further away first order tells nothing.
+/// The most that one round may free; beyond that the first-order estimate is useless.
 constexpr double kMostScale = 0.35;
 
-/// How its chart's stretch depends on a vertex's scale.
+/// The derivative of a chart's stretch by the scale of each of its vertices.
 IdVector<SurfaceVertex, double> gradientOf(const TipSearch& t, const CutSurface& s,
                                            const Prediction& p) {
   IdVector<CutChartId, double> shrunk(s.charts.size(), 0);  // mean of e^(-2u) times the area
@@ -36,8 +36,8 @@ IdVector<SurfaceVertex, double> gradientOf(const TipSearch& t, const CutSurface&
   return out;
 }
 
-/// Of the system's right-hand side `b`, what the solution x does not meet: at a vertex that is held
-/// at zero, what holds it there.
+/// The residual b - A x of the system. At a vertex held at zero it is the force that holds it
+/// there.
 IdVector<SurfaceVertex, double> lackOf(const SeamMesh& mesh, IdVector<SurfaceVertex, double> b,
                                        const IdVector<SurfaceVertex, double>& x) {
   for (const SurfaceCorner h : mesh.corners()) {
@@ -50,8 +50,8 @@ IdVector<SurfaceVertex, double> lackOf(const SeamMesh& mesh, IdVector<SurfaceVer
   return b;
 }
 
-/// Seams at a vertex as outgoing half-edges, up to three; a vertex of the mesh's boundary counts as
-/// one with more than two.
+/// The seams at a vertex as outgoing half-edges, up to three. A vertex on the mesh's boundary
+/// counts as having three.
 struct SeamsAt {
   std::array<SurfaceCorner, 3> h;
   int count = 0;
@@ -74,7 +74,7 @@ SeamsAt seamsAt(const TipSearch& t, SurfaceVertex v) {
 
 bool isFree(const TipSearch& t, SurfaceCorner h) { return !t.kept[h] && t.mesh.isOnSurface(h); }
 
-/// The path from an end; of one that ends at both ends half.
+/// The path from an end. If both of its ends are free, only half of it.
 std::vector<SurfaceCorner> pathFrom(const TipSearch& t, SurfaceVertex end) {
   std::vector<SurfaceCorner> out;
   SeamsAt at = seamsAt(t, end);
@@ -90,15 +90,15 @@ std::vector<SurfaceCorner> pathFrom(const TipSearch& t, SurfaceVertex end) {
   return out;
 }
 
-/// Neighbouring vertices of a path as one.
+/// Several neighbouring vertices of a path, lumped together.
 struct Lump {
-  double distance = 0;  ///< from where the path would end
+  double distance = 0;  ///< from where the shortened path would end
   double size = 0, flux = 0, adjoint = 0;
 };
 
-/// Green's function of the plane without a ray, on the ray's continuation.
+/// Green's function of the plane slit along a ray, for points on the continuation of the ray.
 double influence(const Lump& x, const Lump& y) {
-  constexpr double kOwn = 0.15;  // of a lump's size: how far it is from itself
+  constexpr double kOwn = 0.15;  // distance of a lump from itself, relative to its size
   const double a = std::sqrt(x.distance), b = std::sqrt(y.distance);
   const double apart = std::max(std::abs(a - b), kOwn * (x.size + y.size) / (a + b));
   return portable::log((a + b) / apart) / (2 * kPi);
@@ -122,7 +122,7 @@ std::vector<Lump> lumpsOf(const SeamTip& tip, const std::vector<double>& flux,
   return out;
 }
 
-/// What the chart is stretched more without the first `count` edges.
+/// The stretch that the chart gains without the first `count` edges.
 double stretchWithout(const SeamTip& tip, const std::vector<double>& flux,
                       const std::vector<double>& adjoint, std::size_t count) {
   const std::vector<Lump> lumps = lumpsOf(tip, flux, adjoint, count);
@@ -137,8 +137,8 @@ double stretchWithout(const SeamTip& tip, const std::vector<double>& flux,
   return std::max(0.0, sum);
 }
 
-/// For some numbers of edges, ever farther apart; between them what the next one costs. More is
-/// never cheaper.
+/// Computed for ever more widely spaced numbers of edges; the numbers in between use the value of
+/// the next one. Removing more is never cheaper.
 void setStretch(const std::vector<double>& flux, const std::vector<double>& adjoint, SeamTip& tip) {
   const std::size_t n = tip.edges.size();
   tip.stretch.assign(n, 0);

@@ -5,13 +5,13 @@
 
 namespace abflat {
 
-/// Seams of a whole mesh, which are being improved.
+/// The seams of a whole mesh that are being improved.
 struct SeamWork {
   const SeamMesh& mesh;
-  const Seams& kept;  ///< seams that stay
+  const Seams& kept;  ///< seams that must stay
   const SeamOptions& options;
-  LogScale& scale;  ///< of the whole, whatever it has been solved for
-  LogScales& u;     ///< of the charts as they are, before and after
+  LogScale& scale;  ///< of the whole mesh; may have been solved for anything
+  LogScales& u;     ///< of the current charts, both before and after the work
   Seams& seams;
 
   bool goesOn() const { return !options.keepsOn || options.keepsOn(); }

@@ -12,20 +12,21 @@
 namespace abflat {
 namespace {
 
-/// On large meshes, where the last of them gain less than they take.
+/// Rounds; large meshes get fewer, since the last rounds gain less than they cost.
 constexpr std::size_t kFewRounds = 7, kManyRounds = 12, kTriangles = 200000;
-/// Of the stretch that is left; first order tells too little rather than too much.
+/// Share of the remaining stretch that a round may use, since a first-order estimate tends to be
+/// too low.
 constexpr double kShareOfSlack = 0.8;
-/// Less of the bound is not worth a round.
+/// A smaller share of the bound is not worth a round.
 constexpr double kLittle = 0.03;
-/// Of a freed vertex: farther from the chart's mean the log-scale tells too little.
+/// For a freed vertex: farther from the chart's mean, the log-scale predicts too little.
 constexpr double kMostShift = 0.8;
 
-/// How a chart is being shortened.
+/// The state of a chart that is being shortened.
 struct Progress {
-  double model = 1;     ///< stretch that was added for each that was expected
-  double expected = 0;  ///< of this round
-  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< tips at a time
+  double model = 1;     ///< ratio of the added stretch to the expected one
+  double expected = 0;  ///< in this round
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< tips to shorten at a time
   std::size_t chosen = 0;                                      ///< in this round
   bool isDone = false;
 };
@@ -68,14 +69,14 @@ class Shortener {
     }
   }
 
-  /// One round; false when there is nothing left to do.
+  /// One round; false if there is nothing left to do.
   bool shorten() {
     std::vector<Choice> choices = choose();
     if (choices.empty()) return false;
     for (const Choice& choice : choices) mark(choice, false);
     CutSurface next = cutAlong(mesh_, seams_, pulse_);
     LogScales u = work_.scale.solve(next, {});
-    // Charts are the same ones, in the same order: no seam between them is gone.
+    // Charts stay the same, in the same order, as long as no seam between them has gone.
     if (u.empty() || next.charts.size() != surface_.charts.size()) {
       for (const Choice& choice : choices) mark(choice, true);
       return false;
@@ -83,7 +84,7 @@ class Shortener {
     Prediction told = predictStretch(mesh_, next, u);
     const IdVector<CutChartId, std::uint8_t> isRefused = refused(choices, next, told, u);
     settle(choices, isRefused, told);
-    // Charts do not depend on each other.
+    // Charts are independent of each other.
     for (const OpenVertex v : surface_.vertices())
       if (const CutChartId c = surface_.chartOf(v); isRefused[c]) {
         u[surface_.meshVertex[v]] = u_[surface_.meshVertex[v]];
@@ -96,7 +97,7 @@ class Shortener {
       surface_ = std::move(next);
       return true;
     }
-    // The factor is to be that of the surface as it is now.
+    // The factor must match the surface as it is now.
     surface_ = cutAlong(mesh_, seams_, pulse_);
     return !work_.scale.solve(surface_, {}).empty();
   }
@@ -134,8 +135,8 @@ class Shortener {
     return out;
   }
 
-  /// Of each tip as much as costs at most a certain stretch for its length, the same for all, so
-  /// that all together use up the slack.
+  /// From each tip, takes as much as costs at most a certain stretch for its length. This rate is
+  /// the same for all tips, chosen so that together they use up the slack.
   void chooseIn(CutChartId c, std::vector<Choice>& choices) const {
     const double budget = kShareOfSlack * slack(c) / progress_[c].model;
     const auto takeAt = [&](double rate) {
@@ -162,7 +163,7 @@ class Shortener {
     keepLongest(progress_[c].most, choices);
   }
 
-  /// So many of them, after more did not work together.
+  /// Keeps only the `most` longest choices, after more of them did not work together.
   static void keepLongest(std::size_t most, std::vector<Choice>& choices) {
     const auto length = [&](std::uint32_t i) {
       const Choice& x = choices[i];
@@ -176,7 +177,7 @@ class Shortener {
   double most() const { return work_.options.maxStretch - 1; }
   double slack(CutChartId c) const { return work_.options.maxStretch - prediction_.stretch[c]; }
 
-  /// Charts that do not keep to what is asked for.
+  /// Charts that exceed their bounds.
   IdVector<CutChartId, std::uint8_t> refused(const std::vector<Choice>& choices,
                                              const CutSurface& next, const Prediction& told,
                                              const LogScales& u) const {
@@ -195,7 +196,7 @@ class Shortener {
     return out;
   }
 
-  /// Takes back what was refused, and learns from all.
+  /// Undoes what was refused, and learns from all results.
   void settle(const std::vector<Choice>& choices,
               const IdVector<CutChartId, std::uint8_t>& isRefused, const Prediction& told) {
     for (const Choice& choice : choices) {
@@ -225,7 +226,7 @@ class Shortener {
   CutSurface surface_;
   Prediction prediction_;
   IdVector<CutChartId, Progress> progress_;
-  /// By the vertex that a tip ends at: how many edges were not refused, or not yet.
+  /// For the vertex that a tip ends at, how many edges may be taken back, as far as known.
   std::map<SurfaceVertex, std::size_t> limit_;
 };
 

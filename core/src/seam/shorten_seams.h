@@ -4,8 +4,8 @@
 
 namespace abflat {
 
-/// Takes seams back from where they end, as far as the bound allows: those first that a chart's
-/// stretch depends on least for their length. `isSolved`: the scale has last been solved for the
+/// Takes seams back from their ends, as far as the bound allows, preferring those on which a
+/// chart's stretch depends least for their length. `isSolved`: the scale's last solution is for the
 /// seams as they are.
 void shortenSeams(const SeamWork& work, bool isSolved = false);
 

@@ -12,7 +12,7 @@ struct Peak {
   CutChartId chart;
   OpenVertex vertex;
   double stretch;
-  double shift;  ///< |u - that of the chart's mean scale|
+  double shift;  ///< |u - log-scale of the chart's mean|
 };
 
 bool isPeak(const CutSurface& s, const IdVector<OpenVertex, double>& own, OpenVertex v) {
@@ -26,8 +26,8 @@ bool isPeak(const CutSurface& s, const IdVector<OpenVertex, double>& own, OpenVe
   return true;
 }
 
-/// For each chart above the bound without a peak, as where its boundary is stretched most, the
-/// vertex whose scale is farthest from the boundary's.
+/// For each chart above the bound that has no peak (as when its boundary is stretched most), adds
+/// the vertex whose scale is farthest from the boundary's.
 void addFarthest(const CutSurface& s, const IdVector<OpenVertex, double>& own,
                  const Prediction& prediction, const LogScales& u, double maxStretch,
                  std::vector<Peak>& peaks) {
@@ -69,12 +69,13 @@ std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& predic
     if (a.chart != b.chart) return a.chart < b.chart;
     return a.stretch != b.stretch ? a.stretch > b.stretch : a.vertex < b.vertex;
   });
-  // Of a chart in a round: a quarter of those that ask for a slit, so that there are few rounds
-  // however many there are.
+  // The most slits of a chart in one round: a quarter of the peaks that ask for one, so that a few
+  // rounds are enough however many there are.
   constexpr std::size_t kFewPeaks = 32, kPart = 4;
-  constexpr double kApart = 0.7;  // of the longer way to the boundary
-  constexpr double kFar = 0.3;    // of the greatest peak's way; nearer ones are noise
-  // Of the greatest peak's shift. Where little is missing, a slit too many is dearer than a round.
+  constexpr double kApart = 0.7;  // relative to the longer way to the boundary
+  constexpr double kFar = 0.3;    // relative to the greatest peak's way; nearer ones are noise
+  // Relative to the greatest peak's shift. If little is missing, a superfluous slit costs more than
+  // a round.
   constexpr double kMuch = 1.2, kShareOfMuch = 0.35, kShareOfLittle = 0.8;
   std::vector<OpenVertex> ends;
   for (std::size_t i = 0; i < peaks.size();) {

@@ -7,8 +7,8 @@
 
 namespace abflat {
 
-/// Ends of the slits that relieve a chart most: vertices of greatest own stretch, well apart, that
-/// can be reached.
+/// Ends of the slits that relieve a chart most: reachable vertices with the greatest own stretch,
+/// well apart from each other.
 std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& prediction,
                                  const LogScales& u, double maxStretch);
 

@@ -11,7 +11,7 @@ bool isBad(const Shape& shape, SplitFor reason, const ShapeOptions& options) {
          (reason == SplitFor::OverlapOrFill && shape.fill < options.leastFill);
 }
 
-/// One split for each chart that is asked for; those where none is possible no longer are.
+/// Makes one split in each chart that asks for it. Charts that cannot be split no longer ask.
 std::uint32_t splitOnce(const CutPaths& paths, const ShapeOptions& options, SplitCharts& charts,
                         Seams& seams) {
   std::uint32_t splits = 0;
@@ -22,7 +22,7 @@ std::uint32_t splitOnce(const CutPaths& paths, const ShapeOptions& options, Spli
     charts.asked[c] = SplitFor::Nothing;
     if (reason == SplitFor::Nothing) continue;
     const Chord chord = chords.best(c, shape.crossings);
-    // Sides of a slit that just touch are left to the flattening unless one seam parts most of
+    // Slit sides that just touch are left to flattening, unless a single seam separates most of
     // them.
     constexpr double kHalf = 0.5;
     if (!chord.h.exists() || (!isBad(shape, reason, options) && chord.resolved < kHalf)) continue;
@@ -40,9 +40,9 @@ IdVector<CutChartId, std::uint8_t> areAsked(const IdVector<CutChartId, SplitFor>
   return out;
 }
 
-/// The pieces of what was split, and the seams within.
+/// The pieces of the charts that were split, and the seams within them.
 struct Pieces {
-  SeamPart part;  ///< of the mesh that the splitting began with
+  SeamPart part;  ///< of the mesh that splitting began with
   Seams seams;
 };
 
@@ -51,7 +51,7 @@ Pieces takePieces(const SeamMesh& mesh, const CutSurface& s,
                   const Pulse& pulse) {
   Pieces out;
   out.part = extractCharts(mesh, s, areAsked(asked), pulse);
-  // What was cut before is the part's boundary.
+  // What was cut before is on the part's boundary.
   for (const SurfaceCorner h : out.part.wholeHalfEdge)
     out.seams.push_back(seams[h] && s.twin[h].exists());
   return out;

@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// A vertex on the rim of each filled hole that costs a chart above the bound most: where the chart
-/// would be stretched by more than the bound, and nearly by as much as at its worst hole.
+/// A vertex on the rim of each of the costliest filled holes of charts above the bound: those where
+/// the stretch also exceeds the bound and is nearly that of the chart's worst hole.
 std::vector<OpenVertex> stretchedHoles(const SeamMesh& mesh, const CutSurface& surface,
                                        const Prediction& prediction, const LogScales& u,
                                        double maxStretch);

@@ -6,7 +6,7 @@
 namespace abflat {
 namespace {
 
-/// Of most corners; what lies across goes anywhere.
+/// Decided by most of its corners; for a triangle across the plane either side will do.
 bool isOnFirstSide(const SeamMesh& mesh, const Mirror& mirror, SurfaceTriangle triangle) {
   int sum = 0;
   for (const SurfaceCorner c : cornersOf(triangle)) sum += mirror.side[mesh.vertexOfCorner[c]];

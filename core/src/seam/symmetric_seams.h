@@ -11,11 +11,12 @@ namespace abflat {
 /// Share of the seams' length whose image is a seam.
 double mirroredShare(const SeamMesh& mesh, const Mirror& mirror, const Seams& seams);
 
-/// What is on one side of the plane, as a surface of its own that is open there; holes that the
-/// plane touches are open too. None where it would cut a polygon or a hole that is to stay filled.
+/// The part on one side of the plane, as a surface of its own that is open along the plane; holes
+/// that the plane touches are open as well. None if the plane would cut a polygon or a hole that
+/// has to stay filled.
 std::optional<SeamPart> halfOf(const SeamMesh& mesh, const Mirror& mirror, FillHoles mode);
 
-/// Seams of the half and their images, with a cut along the plane.
+/// The seams of the half and their mirror images, plus a cut along the plane.
 Seams unfold(const SeamMesh& mesh, const Mirror& mirror, const SeamPart& half, const Seams& seams);
 
 }  // namespace abflat

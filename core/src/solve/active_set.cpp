@@ -15,16 +15,16 @@ namespace {
 constexpr double kFractionToBoundary = 0.9;
 /// c of the active set's definition: scales radians to multipliers (objective per radian).
 constexpr double kActiveScale = 1;
-/// Several steps in a row shorter than this: some angles want to be 0 and the method does not get
-/// on.
+/// Several consecutive steps shorter than this mean that some angles tend to 0 and the method makes
+/// no progress.
 constexpr double kStalledStep = 1e-3;
-/// A shorter step means that some angles are in the way: their weights are raised.
+/// A step shorter than this means that some angles are in the way: their weights are raised.
 constexpr double kBlockedStep = 0.1;
 /// Growth of the weight of an angle that would leave (0, pi).
 constexpr double kHeavier = 1.5;
 /// Below this constraint residual the exact Hessian is used.
 constexpr double kNearSolution = 0.1;
-/// What a step may leave, of what Newton's method leaves anyway.
+/// What the linear solve of a step may leave, as a share of what Newton's method leaves anyway.
 constexpr double kStepShare = 0.1;
 
 bool hasStalled(const std::vector<NewtonStep>& history, int steps) {
@@ -34,7 +34,7 @@ bool hasStalled(const std::vector<NewtonStep>& history, int steps) {
 }
 
 std::vector<double> startAngles(const AngleProblem& problem) {
-  // Targets round a sharp interior spike may be beyond pi.
+  // Targets round a sharp interior spike may exceed pi.
   constexpr double kMargin = 0.02;
   std::vector<double> x = problem.target.raw();
   for (double& angle : x) angle = std::min(angle, kPi - kMargin);
@@ -42,8 +42,7 @@ std::vector<double> startAngles(const AngleProblem& problem) {
 }
 
 /// i is active iff mu_i + c g_i > 0. The multiplier of an inactive constraint is 0 by definition.
-/// Equations are active always, with multipliers of either sign.
-/// Returns whether anything changed.
+/// Equations are always active, with multipliers of either sign. Returns whether anything changed.
 bool updateActive(const AngleProblem& problem, const ConstraintRows& rows, const Linearization& lin,
                   AngleSolution& s) {
   bool isChanged = false;
@@ -75,8 +74,8 @@ double stepLength(const std::vector<double>& x, const std::vector<double>& dx) {
   return step;
 }
 
-/// Positivity (paper, section 6, after classic ABF): angles that the full step would take out of
-/// (0, pi) weigh more from now on. Returns how many.
+/// Positivity (paper, section 6, after classic ABF): raises the weights of angles that the full
+/// step would take out of (0, pi). Returns how many there are.
 std::uint32_t raiseWeights(const std::vector<double>& x, const std::vector<double>& dx,
                            std::vector<double>& weight) {
   std::uint32_t count = 0;
@@ -110,7 +109,6 @@ AngleSolution startFrom(const AngleProblem& problem, const ConstraintRows& rows,
   return s;
 }
 
-/// The iteration.
 class ActiveSet {
  public:
   ActiveSet(const AngleProblem& problem, NewtonStepSolver& system, const SolverOptions& options)
@@ -150,7 +148,7 @@ class ActiveSet {
       lin_.edgeResidual[i] -= problem().edgeCompliance * s_.multipliers.edge[i];
   }
 
-  /// Newton's method leaves about the square of the residual however exact the step is.
+  /// However exact the step, Newton's method leaves about the square of the residual.
   double stepTolerance() const {
     const double residual = s_.constraintResidual;
     return std::max(kStepShare * std::min(residual * residual, kStepShare * residual),
@@ -165,12 +163,12 @@ class ActiveSet {
     };
     if (solve()) return true;
     if (!isNear()) return false;
-    // Not every solver can do with an indefinite matrix.
+    // Not every solver can handle an indefinite matrix.
     relinearize(Curvature::Clamped);
     return solve();
   }
 
-  /// False when the iteration cannot go on.
+  /// False if the iteration cannot go on.
   bool takeStep() {
     Stopwatch watch;
     if (!solveStep()) return false;
@@ -204,8 +202,8 @@ class ActiveSet {
     return std::isfinite(now.constraint) && std::isfinite(now.gradient);
   }
 
-  /// The optimum for larger weights is known: it is kept, and the way to that of the original
-  /// weights may be free from there.
+  /// The optimum for the raised weights is known: it is kept, and from there the way to the optimum
+  /// for the original weights may be free.
   void tryOriginalWeights() {
     s_.weight = std::move(raised_->weight.raw());
     raised_.reset();

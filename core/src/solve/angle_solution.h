@@ -18,9 +18,9 @@ struct SolverOptions {
   double gradientTolerance = 1e-6;     ///< see gradientResidual
   double objectiveTolerance = 1e-9;    ///< relative change in one step
   int maxSteps = 100;
-  /// What a factor may take; see makeRowSolverWithin.
+  /// Bytes that a factor may take; see makeRowSolverWithin.
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
-  int stalledSteps = 2;  ///< so many steps of hardly any length in a row end the iteration
+  int stalledSteps = 2;  ///< the iteration ends after this many tiny steps in a row
   /// Called after each step; return false to stop early.
   std::function<bool(int step, const NewtonStep&)> onStep;
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread

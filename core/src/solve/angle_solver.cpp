@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kActiveSetSteps = 30;
 constexpr int kDelaunaySteps = 60;
-/// Weights grow in each of them, and there is no other method to go on with.
+/// Weights grow with each of them, and there is no other method to fall back on.
 constexpr int kDelaunayStalledSteps = 6;
 constexpr int kInteriorPointSteps = 200;
-/// Radians, as the logarithms of lengths round a vertex.
+/// Applies to radians and to the logarithms of lengths round a vertex alike.
 constexpr double kRough = 1e-3;
 
 }  // namespace

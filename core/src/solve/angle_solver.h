@@ -10,17 +10,17 @@
 
 namespace abflat {
 
-/// Active set first; where it stalls, the interior point.
+/// Tries the active set first; if that stalls, the interior point.
 class AngleSolver {
  public:
   /// Keeps a reference to the problem, whose bounds may change between calls.
   AngleSolver(const AngleProblem& problem, SolverOptions options, const SolverChoice& choice = {});
 
-  /// From now on active sets end as soon as wheels close to a thousandth, which is good enough to
-  /// begin something else from; or no longer.
+  /// Whether active sets end, from now on, as soon as wheels close to a thousandth, which is good
+  /// enough to start something else from.
   void beRough(bool isRough);
 
-  /// `start`: a solution for other bounds to begin from, or null.
+  /// `start`: a solution for other bounds to start from, or null.
   AngleSolution solve(const AngleSolution* start);
 
   /// The interior point with a given floor of its barrier: the higher the floor, the larger the

@@ -7,10 +7,10 @@
 namespace abflat {
 namespace {
 
-/// Before that the speed says little.
+/// Before this many steps the speed says little.
 constexpr int kFirstSteps = 3;
 
-/// Always added up in the same order: Eigen's depends on the widest vectors of the machine.
+/// Always sums in the same order; Eigen's order depends on the machine's vector width.
 double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double sum[4] = {};
   Eigen::Index i = 0;
@@ -20,7 +20,7 @@ double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/// Further iterations until `tolerance`, from the mean reduction so far.
+/// Expected further iterations until `tolerance`, from the mean reduction so far.
 double expectedIterations(const ConjugateGradientsResult& now, double first, double tolerance) {
   const double reduction = portable::log(first / now.residual) / now.iterations;
   return reduction > 0 ? portable::log(now.residual / tolerance) / reduction

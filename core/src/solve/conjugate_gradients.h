@@ -11,7 +11,7 @@ namespace abflat {
 struct ConjugateGradientsOptions {
   double tolerance = 1e-12;  ///< of the residual's largest entry
   int maxIterations = 1000;
-  /// Gives up once this many further iterations are to be expected from the speed so far.
+  /// Gives up once the speed so far suggests this many further iterations.
   double worthwhile = std::numeric_limits<double>::infinity();
 };
 
@@ -24,8 +24,8 @@ struct ConjugateGradientsResult {
   bool isConverged() const { return code == Code::Converged; }
 };
 
-/// Preconditioned conjugate gradients (Hestenes and Stiefel) for the symmetric matrix of which
-/// `lower` is the lower triangle, from x on.
+/// Preconditioned conjugate gradients (Hestenes and Stiefel), starting from x. `lower` is the lower
+/// triangle of the symmetric matrix.
 ConjugateGradientsResult conjugateGradients(const Eigen::SparseMatrix<double>& lower,
                                             const Eigen::VectorXd& b,
                                             const Preconditioner& preconditioner,

@@ -24,7 +24,7 @@ Matrix squared(const Matrix& rows) {
 Eigen::MatrixXd solveGeneral(const Matrix& m, const Eigen::MatrixXd& b) {
   const Eigen::VectorXd diagonal = m.diagonal();
   if (!(diagonal.array() > 0).all()) return {};
-  Matrix rows = m.transpose();  // a column for each
+  Matrix rows = m.transpose();  // one column per row of m
   for (Eigen::Index r = 0; r < rows.cols(); ++r)
     for (Matrix::InnerIterator i(rows, r); i; ++i) i.valueRef() /= diagonal[r];
   const Matrix square = squared(rows);

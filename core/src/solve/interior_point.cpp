@@ -11,7 +11,7 @@ namespace {
 constexpr double kFractionToBoundary = 0.95;
 /// The slacks' barrier parameter ends here: bounds are met, and left, almost exactly.
 constexpr double kSlackFloor = 1e-9;
-/// A step at least this long earns a smaller barrier parameter.
+/// A step at least this long allows a smaller barrier parameter.
 constexpr double kGoodStep = 0.3;
 /// Below this constraint residual, and after a full step, the exact Hessian is used.
 constexpr double kNearSolution = 1e-6;
@@ -102,7 +102,7 @@ class InteriorPoint {
     addSlackTerms();
     if (system_.solve(lin_, bounded_, compliance_, dx_, next_)) return true;
     if (!isNear()) return false;
-    // Not every solver can do with an indefinite matrix.
+    // Not every solver can handle an indefinite matrix.
     linearizeHere(Curvature::Clamped);
     addSlackTerms();
     return system_.solve(lin_, bounded_, compliance_, dx_, next_);
@@ -181,7 +181,7 @@ class InteriorPoint {
             std::abs(before - now.objective) <= o.objectiveTolerance * before);
   }
 
-  /// Follows the mean complementarity down, faster the longer the steps are.
+  /// Lowers the barrier with the mean complementarity, faster the longer the steps are.
   void lowerBarrier(double primal) {
     if (primal < kGoodStep) return;
     double sum = 0;

@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// The smallest angles of a hard chart stay large enough to be drawn: its exact optimum has angles
-/// of 1e-9, with this floor its layout has no flipped triangle.
+/// Keeps the smallest angles of a hard chart large enough to be drawn: its exact optimum has angles
+/// of 1e-9, while with this floor its layout has no flipped triangle.
 constexpr double kDefaultBarrierFloor = 1e-2;
 
 struct InteriorPointOptions {
@@ -18,8 +18,7 @@ struct InteriorPointOptions {
 
 /// Primal-dual interior point on the same element matrices: a barrier on the angles adds z/x to the
 /// diagonal Hessian, a slack s of a boundary inequality adds s/mu to the diagonal of its row.
-/// Starts from the targets. Slower than the active set, but angles that want to be 0 do not stop
-/// it.
+/// Starts from the targets. Slower than the active set, but not stopped by angles that tend to 0.
 AngleSolution solveInteriorPoint(const AngleProblem& problem, NewtonSystem& system,
                                  const InteriorPointOptions& options);
 

@@ -9,9 +9,10 @@
 namespace abflat {
 namespace {
 
-/// Of w; below this the Newton model is no longer convex and the element matrix not semidefinite.
+/// As a share of w: below this the Newton model is no longer convex and the element matrix not
+/// semidefinite.
 constexpr double kMinCurvature = 0.2;
-/// Triangles that are one piece of work.
+/// Triangles per piece of work.
 constexpr std::size_t kGrain = 2048;
 
 std::size_t pieceCount(const AngleProblem& problem) {
@@ -22,7 +23,7 @@ IdRange<ChartTriangle> pieceOf(const AngleProblem& problem, std::size_t i) {
           ChartTriangle(std::min(problem.triangles().size(), (i + 1) * kGrain))};
 }
 
-/// Of `value(f)` over all triangles, at least 0.
+/// The largest `value(f)` over all triangles, but at least 0.
 template <typename Value>
 double largest(const AngleProblem& problem, ThreadPool* pool, const Value& value) {
   std::vector<double> worst(pieceCount(problem), 0);
@@ -32,7 +33,7 @@ double largest(const AngleProblem& problem, ThreadPool* pool, const Value& value
   return worst.empty() ? 0 : *std::max_element(worst.begin(), worst.end());
 }
 
-/// `y`: multipliers of the triangle's rows. Returns its share of the objective.
+/// `y`: multipliers of the triangle's rows. Returns the triangle's share of the objective.
 double linearizeTriangle(const AngleProblem& problem, const std::array<double, 6>& y,
                          ChartTriangle f, const LinearizationPoint& at, Linearization& out) {
   const std::vector<double>& x = at.angles;

@@ -50,14 +50,14 @@ struct Linearization {
   double objective = 0;
   std::vector<double> logSine;  ///< per corner
 };
-/// Where it is linearised, and how.
+/// Where and how to linearise.
 struct LinearizationPoint {
   const std::vector<double>& angles;
   const std::vector<double>& rowMultipliers;
   Curvature curvature;
   const Barrier* barrier = nullptr;
 };
-/// Here and below results do not depend on `pool`; null: one thread.
+/// From here on, results do not depend on `pool`; null: one thread.
 void linearize(const AngleProblem& problem, const ConstraintRows& rows,
                const LinearizationPoint& at, Linearization& out, ThreadPool* pool = nullptr);
 

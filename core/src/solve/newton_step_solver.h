@@ -15,8 +15,8 @@ struct NewtonPoint {
   const Linearization& lin;
   const std::vector<std::uint8_t>& active;      ///< per vertex
   const std::vector<std::uint8_t>& activeEdge;  ///< per edge of condition (9)
-  /// What the step may leave of the linearised vertex constraints, radians. Solvers that solve to
-  /// rounding need not look at it.
+  /// Residual of the linearised vertex constraints that the step may leave, in radians. Solvers
+  /// that solve to rounding may ignore it.
   double tolerance = 0;
 };
 
@@ -25,7 +25,7 @@ class NewtonStepSolver {
  public:
   virtual ~NewtonStepSolver() = default;
   virtual const ConstraintRows& rows() const = 0;
-  /// False when the system cannot be solved.
+  /// False if the system cannot be solved.
   virtual bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) = 0;
   /// Iterations of the last step; 0 for a direct solver.
   virtual int linearIterations() const { return 0; }

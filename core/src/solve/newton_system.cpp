@@ -3,7 +3,7 @@
 namespace abflat {
 namespace {
 
-/// Per row, that of its vertex.
+/// Per row, the rank of its vertex.
 std::vector<std::uint32_t> rankOfRows(const AngleProblem& problem, const ConstraintRows& rows) {
   std::vector<std::uint32_t> out;
   for (const ChartVertex v : problem.eliminationRank.ids())

@@ -18,22 +18,22 @@ class NewtonSystem : public NewtonStepSolver {
   /// null for one thread.
   explicit NewtonSystem(const AngleProblem& problem, MakeRowSolver& makeSolver = makeRowSolver,
                         ThreadPool* pool = nullptr);
-  /// The factor may take so many bytes; without it takes longer and little memory.
+  /// The factor may take at most `allowedBytes`; doing without it takes longer but little memory.
   NewtonSystem(const AngleProblem& problem, std::uint64_t allowedBytes, ThreadPool* pool = nullptr);
   NewtonSystem(const NewtonSystem&) = delete;
   NewtonSystem& operator=(const NewtonSystem&) = delete;
 
   const ConstraintRows& rows() const override { return rows_; }
-  /// 0 bytes needed where no limit was given.
+  /// Needs are 0 bytes if no limit was given.
   const FactorMemory& memory() const { return memory_; }
-  /// See DiskChart; empty where there is none.
+  /// See DiskChart; empty if there is none.
   IdVector<ChartVertex, std::uint32_t> eliminationRank() const;
 
   bool step(const NewtonPoint& at, std::vector<double>& dx, Multipliers& next) override;
   int linearIterations() const override { return solver_->iterations(); }
 
   /// One step of eq. (8): the change dx of the angles and the new multipliers. For `compliance` see
-  /// SchurSystem::assemble. False when the matrix cannot be factored.
+  /// SchurSystem::assemble. False if the matrix cannot be factored.
   bool solve(const Linearization& lin, const std::vector<std::uint8_t>& active,
              const std::vector<double>& compliance, std::vector<double>& dx,
              Multipliers& multipliers);

@@ -13,13 +13,13 @@ namespace {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Symbolic = std::shared_ptr<const CholeskySymbolic>;
 
-/// Of one factorisation. With less, factors are so cheap that iterations do not pay.
+/// Per factorisation. Below this, factors are so cheap that iterations do not pay off.
 constexpr double kDirectFlops = 4e6;
-/// An old factor is kept while that many further iterations suffice: their time is about that of a
-/// new factor and the few iterations it needs.
+/// An old factor is kept as long as this many further iterations suffice: they take about as long
+/// as a new factor and the few iterations it needs.
 constexpr double kWorthwhile = 9;
-/// With an old factor and with one of the very matrix. Only matrices far from what single precision
-/// can tell from singular need more.
+/// With an old factor as well as with one of the current matrix. Only matrices far beyond what
+/// single precision can tell from singular need more.
 constexpr int kMaxIterations = 30;
 
 Symbolic analyze(const SparseMatrix& m, ThreadPool* pool,
@@ -73,7 +73,7 @@ class FactorPreconditioner : public Preconditioner {
 
 class InexactRowSolver : public RowSolver {
  public:
-  /// `makeExact` makes what solves where the iterations do not converge.
+  /// `makeExact` makes the solver to use if the iterations do not converge.
   InexactRowSolver(Symbolic symbolic, ThreadPool* pool,
                    std::function<std::unique_ptr<RowSolver>()> makeExact)
       : symbolic_(std::move(symbolic)), pool_(pool), makeExact_(std::move(makeExact)) {}
@@ -99,7 +99,7 @@ class InexactRowSolver : public RowSolver {
   int iterations() const override { return iterations_; }
 
  private:
-  /// False where the matrix is not positive definite in single precision.
+  /// False if the matrix is not positive definite in single precision.
   bool refactor(const SparseMatrix& lower) {
     exact_.reset();
     isNear_ = true;
@@ -121,7 +121,7 @@ class InexactRowSolver : public RowSolver {
   std::function<std::unique_ptr<RowSolver>()> makeExact_;
   std::unique_ptr<FloatCholesky> factor_;  ///< of this or an earlier matrix
   std::unique_ptr<RowSolver> exact_;       ///< at most one of the two exists
-  bool isNear_ = true;                     ///< the factor's matrix to the next one
+  bool isNear_ = true;                     ///< the factor's matrix is near the next one
   int iterations_ = 0;
 };
 

@@ -14,15 +14,15 @@ namespace abflat {
 class RowSolver {
  public:
   virtual ~RowSolver() = default;
-  /// `lower` is the lower triangle. On entry x is a guess, afterwards the solution, of which no
-  /// entry of b - A x need be below `tolerance`. False when there is none.
+  /// `lower` is the lower triangle. x is a guess on entry and the solution on return, which is good
+  /// enough if no entry of b - A x is above `tolerance`. False if there is no solution.
   virtual bool solve(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
                      double tolerance, Eigen::VectorXd& x) = 0;
-  /// What is known of earlier matrices is of no use for the next one.
+  /// Says that what is known from earlier matrices is of no use for the next one.
   virtual void forget() {}
   /// Iterations of the last solve; 0 for a direct one.
   virtual int iterations() const { return 0; }
-  /// When each row is eliminated, see CholeskySymbolic::place; null where unknown.
+  /// When each row is eliminated, see CholeskySymbolic::place; null if unknown.
   virtual const std::vector<std::uint32_t>* eliminationRank() const { return nullptr; }
 };
 
@@ -32,17 +32,17 @@ using MakeRowSolver = std::unique_ptr<RowSolver>(const Eigen::SparseMatrix<doubl
 
 /// The faster of the next two, by the size of the factor.
 MakeRowSolver makeRowSolver;
-/// A factor of every matrix.
+/// Factors every matrix.
 MakeRowSolver makeDirectRowSolver;
 /// Conjugate gradients with a factor in single precision of this or an earlier matrix (inexact
-/// Newton); a direct solve where that does not converge or where `tolerance` is 0. Half the memory.
+/// Newton); a direct solve if that does not converge or `tolerance` is 0. Half the memory.
 MakeRowSolver makeInexactRowSolver;
 /// Eigen's SimplicialLDLT, as the reference.
 MakeRowSolver makeEigenRowSolver;
 
-/// As makeRowSolver where the factor fits, which is known before it is computed; where it does in
-/// single precision only, the inexact one, with MultigridRowSolver in place of direct solves;
-/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets what is needed in `memory`.
+/// Like makeRowSolver if the factor fits, which is known before it is computed. If it fits only in
+/// single precision, the inexact solver with MultigridRowSolver in place of direct solves;
+/// otherwise MultigridRowSolver. `kind`: see Multigrid. Sets the needs in `memory`.
 /// `eliminationRank`: per row, see CholeskyAnalysisOptions::place.
 std::unique_ptr<RowSolver> makeRowSolverWithin(const Eigen::SparseMatrix<double>& lower,
                                                std::vector<std::uint8_t> kind, FactorMemory& memory,

@@ -5,7 +5,7 @@
 namespace abflat {
 namespace {
 
-constexpr std::size_t kGrain = 2048;  ///< triangles that are one piece of work
+constexpr std::size_t kGrain = 2048;  ///< triangles per piece of work
 constexpr std::uint32_t kRegions = 16;
 
 }  // namespace
@@ -99,7 +99,7 @@ void SchurSystem::divide(const std::vector<std::uint32_t>& rankOfRow) {
   }
 }
 
-/// Into the rows of the vertices of a region only; columns of the matrix count as rows.
+/// Adds only to the rows of the vertices of one region; columns of the matrix count as rows.
 void SchurSystem::assembleTriangle(const Linearization& lin,
                                    const std::vector<std::uint8_t>& active, ChartTriangle f,
                                    std::uint32_t region) {

@@ -17,14 +17,13 @@ class SchurSystem {
   /// `pool`: null for one thread.
   SchurSystem(const AngleProblem& problem, const ConstraintRows& rows, ThreadPool* pool = nullptr);
 
-  /// For assembling with several threads: each gets rows that are neighbours in the given order of
-  /// elimination, which keeps regions of the mesh together.
+  /// Divides the assembly among several threads: each gets rows that are adjacent in the given
+  /// elimination order, which keeps regions of the mesh together.
   void divide(const std::vector<std::uint32_t>& rankOfRow);
 
   /// Inactive boundary rows become identity rows with right-hand side 0. `active` has one entry per
-  /// vertex.
-  /// `compliance`, where not empty, has one entry >= 0 per vertex that is added to the diagonal of
-  /// its boundary row.
+  /// vertex. `compliance`, unless empty, has one entry >= 0 per vertex that is added to the
+  /// diagonal of its boundary row.
   void assemble(const Linearization& lin, const std::vector<std::uint8_t>& active,
                 const std::vector<double>& compliance = {});
 
@@ -32,7 +31,8 @@ class SchurSystem {
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
   const Eigen::VectorXd& rightHandSide() const { return rhs_; }
 
-  /// From the solved row multipliers: the step dx of all angles and the triangles' multipliers.
+  /// Computes the step dx of all angles and the triangles' multipliers from the solved row
+  /// multipliers.
   void backSubstitute(const Linearization& lin, const std::vector<double>& rowMultipliers,
                       std::vector<double>& dx, std::vector<double>& triangleMultipliers) const;
 
@@ -49,15 +49,15 @@ class SchurSystem {
   const AngleProblem& problem_;
   const ConstraintRows& rows_;
   ThreadPool* pool_;
-  /// Whose rows one thread fills; empty: not divided.
+  /// The region whose thread fills the vertex's rows; empty: not divided.
   IdVector<ChartVertex, std::uint8_t> regionOfVertex_;
-  /// Per region those that contribute to its rows, ascending: each entry is summed in the order of
-  /// the triangles, whoever does it.
+  /// Per region, the triangles that contribute to its rows, ascending: each entry is summed in
+  /// triangle order, whichever thread does it.
   std::vector<std::vector<ChartTriangle>> triangles_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::VectorXd rhs_;
   std::vector<std::uint32_t>
-      scatter_;  ///< place in the values of each element entry, 21 per triangle
+      scatter_;  ///< per element entry, its index in the values; 21 per triangle
 };
 
 }  // namespace abflat

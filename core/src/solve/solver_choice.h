@@ -12,7 +12,7 @@ namespace abflat {
 struct SolverChoice {
   LinearSolver solver = LinearSolver::Schur;
   Formulation formulation = Formulation::Log;
-  /// Makes what takes the steps of the active set; empty: elimination.
+  /// Makes the solver for the steps of the active set; empty: elimination.
   std::function<std::unique_ptr<NewtonStepSolver>(const AngleProblem&)> make;
 };
 

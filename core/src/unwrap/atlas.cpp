@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// Coordinates below 16, which is what packing allows for.
+/// Keeps coordinates below 16, which is what packing allows for.
 constexpr int kMostTilesInSingle = 160;
 
 PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat) {
@@ -19,7 +19,7 @@ PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat) {
     for (double& x : out.uv) x *= flat.enlarged;
   const auto corners = chart.vertexOfCorner.begin();
   out.triangles.assign(corners, corners + chart.surfaceCorners().size());
-  // Others may lie in its holes.
+  // Other charts may lie in its holes.
   if (chart.filledHoles > 0 || flat.isGiven) return out;
   out.outline.reserve(chart.boundary.size());
   for (const ChartCorner h : chart.boundary) out.outline.push_back(chart.vertexOfCorner[h]);
@@ -33,7 +33,7 @@ std::vector<PackShape> shapesOf(const ChartSet& set, const FlatCharts& flat) {
   return out;
 }
 
-/// What is needed to undo rounding. Charts that were packed can be placed once more.
+/// Keeps what is needed to undo rounding. Packed charts can simply be placed again.
 class BeforeRounding {
  public:
   explicit BeforeRounding(const FlatCharts& flat) {
@@ -44,7 +44,7 @@ class BeforeRounding {
     }
   }
 
-  /// Validity of all without a problem has to be decided anew.
+  /// The validity of charts that had no problem before has to be decided again.
   void restore(const Packing& packing, FlatCharts& flat) const {
     placeInAtlas(packing, flat);
     for (const ChartId i : flat.ids()) {
@@ -54,13 +54,13 @@ class BeforeRounding {
   }
 
  private:
-  IdVector<ChartId, std::vector<double>> uvOfPinned_;  ///< empty for others
+  IdVector<ChartId, std::vector<double>> uvOfPinned_;  ///< empty for charts that are not pinned
   IdVector<ChartId, std::uint8_t> hadProblem_;
 };
 
-/// What packing may look at, in the unit of PackOptions: per triangle so much that it takes less
-/// time than flattening, but enough for a good packing of the smallest meshes. Where charts have
-/// been cut for it, it is to be as good as was expected.
+/// How much packing may look at, in the unit of PackOptions. It grows with the triangles so that
+/// packing takes less time than flattening, but it is enough to pack the smallest meshes well.
+/// After charts have been cut for packing, the result must be as good as was predicted.
 double packWork(const std::vector<PackShape>& shapes, bool isCut) {
   constexpr double kWorkOfCorner = 10, kLeastWork = 4000, kLeastOfCut = 100000;
   double corners = 0;
@@ -68,7 +68,7 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
   return std::max(kWorkOfCorner * corners, isCut ? kLeastOfCut : kLeastWork);
 }
 
-/// Packs again what has to be larger, as long as it fits.
+/// Packs again with larger copies of the charts that need it, as long as everything fits.
 void fitAll(const PackedCharts& packed, const UnwrapOptionValues& options, Numbers numbers,
             AtlasReport& atlas) {
   constexpr int kMostPackings = 4;
@@ -80,7 +80,7 @@ void fitAll(const PackedCharts& packed, const UnwrapOptionValues& options, Numbe
     if (fitToNumbers(packed, numbers, options.resolution, mayGrow) == 0) return;
     const auto tell = [](double) { return true; };
     if (packAll(packed, options, tell, atlas).ok()) continue;
-    // They stay as they are, and say so.
+    // The charts keep their size, and the report says so.
     for (const ChartId i : enlarged.ids()) packed.charts.flat[i].enlarged = enlarged[i];
     placeInAtlas(packed.packing, packed.charts.flat);
     fitToNumbers(packed, numbers, options.resolution, false);

@@ -8,14 +8,14 @@
 
 namespace abflat {
 
-/// Places the charts that are not fixed in the atlas. `tell` hears which share is done; when it
-/// returns false the status is Aborted. Sets what `atlas` says of packing, and leaves what it says
-/// of cuts for it.
+/// Places the charts that are not fixed in the atlas. `tell` receives the share that is done; if it
+/// returns false, the status is Aborted. Sets the packing fields of `atlas`, and leaves its fields
+/// about packing cuts alone.
 Status packAll(const PackedCharts& packed, const UnwrapOptionValues& options,
                const std::function<bool(double)>& tell, AtlasReport& atlas);
 
-/// Checks all charts in the atlas, rounded as the options ask for or, with a note, as they are.
-/// Those that are too small or too thin for that are made so that they are not, with a note.
+/// Checks all charts in the atlas, rounded as the options ask or, with a note, unrounded. Charts
+/// that are too small or too thin for the rounding are adjusted until they are not, with a note.
 void checkAll(const PackedCharts& packed, const UnwrapOptions& options, UnwrapReport& report);
 
 }  // namespace abflat

@@ -7,7 +7,8 @@
 namespace abflat {
 namespace {
 
-/// As readers have them; of a glTF with v turned, so that it goes upwards again without rounding.
+/// Texcoords as readers get them. Those of a glTF have v flipped, which makes it point upwards
+/// again without rounding.
 std::vector<double> writtenUv(const std::vector<double>& uv, Numbers numbers) {
   std::vector<double> out = uv;
   if (numbers != Numbers::Gltf) return out;

@@ -7,13 +7,13 @@
 
 namespace abflat {
 
-/// Decides from the numbers that files have whether the atlas is valid as a whole: every triangle
-/// positively oriented, every chart in its tile, no two on each other. A chart that fails gets the
-/// problem, and is not valid. `result` is complete, with rows for all charts.
+/// Decides from the numbers as written to files whether the whole atlas is valid: every triangle
+/// positively oriented, every chart within its tile, no two charts overlapping. A chart that fails
+/// gets a problem and is no longer valid. `result` is complete, with rows for all charts.
 void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result);
 
-/// About polygons that programs fold when they cut them from their first corner, as most do: a
-/// sentence, empty where there are none.
+/// A sentence about polygons that fold over in programs that triangulate them as a fan from the
+/// first corner, as most do. Empty if there are none.
 std::string foldedFansNote(const PolygonMesh& input, const UnwrapResult& result);
 
 }  // namespace abflat

@@ -10,7 +10,7 @@ namespace abflat {
 
 namespace {
 
-/// What reports need; unknowns and history are several times the memory of the layout.
+/// Keeps what reports need; unknowns and history take several times the memory of the layout.
 void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attempt& attempt,
                   FlatChart& out) {
   out.area = areaOf(chart);
@@ -28,7 +28,7 @@ void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attemp
   out.uncommon->straightPlaces = straight;
 }
 
-/// A small chart's steps are short, and a seam less is worth many of them.
+/// Steps are cheap on a small chart, and saving a seam is worth many of them.
 Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionValues& options) {
   constexpr int kFewest = 60, kMost = 200, kTriangles = 80000;
   if (patience == Patience::All) return {8, 40};
@@ -49,8 +49,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   ChartFlattener flattener(chart, solver, [&](Stage) { goesOn(); });
   flattener.requireSeparation();
   flattener.requireStraight(wishes.straight);
-  // n angles that may be others than pi sum to (n - 2) pi: a chart with few of them cannot be as
-  // convex as others.
+  // The n angles that may differ from pi sum to (n - 2) pi, so a chart with few of them cannot be
+  // as convex as others.
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);

@@ -13,7 +13,7 @@
 
 namespace abflat {
 
-/// What reports have of Distortion.
+/// The part of Distortion that reports need.
 struct ChartDistortion {
   double angular = 0, quasiConformalMean = 1, quasiConformalMax = 1, symmetricDirichlet = 1;
 
@@ -25,7 +25,7 @@ struct ChartDistortion {
         symmetricDirichlet(d.symmetricDirichlet) {}
 };
 
-/// What is known of some charts only.
+/// What only some charts have.
 struct UncommonParts {
   std::vector<std::string> fallbacks;
   std::optional<RefineReport> refined;
@@ -34,50 +34,49 @@ struct UncommonParts {
   StraightPlaces straightPlaces;
 };
 
-/// A chart that has been laid out. There may be as many as triangles: each byte counts.
+/// A chart that has been laid out. There may be as many of these as triangles, so each byte counts.
 struct FlatChart {
-  std::vector<double> unpacked;  ///< of the chart's 3D area, in the mesh's unit
+  std::vector<double> unpacked;  ///< at the chart's 3D area, in the mesh's unit
   std::vector<double> uv;        ///< in the atlas
-  double area = 0;               ///< of the surface, in the mesh's unit
+  double area = 0;               ///< of the chart's surface, in the mesh's unit
   ChartDistortion distortion;    ///< before rounding
   std::unique_ptr<UncommonParts> uncommon;
-  std::string problem;  ///< why it is not valid, one sentence; empty when it is
-  double enlarged = 1;  ///< beside the others, so that numbers can tell its triangles apart
-  double movedBy = 0;   ///< the farthest of the moved vertices, along an axis
-  std::uint32_t movedVertices = 0;  ///< for the same reason as it is enlarged
+  std::string problem;              ///< why it is not valid, one sentence; empty if it is valid
+  double enlarged = 1;              ///< relative to other charts, to keep its triangles apart
+  double movedBy = 0;               ///< largest move of a vertex, along one axis
+  std::uint32_t movedVertices = 0;  ///< vertices moved to keep triangles apart after rounding
   int iterations = 0;               ///< of the solver
   Solver solver = Solver::ActiveSet;
-  bool isFixed = false;      ///< uv are those in the atlas from the start: packing leaves them
-  bool isGiven = false;      ///< those of the input, which have been checked
-  bool isCutEnough = false;  ///< no seam was found that would stretch it less
+  bool isFixed = false;      ///< uv is its place in the atlas from the start; packing leaves it
+  bool isGiven = false;      ///< uv is that of the input, which has been checked
+  bool isCutEnough = false;  ///< no seam was found that would reduce its stretch
   bool isTangled = false;    ///< its boundary crosses itself; a seam may be the better remedy
 };
 
 using FlatCharts = IdVector<ChartId, FlatChart>;
 
-/// What one chart is asked for beyond the options.
+/// What is asked of one chart beyond the options.
 struct ChartWishes {
-  std::vector<ChartPin> pins;  ///< places in the atlas
+  std::vector<ChartPin> pins;  ///< positions in the atlas
   StraightPlaces straight;
-  std::size_t released = 0;  ///< places that would be straight as well, but are not
+  std::size_t released = 0;  ///< places that should be straight as well, but are not
 };
 
-/// How much is tried to lay out a chart whose boundary crosses itself.
+/// How much effort goes into laying out a chart whose boundary crosses itself.
 enum class Patience {
-  Little,  ///< some steps for each that the layout took; none where it is to be cut anyway
+  Little,  ///< a few steps for each that the layout took; none if it is to be cut anyway
   All
 };
 
 /// Area of the surface, in the mesh's unit.
 double areaOf(const DiskChart& chart);
 
-/// `goesOn` is asked often, from the thread that calls; when it
-/// returns false the layout is empty.
+/// `goesOn` is called often, from the calling thread; when it returns false, the layout is empty.
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartWishes& wishes, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn);
 
-/// Decides anew whether the layout is valid, from the coordinates in the atlas.
+/// Decides again whether the layout is valid, from its coordinates in the atlas.
 void checkInPlace(const DiskChart& chart, FlatChart& flat);
 
 }  // namespace abflat

@@ -17,7 +17,7 @@ std::string nameOf(InputFace face) { return "face " + std::to_string(face); }
 
 Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
-/// The faces that are named, with the texcoords of the input.
+/// Adds the faces listed in the options, with the texcoords of the input.
 Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
                 FixedTriangles& out) {
   if (faces.empty()) return {};
@@ -35,7 +35,7 @@ Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
   return {};
 }
 
-/// Charts of an earlier run, with the texcoords that they have there.
+/// Adds charts of an earlier run, with the texcoords they had there.
 Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTriangles& out) {
   if (options.fixedCharts.empty()) return {};
   const KnownLayout& known = options.known;
@@ -64,7 +64,7 @@ Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTrian
   return {};
 }
 
-/// Grows what is fixed over edges with the same texcoords on both sides.
+/// Grows the fixed set across edges with the same texcoords on both sides.
 void growIslands(const SurfaceMap& map, FixedTriangles& out) {
   std::vector<SurfaceTriangle> front;
   for (const SurfaceTriangle t : out.isFixed.ids())
@@ -94,7 +94,7 @@ Status checkTexcoords(const SurfaceMap& map, const FixedTriangles& out) {
   return {};
 }
 
-/// Given coordinates of the chart's vertices.
+/// The given coordinates of the chart's vertices.
 std::vector<double> givenUv(const SurfaceMap& map, const FixedTriangles& fixed,
                             const ChartTopology& chart) {
   std::vector<double> uv(2 * chart.vertexCount());
@@ -132,7 +132,7 @@ Status checkTriangles(const FixedChart& c) {
   return {};
 }
 
-/// Within the tile that has the middle of its box.
+/// The chart must lie within the tile that contains the middle of its box.
 Status checkTile(const FixedChart& c, bool hasTiles) {
   constexpr double kLastColumn = 9, kLastRow = 898;  // of UDIM
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
@@ -183,7 +183,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
                    FlatCharts& flat) {
   if (fixed.isFixed.empty()) return {};
   std::vector<double> triangles;  // 6 coordinates each
-  std::vector<InputFace> faces;   // of each of these
+  std::vector<InputFace> faces;   // one per triangle
   for (const ChartId i : flat.ids()) {
     const ChartTopology topology = mesh.set.topology(i);
     if (!fixed.isFixed[topology.triangles.front()]) continue;

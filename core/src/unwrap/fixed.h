@@ -7,20 +7,20 @@
 
 namespace abflat {
 
-/// Triangles of the surface that keep given texcoords: those of whole uv islands.
+/// Triangles of the surface that keep their given texcoords; always whole uv islands.
 struct FixedTriangles {
-  IdVector<SurfaceTriangle, std::uint8_t> isFixed;  ///< empty: none is
+  IdVector<SurfaceTriangle, std::uint8_t> isFixed;  ///< empty: none is fixed
   Seams borders;                                    ///< of these islands
   std::vector<double> texcoords;                    ///< given ones, 2 numbers each
   std::vector<std::uint32_t> ofCorner;              ///< by InputCorner, or kNoTexcoord
 };
 
-/// The islands of `options.fixedFaces`, and known charts that are fixed. Errors: InvalidOption
-/// names a face or chart that does not exist, or a face that has no texcoords.
+/// The islands of `options.fixedFaces`, and known charts that are fixed. Errors: InvalidOption,
+/// naming a face or chart that does not exist, or a face that has no texcoords.
 Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options);
 
-/// Sets the layouts of fixed charts. Errors: InvalidOption names a face that is flipped, overlapped
-/// by another one, or not in a tile, of which there are several with `hasTiles`.
+/// Sets the layouts of fixed charts. `hasTiles`: there are several tiles. Errors: InvalidOption,
+/// naming a face that is flipped, overlaps another one, or is not inside a tile.
 Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTiles,
                    FlatCharts& flat);
 

@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// What an earlier run knows, by triangles of the surface.
+/// What an earlier run knows, by triangle of the surface.
 struct Known {
   const KnownLayout& layout;
   TriangleOrder order;
@@ -39,7 +39,7 @@ Status checkSizes(const KnownLayout& known, std::size_t triangles) {
   return {};
 }
 
-/// Every triangle has the vertices of the mesh, and a chart.
+/// Checks that every triangle has the mesh's vertices, and a chart.
 Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, const SurfaceMap& map) {
   for (const SurfaceTriangle f : order.ofTriangle.ids()) {
     const OutputTriangle i = order.ofTriangle[f];
@@ -53,8 +53,9 @@ Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, cons
   return {};
 }
 
-/// Known coordinates of the chart's vertices; empty where triangles are missing or more, or where
-/// an edge of the chart was a seam. A seam that is new leaves a layout that touches itself.
+/// Known coordinates of the chart's vertices. Empty if the triangles are not exactly those of a
+/// known chart, or if an edge inside the chart was a seam. A new seam is fine: the layout merely
+/// touches itself there.
 std::vector<double> knownUv(const Known& known, const ChartTopology& chart) {
   const std::uint32_t id = known.chartOf(chart.triangles.front());
   if (known.trianglesOfChart[id] != chart.triangles.size()) return {};
@@ -72,7 +73,7 @@ std::vector<double> knownUv(const Known& known, const ChartTopology& chart) {
   return uv;
 }
 
-/// Those that charts had then.
+/// The outlines that charts had in the earlier run.
 Outlines knownOutlines(const Known& known, const Surface& surface) {
   IdVector<SurfaceCorner, std::uint8_t> isCut(surface.table.twin.size(), 1);
   for (const SurfaceCorner h : surface.table.corners()) {
@@ -83,7 +84,7 @@ Outlines knownOutlines(const Known& known, const Surface& surface) {
   return findOutlines(surface, isCut);
 }
 
-/// Checked and measured as if it had just been solved.
+/// The layout checked and measured as if it had just been solved.
 FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
                    std::vector<double> unpacked) {
   FlatChart out;
@@ -119,14 +120,14 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
   Result<TriangleOrder> order = knownTriangles(layout, mesh.map);
   if (!order.ok()) return order.status;
   Known known{layout, std::move(order.value), {}};
-  // Other angles were wanted then.
+  // The earlier run asked for different angles.
   if (layout.t != options.t || layout.balance != options.balance ||
       layout.straightSeams != options.straightSeams)
     return {};
   known.trianglesOfChart.assign(layout.chartOfTriangle.size(), 0);
   for (const SurfaceTriangle f : known.order.ofTriangle.ids())
     ++known.trianglesOfChart[known.chartOf(f)];
-  // Where a seam ends, and with it what is straight, depends on the charts around.
+  // Where a seam ends, and so what is straight, depends on the neighbouring charts.
   Outlines before, now;
   if (options.straightSeams) {
     before = knownOutlines(known, mesh.map.surface());

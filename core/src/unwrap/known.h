@@ -10,12 +10,12 @@
 
 namespace abflat {
 
-/// Where triangles of the surface are in what is known. Errors: InvalidOption where that is not
-/// about this mesh.
+/// Where the triangles of the surface are among the known ones. Errors: InvalidOption if the known
+/// layout is of another mesh.
 Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap& map);
 
-/// Gives charts without a layout the one that `options.known` has for them, where that is valid and
-/// as wished, pins aside. Errors: InvalidOption where what is known is not about this mesh.
+/// Gives each chart without a layout the one in `options.known`, if that is valid and as wished,
+/// apart from pins. Errors: InvalidOption if the known layout is of another mesh.
 Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
                  const UnwrapOptions& options, ThreadPool& pool, FlatCharts& flat);
 

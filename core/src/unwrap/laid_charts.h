@@ -5,7 +5,7 @@
 
 namespace abflat {
 
-/// Charts and the layout of each, empty where there is none yet.
+/// Charts and the layout of each, empty if there is none yet.
 struct LaidCharts {
   ChartSet set;
   FlatCharts flat;

@@ -9,7 +9,7 @@
 namespace abflat {
 namespace {
 
-/// Charts by size, the largest first: what takes longest begins first.
+/// Charts by size, the largest first, so that what takes longest starts first.
 std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
   return stableOrder(charts.size(), [&](std::uint32_t a, std::uint32_t b) {
     return charts.topology(ChartId(a)).triangleCount() >
@@ -17,7 +17,7 @@ std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
   });
 }
 
-/// Whether charts are as little stretched as seams let them be.
+/// Whether nothing but seams limits how little charts are stretched.
 bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
 
 }  // namespace
@@ -31,7 +31,7 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
   FlatCharts& flat = charts.flat;
   const std::vector<std::uint32_t> order = largestFirst(set);
   std::size_t triangles = 0;
-  // Seams are found for what is not pinned.
+  // Seams are only found for charts without pins.
   const auto patienceFor = [&](const ChartWishes& w) {
     return canCut(options) && w.pins.empty() ? Patience::Little : Patience::All;
   };
@@ -47,7 +47,7 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
     FlatChart& out = flat[i];
     if (isKnown(i)) return;
     const DiskChart chart = set.chart(i);
-    // The caller hears of all charts, but from its own thread only.
+    // Progress of all charts is reported, but only from the caller's own thread.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
       return tell(static_cast<double>(done) / static_cast<double>(triangles));

@@ -14,18 +14,19 @@ namespace abflat {
 /// Whether charts that come out stretched too much may be cut further.
 bool canCut(const UnwrapOptions& options);
 
-/// Those that have no layout yet, and those with pins. `tell` hears which share of them is done.
+/// Flattens charts that have no layout yet, and those with pins. `tell` receives the share that is
+/// done.
 void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOptions& options,
                 ThreadPool& pool, const Monitor& monitor, const std::function<bool(double)>& tell,
                 LaidCharts& charts);
 
-/// More than seams are to allow.
+/// Whether the chart is stretched more than seams should allow.
 bool isStretched(const FlatChart& chart, double most);
 
-/// Per chart whether it is, and may be cut further.
+/// Per chart, whether it is stretched by more than `most` and may be cut further.
 IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double most);
 
-/// Layouts of charts that seams do not help; whether there are any.
+/// Drops the layouts of tangled charts that seams do not help. Returns whether there were any.
 bool dropTangled(FlatCharts& flat);
 
 void noteStretched(const FlatCharts& flat, const UnwrapOptions& options,

@@ -6,7 +6,7 @@
 
 namespace abflat {
 
-/// Where the stages are in the progress bar.
+/// The part of the progress bar that a stage takes.
 struct StageSpan {
   Stage stage;
   double from, to;
@@ -22,7 +22,7 @@ class Monitor {
  public:
   explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
 
-  /// False when the run is to end. `share` of the stage is done.
+  /// Reports that `share` of the stage is done. Returns false if the run is to end.
   bool tell(const StageSpan& span, double share = 0) {
     Progress now;
     now.stage = span.stage;
@@ -30,7 +30,7 @@ class Monitor {
     last_ = now;
     return tellAgain();
   }
-  /// The same once more: the work goes on.
+  /// Repeats the last report, to show that work goes on.
   bool tellAgain() {
     if (callback_ && !stopped_ && !callback_(last_)) stopped_ = true;
     return !stopped_;

@@ -18,10 +18,10 @@ std::vector<std::array<std::uint32_t, 2>> edgesOf(const std::vector<BadEdge>& ba
   return out;
 }
 
-/// The corners of the input's faces by vertex.
+/// The face corners of the input, grouped by vertex.
 struct VertexCorners {
   std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> begin;  ///< of each vertex's; ends with their count
+  std::vector<std::uint32_t> begin;  ///< first corner of each vertex, then the total
 };
 
 VertexCorners cornersByVertex(const PolygonMesh& input) {
@@ -36,7 +36,8 @@ VertexCorners cornersByVertex(const PolygonMesh& input) {
   return out;
 }
 
-/// One output vertex for each input vertex and texcoord that occur together, by input vertex.
+/// Makes one output vertex for each pair of input vertex and texcoord that occurs, ordered by input
+/// vertex.
 void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
   VertexCorners of = cornersByVertex(input);
   out.cornerVertex.resize(input.faceVertices.size());
@@ -64,7 +65,8 @@ ChartId chartOf(const Texcoords& texcoords, TexcoordId texcoord) {
   return ChartId(std::upper_bound(first.begin(), first.end(), texcoord) - first.begin() - 1);
 }
 
-/// Chart of each input face: of its first triangle, otherwise that of its first texcoord.
+/// The chart of each input face: that of its first triangle, or of its first texcoord if it has no
+/// triangle.
 void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& out) {
   const PolygonMesh& input = mesh.map.input();
   const IdVector<SurfaceTriangle, ChartId>& ofTriangle = mesh.set.ofTriangle;
@@ -187,7 +189,7 @@ void fillTexcoords(const Texcoords& texcoords, double unit, FlatCharts& flat, Un
     chart.uv = chart.unpacked = std::vector<double>();
   }
   out.cornerUv.assign(texcoords.ofCorner.begin(), texcoords.ofCorner.end());
-  std::uint32_t corner = kNone;  // where nothing of a face is left, and of no other at its place
+  std::uint32_t corner = kNone;  // of faces that are gone, with no other in their place
   for (std::uint32_t& texcoord : out.cornerUv) {
     if (texcoord != kNone) continue;
     if (corner == kNone) {

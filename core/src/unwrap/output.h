@@ -12,17 +12,17 @@ RepairReport repairReport(const SurfaceMap& map);
 /// Texcoords of the input's corners, one for each vertex of each chart.
 Texcoords numberTexcoords(const CutMesh& mesh);
 
-/// How straight what was asked to be straight is where the charts lie in the atlas.
+/// Measures, in the atlas, how straight the parts are that were asked to be straight.
 void measureStraight(const ChartSet& set, FlatCharts& flat);
 
-/// Texcoords of the result, from charts that lie in the atlas, which lose theirs. `unit`: what a
-/// length of 1 is in the mesh of the user.
+/// Moves the texcoords of charts that lie in the atlas to the result. `unit`: what a length of 1 is
+/// in the user's mesh.
 void fillTexcoords(const Texcoords& texcoords, double unit, FlatCharts& flat, UnwrapResult& out);
 
-/// What the result says of faces, corners and triangles.
+/// Fills in the result's faces, corners and triangles.
 void fillFaces(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& out);
 
-/// Charts, means and validity.
+/// Fills in charts, means and validity.
 void fillReport(const CutMesh& mesh, const FlatCharts& flat, double unit, UnwrapReport& report);
 
 }  // namespace abflat

@@ -6,7 +6,7 @@
 
 namespace abflat {
 
-/// The charts of a run, and where they are in the atlas.
+/// The charts of a run, and their places in the atlas.
 struct PackedCharts {
   double unit;  ///< what a length of 1 is in the mesh
   ThreadPool& pool;

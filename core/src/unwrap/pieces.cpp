@@ -23,7 +23,7 @@ double signedArea(const DiskChart& chart, const std::vector<double>& uv) {
   return twice / 2;
 }
 
-/// `uv` in the mesh's unit.
+/// `uv` is in the mesh's unit.
 FlatChart pieceAsItLies(const DiskChart& chart, std::vector<double> uv, Solver solver) {
   FlatChart out;
   out.area = areaOf(chart);
@@ -38,7 +38,7 @@ FlatChart pieceAsItLies(const DiskChart& chart, std::vector<double> uv, Solver s
   return out;
 }
 
-/// What its chart went through before, which a piece shares.
+/// What the whole chart went through before it was cut, shared by its pieces.
 std::unique_ptr<UncommonParts> historyOf(const FlatChart& whole) {
   if (!whole.uncommon) return nullptr;
   auto out = std::make_unique<UncommonParts>();

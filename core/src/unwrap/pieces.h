@@ -7,16 +7,16 @@
 
 namespace abflat {
 
-/// Moves layouts to the charts that have none and are of the same form as those they were of.
+/// Moves layouts to charts that have none and are of the same form as the layout's chart.
 void moveSame(LaidCharts& from, LaidCharts& to);
 
-/// Layouts for charts that have none: as they lay before they were parted from others, at a scale
-/// of their own. Those that are stretched by more than `mostStretch` then, or that numbers cannot
-/// keep apart where they lie, stay without one.
+/// Lays out charts that have no layout: they keep the shape they had before they were cut from
+/// others, each rescaled on its own. A chart that is then stretched by more than `mostStretch`, or
+/// that floating point cannot keep apart where it lies, stays without a layout.
 void takePieces(const LaidCharts& before, double mostStretch, ThreadPool& pool, LaidCharts& now);
 
-/// Per chart before whether one of its pieces is stretched by more than `mostStretch`, and by more
-/// than all of it was.
+/// For each chart of `before`, whether one of its pieces is stretched by more than `mostStretch`
+/// and by more than the whole chart was.
 IdVector<ChartId, std::uint8_t> stretchedByCuts(const LaidCharts& before, const LaidCharts& now,
                                                 double mostStretch);
 

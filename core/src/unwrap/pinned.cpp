@@ -55,7 +55,7 @@ Status checkUnpinned(const ChartSet& charts, const IdVector<ChartId, ChartWishes
 
 Status checkPinned(const CutMesh& mesh, const FlatCharts& flat) {
   std::vector<double> triangles;  // 6 coordinates each
-  std::vector<InputFace> faces;   // of each of these
+  std::vector<InputFace> faces;   // one per triangle
   for (const ChartId i : flat.ids()) {
     if (!flat[i].isFixed) continue;
     const ChartTopology chart = mesh.set.topology(i);
@@ -63,7 +63,7 @@ Status checkPinned(const CutMesh& mesh, const FlatCharts& flat) {
     for (std::size_t k = 0; k < uv.size() && !flat[i].isGiven; ++k)
       if (!(uv[k] >= 0 && uv[k] <= 1))
         return outside(chart.inputVertex[ChartVertex(k / 2)], k, uv[k]);
-    if (!flat[i].problem.empty()) continue;  // it overlaps itself, and says so
+    if (!flat[i].problem.empty()) continue;  // it overlaps itself, which its problem already says
     for (const SurfaceTriangle f : chart.triangles) faces.push_back(mesh.map.face(f));
     for (const ChartCorner c : chart.surfaceCorners()) {
       const Point2 p = pointAt(uv, chart.vertexOfCorner[c]);

@@ -7,18 +7,18 @@
 
 namespace abflat {
 
-/// What each chart is asked for; nothing but pins of those that are fixed. Errors: those of
+/// What is asked of each chart; fixed charts get nothing but their pins. Errors: those of
 /// pinsOfCharts.
 Result<IdVector<ChartId, ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoords& texcoords,
                                                    const FixedTriangles& fixed,
                                                    const UnwrapOptions& options);
 
-/// What the input gives is not to be pinned elsewhere.
+/// Charts given by the input must not be pinned elsewhere.
 Status checkUnpinned(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wishes,
                      const FlatCharts& flat);
 
-/// Charts with pins must be inside the unit square and not on each other. Errors: InvalidOption
-/// names a vertex or two faces.
+/// Charts with pins must be inside the unit square and must not overlap. Errors: InvalidOption,
+/// naming a vertex or two faces.
 Status checkPinned(const CutMesh& mesh, const FlatCharts& flat);
 
 }  // namespace abflat

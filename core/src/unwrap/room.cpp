@@ -13,17 +13,17 @@
 namespace abflat {
 namespace {
 
-/// What is wanted of cuts: the most of the logarithm of the texel density, less a share of their
-/// length.
+/// What cuts should achieve: the largest logarithm of the texel density, less a share of the length
+/// of the cuts.
 struct RoomWish {
-  double seamWorth = 0;    ///< of the logarithm, for seams as long as the root of the area
-  double utilization = 0;  ///< more is not wanted
+  double seamWorth = 0;    ///< cost, in that logarithm, of seams as long as the root of the area
+  double utilization = 0;  ///< more than this is not wanted
 };
 
 RoomWish wishOf(const UnwrapOptionValues& options) {
   constexpr double kSeamWorth = 0.04, kMost = 0.92;
   if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMost};
-  // Few cells tell a little more or less than packing.
+  // A fit on few cells predicts a little more or less than packing achieves.
   constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
 }
@@ -48,7 +48,7 @@ FlatSurface flatSurface(const LaidCharts& charts, const OpenSurface& open) {
   return out;
 }
 
-/// How many cuts may be tried: what the rest of a run takes is a matter of the triangles.
+/// How many cuts may be tried. It grows with the triangles, as the rest of a run does.
 struct Tries {
   int fruitless = 0;  ///< until one is worth its cost
   int fruitful = 0;   ///< after that
@@ -60,13 +60,13 @@ Tries triesFor(const OpenSurface& open) {
   return {kFruitless + more / 5, kFruitful + more / 2};
 }
 
-/// The best cuts so far, from those for ever smaller squares.
+/// Searches for the best cuts, trying ever smaller squares.
 class RoomSearch {
  public:
   RoomSearch(PieceFitting& uncut, const RoomWish& wish, Tries tries)
       : uncut_(uncut), wish_(wish), side_(uncut.leastSide()), tries_(tries) {}
 
-  /// Null where none are worth their cost. `most`: of the logarithm of the density.
+  /// Null if no cuts are worth their cost. `most`: largest gain in the logarithm of the density.
   std::unique_ptr<PieceFitting> run(double most, const std::function<bool()>& goesOn) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
@@ -86,7 +86,7 @@ class RoomSearch {
   }
 
  private:
-  /// Whether cuts make that gain possible.
+  /// Whether cuts can achieve that gain.
   bool attempt(const PieceFitting& from, double gain) {
     auto now = std::make_unique<PieceFitting>(from);
     const double affordable = (gain - best_) / wish_.seamWorth;

@@ -11,7 +11,7 @@
 namespace abflat {
 namespace {
 
-/// Larger charts are not packed again for the sake of a triangle.
+/// Larger charts are not packed again for the sake of one triangle.
 constexpr double kMostEnlargedSide = 0.125;
 constexpr double kEnlargement = 16;
 
@@ -30,7 +30,7 @@ Box boxOf(const std::vector<double>& uv) {
   return out;
 }
 
-/// Between neighbours among the numbers, where they are farthest apart.
+/// The step between neighbouring numbers at the largest coordinate, where it is widest.
 double stepOf(const std::vector<double>& uv, Numbers numbers) {
   double largest = 1;
   for (const double x : uv) largest = std::max(largest, std::abs(x));
@@ -56,7 +56,8 @@ void placeOne(const Placement& p, FlatChart& flat) {
   }
 }
 
-/// As it is turned and scaled, wherever it is put: that would cost digits of a tiny one.
+/// The box after rotating and scaling, but before moving into place, which would cost a tiny chart
+/// digits.
 Box boxOf(const Placement& placement, const std::vector<double>& unpacked) {
   Placement atOrigin = placement;
   atOrigin.x = atOrigin.y = 0;
@@ -66,9 +67,10 @@ Box boxOf(const Placement& placement, const std::vector<double>& unpacked) {
   return boxOf(uv);
 }
 
-/// Lets a chart that lies within a texel fill it: nothing else is there. False where it is larger.
+/// Lets a chart that lies within one texel fill it, since nothing else is there. False if the chart
+/// is larger.
 bool fillTexel(int resolution, Placement& placement, FlatChart& flat) {
-  constexpr double kFree = 0x1p-8;  // of the texel, on each side
+  constexpr double kFree = 0x1p-8;  // of the texel, kept free on each side
   const Box box = boxOf(placement, flat.unpacked);
   const double texel = 1.0 / resolution, side = box.side();
   if (!(side > 0) || side >= texel / 2) return false;
@@ -121,8 +123,8 @@ std::size_t farthestFrom(const std::vector<double>& uv, std::size_t k) {
   return best;
 }
 
-/// Stretches points that lie in a strip of at most the width `thin` across the strip, until its
-/// width is `wide`. False where they lie in none.
+/// If all points lie in a strip no wider than `thin`, stretches them across the strip to a width of
+/// `wide`. False if they do not.
 bool widen(double thin, double wide, std::vector<double>& uv) {
   const std::size_t a = farthestFrom(uv, 0), b = farthestFrom(uv, a);
   const double u = uv[b] - uv[a], v = uv[b + 1] - uv[a + 1], length = norm(u, v);
@@ -139,11 +141,11 @@ bool widen(double thin, double wide, std::vector<double>& uv) {
   return true;
 }
 
-/// What is as thin as a few steps altogether, such as a fan of needles, is widened so that
+/// Widens a chart that is only a few steps thin as a whole, such as a fan of needles, so that
 /// repairing it has room.
 bool isRepairedWider(const DiskChart& chart, Numbers numbers, std::vector<double> exact,
                      FlatChart& flat) {
-  // In steps. Half of it is less than packing leaves free around a chart.
+  // In steps. Half of kWide is less than packing leaves free around a chart.
   constexpr double kThin = 12, kWide = 24;
   const double step = stepOf(exact, numbers);
   if (!widen(kThin * step, kWide * step, exact)) return false;
@@ -166,7 +168,7 @@ bool isFine(const DiskChart& chart, Numbers numbers, FlatChart& flat) {
   return flat.problem.empty();
 }
 
-/// False where the chart has to be larger.
+/// False if the chart has to be larger.
 bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
          Placement& placement, FlatChart& flat) {
   flat.movedVertices = 0;
@@ -180,7 +182,7 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
     exact = flat.uv;
     if (isFine(chart, numbers, flat)) return true;
   }
-  if (flat.isFixed) return true;  // and says so: its vertices are where they were asked to be
+  if (flat.isFixed) return true;  // and reports it: its vertices are where they were asked to be
   if (isRepaired(chart, numbers, exact, flat)) return true;
   if (isRepairedWider(chart, numbers, exact, flat)) return true;
   const bool isSmall = boxOf(flat.uv).side() * kEnlargement <= kMostEnlargedSide;

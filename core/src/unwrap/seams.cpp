@@ -16,7 +16,7 @@
 namespace abflat {
 namespace {
 
-/// What is given, without what lies within fixed islands, and the borders of these.
+/// The given seams, without those inside fixed islands, plus the borders of these islands.
 Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
   if (fixed.isFixed.empty()) return given;
   Seams out = fixed.borders;
@@ -25,9 +25,9 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
   return out;
 }
 
-/// The surface opened along what is given, so that the holes of its charts show, and with these
-/// filled; where there are none the surface as it is, which has the same elimination order whatever
-/// is given. The seams are those that are given but not its boundary.
+/// Opens the surface along the given seams, so that the holes of its charts show, and fills these
+/// holes. Without holes the surface stays as it is, so that its elimination order does not depend
+/// on the given seams. The result's seams are those given that are not on its boundary.
 OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked, FillHoles mode,
                         const Pulse& pulse) {
   const Surface& surface = uncut.surface;
@@ -56,7 +56,7 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked, FillH
   return out;
 }
 
-/// Of the seam finder's mesh, in that of the welded one; told from the longest edge.
+/// The unit of the seam finder's mesh, in that of the welded one; derived from the longest edge.
 double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
   const auto longest = std::max_element(open.mesh.length.begin(), open.mesh.length.end());
   if (longest == open.mesh.length.end() || !(*longest > 0)) return 1;
@@ -84,7 +84,7 @@ bool isGiven(const OpenSurface& open, SurfaceCorner h) {
   return h < open.given.size() && open.given[h];
 }
 
-/// Seams that part charts; slits within a chart are none, unless they are given.
+/// Seams that separate charts. Slits within a chart do not count, unless they are given.
 Seams seamsBetween(const CutSurface& s, const OpenSurface& open) {
   Seams out = open.seams;
   for (const SurfaceCorner h : out.ids()) {
@@ -94,8 +94,8 @@ Seams seamsBetween(const CutSurface& s, const OpenSurface& open) {
   return out;
 }
 
-/// Finds the seams anew within the charts of `surface` that are wanted, beginning with those that
-/// were found before; false when they are as before.
+/// Finds new seams within the wanted charts of `surface`, starting from those that were found
+/// before. False if nothing has changed.
 bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8_t>& isWanted,
                 SeamOptions options, OpenSurface& open, SeamReport& found) {
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
@@ -122,7 +122,7 @@ bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8
   open.foundScale.resize(open.mesh.vertexCount(), 0);
   for (const SurfaceVertex i : found.eliminationRanks.ids()) {
     const SurfaceVertex v = part.wholeVertex[i];
-    // A chart is to be solved in the same order whenever it is found.
+    // A chart must be solved in the same order whenever it is found.
     if (!hasRanks) open.eliminationRanks[v] = found.eliminationRanks[i];
     open.scale[v] = found.scale[i];
     open.foundScale[v] = found.foundScale[i];
@@ -130,7 +130,7 @@ bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8
   return isAny;
 }
 
-/// Makes the seams of a chart as long as they were found; false when they are.
+/// Restores the seams of a chart to their length before shortening; false if they already have it.
 bool restore(const CutSurface& s, CutChartId chart, OpenSurface& open) {
   bool isAny = false;
   for (const SurfaceTriangle f : s.trianglesOf(chart))
@@ -155,8 +155,8 @@ bool areMostAlone(const SeamMesh& mesh) {
   return alone > mesh.triangleCount() / 2;
 }
 
-/// Fixed islands are left out: they are not to be cut, and may have holes. Their borders are open.
-/// So are triangles alone, where they are many: there is nothing to search.
+/// Leaves out fixed islands, which must not be cut and may have holes; their borders are open. Also
+/// leaves out isolated triangles if there are many, since they need no search.
 void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const SeamOptions& options,
                 OpenSurface& open, SeamReport& found) {
   if (isFixed.empty() && !areMostAlone(open.mesh)) {
@@ -192,7 +192,8 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Unw
   SeamReport found;
   open.unit = uncut.unit * unitOf(uncut.welded, open);
   SeamOptions toBegin = seamOptions(options, open, pool, std::move(keepsOn));
-  // How much refining leaves is known to a third or so, and to cut again takes another run.
+  // How much stretch refining leaves is only known to about a third, and cutting again takes
+  // another run.
   constexpr double kShare = 0.85;
   if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
   findAround(asked.fixed.isFixed, toBegin, open, found);
@@ -209,7 +210,7 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   if (std::none_of(charts.begin(), charts.end(), isAsked)) return false;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
-  IdVector<CutChartId, double> excess(s.charts.size(), 0);  // 0: stays
+  IdVector<CutChartId, double> excess(s.charts.size(), 0);  // 0: leave the chart alone
   bool isAnyRestored = false;
   for (const ChartId i : charts.ids()) {
     if (!isAsked(charts[i])) continue;
@@ -220,11 +221,11 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
     }
     const double told = (expected.stretch[c] - 1) / expected.excess[c];
     if (!(told > 0)) continue;
-    // Where it is more, it is not area alone that is distorted: one seam, and flattening tells.
+    // Above kMost the distortion is not due to area alone: add one seam, and let flattening tell.
     constexpr double kMost = 8, kSlightly = 1.01;
     const auto above = [&](double x) { return stretchBeforeRefining(x, options.balance) - 1; };
     const double leastToCut = kSlightly * above(options.maxStretch) / told;
-    // What is tangled has not been refined.
+    // Tangled charts have not been refined.
     const double found = charts[i].isTangled ? std::max((charts[i].stretch - 1) / told, leastToCut)
                                              : above(charts[i].stretch) / told;
     excess[c] = std::min(found, std::max(kMost, leastToCut));
@@ -258,7 +259,7 @@ void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isA
 
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
-  // Charts are factored in the order that was found for the whole surface.
+  // Charts are factored in the order found for the whole surface.
   out.eliminationRank.assign(welded.mesh.vertexCount(), 0);
   for (const SurfaceVertex v : open.eliminationRanks.ids())
     out.eliminationRank[open.inputVertex[v]] = open.eliminationRanks[v];

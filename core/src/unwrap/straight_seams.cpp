@@ -8,7 +8,8 @@
 namespace abflat {
 namespace {
 
-/// Radians by which the boundary turns at a corner, or by which a run turns in all that is none.
+/// In radians: how much the boundary turns at a corner at least, and how much a run without corners
+/// may turn in total.
 constexpr double kCorner = kPi / 4;
 constexpr double kMostTurn = kPi / 2;
 
@@ -20,7 +21,7 @@ bool goesOn(const Surface& surface, const Outlines& outlines, SurfaceCorner from
   return behind != to && outlines[ahead] == behind;
 }
 
-/// Whether it does at each place of the chart's boundary.
+/// Whether it does, for each place of the chart's boundary.
 StraightPlaces goOn(const Surface& surface, const ChartTopology& chart, const Outlines& outlines) {
   StraightPlaces out;
   ChartCorner before = chart.boundary.back();
@@ -31,7 +32,7 @@ StraightPlaces goOn(const Surface& surface, const ChartTopology& chart, const Ou
   return out;
 }
 
-/// By how much the boundary turns on the surface at each place, to the left.
+/// How much the boundary turns to the left on the surface, at each place.
 using Turns = IdVector<BoundaryIndex, double>;
 Turns turns(const DiskChart& chart) {
   Turns out;
@@ -61,7 +62,7 @@ void forEachRun(const StraightPlaces& straight, const Visit& visit) {
   }
 }
 
-/// The runs that turn by more than `most`, and how much the others turn at most.
+/// Releases the runs that turn by more than `most`. Returns the largest turn of the others.
 double releaseTurning(const Turns& turn, double most, StraightPlaces& straight) {
   double left = 0;
   const StraightPlaces before = straight;
@@ -76,14 +77,14 @@ double releaseTurning(const Turns& turn, double most, StraightPlaces& straight) 
   return left;
 }
 
-/// Of the places between the ends of each chord the one that turns most.
+/// Releases, between the ends of each chord, the place that turns most.
 void releaseAtChords(const DiskChart& chart, const Turns& turn, StraightPlaces& straight) {
   for (;;) {
     const std::vector<FlatChord> chords = flatChords(chart, straight);
     if (chords.empty()) return;
     for (const FlatChord& chord : chords) {
       BoundaryIndex sharpest = chart.after(chord.from);
-      bool isOpen = false;  // by an earlier chord
+      bool isOpen = false;  // released for an earlier chord
       for (BoundaryIndex i = sharpest; i != chord.to; i = chart.after(i)) {
         isOpen = isOpen || straight[i] == 0;
         if (std::abs(turn[i]) > std::abs(turn[sharpest])) sharpest = i;
@@ -135,7 +136,7 @@ IdVector<ChartId, StraightSeams> straightSeams(
       if (std::abs(turn[k]) > kCorner) places[k] = 0;
     const std::size_t ends = placesThatTurn(chart, places);
     double most = releaseTurning(turn, kMostTurn, places);
-    // The sharpest run first, all of it: a bend in its middle would be no better.
+    // Release the sharpest run first, as a whole: a bend in its middle would be no better.
     while (isTooStraight(places)) most = releaseTurning(turn, std::nextafter(most, -1), places);
     releaseAtChords(chart, turn, places);
     out[i].released = placesThatTurn(chart, places) - ends;

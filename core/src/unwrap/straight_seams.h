@@ -7,28 +7,28 @@
 
 namespace abflat {
 
-/// Of one chart.
+/// Straight parts of one chart's boundary.
 struct StraightSeams {
-  StraightPlaces places;     ///< of the boundary, where the layout goes straight on
-  std::size_t released = 0;  ///< places between ends of seams that are not
+  StraightPlaces places;     ///< boundary places where the layout goes straight on
+  std::size_t released = 0;  ///< places between the ends of seams that are not straight
 };
 
-/// Per half-edge of a surface the next one of the same chart's boundary; none inside of charts.
+/// For each half-edge of a surface, the next one on the same chart's boundary; none inside charts.
 using Outlines = IdVector<SurfaceCorner, SurfaceCorner>;
 
-/// `isCut`: of each half-edge, whether a chart ends there. Rims of holes are outlines as well.
+/// `isCut`: for each half-edge, whether a chart ends there. Rims of holes are outlines as well.
 Outlines findOutlines(const Surface& surface, const IdVector<SurfaceCorner, std::uint8_t>& isCut);
 Outlines findOutlines(const Surface& surface, const ChartSet& set);
 
-/// Whether seams have their ends at the same places of a chart for two outlines that are equal
-/// along its own boundary.
+/// Whether seams end at the same places of a chart for two outlines that are equal along its own
+/// boundary.
 bool hasSameEnds(const CutMesh& mesh, ChartId chart, const Outlines& a, const Outlines& b);
 
-/// Seams and boundaries from end to end, per chart. Ends are junctions, where the chart on the
-/// other side changes, tips, and corners of the surface. A run that turns much on the surface stays
-/// as it is, like the rim of a round lid; so does what no layout could have straight. Nothing is
-/// straightened where `isFixed` says so, per triangle of the surface unless empty: islands that are
-/// given need not be disks.
+/// Straightens seams and boundaries from end to end, per chart. Ends are junctions, where the chart
+/// on the other side changes, tips, and corners of the surface. A run that turns a lot on the
+/// surface stays as it is, such as the rim of a round lid; so does one that no layout could make
+/// straight. `isFixed` (per triangle of the surface, or empty) excludes given islands, which need
+/// not be disks.
 IdVector<ChartId, StraightSeams> straightSeams(
     const Surface& surface, const ChartSet& set, const Outlines& outlines,
     const IdVector<SurfaceTriangle, std::uint8_t>& isFixed);

@@ -32,7 +32,7 @@
 namespace abflat {
 namespace {
 
-/// The exponent of the power of two that brings the largest coordinate of a face to 1 to 2.
+/// Exponent of the power of two that scales the largest coordinate of a face into 1 to 2.
 int exponentOf(const PolygonMesh& mesh) {
   double largest = 0;
   for (const std::size_t v : mesh.faceVertices)
@@ -44,7 +44,7 @@ int exponentOf(const PolygonMesh& mesh) {
 /// One run, stage by stage.
 class Unwrapping {
  public:
-  /// The mesh is taken in units of 2^exponent, lengths in the options are in such units.
+  /// The mesh and lengths in the options are scaled to units of 2^exponent.
   Unwrapping(const PolygonMesh& input, const UnwrapOptions& options, int exponent)
       : input_(input),
         options_(options),
@@ -87,8 +87,8 @@ class Unwrapping {
     PolygonMesh inUnits = input_;
     for (double& x : inUnits.positions) x /= unit_;
     report_.input = inspect(inUnits, pulse);
-    // A mesh that is a disk may be one because it has been cut: it is taken as it is, but for what
-    // is open at poles because each face there has a vertex of its own.
+    // A disk may be one because it has been cut, so it is not welded, except at poles that are open
+    // because each face has its own vertex there.
     const bool isDisk = report_.input.disk.ok();
     weldAndSee(inUnits, !isDisk, {}, pulse);
     if (isDisk && !pulse.isStopped())
@@ -130,7 +130,7 @@ class Unwrapping {
     return {};
   }
 
-  /// Charts that turn out to be stretched more than was expected are cut further.
+  /// Flattens all charts, and cuts those further that are stretched more than predicted.
   Status flatten() {
     if (Status s = readWishes(); !s.ok()) return s;
     charts_.flat.resize(charts_.set.size());
@@ -144,13 +144,13 @@ class Unwrapping {
     return dropTangled(charts_.flat) ? layOut(tell) : Status();
   }
 
-  /// Each round has a part of what those before left.
+  /// Each round fills a share of the bar that the rounds before left.
   bool tellSolve(double share) {
     constexpr double kFirst = 0.7;
     return monitor_.tell(kSolve, 1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
   }
 
-  /// As often as that helps. `seconds`: those of laying out.
+  /// Repeats as long as it helps. `seconds`: time spent on layouts.
   Status cutWhileStretched(int mostRounds, double& seconds,
                            const std::function<bool(double)>& tell) {
     for (round_ = 1; round_ <= mostRounds && !monitor_.stopped(); ++round_) {
@@ -173,14 +173,14 @@ class Unwrapping {
       const bool isAsked =
           (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
       charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
-      // Unless its layout is not kept.
+      // Cleared if its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }
     return cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
   }
 
-  /// Charts of the surface as it is open now. Those that are as before keep their layout; what is
-  /// left of the others is returned.
+  /// Remakes the charts of the surface with its present seams. Unchanged charts keep their layout;
+  /// returns what is left of the others.
   LaidCharts openAnew() {
     LaidCharts before = std::move(charts_);
     charts_ = {chartsOf(welded_, open_), {}};
@@ -199,7 +199,7 @@ class Unwrapping {
     return {};
   }
 
-  /// What has no layout yet.
+  /// Lays out charts that have no layout yet.
   Status layOut(const std::function<bool(double)>& tell) {
     if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok()) return s;
     flattenAll(wishes_, options_, *pool_, monitor_, tell, charts_);
@@ -215,7 +215,7 @@ class Unwrapping {
     return s;
   }
 
-  /// Which is that part of the stage.
+  /// Packs, which takes the given range of the stage's progress.
   Status packNow(double from, double to) {
     const auto tell = [&, from, to](double share) {
       return monitor_.tell(kPack, from + (to - from) * share);
@@ -223,8 +223,8 @@ class Unwrapping {
     return packAll(packedCharts(), options_, tell, report_.atlas);
   }
 
-  /// Charts are cut where they are packed so much denser then that it is worth the seams, and stay
-  /// as they were otherwise.
+  /// Cuts charts if that makes the packing so much denser that it is worth the seams; otherwise
+  /// leaves them as they were.
   Status cutForRoom() {
     const auto goesOn = [&] { return monitor_.tell(kPack, kUncut); };
     const RoomCuts cuts = findRoomCuts(charts_, open_, options_, report_.atlas.utilization, goesOn);
@@ -254,8 +254,8 @@ class Unwrapping {
     return readWishes();
   }
 
-  /// Those that do not lie well enough as they lay in their chart. What is stretched too much even
-  /// so is cut further.
+  /// Lays out the pieces that cannot keep their place in the former chart's layout. Pieces that are
+  /// still stretched too much are cut further.
   Status layOutPieces(const std::function<bool()>& goesOn) {
     constexpr int kMostRounds = 3;
     const auto tell = [&](double) { return goesOn(); };
@@ -267,7 +267,7 @@ class Unwrapping {
     return dropTangled(charts_.flat) ? layOut(tell) : Status();
   }
 
-  /// Charts that were cut for packing to pieces that are stretched too much are whole again.
+  /// Joins charts again that were cut for packing into pieces with too much stretch.
   Status joinStretched(LaidCharts& before, const Seams& seams) {
     const IdVector<ChartId, std::uint8_t> isJoined =
         stretchedByCuts(before, charts_, options_.maxStretch);
@@ -278,8 +278,8 @@ class Unwrapping {
     return readWishes();
   }
 
-  /// Keeps of the cut surface what the result has of it. With many charts the rest is most of the
-  /// memory.
+  /// Keeps only what the result needs of the cut surface. With many charts the rest takes most of
+  /// the memory.
   void endCutting() {
     monitor_.tellAgain();
     const Seams seams = visibleSeams(open_);
@@ -329,7 +329,7 @@ class Unwrapping {
   Texcoords texcoords_;
   IdVector<ChartId, ChartWishes> wishes_;
   int round_ = 0;                        ///< of flattening
-  static constexpr double kUncut = 0.6;  ///< of packing, where charts may be cut for it
+  static constexpr double kUncut = 0.6;  ///< share of packing before charts may be cut for it
   Packing packing_;
 };
 
@@ -337,7 +337,7 @@ class Unwrapping {
 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
   if (Status s = validateArrays(mesh); !s.ok()) return s;
-  // So that nothing overflows or gets lost below, and results are the same in every unit.
+  // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
   if (exponent == 0 || options.known.unpacked.empty())
     return Unwrapping(mesh, options, exponent).run();

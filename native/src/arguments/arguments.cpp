@@ -10,7 +10,7 @@
 namespace abflat::cli {
 namespace {
 
-/// The first word that looks like an option and is none.
+/// The first word that looks like an option but is not one.
 std::string unknownOption(const CLI::App& command) {
   for (const std::string& word : command.remaining())
     if (word.size() > 1 && word[0] == '-') return word;

@@ -15,25 +15,25 @@ namespace abflat::cli {
 struct UnwrapCommand {
   std::string input, output;
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
-  std::optional<std::size_t> texcoord;  ///< set of a glTF that is written; none: auto
-  std::string report;                   ///< empty: none is wanted
+  std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: auto
+  std::string report;                   ///< empty: not wanted
   UnwrapOptionValues options;
   SeamSources seams;
   std::string seamFile;  ///< edges to cut along; empty: none
   KeptFaces keep;
   std::string pins;        ///< file with pinned vertices; empty: none
-  std::string writeSeams;  ///< file for the edges that were cut; empty: none is wanted
-  std::string layout;      ///< picture of the atlas, .svg or .png; empty: none is wanted
-  double scale = 0;        ///< millimetres a unit of the mesh in an SVG; 0: pixels
-  std::string heatMap;     ///< picture of the distortion, .png; empty: none is wanted
+  std::string writeSeams;  ///< file for the edges that were cut; empty: not wanted
+  std::string layout;      ///< picture of the atlas, .svg or .png; empty: not wanted
+  double scale = 0;        ///< millimetres per mesh unit in an SVG; 0: pixels
+  std::string heatMap;     ///< picture of the distortion, .png; empty: not wanted
   bool quiet = false;
 };
 
 struct FlattenCommand {
   std::string input, output;
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
-  std::optional<std::size_t> texcoord;  ///< set of a glTF that is written; none: auto
-  std::string report;                   ///< empty: none is wanted
+  std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: auto
+  std::string report;                   ///< empty: not wanted
   FlattenOptionValues options;
   std::string bounds;    ///< file with bounds of single vertices; empty: none
   std::string straight;  ///< file with straight runs; empty: none
@@ -56,26 +56,26 @@ struct SweepCommand {
   std::string input;
   bool allowsOutside = false;
   std::vector<double> t = {2, 1.05, 1,
-                           0.968};    ///< those of the paper's table 2; kAutoT may be among them
-  std::vector<double> balance = {0};  ///< each with each t
-  std::string csv;                    ///< file to write; empty: a table for people
+                           0.968};    ///< those of the paper's table 2; may include kAutoT
+  std::vector<double> balance = {0};  ///< each is combined with each t
+  std::string csv;                    ///< file to write; empty: print a readable table
 };
 
 struct CompareCommand {
   std::string input;
   bool allowsOutside = false;
-  std::string json;  ///< file to write; empty: a table for people
+  std::string json;  ///< file to write; empty: print a readable table
 };
 
 struct ReproduceCommand {
-  std::string meshes;  ///< folder; empty: the generated models only
+  std::string meshes;  ///< folder; empty: only the generated models
   std::string out;     ///< folder
   bool wantsTables = true, wantsConvergence = true, wantsFigures = true;
   FlattenOptionValues options;  ///< precondition only
   bool quiet = false;
 };
 
-/// What the program has printed already (help, version, a usage error).
+/// Everything has been printed already (help, version, a usage error).
 struct Finished {
   int exitCode = 0;
 };

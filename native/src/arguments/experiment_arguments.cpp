@@ -6,7 +6,7 @@
 namespace abflat::cli {
 namespace {
 
-/// "2,1.05,auto" as values of an option of flattening.
+/// Parses "2,1.05,auto" as values of a flattening option.
 std::vector<double> parseList(const std::string& option, const std::string& text) {
   const OptionInfos infos = optionInfos(FlattenOptionValues{});
   int index = 0;

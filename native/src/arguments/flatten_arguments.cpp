@@ -43,7 +43,7 @@ void checkTogether(const FlattenCommand& c) {
   };
   const std::vector<Source> sources = {
       {"IN", c.input}, {"--bounds", c.bounds}, {"--straight", c.straight}, {"--pins", c.pins}};
-  const char* reader = nullptr;  // of standard input
+  const char* reader = nullptr;  // what reads standard input
   for (const auto& [option, path] : sources) {
     const std::string loss = std::string("would replace the file of ") + option;
     if (&path != &c.input && replaces(c.report, path)) refuse("--report", loss);

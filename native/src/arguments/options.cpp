@@ -13,7 +13,7 @@
 namespace abflat::cli {
 namespace {
 
-/// Shows required options in the usage line and footers as they are.
+/// Shows required options in the usage line, and footers unchanged.
 class HelpFormatter : public CLI::Formatter {
  public:
   explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) {
@@ -30,7 +30,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string usage_;
 };
 
-/// A name that promises another format would mislead who reads the file next.
+/// A name that promises another format would mislead whoever reads the file next.
 CLI::Validator resultName() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {

@@ -14,23 +14,23 @@ namespace abflat::cli {
 /// The part of a help text that lists the exit codes.
 std::string exitCodeHelp();
 
-/// Breaks a description so that it fits beside the option names.
+/// Breaks a description into lines so that it fits beside the option names.
 std::string wrapped(const std::string& text);
 
-/// Shows required options in the usage line and footers as they are.
+/// Shows required options in the usage line, and footers unchanged.
 void setUsage(CLI::App& app, const std::string& usage);
 
 bool isNumber(const std::string& text, double& value);
 
 CLI::Validator notEmpty();
-/// `range` in words, for the error.
+/// `range` in words, for the error message.
 CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double));
 
 void addInput(CLI::App& app, std::string& input);
 void addOutput(CLI::App& app, std::string& output);
-/// `where`: what their uv are.
+/// `where`: words that describe their uv.
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
-/// None is auto.
+/// None means auto.
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set);
 /// Whether files that the mesh refers to may be anywhere.
 void addAllowOutside(CLI::App& app, bool& allowsOutside);
@@ -47,10 +47,10 @@ bool isNumberOfOption(const Values& values, int index, const std::string& text, 
   return true;
 }
 
-/// Whether a switch is off unless given; one that is on has a flag to turn it off.
+/// Whether a switch is off by default; one that is on has a flag to turn it off.
 inline bool isOff(const OptionInfo& info) { return std::string_view(info.defaultText) == "false"; }
 
-/// An option of the schema: its flag, range, default and help come from there.
+/// Adds an option of the schema, which provides its flag, range, default and help.
 template <class Values>
 void addOption(CLI::App& app, Values& values, int index) {
   const OptionInfo& info = optionInfos(values)[index];
@@ -81,7 +81,7 @@ void addOptions(CLI::App& app, Values& values) {
   for (int i = 0; i < optionInfos(values).count; ++i) addOption(app, values, i);
 }
 
-/// Refuses a file name that clashes with another one.
+/// Rejects a file name that clashes with another one.
 void refuse(const char* option, const std::string& what);
 
 /// Whether writing `target` would lose what is read from `source`.

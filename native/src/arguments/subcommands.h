@@ -14,8 +14,8 @@ CLI::App* addSweep(CLI::App& app, SweepCommand& c);
 CLI::App* addCompare(CLI::App& app, CompareCommand& c);
 CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c);
 
-/// What the options cannot say one by one; throws CLI::ValidationError. A mesh may be replaced by
-/// its own result.
+/// Checks that involve several options; throws CLI::ValidationError. A mesh may be replaced by its
+/// own result.
 void checkTogether(const UnwrapCommand& c);
 void checkTogether(const FlattenCommand& c);
 void checkTogether(const SweepCommand& c);

@@ -8,7 +8,7 @@
 namespace abflat::cli {
 namespace {
 
-/// `endings` are those that `text` may have, in words.
+/// `endings` are those that the name may have; `inWords` is their text.
 CLI::Validator pictureName(const std::vector<std::string>& endings, const std::string& inWords) {
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
@@ -20,7 +20,7 @@ CLI::Validator pictureName(const std::vector<std::string>& endings, const std::s
       "");
 }
 
-/// "auto,file=PATH": what is not the name of a file is for the core to understand.
+/// Parses "auto,file=PATH". Everything but the file name is left to the core.
 void setSeams(const std::string& text, UnwrapCommand& c) {
   const std::string kFile = "file=";
   std::string others;
@@ -79,7 +79,7 @@ void checkPictures(const UnwrapCommand& c) {
                      " pixels along a side. Lower --resolution, or write the layout as .svg");
 }
 
-/// It can be read once.
+/// Standard input can be read only once.
 void checkStandardInput(const UnwrapCommand& c) {
   std::string reader = c.input == kStandardStream ? "the mesh" : "";
   for (const auto& [option, path] :
@@ -149,10 +149,10 @@ void checkTogether(const UnwrapCommand& c) {
     for (auto other = targets.begin(); other != target; ++other)
       if (!other->path.empty() && isSameTarget(target->path, other->path))
         refuse(target->option, std::string("is the same file as ") + other->option);
-    const bool isMesh = target == targets.begin();  // which may be replaced by its own result
+    const bool isMesh = target == targets.begin();  // a mesh may be replaced by its own result
     if (!isMesh && replaces(target->path, c.input))
       refuse(target->option, "would replace the input");
-    // Edges that were read may be replaced by those that were cut.
+    // A file of edges that was read may be replaced by the edges that were cut.
     if (&target->path != &c.writeSeams && replaces(target->path, c.seamFile))
       refuse(target->option, "would replace the file of --seams");
     if (replaces(target->path, c.keep.file))

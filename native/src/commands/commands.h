@@ -4,7 +4,7 @@
 
 namespace abflat::cli {
 
-// Each returns the exit code, after saying on standard error what went wrong.
+// Each returns the exit code, after reporting any error on standard error.
 int runUnwrap(const UnwrapCommand& command);
 int runFlatten(const FlattenCommand& command);
 int runInspect(const InspectCommand& command);

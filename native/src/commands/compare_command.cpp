@@ -14,7 +14,7 @@
 namespace abflat::cli {
 namespace {
 
-/// A distortion as a column of the table: less is better.
+/// A distortion, as a column of the table; less is better.
 struct Measure {
   const char* title;
   int decimals;
@@ -34,7 +34,7 @@ std::string formatted(const char* format, Values... values) {
   return text.data();
 }
 
-/// Decimals that line up where they fit, and what is only rounding as 0.
+/// Aligned decimals if the number is small enough; rounding noise is shown as 0.
 std::string numberText(const Measure& measure, double value) {
   constexpr double kWidest = 1e4, kNoise = 1e-12;
   const double narrowest = std::pow(10.0, 1 - measure.decimals);
@@ -45,7 +45,7 @@ std::string numberText(const Measure& measure, double value) {
   return formatted("%.*f", measure.decimals, value);
 }
 
-/// The least of the valid layouts, as it is printed: what looks equal is equally good.
+/// The least value among the valid layouts, as printed: values that look equal are equally good.
 std::string bestText(const std::vector<MethodResult>& rows, const Measure& measure) {
   double least = NAN;
   for (const MethodResult& row : rows)

@@ -53,7 +53,7 @@ struct FlattenJob {
     return result;
   }
 
-  /// A disk is flattened as it is: with the triangles of its own faces.
+  /// A disk is flattened as it is, with the triangles of its own faces.
   static std::vector<std::uint32_t> triangleCorners(const PolygonMesh& mesh, const FlattenResult&) {
     return triangleCornersOf(mesh);
   }

@@ -19,30 +19,31 @@
 
 namespace abflat::cli {
 
-/// Runs `work` of the core, which knows no files: its errors are told with the name of the input.
+/// Runs `work` of the core, which knows nothing of files, and prefixes errors with the input's
+/// name.
 template <class Work>
 auto placed(const std::string& name, const Work& work) -> decltype(work()) {
   auto result = orOutOfMemory(name, work);
-  // Lack of memory is worded with its place already.
+  // An out-of-memory message already names its place.
   if (!result.ok() && result.status.code != StatusCode::OutOfMemory)
     result.status.message = name + ": " + result.status.message;
   return result;
 }
 
-/// A file that a command writes beside the mesh and the report.
+/// A file that a command writes besides the mesh and the report.
 template <class Outcome>
 struct ExtraFile {
   std::string path;
   std::function<Result<std::string>(const PolygonMesh&, const Outcome&)> text;
 };
 
-/// One run from a mesh to the files that a command writes: the mesh with texcoords, and a report
-/// where it is wanted. `Job` has
+/// One run from a mesh to the files that a command writes: the mesh with texcoords and, if wanted,
+/// a report. `Job` provides
 ///   Command           with input, output, report, options and quiet
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   kRepeated         see readInput
-///   addNotes          to a report
-///   keepsTexcoords    whether all that the input has are in the result
+///   addNotes          adds notes to a report
+///   keepsTexcoords    whether the result has all texcoords of the input
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
 ///   triangleCorners   of a result and its mesh, as for makeGltf
@@ -90,7 +91,7 @@ class MeshRun {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  /// Before the work, so that a wrong name costs no time.
+  /// Done before the work, so that a wrong name costs no time.
   Status checkTargets() const {
     if (Status s = layout_.check(); !s.ok()) return s;
     for (const OutputFile& file : extras_)
@@ -110,7 +111,7 @@ class MeshRun {
       noteCompression();
       chooseTexcoords();
     }
-    // The names cannot tell when one of them has no ending or is a link.
+    // Names alone cannot tell if one of them has no extension or is a link.
     const FileFormat written = writtenFormat(command_.output);
     if (input_.format != written && command_.output != kStandardStream &&
         isSameTarget(command_.input, command_.output))
@@ -130,7 +131,7 @@ class MeshRun {
     if (!command_.quiet) complainCleared({{}, note});
   }
 
-  /// Textures of a glTF stay right unless the user says otherwise.
+  /// Keeps textures of a glTF correct unless the user says otherwise.
   void chooseTexcoords() {
     const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
     if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
@@ -152,7 +153,7 @@ class MeshRun {
     report.timings.total = secondsSince(start_);
   }
 
-  /// All files are complete before any gets its name, and all get theirs or none.
+  /// All files are complete before any is given its name, and either all get theirs or none does.
   Status writeAll(Outcome& result) {
     progress_.show({Stage::Write, 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
@@ -181,7 +182,7 @@ class MeshRun {
     return OutputFile::commit(files);
   }
 
-  /// What is known about the input goes into the report with the error.
+  /// The report contains the error and everything known about the input.
   int endedWithoutResult(const Status& status) {
     if (report_) {
       Report report;
@@ -216,7 +217,7 @@ class MeshRun {
   std::vector<std::function<Result<std::string>(const PolygonMesh&, const Outcome&)>> extraTexts_;
   InputMesh input_;
   std::vector<std::string> notes_;  ///< about reading and writing, one sentence each
-  std::size_t texcoord_ = command_.texcoord.value_or(0);  ///< set of a glTF that is written
+  std::size_t texcoord_ = command_.texcoord.value_or(0);  ///< number of the glTF set to write
   double readSeconds_ = 0, writeSeconds_ = 0;
 };
 

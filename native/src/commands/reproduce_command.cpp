@@ -13,7 +13,7 @@
 namespace abflat::cli {
 namespace {
 
-/// What has been found so far, mesh by mesh; pictures are written as soon as they are made.
+/// The results so far, mesh by mesh; pictures are written as soon as they are made.
 class Reproduction {
  public:
   explicit Reproduction(const ReproduceCommand& command)

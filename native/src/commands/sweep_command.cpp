@@ -12,7 +12,7 @@
 namespace abflat::cli {
 namespace {
 
-/// What came of one t and balance: a report, or the status that says why there is none.
+/// The result for one t and balance: a report, or the status that says why there is none.
 struct Row {
   double t, balance;
   Result<FlattenResult> result;
@@ -26,7 +26,7 @@ std::string numberText(double x) {
 
 std::string boundText(double t) { return t == kAutoT ? "auto" : numberText(t); }
 
-/// A cell of a CSV file; quoted, since sentences hold commas.
+/// A cell of a CSV file; quoted, since sentences may contain commas.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -103,7 +103,7 @@ int runSweep(const SweepCommand& command) {
       const auto run = [&] { return flatten(input.value.mesh, options); };
       rows.push_back({t, balance, orOutOfMemory(name, run)});
       const Status& status = rows.back().result.status;
-      // What neither can change ends the sweep.
+      // An error that neither t nor balance can change ends the sweep.
       if (!status.ok() && status.code != StatusCode::InfeasibleBound)
         return ended({status.code, name + ": " + status.message});
     }

@@ -16,7 +16,7 @@ struct UnwrapJob {
   using Outcome = UnwrapResult;
   using Report = UnwrapReport;
 
-  static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them, and tells
+  static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them and reports it
 
   static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }
 
@@ -75,7 +75,7 @@ struct UnwrapJob {
     return out;
   }
 
-  /// Written last.
+  /// Called last, since it includes the memory of writing.
   static std::string json(UnwrapReport report) {
     report.peakMemory.write = peakMemory();
     return unwrapReportJson(report);

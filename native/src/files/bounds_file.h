@@ -7,8 +7,8 @@
 
 namespace abflat::cli {
 
-/// Bounds of single vertices from a text file (standard input for "-"): a line "VERTEX T" each;
-/// blank lines and # comments are skipped. Errors: UnreadableFile, ParseError (names file and
+/// Reads bounds of single vertices from a text file (standard input for "-"), one "VERTEX T" per
+/// line; blank lines and # comments are skipped. Errors: UnreadableFile, ParseError (names file and
 /// line).
 Result<std::vector<VertexBound>> readBounds(const std::string& path);
 

@@ -24,7 +24,7 @@ FileFormat fileFormat(MeshFormat format) {
   return FileFormat::Obj;
 }
 
-/// Of a file that is no glTF.
+/// The format of a file that is not a glTF.
 MeshFormat meshFormat(FileFormat format) {
   for (const MeshFormat known :
        {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply, MeshFormat::Stl})
@@ -32,7 +32,7 @@ MeshFormat meshFormat(FileFormat format) {
   return MeshFormat::Obj;
 }
 
-/// By its ending, or by its first bytes where that says nothing.
+/// Decided by the extension, or by the first bytes if that tells nothing.
 bool isGltf(const std::string& path, std::string_view bytes) {
   const std::string ending = endingOf(path);
   if (ending == ".glb" || ending == ".gltf") return true;

@@ -12,20 +12,20 @@ namespace abflat::cli {
 enum class FileFormat { Obj, Off, Ply, Stl, Gltf };
 
 struct InputMesh {
-  std::string bytes;  ///< of a glTF: none, `gltf` has them
+  std::string bytes;  ///< empty for a glTF, since `gltf` holds them
   FileFormat format = FileFormat::Obj;
   PolygonMesh mesh;
   std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
   std::shared_ptr<const gltf::Source> gltf;
   Appearance look;  ///< of other formats, once readLook has been called
   std::string path;
-  ReadResource readResource;  ///< of files that it refers to
+  ReadResource readResource;  ///< reads files that it refers to
 };
 
-/// What a command makes of vertices that a glTF repeats where normals or texcoords change.
+/// How to treat vertices that a glTF repeats where normals or texcoords change.
 enum class Repeated {
   Stay,
-  Join  ///< unless the mesh is a disk as it is
+  Join  ///< unless the mesh is already a disk
 };
 
 struct ReadOptions {
@@ -33,12 +33,12 @@ struct ReadOptions {
   bool allowsOutside = false;  ///< files that the mesh refers to may be anywhere
 };
 
-/// Reads a mesh from a file with the files that it refers to, or from standard input when `path` is
-/// "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
+/// Reads a mesh from a file together with the files that it refers to, or from standard input if
+/// `path` is "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
 Result<InputMesh> readInput(const std::string& path, const ReadOptions& options);
 
-/// Reads what a glTF can say of the mesh beyond its shape, also from files that the input refers
-/// to. A glTF has that already.
+/// Reads what a glTF can store of the mesh beyond its shape, also from files that the input refers
+/// to. Does nothing for a glTF, which already has that.
 void readLook(InputMesh& input);
 
 }  // namespace abflat::cli

@@ -9,7 +9,7 @@
 namespace abflat::cli {
 namespace {
 
-/// What follows `key` at the beginning of a word, or nothing.
+/// What follows `key` at the beginning of a word, or an empty string.
 std::string valueOf(const std::string& word, const std::string& key) {
   return word.rfind(key, 0) == 0 ? word.substr(key.size()) : "";
 }
@@ -21,7 +21,7 @@ std::string listed(const std::vector<std::string>& names) {
   return out;
 }
 
-/// Adds the faces of a material; several may have the same name.
+/// Adds the faces of all materials with this name.
 Status addMaterial(const std::string& name, const PolygonMesh& mesh,
                    std::vector<std::uint32_t>& faces) {
   const std::vector<std::string>& names = mesh.materialNames;

@@ -11,17 +11,17 @@
 namespace abflat::cli {
 namespace {
 
-/// A path to remove. Never freed, but used again: a signal may come at any time.
+/// A path to remove. Slots are reused but never freed, since a signal may come at any time.
 struct Slot {
   std::atomic<bool> isUsed{false};
   char path[PATH_MAX] = {};
   std::atomic<Slot*> next{nullptr};
 };
 
-// A signal handler has no arguments: what it looks at must be global, and lock-free.
+// A signal handler has no arguments, so its data must be global and lock-free.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 Slot slots;
-/// kRunning, kEnding, or kPaused + the signal that waits (0: none).
+/// kRunning, kEnding, or kPaused + the pending signal (0: none).
 std::atomic<int> state{0};
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
@@ -31,7 +31,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<Slot*>::is_al
 void removeAndEnd(int signal) {
   for (const Slot* slot = &slots; slot != nullptr; slot = slot->next)
     if (slot->isUsed) unlink(slot->path);
-  // The default action again: whoever started the program sees which signal ended it.
+  // Restores the default action, so that the parent process sees which signal ended the program.
   std::signal(signal, SIG_DFL);
   sigset_t own;
   sigemptyset(&own);
@@ -71,7 +71,7 @@ void watchSignals() {
 SignalPause::SignalPause() {
   watchSignals();
   int now = kRunning;
-  // Another thread may be ending the program.
+  // Another thread may already be ending the program.
   while (!state.compare_exchange_weak(now, kPaused)) {
     if (now == kEnding) pause();
     now = kRunning;

@@ -4,8 +4,8 @@
 
 namespace abflat::cli {
 
-/// While it lives, signals that end the program wait: a file cannot exist without being watched,
-/// and files get their names together. Threads too are held.
+/// While it exists, signals that would end the program wait. So no file exists without being
+/// watched, and files get their names together. Other threads that pause signals wait, too.
 class SignalPause {
  public:
   SignalPause();
@@ -13,14 +13,14 @@ class SignalPause {
   SignalPause(const SignalPause&) = delete;
   SignalPause& operator=(const SignalPause&) = delete;
 
-  /// Whether one is waiting.
+  /// Whether a signal is waiting.
   bool hasSignal() const;
 };
 
-/// Sees to it that a file does not outlive the program when it is interrupted (SIGINT, SIGTERM,
+/// Makes sure that a file does not outlive the program if it is interrupted (SIGINT, SIGTERM,
 /// SIGHUP, SIGQUIT, SIGXCPU).
 void removeOnSignal(const std::string& path);
-/// The file is no longer to be removed. No effect for other paths.
+/// Stops watching the file. No effect for other paths.
 void keepOnSignal(const std::string& path);
 
 }  // namespace abflat::cli

@@ -7,11 +7,11 @@
 namespace abflat::cli {
 namespace {
 
-/// From the folder of one file to that of another; empty where it is the same.
+/// The path from the folder of one file to that of another; empty if they are the same.
 std::string pathBetween(const std::string& from, const std::string& to) {
   namespace fs = std::filesystem;
   if (from == kStandardStream || to == kStandardStream) return {};
-  std::error_code ignored;  // a folder that cannot be looked up is compared as it is written
+  std::error_code ignored;  // a folder that cannot be looked up is compared as written
   const auto folder = [&](const std::string& path) {
     return fs::weakly_canonical(fs::absolute(path, ignored), ignored).parent_path();
   };

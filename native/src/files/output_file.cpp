@@ -23,14 +23,14 @@ namespace fs = std::filesystem;
 constexpr int kMaxLinks = 40;
 constexpr int kMostNames = 100;
 
-/// The file behind symbolic links, whether it exists or not.
+/// The file that symbolic links lead to, whether it exists or not.
 std::string resolved(const std::string& path) {
   fs::path out = path;
   std::error_code error;
   for (int i = 0; i < kMaxLinks && fs::is_symlink(out, error); ++i) {
     const fs::path next = fs::read_symlink(out, error);
     if (error) break;
-    out = out.parent_path() / next;  // an absolute link replaces all before it
+    out = out.parent_path() / next;  // an absolute link replaces everything before it
   }
   return out.string();
 }
@@ -40,7 +40,7 @@ std::string folderOf(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-/// Empty, or why it failed.
+/// Returns an empty string, or why it failed.
 std::string writeAll(int file, std::string_view bytes) {
   constexpr int kMostIdle = 1000;
   for (int idle = 0; !bytes.empty();) {
@@ -53,14 +53,15 @@ std::string writeAll(int file, std::string_view bytes) {
   return {};
 }
 
-/// Empty, or why the bytes may not be on the disk. Some file systems cannot say.
+/// Returns an empty string, or why the bytes may not be on the disk. Some file systems cannot tell.
 std::string syncAll(int file) {
   if (uninterrupted([&] { return fsync(file); }) == 0) return {};
   const bool isUnknown = errno == EINVAL || errno == ENOSYS || errno == ENOTSUP || errno == EROFS;
   return isUnknown ? "" : std::strerror(errno);
 }
 
-/// Empty, or why it failed. Closed it is in any case, so that it is not tried again.
+/// Returns an empty string, or why it failed. The file is closed in any case, so it must not be
+/// closed again.
 std::string closed(int file) {
   return close(file) == 0 || errno == EINTR ? "" : std::strerror(errno);
 }
@@ -72,7 +73,7 @@ bool removed(const std::string& path) {
   return false;
 }
 
-/// Owner (where that is allowed) and permissions of the file that will be replaced.
+/// Copies owner (if allowed) and permissions of the file that will be replaced.
 void takeOver(int file, const std::string& replaced) {
   struct stat old {};
   if (stat(replaced.c_str(), &old) != 0) return;
@@ -87,7 +88,7 @@ OutputFile::OutputFile(const std::string& path) : name_(outputName(path)) {
   isDirect_ = isStandardOutput(path);
   if (isDirect_) return;
   struct stat info {};
-  // A pipe that /dev/fd leads to has no path of its own.
+  // A pipe reached through /dev/fd has no path of its own.
   isDirect_ = stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
   target_ = isDirect_ ? path : resolved(path);
 }
@@ -105,7 +106,7 @@ Status OutputFile::failure(const std::string& reason) const {
 Status OutputFile::check() const {
   if (target_.empty()) return {};
   const std::string folder = folderOf(target_);
-  std::error_code ignored;  // what cannot be looked up is not there
+  std::error_code ignored;  // what cannot be looked up does not exist
   if (fs::is_directory(target_, ignored)) return failure("it is a folder. Name a file in it");
   if (!isDirect_ && fs::is_symlink(target_, ignored)) return failure(std::strerror(ELOOP));
   if (!fs::is_directory(folder, ignored))
@@ -118,8 +119,8 @@ Status OutputFile::check() const {
   return {};
 }
 
-/// Calls with one path after another in the folder of the target, until there is one that no file
-/// has. Empty, with errno, where the call fails for another reason.
+/// Calls `call` with one path after another in the target's folder until it finds one that is not
+/// taken. Returns an empty string, with errno set, if the call fails for another reason.
 template <class Call>
 std::string OutputFile::withFreshName(const Call& call) const {
   for (int i = 0; i < kMostNames; ++i) {
@@ -132,7 +133,8 @@ std::string OutputFile::withFreshName(const Call& call) const {
   return {};
 }
 
-/// -1 and errno on failure. Not mkstemp: a new file gets the permissions that umask asks for.
+/// Returns -1 and sets errno on failure. Does not use mkstemp, so that a new file gets the
+/// permissions that umask asks for.
 int OutputFile::openTemporary() {
   const SignalPause pause;
   int file = -1;
@@ -172,8 +174,8 @@ Status OutputFile::writeDirectly() const {
   return problem.empty() ? Status{} : failure(problem);
 }
 
-/// Gives the file that will be replaced a second name, or, where a file system has no second names,
-/// another one.
+/// Gives the file that will be replaced a second name or, if the file system has no hard links, a
+/// different name.
 Status OutputFile::keepOld() {
   struct stat info {};
   if (lstat(target_.c_str(), &info) != 0) return {};
@@ -200,7 +202,7 @@ Status OutputFile::takeName() {
   return {};
 }
 
-/// Names too are on the disk then.
+/// Makes sure that names are on the disk, too.
 Status OutputFile::syncFolder() const {
   const std::string folder = folderOf(target_);
   const int file = uninterrupted([&] { return open(folder.c_str(), O_RDONLY | O_CLOEXEC); });
@@ -210,7 +212,7 @@ Status OutputFile::syncFolder() const {
   return problem.empty() ? Status{} : failure(problem);
 }
 
-/// Everything under its old name.
+/// Restores everything to its old name.
 Status OutputFile::undo() {
   if (isOldInPlace_) return removed(old_) ? Status{} : failure(std::strerror(errno));
   if (old_.empty()) return !hasName_ || removed(target_) ? Status{} : failure(std::strerror(errno));

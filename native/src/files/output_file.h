@@ -16,18 +16,18 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Whether it looks possible to write there: asked before long work. Errors: CannotWrite.
+  /// Whether writing there looks possible; to be asked before long work. Errors: CannotWrite.
   Status check() const;
-  /// Puts the bytes on the disk, under another name; those of a direct output wait. Errors:
-  /// CannotWrite.
+  /// Puts the bytes on the disk under another name; those of a direct output wait until commit.
+  /// Errors: CannotWrite.
   Status write(std::string bytes);
 
-  /// Makes what was written to all of these visible, or nothing of it: direct outputs come first,
-  /// then files get their names one by one, and lose them again where one cannot have its own or
-  /// the program is interrupted. Errors: CannotWrite.
+  /// Makes what was written to all of these visible, or none of it. Direct outputs come first, then
+  /// files get their names one by one, and lose them again if one cannot have its own or the
+  /// program is interrupted. Errors: CannotWrite.
   static Status commit(const std::vector<OutputFile*>& files);
 
-  /// Both, of this file alone.
+  /// Writes and commits this file alone.
   Status writeNow(std::string bytes);
 
  private:
@@ -45,11 +45,11 @@ class OutputFile {
 
   std::string name_;       ///< as the user wrote it
   std::string target_;     ///< behind symbolic links
-  std::string temporary_;  ///< empty when there is none
-  std::string old_;        ///< what the target was, under another name; empty when there is none
+  std::string temporary_;  ///< empty if there is none
+  std::string old_;        ///< the former target under another name; empty if there is none
   std::string bytes_;      ///< of a direct output
   bool isDirect_ = false, hasName_ = false;
-  bool isOldInPlace_ = false;  ///< as well
+  bool isOldInPlace_ = false;  ///< the old file also still has its own name
 };
 
 }  // namespace abflat::cli

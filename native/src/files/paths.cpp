@@ -19,7 +19,7 @@ bool isStandardOutput(const std::string& path) {
 
 bool isSameTarget(const std::string& a, const std::string& b) {
   if (isStandardOutput(a) || isStandardOutput(b)) return isStandardOutput(a) && isStandardOutput(b);
-  std::error_code ignored;  // a name that cannot be looked up is compared as it is written
+  std::error_code ignored;  // a name that cannot be looked up is compared as written
   if (fs::is_other(a, ignored)) return false;
   if (fs::exists(a, ignored) && fs::exists(b, ignored)) return fs::equivalent(a, b, ignored);
   return fs::weakly_canonical(fs::absolute(a, ignored), ignored) ==

@@ -12,11 +12,11 @@
 namespace abflat::cli {
 namespace {
 
-/// Beyond the size that a file claims: enough to see its end, and to begin with where it claims
-/// none.
+/// Space beyond the size that a file claims: enough to detect its end, and to start with if it
+/// claims no size.
 constexpr std::size_t kSpare = 1 << 12;
 
-/// A file full of holes takes no room where it is, but here.
+/// A sparse file takes no room on the disk, but it would here.
 constexpr off_t kMostOrdinary = off_t{1} << 32;
 
 Status failure(const std::string& path, const std::string& reason) {
@@ -28,7 +28,7 @@ bool isNull(const struct stat& info) {
   return stat("/dev/null", &null) == 0 && null.st_rdev == info.st_rdev;
 }
 
-/// Why nothing can be read to its end there; empty where it can.
+/// Why nothing can be read to its end there; empty if it can.
 std::string problemOf(const struct stat& info, int file) {
   if (S_ISDIR(info.st_mode)) return "it is a folder";
   if (S_ISBLK(info.st_mode)) return "it is a device";
@@ -42,7 +42,7 @@ std::string problemOfOrdinary(const struct stat& info) {
   return info.st_size > kMostOrdinary ? "it is larger than 4 GB" : "";
 }
 
-/// Reads until the end. Empty, or why it failed.
+/// Reads until the end. Returns an empty string, or why it failed.
 std::string readToEnd(int file, std::size_t claimed, std::string& bytes) {
   bytes.resize(claimed + kSpare);
   for (std::size_t size = 0;;) {
@@ -86,7 +86,7 @@ Result<std::string> readBytes(const std::string& path) {
     problem = problemOf(info, file);
   const std::size_t claimed = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
   if (problem.empty()) problem = readToEnd(file, claimed, bytes);
-  if (!isStandard) close(file);  // nothing was written, so nothing can get lost
+  if (!isStandard) close(file);  // nothing was written, so nothing can be lost
   if (!problem.empty()) return failure(path, problem);
   return bytes;
 }
@@ -94,7 +94,7 @@ Result<std::string> readBytes(const std::string& path) {
 std::string readOrdinaryFile(const std::string& path, std::string& bytes) {
   struct stat info {};
   if (lstat(path.c_str(), &info) != 0) return std::strerror(errno);
-  // Opening may do something already: rewind a tape, wait for a pipe.
+  // Opening alone may have effects: rewind a tape, or wait for a pipe.
   if (std::string s = problemOfOrdinary(info); !s.empty()) return s;
   const int file = uninterrupted([&] {
     return open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY);
@@ -103,7 +103,7 @@ std::string readOrdinaryFile(const std::string& path, std::string& bytes) {
   std::string problem =
       fstat(file, &info) == 0 ? problemOfOrdinary(info) : std::string(std::strerror(errno));
   if (problem.empty()) problem = readUpTo(file, static_cast<std::size_t>(info.st_size), bytes);
-  close(file);  // nothing was written, so nothing can get lost
+  close(file);  // nothing was written, so nothing can be lost
   return problem;
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Under several names, as "a.png" and "./a.png". A file of a few names could become a result of
-/// any size otherwise.
+/// How often a file may be read under different names, such as "a.png" and "./a.png". Otherwise a
+/// short list of names could blow up the result to any size.
 constexpr int kMostReads = 8;
 
 bool isWithin(const fs::path& folder, const fs::path& file) {
@@ -47,10 +47,11 @@ class Resources {
   }
 
  private:
-  /// Where a file does not exist, by its name: a mesh is not told which files there are.
+  /// A file that does not exist is judged by its name, so that a mesh cannot find out which files
+  /// exist.
   bool isOutside(const fs::path& folder, const fs::path& file, const std::string& name) const {
     if (!file.empty()) return !isWithin(folder, file);
-    std::error_code ignored;  // then by what is known of it
+    std::error_code ignored;  // then it is judged by what is known of it
     return !isWithin(folder, fs::weakly_canonical(fs::absolute(folder_ / name, ignored), ignored));
   }
 

@@ -6,10 +6,10 @@
 
 namespace abflat::cli {
 
-/// Reads the files that the mesh at `path` names, relative to its folder ("-": the current one).
-/// A mesh may come from anywhere, so that it must not reach for other files of the user: only
-/// ordinary files in that folder and below are read, after symbolic links and "..", unless
-/// `allowsOutside`. None is read more than a few times.
+/// Reads the files that the mesh at `path` names, relative to its folder ("-": the current one). A
+/// mesh may come from anywhere, so it must not be able to reach the user's other files: only
+/// ordinary files in that folder and below are read, after resolving symbolic links and "..",
+/// unless `allowsOutside`. No file is read more than a few times.
 ReadResource resourcesOf(const std::string& path, bool allowsOutside);
 
 }  // namespace abflat::cli

@@ -17,9 +17,9 @@ inline bool readIndex(std::istream& in, std::uint32_t& index) {
   return static_cast<bool>(std::istringstream(word) >> index);
 }
 
-/// Rows of a text file (standard input for "-"), a line each; blank lines and # comments are
-/// skipped. `read(in, row)` takes what a line says; nothing may be left of it. Errors:
-/// UnreadableFile, ParseError (names file and line, and says what is `expected`).
+/// Reads the rows of a text file (standard input for "-"), one per line; blank lines and # comments
+/// are skipped. `read(in, row)` must consume the whole line. Errors: UnreadableFile, ParseError
+/// (names file and line, and says what is `expected`).
 template <class Row, class Read>
 Result<std::vector<Row>> readRows(const std::string& path, const char* expected, const Read& read) {
   const Result<std::string> text = readBytes(path);

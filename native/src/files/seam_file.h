@@ -7,7 +7,7 @@
 
 namespace abflat::cli {
 
-/// Edges from a text file, a line "VERTEX VERTEX" each, counted from 0; # begins a comment.
+/// Reads edges from a text file, one "VERTEX VERTEX" per line, counted from 0; # starts a comment.
 /// Errors: UnreadableFile, ParseError (names file and line).
 Result<std::vector<EdgeVertices>> readSeams(const std::string& path);
 

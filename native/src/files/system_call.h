@@ -4,8 +4,8 @@
 
 namespace abflat::cli {
 
-/// Repeats a system call that a signal has interrupted; not for ever, so that a broken file system
-/// cannot hold the program.
+/// Repeats a system call that a signal has interrupted, but not for ever, so that a broken file
+/// system cannot hang the program.
 template <class Call>
 auto uninterrupted(const Call& call) -> decltype(call()) {
   constexpr int kMostTries = 1000;

@@ -9,8 +9,9 @@
 namespace abflat::cli {
 namespace {
 
-/// Faces up to which a solver takes seconds, not minutes: with preconditioner; without, the
-/// symmetric ones; GMRES and BiCGSTAB without, which take 17 s where MINRES takes 0.1 s.
+/// The largest meshes that a solver handles in seconds, not minutes: with a preconditioner; the
+/// symmetric solvers without one; and GMRES and BiCGSTAB without one, which take 17 s where MINRES
+/// takes 0.1 s.
 constexpr std::size_t kMaxFaces = 5000, kMaxFacesPlain = 2000, kMaxFacesPlainUnsymmetric = 600;
 
 struct Method {
@@ -18,7 +19,7 @@ struct Method {
   Formulation formulation;
 };
 
-/// Those of the paper on its form of the wheel condition and those of classic ABF on theirs.
+/// The paper's solvers with its form of the wheel condition, and those of classic ABF with theirs.
 constexpr Method kMethods[] = {{LinearSolver::Schur, Formulation::Log},
                                {LinearSolver::Minres, Formulation::Log},
                                {LinearSolver::Symmlq, Formulation::Log},
@@ -51,21 +52,21 @@ std::vector<Cell> commonCells(const Experiment& e, const Method& m, bool precond
                           : "no"};
 }
 
-/// Of all steps: linear iterations.
+/// Linear iterations, over all steps.
 int totalIterations(const ChartReport& c) {
   int out = 0;
   for (const NewtonStep& s : c.history) out += s.linearIterations;
   return out;
 }
 
-/// Empty, or why the history does not belong to the method.
+/// Returns an empty string, or why the history does not belong to the method.
 std::string strayed(const ChartReport& c, const Method& m) {
   if (c.linearSolver == m.solver && c.formulation == m.formulation) return "";
   return std::string("did not converge; fell back to ") + nameOf(c.solver) + " with " +
          nameOf(c.linearSolver);
 }
 
-/// Curves of one mesh, with a line of the legend each.
+/// The curves of one mesh, each with a line in the legend.
 struct Plot {
   std::vector<Curve> constraint, gradient, iterations;
   std::vector<std::string> legend;
@@ -99,7 +100,7 @@ class Runs {
     if (isIterative(m) && stalls_)
       return leaveOut(m, "left out: on this mesh the active set stalls with exact steps as well");
     FlattenOptions options;
-    options.threads = 1;  // not all linear solvers have several
+    options.threads = 1;  // some linear solvers only have one
     options.t = 1;
     options.linearSolver = m.solver;
     options.formulation = m.formulation;

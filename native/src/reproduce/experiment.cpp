@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSamples[] = {"alpha-band", "three-balls", "head"};
 
-/// Safe in file names and addresses everywhere.
+/// A name that is safe in file names and URLs everywhere.
 std::string plainName(const std::string& name) {
   std::string out;
   for (const char c : name) {

@@ -9,29 +9,29 @@
 
 namespace abflat::cli {
 
-/// One mesh to experiment on; read when its turn comes.
+/// One mesh to experiment on, read only when its turn comes.
 struct Model {
-  std::string name;         ///< for people, unique
-  std::string fileStem;     ///< for names of files, unique, letters, digits, dots and dashes
+  std::string name;         ///< display name, unique
+  std::string fileStem;     ///< for file names; unique; letters, digits, dots and dashes
   std::string path;         ///< empty: a generated sample
   std::string_view sample;  ///< its name; empty: a file
   const PaperModel* paper = nullptr;
 };
 
 /// The generated models that look like those of the paper, then the OBJ, PLY, STL and OFF files of
-/// a folder by name; an empty `folder` adds none. Errors: UnreadableFile.
+/// a folder, by name; an empty `folder` adds none. Errors: UnreadableFile.
 Result<std::vector<Model>> findModels(const std::string& folder);
 
-/// Seconds of everything between arrays in and arrays out, as `sweep` counts them.
+/// Seconds from input arrays to output arrays, counted as in `sweep`.
 double secondsOf(const Report& report);
 
-/// A mesh with its layouts, each computed when it is first asked for.
+/// A mesh with its layouts, each computed when first asked for.
 class Experiment {
  public:
   explicit Experiment(const Model& model);
 
   const Model& model() const { return model_; }
-  /// Why nothing can be done with the mesh: it cannot be read or is no disk.
+  /// Why nothing can be done with the mesh: it cannot be read or is not a disk.
   const Status& status() const { return status_; }
   const PolygonMesh& mesh() const { return mesh_; }
   const MeshSummary& summary() const { return summary_; }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxMatrixFaces = 6000;
 constexpr double kSmallPanel = 300;
-/// A picture of more faces would take megabytes.
+/// With more faces a picture would take megabytes.
 constexpr std::size_t kMaxSurfaceFaces = 12000;
 
 std::string boundTitle(double t) {
@@ -31,7 +31,7 @@ Drawing layoutAt(Experiment& e, double t, double size) {
   return flat.ok() ? drawLayout(flat.value, options) : drawReason(flat.status.message, options);
 }
 
-/// The mesh itself, as the first panel.
+/// The mesh itself as the first panel.
 std::vector<Drawing> startPanels(const Experiment& e, double size) {
   if (e.summary().faces > kMaxSurfaceFaces) return {};
   LayoutDrawingOptions options;
@@ -66,8 +66,7 @@ bool isDelaunay(const FlattenResult& flat) {
   return delaunay.has_value() && delaunay->violated == 0;
 }
 
-/// The convex layout with the edges that are not Delaunay marked, and what condition (9) makes of
-/// it.
+/// The convex layout with its non-Delaunay edges marked, and the layout under condition (9).
 Figure delaunayLayouts(Experiment& e) {
   LayoutDrawingOptions drawing;
   drawing.size = 380;
@@ -87,7 +86,7 @@ Figure delaunayLayouts(Experiment& e) {
   return figure(e, 6, "Delaunay layout", panels);
 }
 
-/// Empty, or why no picture of it is made.
+/// Returns an empty string, or why there is no picture of the matrix.
 std::string whyNoMatrix(const Experiment& e) {
   const std::size_t faces = e.summary().triangles;
   if (faces <= kMaxMatrixFaces) return "";

@@ -7,15 +7,15 @@
 
 namespace abflat::cli {
 
-/// A picture of one mesh, as a file of the output folder.
+/// A picture of one mesh, stored as a file in the output folder.
 struct Figure {
   int number = 0;     ///< of the paper's figure
   std::string file;   ///< name
-  std::string title;  ///< for people: the mesh
+  std::string title;  ///< the mesh's display name
   std::string svg;
 };
 
-/// What the paper's figure of this number shows, for a heading.
+/// A heading that says what the paper's figure with this number shows.
 std::string figureHeading(int number);
 
 struct FigureSet {
@@ -23,7 +23,7 @@ struct FigureSet {
   std::vector<std::string> remarks;  ///< what was left out and why, one sentence each
 };
 
-/// The figures of one mesh; none when it cannot be flattened.
+/// Makes the figures of one mesh; none if it cannot be flattened.
 FigureSet makeFigures(Experiment& experiment);
 
 }  // namespace abflat::cli

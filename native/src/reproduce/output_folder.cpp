@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 Status OutputFolder::prepare() const {
   std::error_code error;
   fs::create_directories(path_, error);
-  std::error_code ignored;  // then it is no folder
+  std::error_code ignored;  // then it is not a folder
   if (error || !fs::is_directory(path_, ignored))
     return {StatusCode::CannotWrite,
             "cannot create the folder " + path_ + (error ? ": " + error.message() : "")};

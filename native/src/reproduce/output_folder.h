@@ -7,13 +7,13 @@
 
 namespace abflat::cli {
 
-/// A folder for results: created when it is missing, files of the same name replaced, others left
-/// alone.
+/// A folder for results. It is created if it is missing; files with the same name are replaced,
+/// others left alone.
 class OutputFolder {
  public:
   explicit OutputFolder(std::string path) : path_(std::move(path)) {}
 
-  /// Makes the folder and asks whether files can be written there. Errors: CannotWrite.
+  /// Creates the folder and checks that files can be written there. Errors: CannotWrite.
   Status prepare() const;
   /// Errors: CannotWrite.
   Status write(const std::string& name, std::string_view bytes) const;

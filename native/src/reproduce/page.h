@@ -13,11 +13,11 @@ struct PagePicture {
   std::string file, title;
 };
 
-/// What the page shows; parts that were not asked for are left out.
+/// The content of the page; parts that were not asked for are left out.
 struct PageContent {
   const PaperTables* tables = nullptr;  ///< null: none
-  std::vector<PagePicture> pictures;    ///< in the order in which they are shown
-  std::vector<std::string> remarks;     ///< what is not there and why, one sentence each
+  std::vector<PagePicture> pictures;    ///< in the order they are shown
+  std::vector<std::string> remarks;     ///< what is missing and why, one sentence each
 };
 
 /// A static page without scripts.

@@ -9,15 +9,15 @@ namespace abflat::cli {
 constexpr std::string_view kPaperSource =
     "Zayer, Rössl, Seidel: Convex Boundary Angle Based Flattening, VMV 2003, tables 1 and 2";
 
-/// Of table 2, for one t; empty where the table has no such row.
+/// Values of table 2 for one t; empty if the table has no such row.
 struct PaperDistortion {
   double t;
-  std::string_view angular, length;  ///< with the digits that were printed
+  std::string_view angular, length;  ///< with the digits as printed
 };
 
-/// What the paper printed about one model.
+/// The numbers printed in the paper for one model.
 struct PaperModel {
-  std::string_view stem;  ///< of the file's name, in lower case
+  std::string_view stem;  ///< the file's stem, in lower case
   std::string_view name;
   std::string_view faces, seconds, angular, length;  ///< table 1: t = 1, 1.8 GHz Xeon
   std::vector<PaperDistortion> distortions;          ///< table 2
@@ -26,7 +26,7 @@ struct PaperModel {
 /// The paper's row for a model of this name, or null.
 const PaperModel* findPaperModel(const std::string& stem);
 
-/// The printed pair for one t, or null.
+/// The printed values for one t, or null.
 const PaperDistortion* findDistortion(const PaperModel& model, double t);
 
 }  // namespace abflat::cli

@@ -11,14 +11,14 @@ const Cell& cellAt(const std::vector<Cell>& row, std::size_t i) {
   return i < row.size() ? row[i] : empty;
 }
 
-/// Quoted, since sentences hold commas.
+/// Quoted, since sentences may contain commas.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";
 }
 
-/// A cell of a Markdown table ends at a bar or at the end of the line.
+/// Escaped, since a bar or a line break would end a cell of a Markdown table.
 std::string markdownEscaped(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -6,7 +6,7 @@
 
 namespace abflat::cli {
 
-/// A cell: `exact` for programs, `shown` for people.
+/// A cell: `exact` for programs, `shown` for readers.
 struct Cell {
   std::string exact, shown;
 
@@ -22,7 +22,7 @@ struct Column {
   bool isText = false;  ///< left-aligned, and quoted in CSV
 };
 
-/// Rows may be shorter than the columns: the missing cells are empty.
+/// Rows may be shorter than the columns; missing cells are empty.
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;

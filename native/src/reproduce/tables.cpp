@@ -20,8 +20,8 @@ std::string shortNumber(double value) {
   return out.str();
 }
 
-/// The paper sums over the edges but seems to divide by 1.5 F, the number of edges without a
-/// boundary: the values of its "Body" are met that way.
+/// The paper sums over the edges but seems to divide by 1.5 F, the number of edges of a mesh
+/// without boundary: that reproduces the values of its "Body".
 double lengthPerClosedEdge(const ChartReport& c) {
   const double edges =
       (3.0 * static_cast<double>(c.faces) + static_cast<double>(c.boundaryVertices)) / 2;

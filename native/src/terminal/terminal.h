@@ -6,19 +6,20 @@
 
 namespace abflat::cli {
 
-/// Without what a terminal takes as a command: names and words of a file may hold anything.
+/// Removes what a terminal would interpret as a command: names and words of a file may contain
+/// anything.
 std::string printable(const std::string& text);
 
-/// `message` with a full stop, unless it ends a sentence already.
+/// `message` with a full stop, unless it already ends a sentence.
 std::string sentence(const std::string& message);
 
-/// "abflat: MESSAGE." on standard error, in one line.
+/// Prints "abflat: MESSAGE." on standard error, in one line.
 void complain(const std::string& message);
 
 bool isErrorTerminal();
 
-/// One line on standard error that is written over again and again, and cleared at the end. Does
-/// nothing when it is not enabled.
+/// One line on standard error that is overwritten again and again, and cleared at the end. Does
+/// nothing if it is not enabled.
 class ProgressLine {
  public:
   explicit ProgressLine(bool isEnabled) : isEnabled_(isEnabled) {}

@@ -14,7 +14,7 @@ std::string counted(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// What had to be done to see the surface in the mesh, if anything.
+/// What had to be repaired to see the surface in the mesh, if anything.
 std::vector<std::string> repairLines(const RepairReport& r) {
   std::vector<std::string> lines;
   const auto add = [&](std::size_t n, const char* one, const char* many) {

@@ -8,7 +8,7 @@
 
 namespace abflat::cli {
 
-/// A few lines about a result, for people.
+/// A few readable lines about a result.
 std::string resultText(const Report& report, const std::string& inputName,
                        const std::string& outputName);
 
@@ -16,7 +16,7 @@ std::string resultText(const Report& report, const std::string& inputName,
 std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
                        const std::string& outputName);
 
-/// Aligned table of what a mesh is.
+/// An aligned table of a mesh's properties.
 std::string inspectText(const MeshSummary& summary, const std::string& name,
                         const std::vector<std::string>& notes);
 

@@ -1,4 +1,5 @@
-// What an atlas is worth, the same for every program: from triangles with texcoords and the surface they lie on.
+// Measures of an atlas, computed alike for every program: from triangles with texcoords and the
+// surface they lie on.
 
 const sub = (a, b) => a.map((x, i) => x - b[i]);
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
@@ -44,9 +45,10 @@ function seamLength(triangles, positions) {
 }
 
 /**
- * `triangles` are `{ vertices, texcoords }` of 3 indices each; both tables have rows of numbers. Lengths count in roots of
- * the surface's area; `symmetricDirichlet` is the mean by area, at the one scale that keeps the area, over all triangles
- * that have area in both; `lost` counts those without area in the layout.
+ * `triangles` are `{ vertices, texcoords }` of 3 indices each; both tables have rows of numbers.
+ * Lengths are relative to the square root of the surface's area; `symmetricDirichlet` is the
+ * area-weighted mean at the one area-preserving scale, over all triangles that have area in both;
+ * `lost` counts those without area in the layout.
  */
 export function measureAtlas({ triangles, positions, texcoords }) {
   const pairs = triangles.flatMap(({ vertices, texcoords: t }) => {
@@ -58,7 +60,7 @@ export function measureAtlas({ triangles, positions, texcoords }) {
   const scale = Math.sqrt(area / covered);
   let [energy, weight, lost] = [0, 0, 0];
   for (const { flat, uv } of pairs) {
-    // What is lost to single precision, or has no texcoords at all.
+    // Lost to single precision, or without any texcoords.
     if (!(Math.abs(signedArea(uv)) * scale * scale > 1e-9 * flat.area)) {
       lost++;
       continue;

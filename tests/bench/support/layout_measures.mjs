@@ -1,4 +1,5 @@
-// What published evaluations of unwrappers print, and how seams look: from triangles with texcoords and the surface they lie on.
+// Measures that published evaluations of unwrappers print, and the look of seams: from triangles
+// with texcoords and the surface they lie on.
 
 import { chartsOf } from '../../support/atlas.mjs';
 import { measureAtlas } from './atlas_measures.mjs';
@@ -9,14 +10,14 @@ const distance = (a, b) => Math.hypot(...sub(a, b));
 const total = (items, numberOf) => items.reduce((sum, item) => sum + numberOf(item), 0);
 const mean = (values) => total(values, (x) => x) / values.length;
 
-/** As the published script has them: a ratio counts as this at most, ... */
+/** As in the published script: a ratio counts as at most this, ... */
 const LARGEST_RATIO = 10;
-/** ... a triangle of less than this part of the mean area does not count, ... */
+/** ... a triangle with less than this fraction of the mean area does not count, ... */
 const LEAST_PART = 1e-4;
-/** ... nor do the angles of one that is this small in the layout, twice its area. */
+/** ... nor do the angles of one whose doubled area in the layout is this small. */
 const LEAST_DETERMINANT = 1e-12;
 
-/** A number for each row of a table: the same for rows of the same values. */
+/** A number for each row of a table, equal for rows with equal values. */
 function numbersOf(rows) {
   const numbers = new Map();
   return rows.map((row) => {
@@ -69,7 +70,10 @@ function groupByChart(items) {
   return groups;
 }
 
-/** Edges that one triangle of the layout has: the outlines of charts, each of the two sides of a seam. */
+/**
+ * Edges with only one triangle in the layout: the outlines of charts, including each of the two
+ * sides of a seam.
+ */
 function outlineOf(pieces) {
   const edges = new Map();
   for (const { corners, xyz, uv, chart } of pieces)
@@ -84,7 +88,10 @@ function outlineOf(pieces) {
   return [...edges.values()].filter(Boolean);
 }
 
-/** Means of max(r, 1 / r), r the area in the layout over that on the surface, in relation to that of all the pieces. */
+/**
+ * Means of max(r, 1 / r), where r is the area in the layout over that on the surface, relative to
+ * that of all the pieces.
+ */
 function areaRatios(pieces) {
   const surface = total(pieces, (piece) => piece.surface);
   const scale = surface / total(pieces, (piece) => piece.flat);
@@ -95,7 +102,7 @@ function areaRatios(pieces) {
     .map((ratio) => Math.min(LARGEST_RATIO, Math.max(ratio, 1 / ratio)));
 }
 
-/** Each chart counts as often as it has triangles. */
+/** Weights each chart by its number of triangles. */
 function areaByChart(charts) {
   const ofChart = (pieces) => {
     const ratios = areaRatios(pieces);
@@ -105,7 +112,10 @@ function areaByChart(charts) {
   return total(groups, ofChart) / total(groups, (pieces) => pieces.length);
 }
 
-/** |cos| of the angle between what the directions u and v of the layout become on the surface; null without area. */
+/**
+ * |cos| of the angle between the images on the surface of the layout's directions u and v; null
+ * without area.
+ */
 function skewOf({ xyz: [a, b, c], uv: [p, q, r], surface }) {
   const det = determinant([p, q, r]);
   if (Math.abs(det) <= LEAST_DETERMINANT || surface === 0) return null;
@@ -116,7 +126,9 @@ function skewOf({ xyz: [a, b, c], uv: [p, q, r], surface }) {
   return Math.abs(dot(alongU, alongV)) / Math.sqrt(dot(alongU, alongU) * dot(alongV, alongV));
 }
 
-/** 4 pi A / P^2 of charts in the layout, 1 for a disk: the mean by area on the surface. */
+/**
+ * 4 pi A / P^2 of charts in the layout, 1 for a disk: the mean, weighted by area on the surface.
+ */
 function compactness(charts, outline) {
   const outlines = groupByChart(outline);
   const parts = [...charts].map(([chart, pieces]) => {
@@ -130,7 +142,10 @@ function compactness(charts, outline) {
   return total(parts, (part) => part.surface * part.value) / total(parts, (part) => part.surface);
 }
 
-/** The same edges as they lie on the surface, once each: those of two outlines are seams, others its boundary. */
+/**
+ * The same edges on the surface, once each: those of two outlines are seams, the others its
+ * boundary.
+ */
 function onSurface(outline) {
   const sides = new Map();
   for (const edge of outline) {
@@ -140,7 +155,10 @@ function onSurface(outline) {
   return [...sides.values()];
 }
 
-/** Radians that seams turn by where they go on, between junctions and ends, for each root of the surface's area of their length. */
+/**
+ * How much seams turn where they continue, between junctions and ends: radians per length, in units
+ * of the square root of the surface's area.
+ */
 function turning(edges, surface) {
   const ways = new Map();
   for (const { points, xyz, isSeam } of edges)
@@ -172,9 +190,11 @@ export function seamsOf(layout) {
 }
 
 /**
- * `triangles` are `{ vertices, texcoords }` of 3 indices each. `seam` is the length of all outlines in the layout as it is packed, `seam3` that
- * on the surface over the root of its area: both sides of a seam, and boundaries. `area` is the mean change of area in relation to the chart,
- * `areaOverall` to the mesh; `angular` 1 where right angles stay right; `sd` the symmetric Dirichlet energy / 4 at equal total area.
+ * `triangles` are `{ vertices, texcoords }` of 3 indices each. `seam` is the length of all outlines
+ * in the packed layout; `seam3` is their length on the surface over the square root of its area,
+ * counting both sides of a seam, and boundaries. `area` is the mean change of area relative to the
+ * chart, `areaOverall` relative to the mesh; `angular` is 1 if right angles stay right; `sd` is the
+ * symmetric Dirichlet energy / 4 at equal total area.
  */
 export function measureLayout(layout) {
   const pieces = piecesOf(layout);
@@ -194,7 +214,10 @@ export function measureLayout(layout) {
   };
 }
 
-/** The layout of an OBJ text as parseObj reads it: polygons as triangles around their first corner. */
+/**
+ * The layout of an OBJ text as read by parseObj, with polygons as triangle fans around their first
+ * corner.
+ */
 export function layoutOf({ positions, texcoords, faces }) {
   const corners = faces.flatMap((face) =>
     face.slice(2).map((last, i) => [face[0], face[i + 1], last]),

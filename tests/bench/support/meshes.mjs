@@ -8,11 +8,11 @@ import { mustRun } from '../../../scripts/lib/run.mjs';
 import { setup } from '../../../scripts/setup.mjs';
 
 export const PROGRAM = join(BUILD, 'native/tests/abflat_flatten_bench');
-/** The same with the vectors that every x86-64 has. */
+/** The same with only the vector instructions that every x86-64 has. */
 export const BASELINE = join(BUILD, 'native/tests/abflat_baseline_bench');
 const FOLDER = join(BUILD, 'bench');
 const FACE = join(ROOT, '../shared/meshes/face.obj');
-/** Roughly, of face.obj. */
+/** Approximately, for face.obj. */
 const BYTES_PER_FACE = 60;
 
 export async function buildBench(targets = ['abflat_flatten_bench']) {

@@ -1,4 +1,5 @@
-// The geometries of three.js as OBJ files: vertices doubled along seams, fans and points at poles.
+// The geometries of three.js as OBJ files: with vertices duplicated along seams, and with fans and
+// points at poles.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +14,7 @@ const bottle = (n) =>
     (_, i) => new three.Vector2(1 + 0.4 * Math.sin((6 * i) / n), (4 * i) / n),
   );
 
-/** Of each family: a geometry of about `2 * n * n` triangles. */
+/** For each family, a geometry with about `2 * n * n` triangles. */
 const FAMILIES = {
   sphere: (n) => new three.SphereGeometry(1, Math.round(1.41 * n), Math.round(0.71 * n)),
   torus: (n) => new three.TorusGeometry(1, 0.4, Math.round(0.71 * n), Math.round(1.41 * n)),

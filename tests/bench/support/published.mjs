@@ -1,14 +1,15 @@
-// Figures of other unwrappers beside ours: where a row is worse than what it is compared with.
+// Compares published figures of other unwrappers with ours: marks where a row is worse than its
+// reference.
 
 import { readFileSync } from 'node:fs';
 
 const TABLES = JSON.parse(readFileSync(new URL('published.json', import.meta.url), 'utf8'));
 
-/** What may be lost of the angles, to gain in areas. */
+/** How much angular quality may be lost to gain area quality. */
 const ANGULAR_SLACK = 0.015;
 /** How much longer the seams of one mesh may be than those of OptCuts. */
 const SEAM_SLACK = 1.2;
-/** How many times faster it is to be. */
+/** How many times faster than each program it must be. */
 const FASTER = { PartUV: 10, OptCuts: 50 };
 
 const rowOf = (columns, figures) =>
@@ -37,7 +38,9 @@ export function publishedOptCuts() {
   return { source, rows };
 }
 
-/** Names of the columns where a row of ours is worse than PartUV's, as far as both are printed. */
+/**
+ * Names of the columns in which a row of ours is worse than PartUV's, as far as both are printed.
+ */
 export function worseThanPartUv(row, reference) {
   const atMost = ['charts', 'seam', 'area', 'areaOverall'].filter(
     (column) => row[column] > reference[column],
@@ -47,7 +50,7 @@ export function worseThanPartUv(row, reference) {
   return atMost;
 }
 
-/** The same beside OptCuts. Charts are for the mean over all meshes. */
+/** The same compared with OptCuts. The number of charts is judged by the mean over all meshes. */
 export function worseThanOptCuts(row, reference) {
   const worse = row.seam3 > SEAM_SLACK * reference.seam3 ? ['seam3'] : [];
   if (row.sd > reference.sd) worse.push('sd');
@@ -55,14 +58,17 @@ export function worseThanOptCuts(row, reference) {
   return worse;
 }
 
-/** Of runs with several bounds the one with the largest that is not stretched more than the reference; otherwise the least stretched. */
+/**
+ * Among runs with several bounds, the one with the largest bound that is not stretched more than
+ * the reference, or else the least stretched.
+ */
 export function mostStretched(runs, reference) {
   const good = runs.filter(({ sd }) => sd <= reference.sd);
   if (good.length === 0) return runs.toSorted((a, b) => a.sd - b.sd)[0];
   return good.toSorted((a, b) => b.maxStretch - a.maxStretch)[0];
 }
 
-/** Arguments without those options and their values. */
+/** The arguments without these options and their values. */
 export function withoutOptions(args, names) {
   return args.filter((arg, i) => {
     const isOne = (text) => names.some((name) => text === name || text?.startsWith(`${name}=`));

@@ -1,4 +1,4 @@
-// Rows of results: printed as a table, appended to a CSV file, judged.
+// Rows of results: printed as a table, appended to a CSV file, and judged.
 
 import { spawnSync } from 'node:child_process';
 import { appendFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
@@ -31,7 +31,7 @@ export function printTable(columns, rows) {
     );
 }
 
-/** Least squares slope of log time over log faces; undefined below two sizes. */
+/** Least-squares slope of log time over log faces; undefined for fewer than two sizes. */
 export function exponent(rows, timeOf) {
   const points = rows.map((row) => [Math.log(row.faces), Math.log(timeOf(row))]);
   if (points.length < 2) return undefined;
@@ -55,7 +55,7 @@ function machine() {
   };
 }
 
-/** Rows of the same keys, in the order of `keys`. */
+/** Appends rows with the same keys, in the order of `keys`. */
 export function appendCsv(file, keys, rows) {
   const about = machine();
   const columns = [...Object.keys(about), ...keys];
@@ -71,7 +71,7 @@ export function appendCsv(file, keys, rows) {
   console.log(`appended to ${file}`);
 }
 
-/** What is wrong with the rows: invalid results, and more Newton steps than `recorded` has. */
+/** What is wrong with the rows: invalid results, and more Newton steps than recorded. */
 export function complaints(rows, recorded) {
   return rows.flatMap((row) => {
     const most = recorded[`${row.mesh} t=${row.t}`];

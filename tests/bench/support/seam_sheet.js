@@ -1,4 +1,5 @@
-// In the browser: a mesh from four sides and from above with its seams, beside its layout.
+// Runs in the browser: draws a mesh with its seams from four sides and from above, beside its
+// layout.
 
 import {
   AmbientLight,
@@ -19,7 +20,10 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
-/** Places in the sheet, and where the mesh is seen from: degrees around it, and above it. By turns from above and from below. */
+/**
+ * Places in the sheet, and the directions from which the mesh is seen: degrees around it, and above
+ * it. Alternately from above and from below.
+ */
 const VIEWS = [
   { column: 1, row: 0, around: 0, above: 15 },
   { column: 2, row: 0, around: 90, above: -12 },
@@ -34,14 +38,17 @@ const ROWS = 2;
 const SEAM = 0xd00000;
 const BOUNDARY = 0x0040d0;
 const OUTLINE = 0x202020;
-/** Pixels. */
+/** In pixels. */
 const LINE_WIDTH = 2.5;
-/** Part of the mesh's size by which lines come nearer: the surface does not hide them. */
+/**
+ * Fraction of the mesh's size by which lines are moved closer, so that the surface does not hide
+ * them.
+ */
 const LIFT = 0.004;
-/** Degrees of hue from one chart to the next: no two of a few are alike. */
+/** Degrees of hue from one chart to the next: a few charts never look alike. */
 const HUE_STEP = 137.508;
 
-/** Triangles of three points each, in the colours of their charts. */
+/** Triangles of three points each, in their charts' colours. */
 function surfaceOf(points, charts, material) {
   const geometry = new BufferGeometry();
   const colors = new Float32Array(points.length);
@@ -70,7 +77,7 @@ function layoutScene({ uv, charts, outline }, size) {
   return { scene, camera };
 }
 
-/** The mesh around the origin, as large as a ball of radius 1. */
+/** The mesh around the origin, scaled to the size of a ball of radius 1. */
 function meshScene({ xyz, charts, seams, boundary, middle, radius }, size) {
   const group = new Group();
   const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
@@ -96,7 +103,7 @@ function meshScene({ xyz, charts, seams, boundary, middle, radius }, size) {
   return { scene, camera, lookFrom };
 }
 
-/** As a PNG in a data URI: parts of `size` pixels. */
+/** Draws the sheet as a PNG in a data URI, with parts of `size` pixels. */
 window.drawSheet = (sheet, size) => {
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setSize(COLUMNS * size, ROWS * size);

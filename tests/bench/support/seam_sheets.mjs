@@ -35,7 +35,10 @@ function sheetOf(layout) {
   };
 }
 
-/** `draw(layout, file)` writes a PNG: the layout, the front, the right; from above, the left, the back. */
+/**
+ * `draw(layout, file)` writes a PNG. Top row: the layout, the front, the right; bottom row: from
+ * above, the left, the back.
+ */
 export async function seamPainter() {
   const { outputFiles } = await build({
     entryPoints: [SCRIPT],

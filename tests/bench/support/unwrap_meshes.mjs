@@ -1,4 +1,4 @@
-// Closed meshes of the size of scans, as OBJ files in build/bench.
+// Closed meshes as large as scans, as OBJ files in build/bench.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { isosurface, knot, objText } from '../../support/surfaces.mjs';
 const FOLDER = join(BUILD, 'bench');
 const SHARED = join(ROOT, '../shared/meshes');
 
-/** Faces in four, by the middles of their edges. */
+/** Splits each face into four at the midpoints of its edges. */
 function subdivided({ positions, faces }) {
   const points = [...positions];
   const middles = new Map();
@@ -30,7 +30,10 @@ function subdivided({ positions, faces }) {
   return { positions: points, faces: parts };
 }
 
-/** Each vertex halfway to the mean of its neighbours: what was subdivided bends everywhere. */
+/**
+ * Moves each vertex halfway to the mean of its neighbours, so that a subdivided surface is curved
+ * everywhere.
+ */
 function smoothed({ positions, faces }) {
   const sums = positions.map(() => [0, 0, 0, 0]);
   for (const face of faces)
@@ -72,7 +75,7 @@ const MESHES = {
 
 export const UNWRAP_MESHES = Object.keys(MESHES);
 
-/** Writes a mesh; returns its path and number of faces, undefined where its file is missing. */
+/** Writes a mesh; returns its path and number of faces, undefined if its source file is missing. */
 export function writeUnwrapMesh(name) {
   const { file, make } = MESHES[name];
   if (file && !existsSync(join(SHARED, file))) {

@@ -1,4 +1,4 @@
-// One mesh unwrapped by the native program, and by xatlas as WebAssembly, measured alike.
+// Unwraps one mesh with the native program, and with xatlas as WebAssembly, measured alike.
 
 import { readFileSync, rmSync } from 'node:fs';
 import { NATIVE_PROGRAM } from '../../../scripts/lib/paths.mjs';
@@ -10,8 +10,8 @@ import { layoutOf } from './layout_measures.mjs';
 const ATLAS = { padding: 2, resolution: 1024 };
 
 /**
- * The mesh `path` unwrapped to the OBJ file `output` with `options` of the command line: the report of the median of `repeat` runs, and
- * the layout. A result that is not valid is one too.
+ * Unwraps the mesh `path` to the OBJ file `output` with the given command line options; returns the
+ * report of the median of `repeat` runs, and the layout. An invalid result counts as a result too.
  */
 export async function unwrapped(path, output, options, repeat) {
   const file = `${output}.json`;
@@ -27,7 +27,10 @@ export async function unwrapped(path, output, options, repeat) {
   return { report, layout: layoutOf(parseObj(readFileSync(output, 'utf8'))) };
 }
 
-/** From the OBJ file `path` to `output`; seconds are those of everything between both files, the median of `repeat` runs. */
+/**
+ * Unwraps the OBJ file `path` to `output`; seconds cover everything between both files, as the
+ * median of `repeat` runs.
+ */
 export async function unwrapWithAbflat(path, output, { threads, maxStretch, repeat }) {
   const options = ['--threads', threads, '--max-stretch', maxStretch];
   options.push('--padding', `${ATLAS.padding}`, '--resolution', `${ATLAS.resolution}`);
@@ -42,9 +45,9 @@ export async function unwrapWithAbflat(path, output, { threads, maxStretch, repe
   };
 }
 
-/** With the options that xatlas has by default; seconds are those from arrays to arrays. */
+/** With xatlas's default options; seconds are measured from arrays to arrays. */
 export async function unwrapWithXatlas(path) {
-  // Here, so that the benchmark of the native program alone does not need it.
+  // Imported here, so that the benchmark of only the native program does not need it.
   const xatlas = await import('watlas');
   await xatlas.Initialize();
   const { positions, faces } = parseObj(readFileSync(path, 'utf8'));

@@ -1,4 +1,4 @@
-// The npm package on a file, from the bytes to the OBJ text: in Node and in Chromium.
+// Runs the npm package on a file, from the bytes to the OBJ text, in Node and in Chromium.
 
 import { readFileSync } from 'node:fs';
 import { basename, relative } from 'node:path';
@@ -9,7 +9,7 @@ import { STAGES } from './results.mjs';
 
 const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
-/** Best in a process of its own, for its peak of memory. */
+/** Best run in a separate process, because of its peak memory. */
 export async function runInNode(path, { build, t, repeat }) {
   const { createAbflat } = await import('abflat');
   const abflat = await createAbflat({ build });
@@ -42,7 +42,10 @@ export async function runInNode(path, { build, t, repeat }) {
   });
 }
 
-/** Seconds from nothing loaded to the result, as for somebody who opens a page: a new browser each time. */
+/**
+ * Seconds from nothing loaded to the result, as for someone who opens a page: with a new browser
+ * each time.
+ */
 export async function runInChromium(path, { t, repeat }) {
   const server = createStaticServer(ROOT);
   const port = await listen(server, '127.0.0.1', 0, false);

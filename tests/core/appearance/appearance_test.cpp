@@ -21,7 +21,7 @@ Appearance lookOf(const std::string& text, MeshFormat format, const ReadResource
   return mesh.ok() ? readAppearance(text, format, mesh.value, readResource) : Appearance();
 }
 
-/// Whether every number refers to something, and every value is in its range.
+/// Whether every index refers to something that exists, and every value is in its range.
 bool isSound(const Appearance& look, const PolygonMesh& mesh) {
   bool ok = look.faceNormals.empty() || look.faceNormals.size() == mesh.faceVertices.size();
   for (const std::uint32_t n : look.faceNormals) {

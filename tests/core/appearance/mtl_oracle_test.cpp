@@ -1,5 +1,6 @@
-// MTL files as tinyobjloader reads them, damaged ones too. Where the two readers differ, the text
-// must show one of the reasons that are listed here: what we would have to correct of its result.
+// Compares MTL files, damaged ones included, with what tinyobjloader reads. Where the two readers
+// differ, the text must show one of the reasons listed here: what we would have to correct in its
+// result.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@ using namespace abflat;
 
 namespace {
 
-/// Bits.
+/// Bit flags.
 enum Field {
   kNames = 1,
   kDiffuse = 2,
@@ -66,7 +67,7 @@ bool isShare(const std::string& word) {
   return isNumber(word) && value >= 0 && value <= 1;
 }
 
-/// How many of the words, at most `most`, are so; from the first on.
+/// How many of the first words, at most `most`, satisfy isSo.
 std::size_t leading(const Line& line, bool (*isSo)(const std::string&), std::size_t most) {
   std::size_t n = 0;
   while (n < std::min(most, line.words.size()) && isSo(line.words[n])) ++n;
@@ -80,7 +81,7 @@ int shareOf(const Line& line) {
   return line.is("Pm") ? kMetal : line.is("Pr") ? kRough : 0;
 }
 
-/// Fields in which a line makes the two readers differ.
+/// The fields in which such a line makes the two readers differ.
 struct Reason {
   const char* name;
   int (*fields)(const Line& line);
@@ -113,7 +114,7 @@ const Reason kReasons[] = {
      [](const Line& l) { return l.all.rfind("\xEF\xBB\xBF", 0) == 0 ? ~0 : 0; }},
 };
 
-/// Fields that differ between a material of ours and one of tinyobj's.
+/// The fields that differ between one of our materials and one of tinyobj's.
 int differences(const MtlMaterial& ours, const test::TinyMaterial& theirs) {
   const auto differs = [](double a, double b) { return !(std::abs(a - b) <= 1e-12); };
   int out = 0;
@@ -128,12 +129,12 @@ int differences(const MtlMaterial& ours, const test::TinyMaterial& theirs) {
   return out;
 }
 
-/// Fields in which the readers differ in any material.
+/// The fields in which the readers differ in any material.
 int differencesOf(const std::string& text) {
   MtlMaterials ours;
   readMtl(text, ours);
   std::vector<test::TinyMaterial> theirs = test::materialsByTinyobj(text);
-  // It makes one of nothing where there is none.
+  // Without any material it makes one that is empty.
   if (ours.empty() && theirs.size() == 1 && theirs[0].name.empty()) return 0;
   int out = ours.size() == theirs.size() ? 0 : +kNames;
   for (const test::TinyMaterial& material : theirs) {
@@ -145,8 +146,8 @@ int differencesOf(const std::string& text) {
 
 using Tally = std::map<std::string, int>;
 
-/// Each block has these lines, so that the defaults of the two readers (white and rough, black and
-/// smooth) do not count: they are the first thing that would have to be corrected.
+/// Gives each block these lines, so that the different defaults of the two readers (white and
+/// rough, black and smooth) do not count: they are the first thing that would have to be corrected.
 std::string withDefaults(const std::string& text) {
   std::string out;
   for (const Line& line : linesOf(text)) {

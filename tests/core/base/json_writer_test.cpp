@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// As the library writes it.
+/// The text in the library's format.
 std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -26,7 +26,7 @@ std::string written(std::string_view value) {
   return json.take();
 }
 
-/// Bytes that begin, continue and break sequences of UTF-8 more often than others.
+/// Bytes, favouring those that begin, continue and break UTF-8 sequences.
 std::string randomBytes(std::mt19937& random) {
   const std::string kBytes =
       "a\"\\\n\x01\x1F\x7F\x80\x8F\x90\x9F\xA0\xBF\xC0\xC2\xDF\xE0\xE1\xED\xEF\xF0\xF1\xF4\xF5\xFF";

@@ -23,7 +23,7 @@ std::string textOf(double value) {
   return {text, writeDouble(text, value)};
 }
 
-/// How many, without zeros at the ends.
+/// The number of digits, without zeros at either end.
 int digitsOf(const std::string& text) {
   std::string digits;
   for (const char c : text.substr(0, text.find('e')))

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = 3.14159265358979323846;
 
-/// Distance from the truth in units in the last place of it.
+/// Distance from the truth, in units in its last place.
 double error(double value, long double truth) {
   const double rounded = std::abs(static_cast<double>(truth));
   const double unit = std::nextafter(rounded, kInfinity) - rounded;
@@ -111,7 +111,7 @@ TEST_CASE("portable functions at the ends of their ranges", "[math]") {
 }
 
 TEST_CASE("portable functions have the same bits everywhere", "[math]") {
-  // Hash of results over their ranges, as every compiler and machine must find it.
+  // Hash of results over their ranges; every compiler and machine must get the same.
   std::uint64_t hash = 14695981039346656037u;
   const auto add = [&](double x) { hash = (hash ^ bitsOf(x)) * 1099511628211u; };
   std::mt19937_64 random(11);

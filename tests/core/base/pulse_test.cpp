@@ -17,7 +17,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Loose triangles of a sheet, their corners shaken by less than the tolerance.
+/// Separate triangles of a sheet, with corners displaced by less than the tolerance.
 PolygonMesh looseSheet(unsigned n) {
   const PolygonMesh grid = bumpyGrid(n, n, 0.1, 3);
   std::mt19937 random(4);
@@ -90,7 +90,7 @@ TEST_CASE("a run that is cancelled while it sees the surface ends there") {
     options.progress = stop;
     CHECK(unwrap(mesh, options).status.code == StatusCode::Aborted);
     CHECK(calls == most);
-    if (most > 2) continue;  // a disk is seen once only
+    if (most > 2) continue;  // a disk is examined only once
     calls = 0;
     FlattenOptions disk;
     disk.progress = stop;
@@ -107,7 +107,7 @@ TEST_CASE("calls become more with the mesh while seams are sought and charts fla
     bool isMonotone = true;
     UnwrapOptions options;
     options.threads = threads;
-    options.balance = 0;  // refining ends by what it gains, not by size
+    options.balance = 0;  // refining ends by its gain, not by size
     options.minUtilization = 0;
     options.progress = [&](const Progress& p) {
       ++out[p.stage];
@@ -120,7 +120,7 @@ TEST_CASE("calls become more with the mesh while seams are sought and charts fla
     return out;
   };
   std::map<Stage, int> few = calls(cases(60u, 30u), 1), many = calls(cases(240u, 120u), 1);
-  // 16 times the triangles.
+  // There are 16 times as many triangles.
   CHECK(many[Stage::Seams] > cases(4, 3) * few[Stage::Seams]);
   CHECK(many[Stage::Solve] > 3 * few[Stage::Solve]);
   CHECK(calls(cases(120u, 60u), 2)[Stage::Seams] > few[Stage::Seams]);

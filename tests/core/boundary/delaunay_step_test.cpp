@@ -26,7 +26,7 @@ FlattenResult flattened(const PolygonMesh& mesh, double t, bool delaunay) {
   return std::move(r.value);
 }
 
-/// Edges whose two opposite angles, measured in the layout, exceed pi by more than rounding.
+/// Edges whose two opposite angles, measured in the layout, add up to more than pi beyond rounding.
 std::size_t countViolated(const DiskChart& chart, const std::vector<double>& uv) {
   const auto angleAt = [&](ChartCorner corner) {
     const double* o = &uv[2 * chart.vertexOfCorner[corner]];
@@ -43,8 +43,8 @@ std::size_t countViolated(const DiskChart& chart, const std::vector<double>& uv)
   return count;
 }
 
-/// A grid with a vertex in the middle of every triangle: the angles there take 2 pi, more than
-/// condition (9) leaves for them.
+/// A grid with a vertex in the middle of every triangle. The angles there need 2 pi, more than
+/// condition (9) leaves them.
 PolygonMesh stellatedGrid(unsigned side) {
   const PolygonMesh grid = bumpyGrid(side, side, 0.2, 1);
   PolygonMesh out;
@@ -119,7 +119,7 @@ TEST_CASE("where the connectivity has no Delaunay layout the edges that resist a
   CHECK(chart.delaunay->violated == chart.delaunay->violatedBefore);
   CHECK(chart.delaunay->violated == checkDelaunay(chartOf(mesh), r.uv).violated.size());
   CHECK_FALSE(chart.delaunay->resisting.empty());
-  // Only edges of the grid resist: those at a middle have acute angles opposite.
+  // Only edges of the grid resist: those at a middle vertex have acute opposite angles.
   for (const auto& edge : chart.delaunay->resisting)
     for (const std::uint32_t v : edge) CHECK(v < 25);
   REQUIRE(chart.fallbacks.size() == 1);

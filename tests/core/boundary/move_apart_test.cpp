@@ -37,7 +37,7 @@ PolygonMesh slitSheet(unsigned n) {
   return mesh;
 }
 
-/// A plane with towers on it, as in models of cities.
+/// A plane with towers on it, as in city models.
 PolygonMesh city(unsigned m, unsigned height) {
   PolygonMesh mesh;
   const unsigned n = 3 * m + 1;
@@ -68,8 +68,8 @@ PolygonMesh city(unsigned m, unsigned height) {
   return mesh;
 }
 
-/// Calls while charts are solved, one for each Newton step and each piece of work of some
-/// milliseconds, and the result.
+/// The result, and the number of calls while charts are solved: one for each Newton step and for
+/// each piece of work of a few milliseconds.
 struct Counted {
   int steps = 0;
   int firstSteps = 0;  ///< before any chart is done
@@ -129,7 +129,7 @@ TEST_CASE("bounds and straight runs are not given up to draw a boundary back") {
   flattener.requireSeparation();
   Attempt closed = flattener.attempt(BoundaryBounds(n, 2), nullptr);
   REQUIRE(closed.validity.crossings.count > 0);
-  // What the layout has now, except where it is free anyway.
+  // The layout's present angles, except where it is free anyway.
   for (const BoundaryIndex i : closed.t.ids())
     closed.t[i] = boundaryAngle(chart, closed.uv, chart.boundary[i]) / kPi;
   CHECK_FALSE(movedApart(flattener, closed).valid());
@@ -148,7 +148,7 @@ TEST_CASE("charts that touch themselves cost no more than one solution each") {
       mesh.positions[3 * v] += 1e-8 * static_cast<double>(v % 3);
   const Counted sphere = unwrapped(mesh);
   CHECK(sphere.report.valid);
-  // Three steps. Untangling took hundreds, with dozens of calls each.
+  // It takes three steps. Untangling took hundreds, with dozens of calls each.
   CHECK(sphere.steps <= 200);
   CHECK(sphere.report.symmetricDirichlet < 1.04);
   CHECK(sphere.report.seams.relativeLength < 1.4);
@@ -166,7 +166,7 @@ TEST_CASE("poles do not touch themselves") {
 TEST_CASE("what is stretched too much is cut before it is untangled") {
   const Counted towers = unwrapped(city(28, 6));
   CHECK(towers.report.valid);
-  // The plane with all towers is one chart at first. It crosses itself at thousands of places,
+  // The plane with all towers is a single chart at first. It crosses itself at thousands of places,
   // which took hundreds of steps.
   CHECK(towers.firstSteps <= 100);
   const int charts = static_cast<int>(towers.report.charts.size());

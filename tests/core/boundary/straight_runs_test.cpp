@@ -16,7 +16,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// A bumpy grid and its four sides as runs, counter-clockwise.
+/// A bumpy grid, with its four sides as runs, counter-clockwise.
 struct Sheet {
   PolygonMesh mesh = bumpyGrid(8, 6, 0.5, 11);
   std::vector<StraightRun> sides = {{0, 8}, {8, 62}, {62, 54}, {54, 0}};
@@ -33,7 +33,7 @@ Result<FlattenResult> flattened(const PolygonMesh& mesh, const std::vector<Strai
   return flatten(mesh, options);
 }
 
-/// Largest distance of the vertices from the line through two of them, over its length.
+/// Largest distance of the vertices from the line through two of them, divided by its length.
 double offLine(const FlattenResult& r, const std::vector<std::uint32_t>& vertices) {
   const auto at = [&](std::uint32_t v, std::size_t d) { return r.uv[2 * std::size_t{v} + d]; };
   const std::uint32_t a = vertices.front(), b = vertices.back();

@@ -12,7 +12,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Every triangle by itself.
+/// Separates every triangle.
 Seams allSeams(const Surface& surface) {
   Seams seams(surface.table.twin.size());
   for (const SurfaceCorner h : surface.table.corners()) seams[h] = surface.table.twin[h].exists();

@@ -8,7 +8,7 @@ using namespace abflat;
 
 namespace {
 
-/// Squares of two triangles each, a chart each.
+/// Squares of two triangles, each a chart.
 struct Squares {
   std::vector<double> uv;
   std::vector<std::uint32_t> triangles, chartOf;
@@ -103,7 +103,7 @@ TEST_CASE("an edge with two triangles on one side is no boundary", "[certificate
 
 TEST_CASE("a hole may lie at the outline, and another chart in the hole", "[certificate]") {
   Squares atlas;
-  // The outline passes the second corner, and so does the hole.
+  // The outline passes through the second corner, and so does the hole.
   atlas.uv = {0, 0, 0.2, 0, 0.4, 0, 0.4, 0.4, 0, 0.4, 0.3, 0.2, 0.1, 0.2};
   atlas.triangles = {0, 1, 6, 0, 6, 4, 4, 6, 5, 4, 5, 3, 5, 2, 3, 1, 2, 5};
   atlas.chartOf.assign(6, 0);

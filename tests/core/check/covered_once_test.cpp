@@ -29,7 +29,7 @@ Loop square(double x, double y, double side, bool isClockwise = false) {
   return out;
 }
 
-/// Of small integers, which doubles have exactly.
+/// For small integers, which doubles represent exactly.
 double cross(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
@@ -55,7 +55,7 @@ int windingAt(const std::vector<Loop>& loops, const Point& p) {
   return out;
 }
 
-/// All pairs of edges, and the winding number beside each.
+/// Checks all pairs of edges, and the winding number beside each edge.
 bool isCoveredOnceByBruteForce(const std::vector<Loop>& loops) {
   struct Edge {
     Point a, b;
@@ -76,7 +76,7 @@ bool isCoveredOnceByBruteForce(const std::vector<Loop>& loops) {
         return false;
     }
   for (const Edge& e : edges) {
-    // Nearer to the middle than any other edge of integers below 16 comes.
+    // Nearer to the edge's middle than any other edge between integers below 16 can come.
     const double x = (e.a[0] + e.b[0]) / 2, y = (e.a[1] + e.b[1]) / 2;
     const double nx = (e.a[1] - e.b[1]) * 1e-5, ny = (e.b[0] - e.a[0]) * 1e-5;
     if (windingAt(loops, {x + nx, y + ny}) != 1 || windingAt(loops, {x - nx, y - ny}) != 0)
@@ -94,17 +94,17 @@ TEST_CASE("charts, charts in holes of others, and nothing twice", "[certificate]
   CHECK(isCoveredOnce({chart, square(11, 0, 1)}));
   CHECK(isCoveredOnce({chart, hole}));
   CHECK(isCoveredOnce({inHole, chart, hole}));
-  CHECK_FALSE(isCoveredOnce({chart, inHole}));                       // on the chart
-  CHECK_FALSE(isCoveredOnce({square(0, 0, 10, true)}));              // clockwise
-  CHECK_FALSE(isCoveredOnce({chart, square(2, 2, 6)}));              // a hole the wrong way round
-  CHECK_FALSE(isCoveredOnce({chart, square(20, 2, 6, true)}));       // a hole in nothing
-  CHECK_FALSE(isCoveredOnce({chart, hole, square(1, 4, 2)}));        // across the rim of the hole
-  CHECK_FALSE(isCoveredOnce({chart, square(10, 0, 1)}));             // touches along an edge
-  CHECK_FALSE(isCoveredOnce({chart, square(10, 10, 1)}));            // at a corner
+  CHECK_FALSE(isCoveredOnce({chart, inHole}));                  // on the chart
+  CHECK_FALSE(isCoveredOnce({square(0, 0, 10, true)}));         // clockwise
+  CHECK_FALSE(isCoveredOnce({chart, square(2, 2, 6)}));         // hole with the wrong orientation
+  CHECK_FALSE(isCoveredOnce({chart, square(20, 2, 6, true)}));  // hole outside any chart
+  CHECK_FALSE(isCoveredOnce({chart, hole, square(1, 4, 2)}));   // across the hole's rim
+  CHECK_FALSE(isCoveredOnce({chart, square(10, 0, 1)}));        // touches along an edge
+  CHECK_FALSE(isCoveredOnce({chart, square(10, 10, 1)}));       // at a corner
   CHECK_FALSE(isCoveredOnce({chart, {{10, 5}, {12, 4}, {12, 6}}}));  // a corner on an edge
   CHECK(isCoveredOnce({chart, {{std::nextafter(10, 11), 5}, {12, 4}, {12, 6}}}));
   CHECK_FALSE(isCoveredOnce({chart, {{std::nextafter(10, 9), 5}, {12, 4}, {12, 6}}}));
-  CHECK_FALSE(isCoveredOnce({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}));  // an eight
+  CHECK_FALSE(isCoveredOnce({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}));  // figure of eight
   CHECK_FALSE(isCoveredOnce({{{0, 0}, {4, 0}, {2, 0}}}));          // without area
 }
 

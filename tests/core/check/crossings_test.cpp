@@ -15,7 +15,7 @@ namespace {
 
 using Polygon = std::vector<double>;
 
-/// All pairs by integer arithmetic on small coordinates.
+/// Checks all pairs by integer arithmetic on small coordinates.
 std::size_t countByBruteForce(const Polygon& p) {
   const std::size_t n = p.size() / 2;
   const auto area = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -56,7 +56,7 @@ TEST_CASE("crossings agree with brute force on random polygons of small integers
     Polygon p;
     while (p.size() < 2 * n) {
       const double x = double(random() % 12), y = double(random() % 12);
-      // Repeated points in a row would be edges without a direction.
+      // Equal points in a row would make edges without a direction.
       if (!p.empty() && p[p.size() - 2] == x && p.back() == y) continue;
       if (p.size() == 2 * n - 2 && p[0] == x && p[1] == y) continue;
       p.insert(p.end(), {x, y});
@@ -84,7 +84,7 @@ TEST_CASE("simple curves have no crossings, one pushed edge is found") {
 }
 
 TEST_CASE("coils, repeated places and coordinates that are no numbers are told apart") {
-  // A thin band of 120 turns with few edges each: its edges are much longer than it is wide.
+  // A thin band of 120 turns with few edges each, which are much longer than the band is wide.
   Polygon coil;
   constexpr int kCount = 3000;
   for (int side = 0; side < 2; ++side)
@@ -124,7 +124,8 @@ TEST_CASE("the sweep agrees with counting on random polygons of small integers")
     std::set<std::pair<int, int>> used;
     while (p.size() < 2 * n) {
       const int x = static_cast<int>(random() % 9), y = static_cast<int>(random() % 9);
-      // Points that repeat are never simple, and edges between them have no direction.
+      // Polygons with repeated points are never simple, and edges between equal points have no
+      // direction.
       if (used.insert({x, y}).second) p.insert(p.end(), {double(x), double(y)});
     }
     const bool isSimple = countByBruteForce(p) == 0;
@@ -137,7 +138,7 @@ TEST_CASE("the sweep agrees with counting on random polygons of small integers")
 }
 
 TEST_CASE("long edges side by side take no longer than others") {
-  // Pairs of their boxes would be several thousand million.
+  // There would be several thousand million pairs of their boxes.
   constexpr std::size_t kSpikes = test::cases(60000, 6000);
   const auto urchin = [](double hub) {
     Polygon p;
@@ -151,7 +152,7 @@ TEST_CASE("long edges side by side take no longer than others") {
   Polygon p = urchin(0.01);
   CHECK(findCrossings(p).count == 0);
   CHECK(isSimplePolygon(p));
-  // One spike bent over to the next but one.
+  // One spike bent over to the one after the next.
   p[2 * 1001] = p[2 * 1005] * 0.99;
   p[2 * 1001 + 1] = p[2 * 1005 + 1] * 0.99;
   CHECK_FALSE(isSimplePolygon(p));

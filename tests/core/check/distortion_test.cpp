@@ -12,7 +12,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// The chart's own x and y through the matrix (a b; c d).
+/// The chart's own x and y, mapped by the matrix (a b; c d).
 std::vector<double> mapped(const DiskChart& chart, double a, double b, double c, double d) {
   std::vector<double> uv;
   for (const ChartVertex v : chart.vertices()) {
@@ -50,7 +50,7 @@ TEST_CASE("an affine map has the distortion of its singular values") {
 }
 
 TEST_CASE("area distortion is the mean size of the logarithm of the area ratios") {
-  // A square of two equal triangles that become 3 to 1: 3/2 and 1/2 at equal total area.
+  // A square of two equal triangles whose areas become 3 to 1: 3/2 and 1/2 at equal total area.
   const DiskChart chart =
       chartOf(makeTriangleMesh({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3}));
   const Distortion d = measureDistortion(chart, {0, 0, 3, 0, 1, 1, 0, 1});
@@ -67,7 +67,7 @@ TEST_CASE("flipped triangles and boundary angles are seen") {
   CHECK(good.degenerateTriangles == 0);
   CHECK(good.maxBoundaryAngle > 3);
   CHECK(checkValidity(chart, mapped(chart, 1, 0, 0, -1)).flippedTriangles == chart.triangleCount());
-  // One interior vertex pushed out of its ring of triangles.
+  // Pushes one interior vertex out of its ring of triangles.
   for (const ChartVertex v : chart.vertices())
     if (std::abs(chart.positions[3 * v] - 3 / chart.unit) +
             std::abs(chart.positions[3 * v + 1] - 2 / chart.unit) <

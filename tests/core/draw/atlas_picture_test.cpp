@@ -38,7 +38,7 @@ TEST_CASE("edges of an atlas: each once, seams twice as outlines") {
 }
 
 TEST_CASE("faces that collapsed are not drawn, and those that use a place twice are split") {
-  // A square as a polygon with a needle, two triangles that meet in a point, and a face of nothing.
+  // A square polygon with a needle, two triangles that meet in a point, and an empty face.
   PolygonMesh mesh;
   mesh.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5,
                     0, 6, 5, 0, 6, 6, 0, 4, 5, 0, 4, 4, 0};

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSide = 40;
 constexpr Rgb kBlack = {0, 0, 0}, kRed = {1, 0, 0};
 
-/// Alphas of the whole picture, 0 to 1, drawn in bands of a few rows.
+/// Alpha values of the whole picture, 0 to 1, drawn in bands of a few rows.
 template <class Draw>
 std::vector<double> alphas(int bandRows, const Draw& draw) {
   std::vector<double> out;
@@ -52,14 +52,14 @@ TEST_CASE("a polygon covers pixels by their exact shares, in bands of any height
     if (i % 5 == 0) triangle[2] = {std::round(triangle[2].x), kSide};
     const auto draw = [&](Band& band) { band.fill(triangle, kRed); };
     const std::vector<double> whole = alphas(kSide, draw);
-    // Each pixel is rounded to a 255th.
+    // Each pixel is rounded to a multiple of 1/255.
     CHECK(sumOf(whole) == Approx(areaOf(triangle)).margin(0.5));
     CHECK(whole == alphas(7, draw));
   }
   const std::vector<PixelPoint> corner = {{4, 4}, {4.5, 4}, {4.5, 4.5}, {4, 4.5}};
   CHECK(alphas(kSide, [&](Band& band) { band.fill(corner, kRed); })[4 * kSide + 4] ==
         Approx(0.25).margin(0.003));
-  // Not convex: an L of three quarters of a square.
+  // Not convex: an L that is three quarters of a square.
   const std::vector<PixelPoint> l = {{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, {0, 8}};
   const std::vector<double> cover = alphas(kSide, [&](Band& band) { band.fill(l, kRed); });
   CHECK(sumOf(cover) == Approx(48));

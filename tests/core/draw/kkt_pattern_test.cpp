@@ -51,7 +51,7 @@ TEST_CASE("blocks follow each other and count what the mesh has", "[draw]") {
   CHECK(b[0].end == 3 * mesh.faceCount());
   CHECK(b[1].end - b[1].begin == mesh.faceCount());
   CHECK(b[2].end - b[2].begin == b[3].end - b[3].begin);
-  // Bounds hold back a band that would cross itself when it is free.
+  // Bounds restrain a band that would cross itself if it were free.
   CHECK(b[4].end > b[4].begin);
   CHECK(b[4].end == result.value.size);
   const Result<KktPattern> free = kktPattern(mesh, 2, Formulation::Log);

@@ -10,7 +10,7 @@ using namespace abflat;
 
 namespace {
 
-/// Two triangles over the edge 0-1, with their apexes at the given heights above and below it.
+/// Two triangles on the edge 0-1, with their apexes at the given heights above and below it.
 FlattenResult kite(double above, double below) {
   FlattenResult out;
   out.uv = {-1, 0, 1, 0, 0, above, 0, -below};
@@ -31,7 +31,7 @@ TEST_CASE("edges that are not Delaunay are counted", "[draw]") {
   options.marksNonDelaunay = true;
   CHECK(contains(drawLayout(kite(2, 2), options), "every edge is Delaunay"));
   CHECK(contains(drawLayout(kite(0.5, 0.5), options), "1 edge is not Delaunay"));
-  // Four corners of a square lie on one circle: both diagonals are Delaunay.
+  // The four corners of a square lie on one circle, so both diagonals are Delaunay.
   CHECK(contains(drawLayout(kite(1, 1), options), "every edge is Delaunay"));
   options.marksNonDelaunay = false;
   CHECK_FALSE(contains(drawLayout(kite(0.5, 0.5), options), "Delaunay"));
@@ -69,7 +69,7 @@ TEST_CASE("coordinates that are not finite, and no coordinates at all, still mak
 }
 
 TEST_CASE("a surface is drawn with all of its faces, flat ones and extreme ones too", "[draw]") {
-  // Each face closes its path once; the only other z is that of font-size.
+  // Each face closes its path once; the only other z is in font-size.
   const auto facesIn = [](const std::string& body) {
     long out = 0;
     for (std::size_t at = body.find('z'); at != std::string::npos; at = body.find('z', at + 1))

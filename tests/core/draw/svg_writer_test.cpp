@@ -24,7 +24,7 @@ TEST_CASE("XML text holds neither markup nor what XML forbids", "[draw]") {
   for (const std::string& bad : {std::string("\x01"), std::string("\0", 1), std::string("\xFF"),
                                  std::string("\xC3"), std::string("\xC0\xAF").substr(0, 1)})
     CHECK(xmlText("a" + bad + "b") == "a" + replacement + "b");
-  // A surrogate: three bytes, none of which stands for a character.
+  // A surrogate: three bytes, none of which represents a character.
   CHECK(xmlText("\xED\xA0\x80") == replacement + replacement + replacement);
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("elements are nested and escaped", "[draw]") {
 
 namespace {
 
-/// The points that path data leads through, absolute.
+/// The points on the path, as absolute coordinates.
 std::vector<std::pair<long long, long long>> pointsOf(const std::string& data) {
   std::vector<std::pair<long long, long long>> out;
   long long x = 0, y = 0, startX = 0, startY = 0;

@@ -12,7 +12,7 @@ namespace {
 
 using Point = std::array<long long, 2>;
 
-/// The determinant in integers; coordinates up to 2^28 leave room in 128 bits.
+/// The determinant in integers; coordinates up to 2^28 fit into 128 bits.
 int exactInCircle(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto relative = [&](const Point& p, int i) { return static_cast<__int128>(p[i] - d[i]); };
   const auto lift = [&](const Point& p) {

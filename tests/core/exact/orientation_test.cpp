@@ -8,7 +8,7 @@
 using namespace abflat;
 
 TEST_CASE("orientation of points next to a line is exact") {
-  // Points of a tiny grid of neighbouring doubles round (0.5, 0.5) against the line through (12,
+  // Points of a tiny grid of neighbouring doubles around (0.5, 0.5) against the line through (12,
   // 12) and (24, 24).
   const double b[2] = {12, 12}, c[2] = {24, 24};
   constexpr double kUlp = 0x1p-53;
@@ -29,7 +29,7 @@ TEST_CASE("orientation agrees with integer arithmetic") {
   for (int n = 0; n < 20000; ++n) {
     long long p[6];
     for (int k = 0; k < 4; ++k) p[k] = coordinate(random);
-    // The third point close to the line through the first two.
+    // The third point is close to the line through the first two.
     const long long m = small(random);
     p[4] = p[0] + m * (p[2] - p[0]) / 2 + small(random) % 2;
     p[5] = p[1] + m * (p[3] - p[1]) / 2 + small(random) % 2;

@@ -14,7 +14,7 @@ bool overlap(std::vector<double> a, const std::vector<double>& b) {
   return findOverlap(a).has_value();
 }
 
-/// Area that two triangles have in common, by clipping one at the edges of the other.
+/// The area shared by two triangles, found by clipping one at the edges of the other.
 double commonArea(const double* a, const double* b) {
   std::vector<std::array<double, 2>> polygon = {{b[0], b[1]}, {b[2], b[3]}, {b[4], b[5]}};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -56,7 +56,7 @@ TEST_CASE("triangles that touch do not overlap, those that cover each other do",
   CHECK_FALSE(overlap(t, {0, 0, -1, 0, 0, -1}));
   CHECK_FALSE(overlap(t, {0.25, 0, 0, -1, 0.75, 0}));
   CHECK_FALSE(overlap(t, {0.9, 0.9, 2, 0.9, 0.9, 2}));
-  // A needle across it, by as little as doubles can tell.
+  // A needle that overlaps it by as little as doubles can resolve.
   CHECK(overlap(t, {0.5, std::nextafter(0.5, 0), 1, 1, 0.5, 1}));
   CHECK_FALSE(findOverlap({}).has_value());
   CHECK_FALSE(findOverlap({1, 1, 1, 1, 1, 1}).has_value());

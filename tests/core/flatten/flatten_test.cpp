@@ -25,7 +25,7 @@ FlattenResult flattened(const PolygonMesh& mesh, double t) {
   return r.value;
 }
 
-/// Lengths of all triangle edges in uv: what no motion of the plane changes.
+/// Lengths of all triangle edges in uv, which no motion of the plane changes.
 std::vector<double> edgeLengths(const FlattenResult& r, const std::vector<std::uint32_t>& corners) {
   std::vector<double> out;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<double> edgeLengths(const FlattenResult& r, const std::vector<std::u
   return out;
 }
 
-/// Of about 4000 faces times `detail`.
+/// About 4000 faces times `detail`.
 PolygonMesh head(double detail) {
   for (const Sample& sample : samples())
     if (sample.name == "head") return sample.make(detail);
@@ -109,7 +109,7 @@ TEST_CASE("results do not depend on how vertices and faces are numbered") {
       const std::vector<double> wanted = edgeLengths(a, identity(mesh.faceVertices.size()));
       const std::vector<double> got = edgeLengths(b, other.corner);
       for (std::size_t i = 0; i < got.size(); ++i) CHECK(std::abs(got[i] - wanted[i]) < 1e-8 * 12);
-      // The orientation of the layout is part of the result.
+      // The pose of the layout is part of the result.
       for (std::size_t c = 0; c < other.corner.size(); ++c)
         for (std::size_t d = 0; d < 2; ++d)
           CHECK(std::abs(a.uv[2 * a.cornerUv[c] + d] - b.uv[2 * b.cornerUv[other.corner[c]] + d]) <
@@ -140,7 +140,7 @@ TEST_CASE("the layout has the area of the surface") {
 }
 
 TEST_CASE("the report holds for the coordinates that are returned, of any magnitude") {
-  // The last two lose digits when the layout gets the mesh's unit.
+  // The last two lose digits when the layout is scaled to the mesh's unit.
   for (const double scale : {1.0, 3e7, 1e250, 1e-120, 1e-306, 1e-310}) {
     const PolygonMesh mesh = transformed(bumpyGrid(12, 9, 0.7, 5), scale, {0, 0, 0});
     const FlattenResult r = flattened(mesh, 2);
@@ -184,7 +184,7 @@ TEST_CASE("the smallest disks are flattened") {
 }
 
 TEST_CASE("faces of zero area do not spoil the layout") {
-  // The middle of the long edge is a vertex: the second face is flat.
+  // The middle of the long edge is a vertex, so the second face is flat.
   const PolygonMesh mesh = makeTriangleMesh({0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 1, -1, 0},
                                             {0, 2, 3, 0, 1, 2, 0, 4, 1, 1, 4, 2});
   const FlattenResult r = flattened(mesh, 2);
@@ -269,7 +269,7 @@ TEST_CASE("every linear solver and formulation gives the same layout and is repo
 
 TEST_CASE("a result is the same to the last bit for any number of threads", "[flatten][threads]") {
   const PolygonMesh mesh = head(9);
-  REQUIRE(mesh.faceCount() > 33000);  // enough for the assembly to be shared out
+  REQUIRE(mesh.faceCount() > 33000);  // enough for assembly to be divided among threads
   for (const double t : {1.0, 2.0}) {
     if (kIsInstrumented && t > 1) continue;
     FlattenOptions options;

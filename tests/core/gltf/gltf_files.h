@@ -7,20 +7,20 @@
 
 namespace abflat::test {
 
-/// The bytes of values as a file has them.
+/// The bytes of values as stored in a file.
 template <class T>
 std::string bytesOf(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// A .glb of this JSON and buffer. `{SIZE}` in the JSON stands for the size of the buffer.
+/// A .glb with this JSON and buffer. `{SIZE}` in the JSON stands for the size of the buffer.
 std::string glbOf(std::string json, const std::string& buffer);
 
-/// A closed surface (an octahedron), indexed in 8 bits, with a colour for each vertex and a morph
-/// target that is sparse.
+/// A closed surface (an octahedron) with 8-bit indices, a colour for each vertex and a sparse morph
+/// target.
 std::string octahedronGlb();
 
-/// Reads a file that refers to no others.
+/// Reads a file that refers to no other files.
 Result<GltfModel> readAlone(const std::string& bytes);
 
 }  // namespace abflat::test

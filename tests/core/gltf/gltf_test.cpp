@@ -18,7 +18,7 @@ namespace {
 using test::octahedronGlb;
 using test::readAlone;
 
-/// The file with an atlas, read again.
+/// The file with an atlas, written and read again.
 GltfModel unwrappedAgain(const GltfModel& model, const GltfWriteOptions& options = {}) {
   UnwrapOptions wanted;
   wanted.roundsForGltf = true;
@@ -133,12 +133,12 @@ TEST_CASE("a merged buffer keeps what is used, and its alignment", "[gltf]") {
   CHECK(gltf::MergedBuffer(document, {true, true, true, true}).bytes().empty());
 }
 
-/// The error of reading this JSON with a buffer of that many bytes, all zero.
+/// The error from reading this JSON with a buffer of that many zero bytes.
 std::string errorOf(const std::string& json, std::size_t bufferSize) {
   return readAlone(test::glbOf(json, std::string(bufferSize, '\0'))).status.message;
 }
 
-/// Of an accessor without a view, with these entries beside its type.
+/// JSON with an accessor that has no view, and these entries besides its type.
 std::string withoutView(const std::string& entries) {
   return R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": {SIZE}}],
     "bufferViews": [{"buffer": 0, "byteLength": 36}],
@@ -182,7 +182,7 @@ TEST_CASE("meshes that share bytes do not multiply them without end", "[gltf]") 
   }
 }
 
-// Both would take minutes if each were compared with, or moved for, all others.
+// Both would take minutes if each one were compared with, or moved for, all others.
 TEST_CASE("many keys of an object are refused, many meshes are read", "[gltf]") {
   constexpr std::size_t kCount = test::cases<std::size_t>(300000, 30000);
   std::string keys, meshes;
@@ -205,7 +205,7 @@ TEST_CASE("many keys of an object are refused, many meshes are read", "[gltf]") 
   CHECK(model.value.mesh.faceCount() == kCount);
 }
 
-// A file may hold anything: it is read, or there is a sentence that names it.
+// A file may contain anything: either it is read, or a sentence names it.
 TEST_CASE("damaged files are refused or read, never more", "[gltf]") {
   const std::string good = octahedronGlb();
   std::mt19937 random(1);

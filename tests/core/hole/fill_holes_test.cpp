@@ -44,7 +44,7 @@ std::uint32_t holesIn(const ChartSet& set) {
   return sum;
 }
 
-/// Euler characteristic 1 and one loop, by connectivity alone.
+/// Whether it has Euler characteristic 1 and one loop, judged by connectivity alone.
 bool isDisk(const DiskChart& chart) {
   std::size_t edges = 0, open = 0;
   for (const ChartCorner h : chart.corners()) {
@@ -76,7 +76,7 @@ TEST_CASE("filling leaves the surface as it is and one loop to each chart", "[ho
   const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0));
   REQUIRE(s.charts.size() == 1);
   CHECK(s.charts.front().isDisk());
-  // Gauss and Bonnet: what filling bends is all of the turning that was missing.
+  // Gauss and Bonnet: the curvature of the filling is exactly the turning that was missing.
   double curvature = 0;
   for (const OpenVertex v : s.vertices())
     curvature += (s.isBoundary[v] ? kPi : 2 * kPi) - mesh.angleSum[s.meshVertex[v]];
@@ -101,7 +101,7 @@ TEST_CASE("a sheet with windows takes no seam, a tube none for a small hole", "[
   set = pierced.charts(pierced.find(true, FillHoles::Auto, &report));
   CHECK(report.charts == 1);
   CHECK(report.seamLength < 1.05 * uncut.seamLength);
-  // Without automatic seams the ends are joined all the same, since the tube would be stretched.
+  // Without automatic seams the ends are joined as well, since the tube would be stretched.
   set = pierced.charts(pierced.find(false, FillHoles::Auto, &report));
   CHECK(report.charts == 1);
   CHECK(report.seamLength < 1.05 * uncut.seamLength);
@@ -152,7 +152,7 @@ TEST_CASE("motheaten surfaces fall into disks, their holes filled or not", "[hol
 }
 
 TEST_CASE("where holes touch, each is filled by itself or none is", "[holes]") {
-  // Two squares that share a corner, and one at a corner of the boundary.
+  // Two holes that share a corner, and one at a corner of the boundary.
   const Filled filled(punched(bumpyGrid(8, 8, 0.1, 3), [](std::uint32_t f) {
     const std::uint32_t square = f / 2;
     return square == 2 * 8 + 2 || square == 3 * 8 + 3 || square == 6 * 8 + 6 || square == 7 * 8 + 7;
@@ -164,7 +164,7 @@ TEST_CASE("where holes touch, each is filled by itself or none is", "[holes]") {
 
 TEST_CASE("holes that stay filled leave no vertex without a path, and no walk without an end",
           "[holes]") {
-  // Edges between holes alone: rims are all that many vertices have.
+  // Only edges lie between the holes: many vertices have nothing but rims.
   const auto checkered = [](unsigned columns, unsigned rows, unsigned seed) {
     std::mt19937 random(seed);
     return punched(bumpyGrid(columns, rows, 1.5, seed), [&, columns, rows](std::uint32_t f) {

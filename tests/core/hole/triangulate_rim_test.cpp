@@ -48,7 +48,7 @@ TEST_CASE("a rim that crosses or touches itself is not filled", "[holes]") {
   CHECK(triangulateRim(rimOf({{0, 0, 0}, {1, 0, 0}})).empty());
   CHECK(triangulateRim(rimOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}})).empty());
   CHECK(triangulateRim(rimOf({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}})).empty());
-  // Twice through one place.
+  // Passes through one place twice.
   CHECK(
       triangulateRim(rimOf({{0, 0, 0}, {1, -1, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}))
           .empty());

@@ -6,15 +6,15 @@
 
 using namespace abflat;
 
-// What exporters write beside what the formats say: taken as other readers take it, or refused with
-// a reason.
+// What exporters write beyond what the formats allow. It is either accepted the way other readers
+// accept it, or rejected with a reason.
 
 namespace {
 
 struct Habit {
   const char* name;
   std::string text;
-  const char* complaint = "";  ///< a part of the message; empty: one triangle is read
+  const char* complaint = "";  ///< part of the message; empty: one triangle is read
 };
 
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", kFace = "f 1 2 3\n";

@@ -1,5 +1,5 @@
-// OBJ files as tinyobjloader reads them, damaged ones too. Where the two readers differ, the text
-// must show one of the reasons that are listed here.
+// Compares OBJ files, damaged ones included, with what tinyobjloader reads. Where the two readers
+// differ, the text must show one of the reasons listed here.
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,11 @@ using namespace abflat;
 
 namespace {
 
-/// A line of a text as either reader may see it, without looking at their code.
+/// A line of a text as either reader may see it, independent of their code.
 struct Line {
   std::string all, keyword;
   std::vector<std::string> words;           ///< between the keyword and a comment
-  std::size_t vertices = 0, texcoords = 0;  ///< lines of those before it
+  std::size_t vertices = 0, texcoords = 0;  ///< number of such lines before it
   std::size_t allVertices = 0, allTexcoords = 0;
 
   bool is(const char* name) const { return keyword == name; }
@@ -65,7 +65,7 @@ bool isNumber(const std::string& word) {
   return std::regex_match(word, kNumber);
 }
 
-/// Beyond what powers of five and two in double precision give.
+/// Out of reach of powers of five and two computed in double precision.
 bool isFar(const std::string& word) {
   constexpr double kFar = 280;
   if (!isNumber(word)) return false;
@@ -75,7 +75,7 @@ bool isFar(const std::string& word) {
   return !std::isfinite(value) || std::abs(exponent) > kFar || word.size() > 40;
 }
 
-/// The numbers between slashes; nothing where one is none.
+/// The numbers between slashes; empty if one of them is not a number.
 std::vector<std::string> partsOf(const std::string& corner) {
   std::vector<std::string> out(1);
   for (const char c : corner) {
@@ -185,7 +185,8 @@ const Reason kReasons[] = {
      [](const Line& l) { return l.all.substr(0, 3) == "\xEF\xBB\xBF"; }},
 };
 
-/// Not given to tinyobj at all: records of its own, whose numbers it converts without a look.
+/// Texts that are not given to tinyobj: they have records of its own, whose numbers it converts
+/// unchecked.
 bool isOfTinyobjAlone(const std::vector<Line>& lines) {
   return std::any_of(lines.begin(), lines.end(),
                      [](const Line& l) { return l.is("vw") || l.is("t"); });
@@ -220,7 +221,7 @@ bool isSame(const PolygonMesh& ours, const test::TinyMesh& theirs) {
   return true;
 }
 
-/// What kind of difference there is; 0: none.
+/// The kind of difference; 0: none.
 int differenceOf(const Result<PolygonMesh>& ours, const test::TinyMesh& theirs) {
   if (!ours.ok() && !theirs.isRead) return 0;
   if (!ours.ok()) return kWeRefuse;
@@ -230,7 +231,7 @@ int differenceOf(const Result<PolygonMesh>& ours, const test::TinyMesh& theirs) 
 
 using Tally = std::map<std::string, int>;
 
-/// Compares both readers on a text; counts a reason for a difference.
+/// Compares both readers on a text, and counts a reason for each difference.
 void compare(const std::string& text, Tally& tally) {
   const std::vector<Line> lines = linesOf(text);
   if (isOfTinyobjAlone(lines)) {
@@ -346,7 +347,7 @@ TEST_CASE("OBJ: damaged files are read as tinyobjloader reads them, or for a rea
   CHECK(tally["same"] >= 3);
   for (int i = 0; i < test::cases(10000, 1000); ++i)
     compare(mutate(kSmall[mutate.below(kSmall.size())]), tally);
-  // Enough of both, so that the comparison is one.
+  // Enough of both outcomes to make the comparison meaningful.
   CHECK(tally["same"] > test::cases(1500, 150));
   CHECK(tally.size() > 8);
 }

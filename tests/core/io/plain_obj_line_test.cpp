@@ -17,8 +17,7 @@ Result<PolygonMesh> obj(const std::string& text) {
   return readMesh(text, MeshFormat::Obj, "a.obj");
 }
 
-/// What `text` means, line by line and word by word, for texts whose faces refer to nothing that
-/// comes later.
+/// Reads `text` line by line and word by word, for texts whose faces only refer to earlier lines.
 PolygonMesh slowly(const std::string& text) {
   PolygonMesh mesh;
   mesh.faceOffsets = {0};
@@ -108,7 +107,7 @@ std::string randomText(Random& random, std::size_t lines) {
   return text;
 }
 
-/// The text with a comment behind every vertex and face: none of its lines is plain then.
+/// The text with a comment after every vertex and face, so that none of its lines is plain.
 std::string commented(const std::string& text) {
   std::istringstream lines(text);
   std::string out;

@@ -39,7 +39,7 @@ void checkQuadAndTriangle(const Result<PolygonMesh>& r) {
   CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1, 0});
 }
 
-/// Lists of all sorts on vertices and faces, unknown elements, a permuted order.
+/// All kinds of lists on vertices and faces, unknown elements, a permuted order.
 std::vector<PlyTestElement> richElements() {
   PlyTestElement v{
       "vertex",
@@ -137,7 +137,7 @@ TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
       "a.ply:9: ", "triangle strips");
 }
 
-// Each name compared with all others would take minutes.
+// Comparing each name with all others would take minutes.
 TEST_CASE("PLY: any number of properties and elements is taken, no name twice", "[ply]") {
   constexpr int kNames = cases(300000, 30000);
   std::string elements, properties, row;
@@ -219,7 +219,7 @@ TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[
 
 namespace {
 
-/// What is read can be written with texcoords of its own, and is the same mesh then.
+/// Whether the mesh can be written with new texcoords and read back as the same mesh.
 bool survivesWriting(const PolygonMesh& mesh, const std::string& bytes) {
   std::vector<double> uv;
   for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c)
@@ -285,7 +285,8 @@ TEST_CASE("PLY: texcoords of vertices and of corners are kept in every encoding"
     checkQuadAndTriangle(ofVertices);
     CHECK(ofVertices.value.texcoords == std::vector<double>{0, 0, 2, 0, 2, 1.5, 0, 1});
     CHECK(ofVertices.value.faceTexcoords == ofVertices.value.faceVertices);
-    // Lists of corners count more than those of vertices; one of another length is none.
+    // Texcoords of corners (lists on faces) take precedence over those of vertices; a list of the
+    // wrong length is ignored.
     const PlyTestElement f{"face",
                            {"list uchar float texcoord", "list uchar int vertex_indices"},
                            {{2, 0.5, 0.5, 4, 0, 1, 2, 3}, {6, 1, 2, 3, 4, 5, 6, 3, 2, 1, 0}}};

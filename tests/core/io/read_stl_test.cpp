@@ -37,7 +37,7 @@ std::string littleEndian(float value) {
   return littleEndian(bits);
 }
 
-/// A mesh of triangles with coordinates that are floats.
+/// A mesh of triangles with coordinates that fit floats.
 std::string binaryStl(const PolygonMesh& mesh, const std::string& header = "made by a test") {
   std::string out = header;
   out.resize(80);
@@ -75,7 +75,7 @@ PolygonMesh inFloats(PolygonMesh mesh) {
   return mesh;
 }
 
-/// The faces in their order at the same places; and no two vertices in one place.
+/// Checks that faces keep their order and places, and that no two vertices share a place.
 void checkSame(const Result<PolygonMesh>& r, const PolygonMesh& mesh) {
   INFO(r.status.message);
   REQUIRE(r.ok());

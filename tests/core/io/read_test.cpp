@@ -17,7 +17,7 @@ Result<PolygonMesh> off(const std::string& text) {
   return readMesh(text, MeshFormat::Off, "a.off");
 }
 
-/// The message, which must begin with the place.
+/// Checks the message, which must begin with the place.
 void checkError(const Result<PolygonMesh>& r, const std::string& place, const std::string& part) {
   INFO(r.status.message);
   CHECK(r.status.code == StatusCode::ParseError);
@@ -61,7 +61,7 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
 }
 
 TEST_CASE("OBJ: comments and names that end in a backslash do not swallow the next line") {
-  // With and without a comment behind a vertex, which takes another way through the reader.
+  // With and without a comment after a vertex, which takes a different path through the reader.
   for (const std::string vertex : {"v 9 9 9\n", "v 9 9 9 # first\n"}) {
     const Result<PolygonMesh> r =
         obj("# from C:\\models\\\n" + vertex + "g C:\\a\\\n" + kTriangle + "usemtl b\\\nf 2 3 4\n");
@@ -158,7 +158,7 @@ TEST_CASE("OFF: remarks behind the last face are ignored") {
 
 namespace {
 
-/// All there is in an OBJ file, in little space.
+/// Everything an OBJ file can contain, in little space.
 const std::string kRichObj =
     "\xEF\xBB\xBF# a\\\r\nmtllib a.mtl\r\nv 0 0 0 1 0 0 # red\r\nv 1e0 +0 -.5\r\nv 1 \\\r\n1 "
     "0\r\nv "
@@ -168,7 +168,7 @@ const std::string kRichOff =
     "0\n"
     "3 0 2 3\n4 0 1 2 4\nend";
 
-/// Whether a text is read into something that holds together, or refused as it should be.
+/// Whether a text is either read into a consistent mesh or rejected as it should be.
 bool isReadOrRefused(const std::string& text, bool isObj) {
   const Result<PolygonMesh> r = isObj ? obj(text) : off(text);
   return r.ok() ? validateArrays(r.value).ok() : r.status.code == StatusCode::ParseError;

@@ -13,7 +13,7 @@ using Place = std::array<double, 2>;
 
 Place at(const std::vector<double>& uv, std::size_t i) { return {uv[2 * i], uv[2 * i + 1]}; }
 
-/// One vertex for each texcoord of a vertex that a corner has, and no others.
+/// Checks for one vertex for each texcoord that a corner of a vertex has, and no others.
 void checkSplit(std::size_t vertexCount, const std::vector<std::uint32_t>& faceVertices,
                 const std::vector<double>& uv, const std::vector<std::uint32_t>& cornerUv) {
   const SplitVertices split = splitVertices(vertexCount, faceVertices, uv, cornerUv);
@@ -30,7 +30,7 @@ void checkSplit(std::size_t vertexCount, const std::vector<std::uint32_t>& faceV
     const auto [entry, isNew] = known.insert({{v, at(uv, cornerUv[c])}, now});
     CHECK(entry->second == now);
     if (!isNew) continue;
-    // The first texcoord stays with the vertex, the others follow in the order of the corners.
+    // The first texcoord stays with the vertex; the others follow in corner order.
     CHECK(now == (isUsed[v] ? static_cast<std::uint32_t>(vertexCount) + copies++ : v));
     isUsed[v] = true;
   }
@@ -56,7 +56,7 @@ TEST_CASE("vertices are split by the values of texcoords, not by their numbers",
 }
 
 TEST_CASE("a vertex may have very many texcoords", "[ply]") {
-  constexpr std::uint32_t kCount = 300000;  // quadratic time would be an hour
+  constexpr std::uint32_t kCount = 300000;  // quadratic time would take an hour
   std::vector<double> uv;
   std::vector<std::uint32_t> faceVertices, cornerUv;
   for (std::uint32_t i = 0; i < kCount; ++i) {

@@ -11,7 +11,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Two quads over six vertices, cut along their common edge 1-4: 8 texcoords.
+/// Two quads on six vertices, cut along their common edge 1-4: 8 texcoords.
 struct Cut {
   std::vector<double> uv{0, 0, 1, 0, 1, 1, 0, 1, 3, 0, 4, 0, 4, 1, 3, 1};
   std::vector<std::uint32_t> cornerUv{0, 1, 2, 3, 4, 5, 6, 7};
@@ -26,7 +26,7 @@ PolygonMesh read(const std::string& bytes) {
   return r.value;
 }
 
-/// Attributes of vertices and faces, elements before and behind, in an unusual order.
+/// Attributes of vertices and faces, elements before and after, in an unusual order.
 std::vector<PlyTestElement> source() {
   PlyTestElement v{
       "vertex", {"float x", "float y", "float z", "uchar red", "list uchar short bones"}, {}};
@@ -44,7 +44,7 @@ std::vector<PlyTestElement> source() {
   };
 }
 
-/// What must come out: rows keep their numbers, copies of vertices 1 and 4 are behind them.
+/// The expected result: rows keep their numbers, and copies of vertices 1 and 4 follow them.
 std::vector<PlyTestElement> expected(const std::string& uvType) {
   std::vector<PlyTestElement> out = source();
   PlyTestElement& v = out[1];
@@ -87,7 +87,7 @@ TEST_CASE("PLY out: old texcoords give way, whatever they are called", "[ply]") 
   for (const auto& pair : pairs)
     for (const std::string& format : kPlyFormats) {
       std::vector<PlyTestElement> in = source(), out = expected("float");
-      // Not at the end: what stands behind must be kept.
+      // Not at the end: what follows must be kept.
       in[1].properties.insert(in[1].properties.begin() + 1,
                               {"float " + pair[0], "double " + pair[1]});
       for (std::vector<double>& row : in[1].rows) row.insert(row.begin() + 1, {9, 9});
@@ -101,12 +101,12 @@ TEST_CASE("PLY out: old texcoords give way, whatever they are called", "[ply]") 
   std::vector<PlyTestElement> in = source(), out = expected("float");
   for (std::vector<PlyTestElement>* elements : {&in, &out}) {
     PlyTestElement& v = (*elements)[1];
-    v.properties.insert(v.properties.begin(), "float u");  // without a v it is something else
+    v.properties.insert(v.properties.begin(), "float u");  // without a v it means something else
     for (std::vector<double>& row : v.rows) row.insert(row.begin(), 5);
   }
   CHECK(rewritten(plyFile("ascii", in)) == plyFile("ascii", out));
   for (const std::string& format : kPlyFormats) {
-    // There is only one t.
+    // There is only a t.
     std::vector<PlyTestElement> timed = source();
     timed[1].properties.insert(timed[1].properties.begin(), "list uchar float t");
     for (std::vector<double>& row : timed[1].rows) row.insert(row.begin(), {2, 5, 5});
@@ -115,7 +115,7 @@ TEST_CASE("PLY out: old texcoords give way, whatever they are called", "[ply]") 
 }
 
 TEST_CASE("PLY out: types that are too small for new vertices grow", "[ply]") {
-  // A fan of 100 triangles, each with texcoords of its own: 300 vertices.
+  // A fan of 100 triangles, each with its own texcoords: 300 vertices.
   PlyTestElement v{"vertex", {"float x", "float y", "float z"}, {{0, 0, 1}}};
   PlyTestElement f{"face", {"list uchar char vertex_index"}, {}};
   Cut cut{{}, {}};
@@ -162,6 +162,6 @@ TEST_CASE("PLY out: without a source the mesh is written completely", "[ply]") {
       CHECK(back.faceVertices == mesh.faceVertices);
     }
   }
-  const PolygonMesh large = star(200);  // one face of 400 corners
+  const PolygonMesh large = star(200);  // one face with 400 corners
   CHECK(read(writePly(large, {}, {})).faceVertices == large.faceVertices);
 }

@@ -52,7 +52,7 @@ TEST_CASE("what referred to the old texcoords is rewritten, comments stay") {
 
 namespace {
 
-/// What a result says of every face corner: its texcoord. Reads nothing but plain vt and f lines.
+/// The texcoord of every face corner in a result. Reads nothing but plain vt and f lines.
 std::vector<double> cornerTexcoords(const std::string& text) {
   std::istringstream lines(text);
   std::vector<double> uv, out;
@@ -70,7 +70,7 @@ std::vector<double> cornerTexcoords(const std::string& text) {
   return out;
 }
 
-/// Random polygons over random vertices, in one of the ways to write them.
+/// Random polygons on random vertices, in one of the styles of writing them.
 std::string randomObj(std::mt19937_64& random, PolygonMesh& mesh) {
   std::uniform_real_distribution<double> coordinate(-1e3, 1e3);
   const std::string eol = random() % 2 ? "\n" : "\r\n";
@@ -136,7 +136,7 @@ TEST_CASE("random meshes come back with their texcoords, bit for bit") {
       REQUIRE(back.value.positions == wanted.positions);
       REQUIRE(back.value.faceOffsets == wanted.faceOffsets);
       REQUIRE(back.value.faceVertices == wanted.faceVertices);
-      // Once more from its own result: nothing is left to change.
+      // Rewriting its own result changes nothing.
       REQUIRE(writeObj(wanted, uv, cornerUv, text) == text);
     }
   }

@@ -12,7 +12,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// A flat grid as a chart, with some inner vertices pulled so near to a neighbour that the
+/// A flat grid as a chart, with some inner vertices pulled so close to a neighbour that the
 /// triangles between them are far thinner than `step`.
 struct Needles {
   DiskChart chart;

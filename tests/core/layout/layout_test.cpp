@@ -66,7 +66,7 @@ TEST_CASE("the longest diameter is horizontal and the bounding box begins at the
 }
 
 TEST_CASE("edge lengths over many orders of magnitude keep their relative precision") {
-  // A fan of similar triangles: each is half as large as the one before, like a logarithmic spiral.
+  // A fan of similar triangles, each half as large as the one before, like a logarithmic spiral.
   std::vector<double> p{0, 0, 0};
   std::vector<std::uint32_t> t;
   constexpr unsigned kCount = 30;
@@ -102,7 +102,8 @@ TEST_CASE("diameter by calipers equals the largest of all distances") {
 }
 
 TEST_CASE("equal diameters are told apart by index, whatever the rounding") {
-  // A regular polygon has many; noise of rounding size must not change the choice.
+  // A regular polygon has many longest diameters; noise the size of rounding must not change the
+  // choice.
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-1e-12, 1e-12);
   for (unsigned n : {4u, 6u, 7u, 40u, 41u})

@@ -9,7 +9,7 @@ using namespace abflat;
 
 namespace {
 
-/// Along edges of a random tree and back to the start, now and then staying where it is.
+/// Walks along edges of a random tree and back to the start, sometimes staying in place.
 std::vector<std::uint32_t> randomWalk(std::mt19937& random, std::uint32_t& next, int depth) {
   const std::uint32_t here = next++;
   std::vector<std::uint32_t> out = {here};

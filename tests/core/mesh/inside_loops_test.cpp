@@ -27,7 +27,7 @@ double turn(const Point2& a, const Point2& b, const Point2& c) {
 }
 
 /// A square with holes that are joined to it, or to each other, by random bridges. An island in a
-/// hole is bridged to its rim. All of it is one polygon.
+/// hole is bridged to the hole's rim. All of it is one polygon.
 class Bridged {
  public:
   Bridged(unsigned holes, bool hasIsland, unsigned seed) : random_(seed) {
@@ -55,7 +55,7 @@ class Bridged {
     return sum;
   }
 
-  /// In a slanted plane.
+  /// The polygon in a slanted plane.
   PolygonMesh mesh() const {
     PolygonMesh out;
     for (const Point2& p : points_)
@@ -102,7 +102,7 @@ class Bridged {
     return meetsRing(polygon_) || std::any_of(rings_.begin(), rings_.end(), meetsRing);
   }
 
-  /// Whether b lies within the angle of the polygon's corner i.
+  /// Whether b lies within the angle at the polygon's corner i.
   bool isInside(std::size_t i, std::uint32_t b) const {
     const std::size_t n = polygon_.size();
     const Point2 &at = points_[polygon_[i]], &to = points_[polygon_[(i + 1) % n]],
@@ -132,7 +132,7 @@ class Bridged {
   Loop polygon_;
 };
 
-/// Each corner has a vertex of its own.
+/// Gives each corner a vertex of its own.
 PolygonMesh exploded(const PolygonMesh& mesh) {
   PolygonMesh out;
   out.faceOffsets = mesh.faceOffsets;
@@ -143,7 +143,7 @@ PolygonMesh exploded(const PolygonMesh& mesh) {
   return out;
 }
 
-/// Triangles that fill the area and do not overlap.
+/// Checks that the triangles fill the area and do not overlap.
 void checkFilled(const PolygonMesh& mesh, double area) {
   const Triangulation t = triangulate(mesh);
   std::vector<double> flat;
@@ -213,7 +213,7 @@ TEST_CASE("a polygon with holes becomes one chart, as large as it is", "[polygon
 }
 
 TEST_CASE("holes that touch the rim, and each other, are holes", "[polygons]") {
-  // A hole at a corner of the square, and one more at a corner of that.
+  // A hole that touches a corner of the square, and another that touches a corner of that hole.
   PolygonMesh mesh;
   mesh.positions = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 2, 1, 0, 1, 2, 0, 3, 2, 0, 2, 3, 0};
   mesh.faceVertices = {0, 1, 2, 3, 0, 5, 7, 6, 5, 4};

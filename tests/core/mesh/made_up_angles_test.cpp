@@ -8,7 +8,8 @@
 using namespace abflat;
 
 TEST_CASE("a triangle without area is drawn with its corners in the same order", "[mesh]") {
-  // Where the third corner is, as a share of the longest edge, and how far off it.
+  // Position of the third corner along the longest edge, and its distance from it, both relative to
+  // the edge.
   const double places[][2] = {{0.5, 0},       {0.25, 1e-12}, {1 - 1e-6, 4e-10},
                               {1e-7, -1e-11}, {0, 0},        {1, 0}};
   for (const auto& [along, off] : places)
@@ -21,7 +22,7 @@ TEST_CASE("a triangle without area is drawn with its corners in the same order",
         const auto alpha = anglesOrMadeUp(positions, v, cornerAngles(positions, v));
         CHECK(alpha[0] + alpha[1] + alpha[2] == Approx(kPi).epsilon(1e-14));
         CHECK(std::min({alpha[0], alpha[1], alpha[2]}) == Approx(kMadeUpAngle).epsilon(1e-3));
-        // Edges by the law of sines; the longest one is opposite the third corner.
+        // Edge lengths by the law of sines; the longest edge is opposite the third corner.
         const auto at = [&](std::uint32_t corner) {
           return std::sin(alpha[(corner + 3 - first) % 3]);
         };

@@ -12,7 +12,7 @@ WeldedMesh closed(const PolygonMesh& mesh) {
   return weld(mesh, false, {}, findNotches(mesh, buildSurface(mesh)));
 }
 
-/// The same, joined along its meridian, with a hole in place of one pole.
+/// The same sphere joined along its meridian, with a hole in place of one pole.
 PolygonMesh joinedCap(std::uint32_t columns, std::uint32_t rows) {
   PolygonMesh mesh = uvSphere(columns, rows);
   mesh.faceOffsets.resize(mesh.faceCount() - columns + 1);
@@ -32,7 +32,7 @@ TEST_CASE("poles with a vertex for each face are one vertex") {
     const WeldedMesh out = closed(mesh);
     CHECK(out.mergedVertices == 2 * (columns - 1));
     CHECK(inspect(out.mesh).disk.ok());
-    // The meridian that the numbers leave open stays open.
+    // The meridian, whose sides have different vertex numbers, stays open.
     CHECK(buildSurface(out.mesh).boundaryLoops.front().size() == 2 * rows);
   }
 }
@@ -44,7 +44,7 @@ TEST_CASE("a loop of nothing but notches stays open") {
 }
 
 TEST_CASE("longer slits and those with a width stay") {
-  // Two rows of squares, parted along 0 to 2 edges from the left.
+  // Two rows of squares, separated along 0 to 2 edges from the left.
   for (const std::uint32_t slit : {0u, 1u, 2u})
     for (const double width : {0.0, 1e-3}) {
       PolygonMesh mesh = bumpyGrid(4, 2, 0.3, 1);

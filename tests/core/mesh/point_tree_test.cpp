@@ -10,7 +10,7 @@ using namespace abflat;
 TEST_CASE("a tree of points finds those in a triangle, as looking at all of them does") {
   std::mt19937 random(5);
   for (int round = 0; round < 60; ++round) {
-    // On a coarse lattice many are on the rim, at corners or at one place.
+    // On a coarse lattice many points lie on the rim, at corners or at the same place.
     const int steps = round % 2 ? 6 : 1 << 20;
     const auto coordinate = [&] { return static_cast<double>(random() % steps) / steps; };
     std::vector<Point2> points(1 + random() % 300);

@@ -162,7 +162,7 @@ TEST_CASE("concave faces keep their area and every edge when triangulated") {
 
 TEST_CASE("two quads that share two edges are cut so that the flat mesh exists") {
   PolygonMesh mesh;
-  // Vertex 1 has two faces only: (0 1 2 3) and (2 1 0 4).
+  // Vertex 1 has only two faces: (0 1 2 3) and (2 1 0 4).
   mesh.positions = {0, 0, 0, 1, 0, 1, 2, 0, 0, 1, 2, 0, 1, -2, 0};
   mesh.faceVertices = {0, 1, 2, 3, 2, 1, 0, 4};
   mesh.faceOffsets = {0, 4, 8};

@@ -10,7 +10,7 @@ using namespace abflat;
 
 namespace {
 
-/// One face round the origin, whose corners have these distances from it.
+/// One face around the origin, with its corners at these distances from it.
 PolygonMesh starPolygon(const std::vector<double>& radius) {
   PolygonMesh mesh;
   for (std::size_t k = 0; k < radius.size(); ++k) {
@@ -33,7 +33,7 @@ double doubleArea(const PolygonMesh& mesh, const std::uint32_t* v, std::size_t c
   return sum;
 }
 
-/// Triangles of positive area that fill the face, and diagonals that have two sides each.
+/// Checks that triangles have positive area and fill the face, and that diagonals have two sides.
 void checkTriangulated(const PolygonMesh& mesh) {
   const std::size_t n = mesh.faceVertices.size();
   const Triangulation t = triangulate(mesh);
@@ -79,7 +79,7 @@ TEST_CASE("faces of thousands of corners are no trouble") {
   for (std::size_t k = 0; k < radius.size(); k += 2)
     radius[k] = 0.5 + 0.3 * std::sin(static_cast<double>(k));
   checkTriangulated(starPolygon(radius));
-  // A hundred thousand: reflex at every second corner, or nearly all of them on four lines.
+  // A hundred thousand corners: every second one reflex, or nearly all of them on four lines.
   radius.assign(100000, 1.0);
   for (std::size_t k = 0; k < radius.size(); k += 2) radius[k] = 0.9;
   checkTriangulated(starPolygon(radius));

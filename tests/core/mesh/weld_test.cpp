@@ -39,7 +39,7 @@ TEST_CASE("welding agrees with the comparison of all pairs, and does not depend 
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(0, 1), shift(-1, 1);
   constexpr double kTolerance = 1e-3;
-  std::vector<double> p{0, 0, 0, 1, 1, 1};  // so that the diagonal is known
+  std::vector<double> p{0, 0, 0, 1, 1, 1};  // makes the diagonal known
   for (int cluster = 0; cluster < 60; ++cluster) {
     const double at[3] = {place(random), place(random), place(random)};
     // Pairs are either clearly within the tolerance or clearly not.
@@ -64,7 +64,7 @@ TEST_CASE("many vertices at one place, none, and one") {
 
 namespace {
 
-/// Loose triangles of a mesh, their corners shaken.
+/// Separate triangles of a mesh, with their corners displaced at random.
 PolygonMesh shakenSoup(const PolygonMesh& mesh, double by) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> shift(-by, by);
@@ -91,7 +91,7 @@ TEST_CASE("a soup whose corners differ by rounding is welded to its surface") {
 }
 
 TEST_CASE("detail below the tolerance is kept where the surface is closed, and within a face") {
-  // A tetrahedron with its apex, then with a face, replaced by tiny ones.
+  // A tetrahedron whose apex is replaced by a tiny triangle; then only its base and that triangle.
   const double e = 1e-9;
   const std::vector<double> p{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, e, 0, 1, 0, e, 1};
   const PolygonMesh closed =
@@ -103,7 +103,8 @@ TEST_CASE("detail below the tolerance is kept where the surface is closed, and w
 }
 
 TEST_CASE("a triangle far off merges nothing elsewhere") {
-  // Two squares, one above the other; with the triangle, one is within the tolerance of the other.
+  // Two squares, one above the other; with the distant triangle, they are within the tolerance of
+  // each other.
   for (const double gap : {0.01, 1e-12}) {
     std::vector<double> p;
     for (const double z : {0.0, gap})
@@ -135,8 +136,8 @@ TEST_CASE("two closed surfaces that are nearly in touch stay two") {
 }
 
 TEST_CASE("many vertices are welded as few are, however they are spread") {
-  // All in what the tolerance makes one place, or nearly: in a cluster beside a vertex far away,
-  // and in clusters of clusters.
+  // All within the tolerance of each other, or nearly: in a cluster beside a distant vertex, and in
+  // clusters of clusters.
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(0, 1);
   for (const double side : {1e-3, 1e-5, 6e-6, 1e-6, 1e-9}) {
@@ -160,7 +161,7 @@ TEST_CASE("many vertices are welded as few are, however they are spread") {
 }
 
 TEST_CASE("one face of many corners that are nearly at one place by twos") {
-  // As loose edges of a polygon would be; no two of one face are merged.
+  // Like loose edges of a polygon; no two vertices of one face are merged.
   std::vector<double> p;
   std::vector<std::uint32_t> corners(40000);
   for (std::uint32_t k = 0; k < corners.size(); ++k) {
@@ -180,7 +181,7 @@ TEST_CASE("vertices that no face uses are not there", "[unused]") {
   const Welding wanted = weldSurface(mesh);
   std::mt19937 random(2);
   for (const double far : {0.0, 1.0, 1e9, 1e300}) {
-    // One before each vertex: at its place, near it, or anywhere.
+    // Adds one vertex before each: at its place, near it, or anywhere.
     PolygonMesh more;
     more.faceOffsets = mesh.faceOffsets;
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {

@@ -24,7 +24,7 @@ PolygonMesh meshOf(std::vector<double> positions,
   return mesh;
 }
 
-/// Each corner has a vertex of its own.
+/// Gives each corner a vertex of its own.
 PolygonMesh exploded(const PolygonMesh& mesh) {
   PolygonMesh out = mesh;
   out.positions.clear();
@@ -85,7 +85,7 @@ TEST_CASE("a face that touches itself is split there") {
   CHECK(welded.splitFaces == std::vector<std::uint32_t>{0});
   CHECK(welded.mesh.faceCount() == 2);
   CHECK(std::count(welded.cornerFor.begin(), welded.cornerFor.end(), kNone) == 0);
-  // A corner that is given twice in a row is no place where a face touches itself twice.
+  // A corner that is listed twice in a row does not mean that a face touches itself.
   const WeldedMesh doubled = weld(meshOf(kSquare, {{0, 1, 1, 2, 3}}));
   CHECK(doubled.mesh.faceVertices.size() == 4);
 }
@@ -114,7 +114,7 @@ TEST_CASE("a face of many corners at two places collapses, and its corners find 
 }
 
 TEST_CASE("the ends of edges without length are one, and a cut between them stays") {
-  // A pole with a vertex for each face round it, some of them as far apart as a sine of pi.
+  // A pole with one vertex for each face around it, some of them as far apart as a sine of pi.
   constexpr std::uint32_t n = 7;
   for (const double apart : {0.0, 1e-17, 1e-5}) {
     std::vector<double> p;
@@ -141,7 +141,7 @@ TEST_CASE("the ends of edges without length are one, and a cut between them stay
 }
 
 TEST_CASE("edges that are short beside one of their faces only stay") {
-  // The first vertex is far off the small square.
+  // The first vertex is far away from the small square.
   const std::vector<double> p{0, 0, 1e15, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const WeldedMesh welded = weld(meshOf(p, {{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {1, 3, 4}}), false);
   CHECK(welded.mergedVertices == 0);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSide = 96;
 
-/// A shape moved to somewhere in the grid.
+/// A shape moved to some place in the grid.
 PackShape inGrid(PackShape shape, unsigned seed) {
   const double size = 10.0 + seed % 17, x = 40 + 0.37 * (seed % 11), y = 41 + 0.61 * (seed % 13);
   for (std::size_t i = 0; i < shape.uv.size(); i += 2) {
@@ -69,7 +69,7 @@ TEST_CASE("cover goes without an outline", "[pack]") {
 }
 
 TEST_CASE("cover leaves holes open", "[pack]") {
-  // A ring within another one.
+  // A ring within another ring.
   PackShape shape;
   constexpr std::uint32_t kSpokes = 24;
   const auto addRing = [&](double x, double y, double inner, double outer) {
@@ -93,7 +93,7 @@ TEST_CASE("cover leaves holes open", "[pack]") {
 }
 
 TEST_CASE("cover includes triangles that are turned over", "[pack]") {
-  // A fan that goes round its centre three times, and one whose centre is outside.
+  // A fan that goes around its centre three times, and one whose centre is outside.
   for (const double x : {0.0, 25.0}) {
     PackShape shape;
     shape.uv = std::vector<double>{45.3 + x, 44.7};

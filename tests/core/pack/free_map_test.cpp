@@ -8,7 +8,7 @@ using namespace abflat;
 
 namespace {
 
-/// Blots of random cells, some with gaps.
+/// Blots of random cells, some of them with gaps.
 BitGrid randomGrid(std::mt19937& random, int most) {
   BitGrid grid;
   const auto size = [&] { return 1 + static_cast<int>(random() % static_cast<unsigned>(most)); };
@@ -36,7 +36,7 @@ Cell firstFree(const BitGrid& taken, const BitGrid& shape, int begin, int end) {
   return {};
 }
 
-/// By taking all of them, one after the other.
+/// Counts the free cells by taking them one after the other.
 double countFree(FreeMap map) {
   BitGrid dot;
   dot.reset(1, 1);
@@ -71,7 +71,7 @@ TEST_CASE("the free map finds the first free place", "[pack]") {
       const Cell expected = firstFree(taken, shape, begin, end);
       REQUIRE(cell.x == expected.x);
       REQUIRE(cell.y == expected.y);
-      // Also where nobody looked: what is taken twice or outside does not matter.
+      // Also where nothing was found: taking cells twice, or outside, does no harm.
       const Cell at = cell.isFound() ? cell
                                      : Cell{static_cast<int>(random() % 60) - 30,
                                             static_cast<int>(random() % 60) - 30};

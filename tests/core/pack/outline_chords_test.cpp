@@ -9,7 +9,7 @@ using namespace abflat;
 
 namespace {
 
-/// Corners with points between them, about as far apart as 1.
+/// Adds points between the corners, about 1 apart.
 std::vector<PlanePoint> outlineOf(const std::vector<PlanePoint>& corners) {
   std::vector<PlanePoint> out;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -40,7 +40,7 @@ TEST_CASE("chords of a strip lead straight across it, at both ends and in its mi
 }
 
 TEST_CASE("chords stay inside", "[room]") {
-  // A U: the shortest ways between its arms lie outside.
+  // A U: the shortest lines between its arms lie outside.
   const std::vector<PlanePoint> u =
       outlineOf({{0, 0}, {12, 0}, {12, 20}, {8, 20}, {8, 4}, {4, 4}, {4, 20}, {0, 20}});
   const auto isInside = [](double x, double y) {

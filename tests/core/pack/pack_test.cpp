@@ -189,7 +189,7 @@ TEST_CASE("tiles are well used", "[pack]") {
   CHECK(used({rectangle(2, 2)}) > 0.98);
   CHECK(used(std::vector<PackShape>(4, rectangle(3, 3))) > 0.97);
   CHECK(used(std::vector<PackShape>(64, rectangle(1, 1))) > 0.93);
-  // In the hole of a frame with a slit fits what is a little smaller.
+  // A slightly smaller shape fits into the hole of a frame that has a slit.
   PackShape frame;
   frame.uv = {0,   0,   1,   0,   1,   1,   0,    1,   0,    0.02,  0.1, 0.02,
               0.1, 0.9, 0.9, 0.9, 0.9, 0.1, 0.02, 0.1, 0.02, 0.015, 0,   0.01};
@@ -219,7 +219,7 @@ TEST_CASE("a density is kept, and takes as many tiles as it needs", "[pack]") {
   CHECK(complaint(shapes, packing, options, true) == "");
 }
 
-/// The number behind these words of the message.
+/// The number that follows these words in the message.
 double after(const std::string& words, const Status& status) {
   INFO(status.message);
   CHECK(status.code == StatusCode::AtlasTooSmall);

@@ -16,7 +16,7 @@ Outline box(double width, double height) {
   return {{0, 0}, {width, 0}, {width, height}, {0, height}};
 }
 
-/// Of sides from 0.2 to 1.
+/// Boxes with sides from 0.2 to 1.
 std::vector<Outline> boxes(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   const auto side = [&] { return 0.2 + 0.8 * static_cast<double>(random() % 1000) / 1000; };
@@ -43,7 +43,7 @@ TEST_CASE("items that are held have the places that they have otherwise", "[pack
     const double side = 0.8 * held.leastSide();
     for (std::uint32_t cut = 0; cut < all.size(); ++cut) {
       held.hold(side, {cut});
-      // What a cut makes of an item is smaller.
+      // The parts that a cut leaves of an item are smaller.
       const double width = all[cut][2].x / 3, height = all[cut][2].y;
       std::vector<Outline> parts = all;
       parts[cut] = box(2 * width, height);

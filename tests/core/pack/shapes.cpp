@@ -19,7 +19,7 @@ class Maker {
   }
   unsigned index(unsigned count) { return static_cast<unsigned>(random_() % count); }
 
-  /// Strip between two curves of n points: the general case of a disk.
+  /// A strip between two curves of n points: the general case of a disk.
   static PackShape strip(unsigned n, const std::function<void(double, double*, double*)>& curves) {
     PackShape s;
     for (unsigned i = 0; i < n; ++i) {
@@ -36,7 +36,7 @@ class Maker {
     return s;
   }
 
-  /// Fan round the origin.
+  /// A fan around the origin.
   static PackShape fan(unsigned n, const std::function<double(double)>& radius) {
     PackShape s;
     s.uv = {0, 0};
@@ -86,7 +86,7 @@ class Maker {
     });
   }
 
-  /// A band round a part of a rectangle's sides.
+  /// A band along a part of a rectangle's sides.
   PackShape letter() {
     const unsigned sides = 2 + index(3);
     const double w = uniform(0.5, 1), h = uniform(0.5, 1), d = uniform(0.1, 0.2);
@@ -143,7 +143,7 @@ std::vector<PackShape> makePackShapes(const std::string& kind, std::size_t count
   std::vector<PackShape> out;
   for (std::size_t i = 0; i < count; ++i) {
     PackShape s = maker.make(kind);
-    // As many charts between each size and its double.
+    // Equally many charts in each range from a size to its double.
     const double size = std::pow(spread, -maker.uniform(0, 1)), angle = maker.uniform(0, 2 * kPi);
     const double c = size * std::cos(angle), d = size * std::sin(angle);
     for (std::size_t k = 0; k < s.uv.size(); k += 2) {

@@ -7,8 +7,8 @@
 
 namespace abflat::test {
 
-/// Charts to try packing on: "discs", "blobs", "stars", "spirals", "letters" (L, U and C),
-/// "needles", "triangles", "rectangles" or "mixed" (all of them). Sizes spread over a factor of
+/// Charts for testing packing: "discs", "blobs", "stars", "spirals", "letters" (L, U and C),
+/// "needles", "triangles", "rectangles" or "mixed" (all of them). Sizes vary by a factor of
 /// `spread`.
 std::vector<PackShape> makePackShapes(const std::string& kind, std::size_t count, double spread,
                                       unsigned seed);

@@ -12,8 +12,8 @@ struct Corner {
   double x, y;
 };
 
-/// A closed square and a closed triangle are apart when a line along a side of one of them is
-/// between them.
+/// A closed square and a closed triangle are disjoint if a line along a side of one of them
+/// separates them.
 bool touches(const Corner (&t)[3], int x, int y) {
   const Corner square[] = {
       {x + 0.0, y + 0.0}, {x + 1.0, y + 0.0}, {x + 1.0, y + 1.0}, {x + 0.0, y + 1.0}};
@@ -90,7 +90,7 @@ std::string complaint(const std::vector<PackShape>& shapes, const Packing& packi
       if (!(x >= 0 && x <= 1)) return chart + " leaves its tile";
     touched[i] = touchedTexels(uv, shapes[i].triangles, side);
     for (const auto& [x, y] : touched[i]) {
-      // The line that closes the last texel belongs to none behind it.
+      // The line that closes the last texel belongs to no texel after it.
       if (x < 0 || y < 0 || x >= side || y >= side) {
         if (padding > 0) return chart + " touches the border";
         continue;

@@ -8,16 +8,16 @@
 
 namespace abflat::test {
 
-/// Texels (x, y) of each chart in turn that its triangles touch, found triangle by triangle and
-/// texel by texel. Those that are only nearly touched count too.
+/// Texels (x, y) that the triangles of one chart touch, found triangle by triangle and texel by
+/// texel. Texels that are only almost touched count as well.
 using Texels = std::vector<std::pair<int, int>>;
 Texels touchedTexels(const std::vector<double>& uv, const std::vector<std::uint32_t>& triangles,
                      double resolution);
 
-/// The coordinates of a chart in its tile, rounded to single precision on request.
+/// The coordinates of a chart in its tile, rounded to single precision if asked.
 std::vector<double> placed(const PackShape& shape, const Placement& placement, bool toSingle);
 
-/// What the texels say against a packing; empty when it is as promised.
+/// What is wrong with a packing, judged by its texels; empty if it keeps its promises.
 std::string complaint(const std::vector<PackShape>& shapes, const Packing& packing,
                       const PackOptions& options, bool toSingle = false);
 

@@ -30,7 +30,7 @@ FlattenResult pinned(const PolygonMesh& mesh, const std::vector<Pin>& pins, doub
   return std::move(r.value);
 }
 
-/// Every output vertex of these meshes is the input vertex of its number.
+/// In these meshes every output vertex has the number of its input vertex.
 Complex at(const FlattenResult& r, std::uint32_t v) {
   return {r.uv[2 * std::size_t{v}], r.uv[2 * std::size_t{v} + 1]};
 }
@@ -91,8 +91,9 @@ TEST_CASE("more pins are met exactly, with the least conformal energy", "[pin]")
   CHECK(r.report.valid);
   CHECK(r.report.charts[0].pins->deviation > 0);
   for (const Pin& p : pins) CHECK(at(r, p.vertex) == Complex(p.uv[0], p.uv[1]));
-  // Where the energy is least its derivative is 0: sum of e_c, the functional of a flat triangle
-  // that vanishes for its similar images, times the conjugate coefficient of the vertex.
+  // Where the energy is least, its derivative is 0: the sum over triangles of e_c, the functional
+  // of a flat triangle that vanishes for its similar images, times the vertex's conjugate
+  // coefficient.
   std::vector<Complex> derivative(mesh.vertexCount(), 0);
   double scale = 0;
   for (std::size_t f = 0; f < r.triangles.size(); f += 3) {
@@ -129,7 +130,7 @@ TEST_CASE("a pinned layout does not depend on the numbering", "[pin]") {
 TEST_CASE("pins that fold the layout are met all the same, and reported", "[pin]") {
   const PolygonMesh mesh = bumpyGrid(6, 6, 0.2, 2);
   const FlattenResult free = pinned(mesh, {});
-  // Two corners of the square change places.
+  // Two corners of the square swap places.
   std::vector<Pin> pins;
   for (const std::uint32_t v : {0u, 6u, 48u}) pins.push_back(pinAt(v, at(free, v)));
   std::swap(pins[1].uv, pins[2].uv);
@@ -158,7 +159,7 @@ TEST_CASE("pins keep to the memory that is allowed", "[pin]") {
       options.memory = memory;
       const Result<FlattenResult> limited = flatten(mesh, options);
       REQUIRE(limited.ok());
-      // On a layout about 130 wide.
+      // In a layout about 130 wide.
       CHECK(largestDifference(limited.value.uv, usual.value.uv) < 1e-7);
       const std::vector<std::string>& notes = limited.value.report.charts[0].fallbacks;
       REQUIRE(notes.size() == 2);

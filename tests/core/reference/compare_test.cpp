@@ -33,7 +33,7 @@ void checkAlike(const Comparison& a, const Comparison& b) {
     CHECK(a.methods[i].method == b.methods[i].method);
     CHECK(a.methods[i].valid == b.methods[i].valid);
     const std::vector<double> p = measuresOf(a.methods[i]), q = measuresOf(b.methods[i]);
-    // An energy is flat around its least value: refining ends anywhere there.
+    // An energy is flat around its minimum, so refining may end anywhere near it.
     const MethodKey method = a.methods[i].method;
     const bool isRefined = method == MethodKey::AbflatBalanced ||
                            method == MethodKey::SymmetricDirichlet || method == MethodKey::Mips;
@@ -121,7 +121,7 @@ TEST_CASE("every energy is least in the row that minimises it") {
     for (const MethodResult& m : c.methods)
       if (m.valid)
         CHECK(row(MethodKey::SymmetricDirichlet).symmetricDirichlet <= m.symmetricDirichlet);
-    // Between them in both: a balance trades one for the other.
+    // Between the two in both measures, since a balance trades one for the other.
     const double balanced = row(MethodKey::AbflatBalanced).symmetricDirichlet;
     CHECK(balanced <= row(MethodKey::AbflatAuto).symmetricDirichlet);
     CHECK(row(MethodKey::AbflatBalanced).quasiConformalMean <=

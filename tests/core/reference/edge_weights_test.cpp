@@ -26,7 +26,7 @@ Embedding onCircle(const DiskChart& chart, const HalfEdgeWeights& weights) {
   return embedByWeights(chart, weights, boundaryOnCircle(chart));
 }
 
-/// Area times squared size of the gradient of both coordinates, from triangles in their own planes.
+/// Area times the squared gradients of both coordinates, from triangles in their own planes.
 double dirichlet(const DiskChart& chart, const std::vector<double>& uv) {
   double sum = 0;
   for (const ChartTriangle f : chart.triangles()) {
@@ -134,7 +134,7 @@ TEST_CASE("Tutte and mean value flip no triangle of any sample") {
 
 TEST_CASE("triangles of zero area give finite weights") {
   PolygonMesh collapsed = bumpyGrid(5, 5, 0.3, 5);
-  // An interior vertex on top of its neighbour, and another in the middle of an edge.
+  // One interior vertex on top of its neighbour, and another in the middle of an edge.
   for (std::size_t d = 0; d < 3; ++d) {
     collapsed.positions[3 * 7 + d] = collapsed.positions[3 * 8 + d];
     collapsed.positions[3 * 21 + d] =

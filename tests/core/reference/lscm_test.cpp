@@ -18,8 +18,8 @@ using namespace abflat::test;
 
 namespace {
 
-/// Squared deviation of each triangle's map from a similarity, by area: in the triangle's own plane
-/// the map is (a c; b d), and a similarity has a = d, b = -c.
+/// Squared deviation of each triangle's map from a similarity, weighted by area: in the triangle's
+/// own plane the map is (a c; b d), and a similarity has a = d, b = -c.
 double deviation(const DiskChart& chart, const Eigen::VectorXd& x) {
   const std::size_t n = chart.vertexCount();
   const auto at = [&](std::size_t i) { return x[static_cast<Eigen::Index>(i)]; };
@@ -86,7 +86,7 @@ TEST_CASE("LSCM is a minimum: only the pins could lower the energy") {
   const std::set<std::size_t> pinned{left, right, n + left, n + right};
   for (std::size_t i = 0; i < 2 * n; ++i)
     if (pinned.count(i) == 0) CHECK(std::abs(gradient[static_cast<Eigen::Index>(i)]) < 1e-8);
-  CHECK(deviation(chart, x) > 1e-6);  // otherwise everything is a minimum
+  CHECK(deviation(chart, x) > 1e-6);  // otherwise everything would be a minimum
   CHECK(x[left] == 0);
   CHECK(x[right] == 1);
 }

@@ -10,7 +10,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Random maps that keep the orientation, from nearly conformal to nearly singular.
+/// Random orientation-preserving maps, from nearly conformal to nearly singular.
 std::vector<PlaneMap> someMaps() {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
@@ -24,7 +24,7 @@ std::vector<PlaneMap> someMaps() {
   return out;
 }
 
-/// As a matrix of the plane.
+/// The map as a matrix of the plane.
 Eigen::Matrix2d jacobian(const PlaneMap& m) {
   Eigen::Matrix2d j;
   j << m[0] + m[2], -m[1] + m[3], m[1] + m[3], m[0] - m[2];

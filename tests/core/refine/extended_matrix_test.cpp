@@ -28,7 +28,7 @@ TEST_CASE("a matrix and what is added to it, in a pattern that grows where it mu
   const SparseEntries some{{4, 1, 0.5}, {4, 1, 0.25}, {3, 3, 7}};
   CHECK(extended.add(some));
   CHECK(dense(extended.sum()) == dense(own) + dense(assembled(6, some)));
-  // The same places with other numbers, of the matrix too, and fewer of them.
+  // The same places with other numbers, also in the matrix, and fewer of them.
   own.coeffRef(2, 1) = 9;
   const SparseEntries fewer{{4, 1, -3}};
   CHECK(!extended.add(fewer));
@@ -38,7 +38,7 @@ TEST_CASE("a matrix and what is added to it, in a pattern that grows where it mu
   const SparseEntries other{{5, 0, 1}};
   CHECK(extended.add(other));
   CHECK(dense(extended.sum()) == dense(own) + dense(assembled(6, other)));
-  // What comes back has its place still.
+  // Entries that come back still have their place.
   CHECK(!extended.add(some));
   CHECK(dense(extended.sum()) == dense(own) + dense(assembled(6, some)));
 }

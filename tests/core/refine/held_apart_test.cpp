@@ -1,4 +1,4 @@
-// Disks with long folded boundaries, whose parts the least energy would put on each other.
+// Disks with long folded boundaries, whose parts would overlap at the energy minimum.
 #include <cmath>
 
 #include "catch.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = 3.141592653589793;
 
-/// Squares in columns and rows, with a slit between columns, from a row on, every `period` columns.
+/// Squares in columns and rows, with a slit every `period` columns, starting at some row.
 class SlitGrid {
  public:
   SlitGrid(unsigned columns, unsigned rows, unsigned firstSlitRow, unsigned period)
@@ -55,11 +55,12 @@ class SlitGrid {
   std::size_t at(unsigned i, unsigned j) const { return i + (columns_ + 1) * std::size_t{j}; }
 
   unsigned columns_, rows_, first_, period_, count_ = 0;
-  /// Of each place, as faces on its left and on its right see it.
+  /// Vertex of each place, as seen by the faces on its left and on its right.
   std::vector<unsigned> left_, right_;
 };
 
-/// Teeth that bulge the more the farther they are from the back: flat they are wider than the gaps.
+/// Teeth that bulge more the farther they are from the back. Flattened, they are wider than the
+/// gaps.
 PolygonMesh comb(unsigned teeth, double bulge) {
   constexpr unsigned kColumns = 6, kRows = 24, kBack = 3;
   return SlitGrid(teeth * kColumns, kRows, kBack, kColumns)
@@ -70,8 +71,8 @@ PolygonMesh comb(unsigned teeth, double bulge) {
       });
 }
 
-/// Arms round a hole on a ruffled surface, which has more than a full turn of them: its two ends
-/// would lie on each other.
+/// Arms around a hole on a ruffled surface. They make up more than a full turn, so its two ends
+/// would overlap.
 PolygonMesh octopus(unsigned arms, double ruffle) {
   constexpr unsigned kColumns = 5, kRows = 16, kBody = 5;
   const unsigned columns = arms * kColumns;

@@ -13,7 +13,7 @@ TEST_CASE("points near edges are found wherever they are", "[refine]") {
   std::uniform_real_distribution<double> place(-1, 1);
   for (const double reach : {1e-3, 0.02, 0.3}) {
     std::vector<double> points;
-    // Short edges, and long ones across all of them.
+    // Short edges, and long ones that cross all of them.
     for (int i = 0; i < 300; ++i) {
       const double angle = 0.1 * i, radius = i % 50 == 0 ? 3 : 0.003 * i;
       points.insert(points.end(), {radius * std::cos(angle) + 0.01 * place(random),

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kPi = 3.141592653589793;
 
-/// Places of one side of a grid, but for its corners.
+/// Places on one side of a grid, without its corners.
 StraightPlaces oneSide(const DiskChart& chart, std::size_t from, std::size_t length) {
   StraightPlaces out(chart.boundary.size(), 0);
   for (std::size_t i = 1; i < length; ++i) out[BoundaryIndex((from + i) % out.size())] = 1;
@@ -134,7 +134,7 @@ TEST_CASE("a refined outline keeps its bounds and straight parts", "[refine]") {
       CHECK(attempt.valid());
       CHECK(exceededBounds(chart, attempt.uv, bounds).count == 0);
       if (attempt.straight) CHECK(attempt.straight->deviation < 1e-9);
-      // With the outline held as it was less is gained.
+      // With the outline held in place, less is gained.
       RefineOptions held = withBalance(0.5);
       held.isFixed.assign(chart.vertexCount(), 0);
       for (const ChartCorner h : chart.boundary) held.isFixed[chart.vertexOfCorner[h]] = 1;

@@ -17,7 +17,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Largest difference of edge lengths, in those of `a`.
+/// Largest difference of edge lengths, relative to those of `a`.
 double lengthDifference(const DiskChart& chart, const std::vector<double>& a,
                         const std::vector<double>& b) {
   double most = 0;
@@ -30,7 +30,7 @@ double lengthDifference(const DiskChart& chart, const std::vector<double>& a,
   return most;
 }
 
-/// A sheet rolled up along a curve: it can be flattened without any distortion.
+/// A sheet rolled up along a curve, which can be flattened without distortion.
 PolygonMesh rolledSheet() {
   PolygonMesh mesh = bumpyGrid(12, 8, 0, 4);
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
@@ -63,7 +63,7 @@ TEST_CASE("gradient and matrix of a layout agree with differences of its energy"
           (2 * kStep);
       CHECK(system.gradient()[static_cast<Eigen::Index>(i)] == Approx(slope).margin(1e-7));
     }
-    // Nothing changes when all moves.
+    // Moving everything changes nothing.
     Eigen::VectorXd shift = Eigen::VectorXd::Zero(matrix.rows());
     for (Eigen::Index i = 0; i < shift.size(); i += 2) shift[i] = 1;
     CHECK((matrix * shift).cwiseAbs().maxCoeff() < 1e-9);
@@ -93,7 +93,7 @@ TEST_CASE("refining takes energy away and flips nothing", "[refine]") {
       CHECK(r.energy >= 1);
       CHECK(checkValidity(chart, r.uv).valid());
       CHECK(r.energy == Approx(layoutEnergy(chart, restTriangles(chart, uv), balance, r.uv)));
-      // A second time there is nothing left to gain.
+      // The second time there is nothing left to gain.
       const Refinement again = refine(chart, r.uv, withBalance(balance));
       CHECK(again.energyBefore - again.energy <= 2e-3 * (r.energyBefore - 1));
     }
@@ -167,7 +167,7 @@ TEST_CASE("refining depends neither on the unit, nor on numbers, nor on where th
 }
 
 TEST_CASE("refining does not depend on threads", "[refine]") {
-  // Large enough for all that is divided among threads.
+  // Large enough for everything that is divided among threads.
   const DiskChart chart = chartOf(bumpyGrid(140, 130, 0.7, 3));
   const std::vector<double> uv = conformalLayout(chart);
   RefineOptions options = withBalance(0.5);
@@ -232,7 +232,7 @@ TEST_CASE("minima of public disks", "[refine]") {
 
 TEST_CASE("derivatives of the barrier agree with differences", "[refine]") {
   const DiskChart chart = chartOf(bumpyGrid(6, 1, 0, 1));
-  // A strip bent to a ring whose ends nearly touch.
+  // A strip bent into a ring whose ends nearly touch.
   std::vector<double> uv;
   for (const ChartVertex v : chart.vertices()) {
     const double turn = (v % 7) / 6.0005, radius = (1 + v / 7) / chart.unit;

@@ -105,7 +105,7 @@ TEST_CASE("first and second derivatives of the product wheels match central diff
 }
 
 TEST_CASE("iterative solvers do not go on for longer than the number of rows calls for") {
-  // Heights far above the squares: angles near 0, and systems that are hardly regular.
+  // Heights far larger than the squares give angles near 0, and systems that are almost singular.
   const AngleProblem problem = problemOf(bumpyGrid(4, 3, 40, 1), 2);
   const int rows = static_cast<int>(problem.target.size() + problem.triangleCount() +
                                     numberRows(problem).count());

@@ -27,7 +27,7 @@ ChartReport flattened(const PolygonMesh& mesh, double t) {
   return r.value.report.charts.front();
 }
 
-/// Ratio of the longest edge to the height over it.
+/// Ratio of the longest edge to the height above it.
 double thinness(const PolygonMesh& mesh, std::size_t f) {
   double p[3][3], longest = 0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -99,7 +99,7 @@ TEST_CASE("samples flatten freely and with a convex boundary") {
     CHECK(free.converged);
     CHECK(free.flippedTriangles == 0);
     CHECK(convex.valid);
-    // The bound can only cost: the free minimum is taken over a larger set.
+    // Bounds can only cost: the free minimum is taken over a larger set.
     CHECK(free.history.back().objective <= convex.history.back().objective * (1 + 1e-6));
   }
 }
@@ -128,7 +128,7 @@ TEST_CASE("the free layout of the alpha band overlaps itself and the convex one 
 
 TEST_CASE("the strands of the alpha band pass over each other without touching") {
   const PolygonMesh mesh = sampleNamed("alpha-band").make(1);
-  // Near the origin of the plan view only the two strands are left, at different heights.
+  // Near the origin of the plan view there are only the two strands, at different heights.
   double highest = -1, lowest = 1, gap = 1;
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
     const double* p = &mesh.positions[3 * v];

@@ -29,7 +29,7 @@ PolygonMesh box() {
                               2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5});
 }
 
-/// Strip or tube of n quads round a circle, its end joined to its beginning upside down.
+/// Strip or tube of n quads around a circle, with its end joined to its beginning upside down.
 PolygonMesh twisted(unsigned n, unsigned rows, bool isTube) {
   std::vector<double> p;
   std::vector<std::uint32_t> t;
@@ -111,7 +111,7 @@ TEST_CASE("every chart of the smallest surfaces is a disk", "[seams]") {
   checkAllDisks(box());
   for (const unsigned n : {3u, 4u, 20u}) checkAllDisks(cone(n, 3));
   checkAllDisks(star(7));
-  // Two tetrahedra that touch in a vertex.
+  // Two tetrahedra that touch at a vertex.
   PolygonMesh pair = tetrahedron();
   append(pair, tetrahedron(), 5);
   for (std::uint32_t& v : pair.faceVertices)
@@ -140,7 +140,7 @@ TEST_CASE("every chart of a soup is a disk", "[seams]") {
 TEST_CASE("degenerate triangles neither hang nor spoil the seams of others", "[seams]") {
   PolygonMesh flat = bumpyGrid(10, 10, 1, 3);
   for (std::size_t v = 0; v < flat.vertexCount(); v += 3) flat.positions[3 * v + 2] = 0;
-  for (std::size_t i = 0; i < 30; ++i) flat.positions[i] = 0;  // ten vertices in one point
+  for (std::size_t i = 0; i < 30; ++i) flat.positions[i] = 0;  // ten vertices at one point
   checkAllDisks(flat);
   PolygonMesh point = torus(6, 8);
   for (double& x : point.positions) x = 7;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr unsigned kSide = 21;
 
-/// A sheet of squares with given heights, in units of their side.
+/// A sheet of squares with given heights, in units of their side length.
 template <typename Height>
 PolygonMesh sheet(Height height) {
   std::vector<double> positions;
@@ -35,7 +35,7 @@ PolygonMesh sheet(Height height) {
   return makeTriangleMesh(std::move(positions), std::move(triangles));
 }
 
-/// Marks the edges between neighbours in the list of places, and tells them in order.
+/// Marks the edges between consecutive places in the list, and returns them in order.
 std::vector<SurfaceCorner> markedPath(const SeamMesh& mesh,
                                       const std::vector<std::array<unsigned, 2>>& places,
                                       Seams& seams) {
@@ -61,7 +61,7 @@ IdVector<SurfaceCorner, float> everywhere(const Seams& seams, float width) {
   return IdVector<SurfaceCorner, float>(seams.size(), width);
 }
 
-/// From the lower to the upper border, by the side in the middle.
+/// From the lower to the upper border, with a sideways detour in the middle.
 std::vector<std::array<unsigned, 2>> detour() {
   std::vector<std::array<unsigned, 2>> out;
   for (unsigned j = 0; j < 7; ++j) out.push_back({10, j});
@@ -100,7 +100,7 @@ TEST_CASE("one of two paths as long is taken that turns less", "[fair]") {
   }
   const double before = pathCost(mesh, mesh.cost, markedPath(mesh, places, staircase));
   seams = staircase;
-  // Both ends lie within, so they stay.
+  // Both ends lie inside, so they stay.
   CHECK(fairPaths(mesh, mesh.cost, everywhere(seams, 0.4f), seams));
   CHECK(costOf(mesh.cost, seams) == Approx(costOf(mesh.cost, staircase)));
   CHECK(before > 1.2 * costOf(mesh.cost, seams));
@@ -125,7 +125,7 @@ TEST_CASE("fairing keeps charts and their topology, and lowers what seams cost",
     SeamOptions options;
     options.maxStretch = 1.01;
     const Seams before = findSeams(mesh, {}, options, nullptr);
-    // A cost of noise, so that there is much to draw anew.
+    // A noisy cost, so that there is much to redraw.
     IdVector<SurfaceCorner, double> cost = mesh.cost;
     for (const SurfaceCorner h : cost.ids())
       if (h < mesh.twin[h]) cost[h] = cost[mesh.twin[h]] = cost[h] * (1 + h * 7919 % 101 / 50.0);

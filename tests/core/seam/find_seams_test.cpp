@@ -28,7 +28,7 @@ PolygonMesh spikes(unsigned n) {
 }
 
 struct Flattened {
-  double stretch = 0;  ///< symmetric Dirichlet / 4, mean by area
+  double stretch = 0;  ///< symmetric Dirichlet / 4, area-weighted mean
   std::size_t invalid = 0;
 };
 
@@ -174,7 +174,7 @@ TEST_CASE("rounds hardly grow with the number of peaks", "[seams][quality]") {
 }
 
 TEST_CASE("seams of real meshes meet the yardsticks", "[seams][quality]") {
-  // Charts and length by xatlas with its defaults on the same meshes.
+  // Charts and length that xatlas gives with its defaults on the same meshes.
   struct Yardstick {
     const char* file;
     double charts, length;

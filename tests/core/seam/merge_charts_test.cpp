@@ -17,7 +17,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// The inner edges of a grid that lie along some of its columns.
+/// The inner edges of a grid along some of its columns.
 Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const SurfaceVertex v : m.vertices()) {
@@ -91,7 +91,7 @@ TEST_CASE("charts hang together by a part of their seam where all of it cannot b
   SeamReport report;
   const Seams seams = findSeams(c.seamMesh, {}, tight, &report);
   const CutSurface s = cutAlong(c.seamMesh, report.found);
-  // Seams that end within a chart between two that were apart.
+  // Seams that end within a chart, between two charts that were separate.
   std::size_t ends = 0;
   IdVector<SurfaceVertex, int> degree(c.seamMesh.vertexCount(), 0);
   for (const SurfaceCorner h : report.found.ids())

@@ -14,7 +14,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// A mesh in the plane, where it lies.
+/// A planar mesh, laid out where it is.
 struct Flat {
   Cuttable cuttable;
   CutSurface surface;
@@ -94,7 +94,7 @@ TEST_CASE("a cut through a filled hole leaves its rim to both sides", "[room]") 
   REQUIRE(cutter.pieces().size() == 2);
   for (const Piece& piece : cutter.pieces())
     CHECK(piece.flatArea == Approx(flat.areaOfLoop(piece)));
-  // A second one ends at the rim.
+  // The second cut ends at the rim.
   for (const PieceId p : IdRange<PieceId>(2)) {
     const Piece half = cutter.pieces()[p];
     double mean = 0;

@@ -39,7 +39,8 @@ TEST_CASE("the log-scale of a half sphere is that of stereographic projection", 
   }
   CHECK(top < 1e-6);
   CHECK(least == Approx(std::log(0.5)).epsilon(0.02));
-  // e^(2u) is 1 / (1 + z)^2 and z is spread evenly over the area: mean 1/2, and 7/3 of its inverse.
+  // e^(2u) is 1 / (1 + z)^2 and z is uniform over the area, so its mean is 1/2, and that of its
+  // inverse 7/3.
   CHECK(predictStretch(c.seamMesh, s, u).stretch.front() ==
         Approx((1 + 0.5 * 7.0 / 3) / 2).epsilon(0.01));
 }
@@ -73,7 +74,7 @@ TEST_CASE("what a ring covers twice is measured, and found to cross", "[seams]")
     ring.push_back({2 * std::cos(i * 0.0174532925), 2 * std::sin(i * 0.0174532925)});
   for (int i = 450; i >= 0; i -= 2)
     ring.push_back({std::cos(i * 0.0174532925), std::sin(i * 0.0174532925)});
-  for (Point2& p : ring) p = {p[0] + 0.001 * p[1], p[1] - 0.013 * p[0]};  // no edge on another
+  for (Point2& p : ring) p = {p[0] + 0.001 * p[1], p[1] - 0.013 * p[0]};  // no edges coincide
   const Shape shape = measureShape(ring);
   CHECK(shape.overlap == Approx(0.2).epsilon(0.05));
   CHECK(!shape.crossings.empty());

@@ -16,7 +16,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// A plane with a round hill, and a slit from the border over its top, far beyond.
+/// A plane with a round hill, and a slit from the border over its top and far beyond.
 struct Hill {
   static constexpr unsigned kSide = 41;
   Cuttable c{makeTriangleMesh(positions(), triangles())};
@@ -27,7 +27,7 @@ struct Hill {
       if (isOnSlit(c.seamMesh.tail(h)) && isOnSlit(c.seamMesh.head(h))) seams[h] = 1;
   }
 
-  /// Its column goes through the top, which is in row 12.
+  /// The slit's column goes through the top, which is in row 12.
   bool isOnSlit(SurfaceVertex v) const {
     const double *p = &c.seamMesh.positions[3 * v], *first = c.seamMesh.positions.data();
     const double unit = (c.seamMesh.positions[3 * (kSide * kSide - 1)] - first[0]) / (kSide - 1);
@@ -86,7 +86,7 @@ TEST_CASE("what taking a seam back costs is told within a factor of two", "[seam
   LogScale scale(mesh, nullptr);
   const Seams kept(hill.seams.size(), 0);
   Seams seams = hill.seams;
-  // Beyond the top nothing depends on the slit; on the way to it more and more does.
+  // Beyond the top nothing depends on the slit; towards it, more and more does.
   for (int row = 34; row > 16; row -= 3) {
     const CutSurface s = cutAlong(mesh, seams);
     const LogScales u = scale.solve(s, {});

@@ -10,7 +10,7 @@ using namespace abflat;
 using namespace abflat::test;
 
 TEST_CASE("a chart that is stretched most at its boundary gets a slit as well", "[seams]") {
-  // Three squares wide: every vertex inside has neighbours on the boundary.
+  // Three squares wide, so every interior vertex has neighbours on the boundary.
   const Cuttable c(bumpyGrid(12, 3, 0.1, 1));
   const CutSurface s = cutAlong(c.seamMesh, Seams(c.seamMesh.twin.size()));
   REQUIRE(s.charts.size() == 1);

@@ -28,7 +28,7 @@ double animal(double x, double y, double z) {
                    stick(-0.8, -0.45, 0.85, 0.3, 0.07)});
 }
 
-/// A mesh and its image at the plane x = -1, joined there.
+/// A mesh and its mirror image at the plane x = -1, joined there.
 PolygonMesh withImage(const PolygonMesh& half) {
   std::vector<double> positions = half.positions;
   std::vector<std::uint32_t> image, triangles = half.faceVertices;
@@ -81,7 +81,7 @@ TEST_CASE("a plane of symmetry is found wherever it lies", "[seams][symmetry]") 
 TEST_CASE("a mesh that is not its own image has no plane of symmetry", "[seams][symmetry]") {
   CHECK_FALSE(findMirror(Cuttable(isosurface(24, noise(2, 3))).seamMesh));
   CHECK_FALSE(findMirror(Cuttable(isosurface(26, animal)).seamMesh));
-  // All of it lies in the plane z = 0, which tells nothing; nor are random places images.
+  // Everything lies in the plane z = 0, which says nothing, and random places have no images.
   CHECK_FALSE(findMirror(Cuttable(bumpyGrid(9, 7, 0.0, 3)).seamMesh));
 }
 

@@ -22,7 +22,7 @@ AngleSolution solved(const AngleProblem& problem, const SolverOptions& options) 
   return solveActiveSet(problem, system, options);
 }
 
-/// Stops only where the gradient vanishes, not where the objective stands still.
+/// Stops only when the gradient vanishes, not when the objective stands still.
 SolverOptions toTheEnd() {
   SolverOptions options;
   options.gradientTolerance = 1e-9;
@@ -30,8 +30,8 @@ SolverOptions toTheEnd() {
   return options;
 }
 
-/// The conditions for a minimum (Karush, Kuhn, Tucker), from residuals that share no code with the
-/// solver's steps.
+/// Checks the conditions for a minimum (Karush, Kuhn, Tucker), using residuals that share no code
+/// with the solver's steps.
 void checkOptimal(const AngleProblem& problem, const AngleSolution& s) {
   const ConstraintRows rows = numberRows(problem);
   REQUIRE(s.converged);
@@ -85,7 +85,7 @@ void checkOptimal(const AngleProblem& problem, const AngleSolution& s) {
   }
 }
 
-/// The minimum with condition (9), from that without.
+/// The minimum with condition (9), starting from the one without.
 AngleSolution solvedDelaunay(AngleProblem& problem, const DiskChart& chart) {
   const AngleSolution plain = solved(problem, toTheEnd());
   setDelaunay(problem, chart, 0);
@@ -162,7 +162,7 @@ TEST_CASE("a flat convex mesh keeps its angles") {
 }
 
 TEST_CASE("the smallest possible bound gives a regular outline") {
-  // With t = 1 - 2/n all boundary angles are equal to the bound.
+  // With t = 1 - 2/n all boundary angles are at their bound.
   const AngleProblem problem = problemOf(cone(9, 0.5), 1 - 2.0 / 9 + 1e-9);
   const AngleSolution s = AngleSolver(problem, {}).solve(nullptr);
   REQUIRE(s.converged);

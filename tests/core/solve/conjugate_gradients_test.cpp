@@ -108,15 +108,15 @@ TEST_CASE("an inexact row solver reaches the tolerance whatever the matrices do"
   };
   check(1e-8);
   CHECK(solver->iterations() <= 4);
-  check(1e-8);  // the same matrix, a factor is there
+  check(1e-8);  // the same matrix, which has a factor
   CHECK(solver->iterations() <= 4);
   for (double& value : Eigen::Map<Eigen::VectorXd>(m.valuePtr(), m.nonZeros())) value *= 3;
-  check(1e-8);  // only scaled: the factor serves
+  check(1e-8);  // only scaled: the factor still works
   CHECK(solver->iterations() <= 4);
   for (Eigen::Index c = 0; c < m.rows(); ++c) m.coeffRef(c, c) *= 1 + 1000 * factor(random);
   check(1e-8);  // another matrix
   m.coeffRef(50, 50) *= -1;
-  check(1e-8);  // indefinite: a direct solve
+  check(1e-8);  // indefinite: solved directly
   m.coeffRef(50, 50) *= -1;
   check(1e-8);
   CHECK(solver->iterations() > 0);

@@ -13,7 +13,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Dense KKT matrix of eq. (8) from finite differences, with the diagonal Hessian of the elements.
+/// Dense KKT matrix of eq. (8) from finite differences, with the elements' diagonal Hessian.
 Eigen::MatrixXd denseKkt(const DenseProblem& dense, const Linearization& lin,
                          const Eigen::VectorXd& x, const std::vector<Eigen::Index>& used) {
   const Eigen::MatrixXd j = dense.jacobian(x);

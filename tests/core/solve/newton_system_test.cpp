@@ -13,8 +13,8 @@ using namespace abflat::test;
 
 namespace {
 
-/// Largest difference of the angles from those that Eigen's factorisation leads to; both must
-/// converge, or neither.
+/// Largest difference of the angles from those with Eigen's factorisation; either both converge or
+/// neither.
 double difference(const AngleProblem& problem, MakeRowSolver& makeSolver) {
   SolverOptions options;
   options.maxSteps = 30;
@@ -29,7 +29,7 @@ double difference(const AngleProblem& problem, MakeRowSolver& makeSolver) {
   return worst;
 }
 
-/// Steps that are inexact end a little further from the optimum, within the stopping rules.
+/// Inexact steps end a little further from the optimum, within the stopping rules.
 void checkAll(const AngleProblem& problem) {
   CHECK(difference(problem, makeRowSolver) < 1e-9);
   CHECK(difference(problem, makeDirectRowSolver) < 1e-9);

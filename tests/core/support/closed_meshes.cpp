@@ -18,7 +18,7 @@ unsigned between(std::mt19937& random, unsigned low, unsigned high) {
   return std::uniform_int_distribution<unsigned>(low, high)(random);
 }
 
-/// Spheres that grow together.
+/// Spheres that merge into each other.
 ClosedMesh blob(std::mt19937& random) {
   std::vector<std::array<double, 4>> balls;
   for (unsigned i = between(random, 1, 5); i > 0; --i)
@@ -34,7 +34,7 @@ ClosedMesh blob(std::mt19937& random) {
   return {"blob", -1, isosurface(between(random, 8, 11), field)};
 }
 
-/// One that noise makes rough.
+/// A torus that is roughened by noise.
 ClosedMesh roughTorus(std::mt19937& random) {
   const unsigned columns = between(random, 8, 24), rows = between(random, 6, 14);
   PolygonMesh mesh = torus(columns, rows);
@@ -55,7 +55,7 @@ ClosedMesh sponge(std::mt19937& random) {
   return {"sponge", -1, isosurface(cells, noise(frequency, seed))};
 }
 
-/// Squares on the six sides of a box, so many along each axis.
+/// Squares on the six sides of a box, `squares` along each axis.
 PolygonMesh box(const std::array<unsigned, 3>& squares, const std::array<double, 3>& size) {
   std::vector<double> positions;
   std::vector<std::uint32_t> place((squares[0] + 1) * (squares[1] + 1) * (squares[2] + 1),
@@ -105,7 +105,7 @@ ClosedMesh someBox(std::mt19937& random) {
   return {"box", 0, box(squares, size)};
 }
 
-/// A box that is nearly a sheet, bent.
+/// A bent box that is nearly a sheet.
 ClosedMesh plate(std::mt19937& random) {
   const double thickness = std::pow(10, uniform(random, -4, -1)), bend = uniform(random, 0, 1.5);
   PolygonMesh mesh = box({between(random, 3, 12), between(random, 3, 12), 1}, {2, 2, thickness});
@@ -116,7 +116,7 @@ ClosedMesh plate(std::mt19937& random) {
   return {"plate", 0, std::move(mesh)};
 }
 
-/// Prisms, antiprisms and bipyramids, with polygons.
+/// Prisms, antiprisms and bipyramids with polygonal faces.
 ClosedMesh polyhedron(std::mt19937& random) {
   const unsigned n = between(random, 3, 12), kind = between(random, 0, 2);
   const double height = uniform(random, 0.1, 4);
@@ -159,8 +159,7 @@ ClosedMesh polyhedron(std::mt19937& random) {
   return {kind == 0 ? "prism" : "antiprism", 0, std::move(out)};
 }
 
-/// Columns and rows of squares between two poles; radius(u, v) along u in [0, 2 pi] and v in [0,
-/// pi].
+/// Columns and rows of squares between two poles; radius(u, v) for u in [0, 2 pi] and v in [0, pi].
 template <class Radius>
 PolygonMesh poled(unsigned columns, unsigned rows, const Radius& radius) {
   std::vector<double> p;
@@ -194,7 +193,7 @@ ClosedMesh ellipsoid(std::mt19937& random) {
   return {"ellipsoid", 0, std::move(mesh)};
 }
 
-/// With arms in all directions.
+/// A surface with arms in all directions.
 ClosedMesh spiky(std::mt19937& random) {
   const unsigned arms = between(random, 2, 5);
   const double length = uniform(random, 0.3, 2);

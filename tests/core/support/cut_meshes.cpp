@@ -5,7 +5,7 @@
 namespace abflat::test {
 namespace {
 
-/// Disjoint sets: each is known by one of its members.
+/// Disjoint sets, each identified by one of its members.
 template <class I>
 class Sets {
  public:

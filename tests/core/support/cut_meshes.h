@@ -17,8 +17,8 @@ struct Cuttable {
   explicit Cuttable(PolygonMesh polygons);
 };
 
-/// The charts as meshes of their own, found by joining corners and triangles across the edges that
-/// are no seams: independent of how seams are found.
+/// The charts as meshes of their own, found by joining corners and triangles across edges that are
+/// not seams, independently of how seams are found.
 std::vector<PolygonMesh> chartsOf(const Cuttable& cuttable, const Seams& seams);
 
 }  // namespace abflat::test

@@ -8,9 +8,8 @@
 
 namespace abflat::test {
 
-/// The problem written down once more, constraint by constraint and without any elimination, for
-/// small meshes only. Constraints come in this order: triangles, then rows as numbered by
-/// ConstraintRows.
+/// The problem written out again, constraint by constraint and without any elimination, for small
+/// meshes only. Constraints come in this order: triangles, then rows as numbered by ConstraintRows.
 struct DenseProblem {
   const AngleProblem& problem;
   const ConstraintRows& rows;
@@ -19,7 +18,7 @@ struct DenseProblem {
   double objective(const Eigen::VectorXd& x) const;
   double lagrangian(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const;
 
-  /// Central differences.
+  /// By central differences.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
   Eigen::VectorXd gradient(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const;
 };

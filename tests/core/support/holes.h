@@ -9,7 +9,7 @@
 
 namespace abflat::test {
 
-/// Without the faces that `isGone` names; vertices that no face is left at stay.
+/// Removes the faces for which `isGone` is true; vertices without faces stay.
 inline PolygonMesh punched(const PolygonMesh& mesh,
                            const std::function<bool(std::uint32_t)>& isGone) {
   std::vector<std::uint32_t> indices;
@@ -20,8 +20,8 @@ inline PolygonMesh punched(const PolygonMesh& mesh,
   return makeTriangleMesh(mesh.positions, std::move(indices));
 }
 
-/// With windows of `size` squares in the middle of each block of `block` squares of a grid (or
-/// tube) of so many columns.
+/// Cuts a window of `size` squares into the middle of each block of `block` squares of a grid (or
+/// tube) with the given number of columns.
 inline PolygonMesh windowed(const PolygonMesh& grid, unsigned columns, unsigned block,
                             unsigned size) {
   return punched(grid, [=](std::uint32_t f) {
@@ -33,7 +33,7 @@ inline PolygonMesh windowed(const PolygonMesh& grid, unsigned columns, unsigned 
   });
 }
 
-/// Without every n-th triangle or so.
+/// Removes about every n-th triangle.
 inline PolygonMesh motheaten(const PolygonMesh& mesh, unsigned n, unsigned seed) {
   std::mt19937 random(seed);
   return punched(mesh, [&](std::uint32_t) { return random() % n == 0; });

@@ -1,4 +1,4 @@
-// Sanitizers make a program some fifteen times as slow.
+// Sanitizers make a program about fifteen times as slow.
 #pragma once
 
 namespace abflat::test {
@@ -12,8 +12,8 @@ constexpr bool kIsInstrumented = true;
 constexpr bool kIsInstrumented = false;
 #endif
 
-/// How many cases, or of what size: fewer where that takes long and the plain build has run them
-/// all.
+/// How many cases, or of what size: fewer for instrumented builds if they take long, since the
+/// plain build runs them all.
 template <class T>
 constexpr T cases(T usual, T instrumented) {
   return kIsInstrumented ? instrumented : usual;

@@ -11,7 +11,7 @@ namespace {
 
 using Index = std::uint64_t;
 
-/// Points of the grid with their values, and the surface's vertices on its edges.
+/// The grid points with their values, and the surface's vertices on the grid's edges.
 class Marcher {
  public:
   Marcher(unsigned cells, const Field& field) : n_(cells + 1) {
@@ -24,7 +24,8 @@ class Marcher {
   }
 
   PolygonMesh run() {
-    // Six tetrahedra round the diagonal of a cell, corners as bits x + 2y + 4z, all of one hand.
+    // Six tetrahedra around the diagonal of a cell, corners as bits x + 2y + 4z, all of the same
+    // handedness.
     constexpr int kTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                        {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
     for (Index z = 0; z + 1 < n_; ++z)
@@ -63,7 +64,7 @@ class Marcher {
     triangles_.insert(triangles_.end(), {a, b, c});
   }
 
-  /// Corners that are inside first; an odd exchange turns the tetrahedron over.
+  /// Sorts inside corners first; an odd permutation flips the tetrahedron's orientation.
   void tetrahedron(std::array<Index, 4> c) {
     bool isTurned = false;
     for (std::size_t pass = 0; pass < 3; ++pass)

@@ -13,7 +13,7 @@
 namespace abflat::test {
 namespace {
 
-/// Two triangles per square of a grid of vertices that may wrap round.
+/// Two triangles per square of a grid of vertices that may wrap around.
 std::vector<std::uint32_t> gridTriangles(unsigned columns, unsigned rows, unsigned vertexColumns,
                                          unsigned vertexRows) {
   std::vector<std::uint32_t> t;

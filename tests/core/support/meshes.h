@@ -9,8 +9,8 @@
 
 namespace abflat::test {
 
-/// Height field over a (columns x rows) grid of squares, each cut in two; heights and sideways
-/// jitter are random.
+/// Height field over a (columns x rows) grid of squares, each split in two, with random heights and
+/// sideways jitter.
 PolygonMesh bumpyGrid(unsigned columns, unsigned rows, double height, unsigned seed);
 
 /// Grid whose opposite sides are joined: closed, genus 1.
@@ -19,17 +19,18 @@ PolygonMesh torus(unsigned columns, unsigned rows);
 /// Grid with the left and right sides joined: two boundary loops.
 PolygonMesh cylinder(unsigned columns, unsigned rows);
 
-/// As programs make spheres: a disk, with vertices doubled along a meridian and one pole for each
-/// triangle there. Single precision closes the poles and the meridian only nearly.
+/// A sphere as modelling programs make it: a disk, with vertices doubled along a meridian and one
+/// pole vertex for each triangle there. In single precision the poles and the meridian are only
+/// nearly closed.
 PolygonMesh uvSphere(unsigned columns, unsigned rows);
 
 PolygonMesh tetrahedron();
 
-/// Fan of n triangles round vertex 0, with all outer edges on the boundary; the apex has the given
+/// Fan of n triangles around vertex 0, with all outer edges on the boundary; the apex has the given
 /// height.
 PolygonMesh cone(unsigned n, double height);
 
-/// Concave planar polygons: a star of 2n corners as a single face.
+/// A concave planar polygon: a star of 2n corners as a single face.
 PolygonMesh star(unsigned n);
 
 /// x -> scale * R x + shift with a fixed, irrational-looking rotation R.
@@ -43,7 +44,7 @@ struct Renumbered {
 };
 Renumbered renumbered(const PolygonMesh& mesh, unsigned seed);
 
-/// A mesh of the shared collection beside the project; empty (and says so) where that folder does
+/// A mesh of the shared collection beside the project; empty, with a message, if that folder does
 /// not exist.
 PolygonMesh sharedMesh(const std::string& file);
 

@@ -1,4 +1,4 @@
-// Small texts that have been damaged at random, as copying, cutting and bad exporters do.
+// Small texts that are damaged at random, as by copying, cutting and bad exporters.
 #pragma once
 
 #include <random>
@@ -7,7 +7,7 @@
 
 namespace abflat::test {
 
-/// Words, the blanks between them and line ends, each a piece of its own.
+/// Splits a text into words, the blanks between them and line ends.
 inline std::vector<std::string> piecesOf(const std::string& text) {
   std::vector<std::string> out;
   const auto kindOf = [](char c) {
@@ -24,7 +24,7 @@ inline std::vector<std::string> piecesOf(const std::string& text) {
 
 class Mutator {
  public:
-  /// `words` are put in place of others.
+  /// `words` are substituted for other words.
   Mutator(unsigned seed, std::vector<std::string> words)
       : random_(seed), words_(std::move(words)) {}
 

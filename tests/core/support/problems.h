@@ -21,7 +21,7 @@ inline AngleProblem problemOf(const PolygonMesh& mesh, double t) {
   return problemOf(chartOf(mesh), t);
 }
 
-/// Angles near the targets that satisfy no constraint, and multipliers of either sign.
+/// Angles near the targets that satisfy no constraint, and multipliers of both signs.
 struct RandomPoint {
   std::vector<double> x;
   Multipliers multipliers;

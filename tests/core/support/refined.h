@@ -8,7 +8,7 @@
 
 namespace abflat::test {
 
-/// Valid, with the angles of the surface as far as that allows.
+/// A valid layout that keeps the surface's angles as far as possible.
 inline std::vector<double> conformalLayout(const DiskChart& chart) {
   ThreadPool pool(1);
   SolverOptions options;

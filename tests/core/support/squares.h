@@ -4,7 +4,7 @@
 
 namespace abflat::test {
 
-/// Unit squares of a grid of columns x rows where `isThere`, each cut in two.
+/// Unit squares of a columns x rows grid where `isThere` is true, each split in two.
 template <typename IsThere>
 PolygonMesh squares(std::uint32_t columns, std::uint32_t rows, IsThere isThere) {
   std::vector<double> p;

@@ -1,4 +1,4 @@
-// What tinyobjloader reads of a text: a second opinion, with doubles.
+// What tinyobjloader reads from a text, in double precision: a second opinion.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct TinyMaterial {
   double diffuse[3], emission[3], opacity, metallic, roughness;
 };
 
-/// Of two with one name, the first.
+/// If two materials have the same name, the first one counts.
 std::vector<TinyMaterial> materialsByTinyobj(const std::string& mtl);
 
 }  // namespace abflat::test

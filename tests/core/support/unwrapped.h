@@ -7,7 +7,7 @@
 
 namespace abflat::test {
 
-/// So that there are several charts of small meshes.
+/// Options that give several charts for small meshes.
 inline UnwrapOptions severalCharts() {
   UnwrapOptions out;
   out.resolution = 256;
@@ -15,7 +15,7 @@ inline UnwrapOptions severalCharts() {
   return out;
 }
 
-/// A valid atlas.
+/// Unwraps and checks that the atlas is valid.
 inline UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
   Result<UnwrapResult> result = unwrap(mesh, options);
   INFO(result.status.message);

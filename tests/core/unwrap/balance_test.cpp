@@ -18,14 +18,14 @@ UnwrapOptions balanced(double balance) {
   return out;
 }
 
-/// Seams that do not depend on the balance.
+/// Options for seams that do not depend on the balance.
 UnwrapOptions asDisks(double balance) {
   UnwrapOptions out = balanced(balance);
   out.seams.isAuto = false;
   return out;
 }
 
-/// As three.js makes it: each triangle at a pole has a texcoord of its own there.
+/// A sphere as three.js makes it, where each triangle at a pole has its own texcoord there.
 PolygonMesh openSphere(std::uint32_t columns, std::uint32_t rows) {
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;

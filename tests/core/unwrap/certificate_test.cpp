@@ -28,7 +28,7 @@ PolygonMesh inUnit(PolygonMesh mesh, int exponent) {
   return mesh;
 }
 
-/// A strip of the plane with a vertex so near to an edge that its triangle is a needle.
+/// A planar strip with a vertex so close to an edge that its triangle is a needle.
 PolygonMesh gridWithNeedle(double width, unsigned seed) {
   PolygonMesh mesh = bumpyGrid(6, 6, 0.2, seed);
   const std::size_t last = mesh.faceCount() / 2;
@@ -85,11 +85,11 @@ TEST_CASE("a texel density is one of the mesh's unit, however large that is", "[
     options.texelDensity = std::ldexp(5.0, -exponent);
     CHECK(unwrapped(inUnit(mesh, exponent), options).uv == expected.uv);
   }
-  // Far too little: charts are enlarged until their triangles can be told apart.
+  // Far too low: charts are enlarged until their triangles can be told apart.
   options.texelDensity = 1;
   const UnwrapResult tiny = unwrapped(inUnit(mesh, -700), options);
   CHECK(mentions(tiny.report, "enlarged"));
-  // Far too much: refused, with a density that does fit.
+  // Far too high: rejected, with a density that does fit.
   const Result<UnwrapResult> huge = unwrap(inUnit(mesh, 700), options);
   REQUIRE(huge.status.code == StatusCode::AtlasTooSmall);
   const std::string words = "Lower the density to ";
@@ -102,7 +102,7 @@ TEST_CASE("a texel density is one of the mesh's unit, however large that is", "[
 TEST_CASE("a layout that is known is known in any unit", "[certificate]") {
   const PolygonMesh mesh = inUnit(torus(12, 8), -600);
   UnwrapOptions options = severalCharts();
-  options.minUtilization = 0;  // what packing has cut is flattened again
+  options.minUtilization = 0;  // charts cut by packing are flattened again
   const UnwrapResult first = unwrapped(mesh, options);
   options.known = knownLayout(first);
   const UnwrapResult again = unwrapped(mesh, options);
@@ -136,7 +136,7 @@ TEST_CASE("tiny charts beside large ones are enlarged, and only they", "[certifi
   const UnwrapResult result = unwrapped(together(parts), options);
   CHECK(mentions(result.report, "tiny charts are enlarged"));
   CHECK(result.report.atlas.texelDensity == 40);
-  // Areas of the others are those of the surface times the density.
+  // The areas of the other triangles are those of the surface times the density.
   const std::size_t triangles = large.faceCount();
   double area = 0, surface = 0;
   for (std::size_t t = 0; t < triangles; ++t) {

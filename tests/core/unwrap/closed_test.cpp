@@ -1,4 +1,4 @@
-// Closed surfaces of many kinds, at balances from angles to lengths.
+// Closed surfaces of many kinds, with balances from angles to lengths.
 #include <algorithm>
 
 #include "abflat/unwrap.h"

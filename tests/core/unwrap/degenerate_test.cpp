@@ -13,8 +13,8 @@ using namespace abflat::test;
 namespace {
 
 /// A capsule as modelling libraries make it: rows of n + 1 vertices from pole to pole, so that the
-/// first and the last of each row are at one place, and quads of two triangles everywhere, of which
-/// one has no area at a pole. `apart`: radius of the rows at the poles.
+/// first and the last of each row coincide, and quads of two triangles everywhere, one of which has
+/// no area at a pole. `apart`: radius of the rows at the poles.
 PolygonMesh capsule(unsigned n, double apart) {
   std::vector<double> p;
   std::vector<std::uint32_t> t;
@@ -51,7 +51,7 @@ TEST_CASE("poles of triangles without area cost no charts", "[unwrap]") {
 }
 
 TEST_CASE("no vertex inside of a chart has two triangles only", "[unwrap]") {
-  // A face that goes along a line and back again, round a vertex on it.
+  // A face that runs along a line and back again, around a vertex on it.
   PolygonMesh mesh;
   mesh.positions = {-2, 2, 0, -2, -1, 0, -1, -1, 0, 0, -1, 0};
   mesh.faceVertices = {3, 2, 1, 3, 1, 0, 2};
@@ -63,7 +63,7 @@ TEST_CASE("no vertex inside of a chart has two triangles only", "[unwrap]") {
 TEST_CASE("holes that stay filled may lie at the outline of their chart", "[unwrap]") {
   UnwrapOptions options;
   options.fillHoles = FillHoles::Always;
-  // A square in five is missing.
+  // Every fifth square is missing.
   PolygonMesh mesh = bumpyGrid(12, 12, 0.3, 5);
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < mesh.faceVertices.size(); i += 6)

@@ -10,8 +10,8 @@ using namespace abflat::test;
 
 namespace {
 
-/// Triangles of these charts have the uv that they had, all others are in charts that are not
-/// fixed.
+/// Checks that triangles of these charts keep their uv, and that all others are in charts that are
+/// not fixed.
 void checkStayed(const UnwrapResult& before, const UnwrapResult& after,
                  const std::vector<std::uint32_t>& charts) {
   REQUIRE(before.chartOfTriangle.size() == after.chartOfTriangle.size());
@@ -57,7 +57,7 @@ TEST_CASE("known charts stay bit by bit, whatever the options are then", "[fixed
       options.fixedCharts = {2, 0};
       const UnwrapResult second = unwrapped(mesh, options);
       checkStayed(first, second, {0, 2});
-      // And once more, from what is fixed already.
+      // And once more, starting from what is already fixed.
       std::vector<std::uint32_t> fixed;
       for (std::uint32_t i = 0; i < second.report.charts.size(); ++i)
         if (second.report.charts[i].fixed) fixed.push_back(i);

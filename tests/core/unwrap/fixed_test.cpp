@@ -20,7 +20,7 @@ PolygonMesh withUv(PolygonMesh mesh, const UnwrapResult& r) {
   return mesh;
 }
 
-/// What the texels of the triangles that come out say against an atlas.
+/// What is wrong with an atlas, judged by the texels of its triangles.
 std::string complaintOf(const UnwrapResult& r) {
   PackOptions options;
   options.resolution = r.report.atlas.resolution;
@@ -73,7 +73,7 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
   const PolygonMesh mesh = withUv(plain, first);
   UnwrapOptions options = severalCharts();
   options.seams.isAuto = false;
-  options.seams.sharpDegrees = 10;  // would cut everything to pieces
+  options.seams.sharpDegrees = 10;  // would cut everything into pieces
   options.fixedFaces = {first.report.charts[1].firstFace};
   const UnwrapResult one = unwrapped(mesh, options);
   checkKept(mesh, one, 1);
@@ -92,7 +92,7 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
     const UnwrapResult r = unwrapped(mesh, two);
     checkKept(mesh, r, 2);
     CHECK(complaintOf(r) == "");
-    // Charts that are not disks keep their seams, too, and measures are those of solving.
+    // Charts that are not disks keep their seams as well, and measures are those from solving.
     CHECK(r.report.charts[0].angularDistortion ==
           Approx(first.report.charts[0].angularDistortion).epsilon(1e-6));
   }
@@ -166,7 +166,7 @@ TEST_CASE("islands without a boundary are treated alike whether seams are straig
           "[fixed]") {
   for (const double height : {1.0, 0.0}) {
     PolygonMesh mesh = tetrahedron();
-    // All on a line: without area, on the surface as in the atlas, and so not flipped.
+    // All on a line: without area both on the surface and in the atlas, and so not flipped.
     for (std::size_t i = 0; i < mesh.positions.size() && height == 0; ++i)
       mesh.positions[i] = i % 3 == 0 ? static_cast<double>(i) : 0;
     for (std::uint32_t v = 0; v < 4; ++v) {
@@ -229,7 +229,7 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
   bad = good;
   for (double& x : bad.texcoords) x *= 3;
   CHECK(says(bad, "outside the unit square"));
-  // One island, made small, within a face of another.
+  // One island, shrunk, within a face of another.
   bad = good;
   const std::uint32_t around = first.report.charts[0].firstFace;
   const std::uint32_t stacked = first.report.charts[1].firstFace;

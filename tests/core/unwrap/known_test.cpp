@@ -12,7 +12,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Eight charts: seams round the tube and along it.
+/// Eight charts: seams around the tube and along it.
 std::vector<EdgeVertices> torusSeams(unsigned columns, unsigned rows) {
   std::vector<EdgeVertices> out;
   const auto at = [&](unsigned i, unsigned j) { return j % rows * columns + i % columns; };
@@ -68,7 +68,7 @@ TEST_CASE("only charts whose outline changes are solved", "[known]") {
   const PolygonMesh mesh = torus(24, 16);
   const std::vector<EdgeVertices> edges = torusSeams(24, 16);
   const UnwrapResult before = unwrapped(mesh, alongSeams(edges));
-  /// There and back again.
+  /// Applies the edit, and undoes it again.
   const auto checkEdit = [&](const std::vector<EdgeVertices>& edited, std::size_t charts,
                              std::size_t kept, std::size_t keptBack) {
     UnwrapOptions options = alongSeams(edited);
@@ -211,7 +211,7 @@ TEST_CASE("polygons, faces without area and places that occur twice are known, t
   soup = makeTriangleMesh(soup.positions, corners);
   for (const PolygonMesh& m : {makeTriangleMesh(mesh.positions, faces), soup, star(7)}) {
     UnwrapOptions options;
-    options.minUtilization = 0;  // what packing cuts is flattened again
+    options.minUtilization = 0;  // charts cut by packing are flattened again
     const UnwrapResult first = unwrapped(m, options);
     options.known = knownLayout(first);
     const UnwrapResult second = unwrapped(m, options);

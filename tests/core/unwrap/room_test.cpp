@@ -29,7 +29,7 @@ PolygonMesh strip(unsigned columns, unsigned rows, double width, double height) 
   return mesh;
 }
 
-/// In the plane, with a round hole.
+/// A planar ring with a round hole.
 PolygonMesh ring(double inner, unsigned columns) {
   PolygonMesh mesh = cylinder(columns, 4);
   double low = 1e9, high = -1e9;
@@ -61,7 +61,7 @@ PolygonMesh knot(unsigned columns, unsigned rows, double radius) {
     for (unsigned i = 0; i < columns; ++i) {
       const double t = 4 * pi * i / columns, a = 2 * pi * j / rows;
       const auto p = curve(t), q = curve(t + 1e-3);
-      // Across the curve: away from its middle, and across that.
+      // Directions across the curve: away from its middle, and perpendicular to that.
       std::array<double, 3> along{}, out{}, side{};
       for (std::size_t d = 0; d < 3; ++d) along[d] = (q[d] - p[d]) / 1e-3;
       const double norm = std::hypot(along[0], std::hypot(along[1], along[2]));
@@ -97,7 +97,7 @@ TEST_CASE("a long strip is cut across", "[room]") {
   CHECK(cut.report.charts.size() == 1 + static_cast<std::size_t>(cut.report.atlas.packingCuts));
   CHECK(cut.report.atlas.utilization > 10 * whole.report.atlas.utilization);
   CHECK(cut.report.atlas.uncutTexelDensity == whole.report.atlas.texelDensity);
-  // Straight across: each is as long as the strip is wide.
+  // Straight across: each cut is as long as the strip is wide.
   CHECK(cut.report.atlas.packingCutLength * std::sqrt(2.0) ==
         Approx(0.2 * cut.report.atlas.packingCuts));
   CHECK(cut.report.seams.relativeLength == Approx(cut.report.atlas.packingCutLength));

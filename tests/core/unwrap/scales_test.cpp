@@ -40,7 +40,7 @@ TEST_CASE("a vertex far off leaves the others an atlas that is valid, in every p
         INFO(notesOf(r.value));
         CHECK(r.value.report.valid);
         const bool isCut = notesOf(r.value).find("cut apart") != std::string::npos;
-        // There one of the two meshes has faces that are 2^16 times as long as others.
+        // At that distance, one of the two meshes has faces 2^16 times as long as others.
         if (distance != 1e5) CHECK(isCut == (distance > 1e5));
       }
 }
@@ -48,7 +48,7 @@ TEST_CASE("a vertex far off leaves the others an atlas that is valid, in every p
 TEST_CASE("a part beside one of another scale has the charts that it has alone", "[unwrap]") {
   const PolygonMesh small = torus(24, 16);
   UnwrapOptions options;
-  options.minUtilization = 0;  // two are packed otherwise than one
+  options.minUtilization = 0;  // two charts are packed differently from one
   const std::size_t alone = unwrapped(small, options).report.charts.size();
   for (const double scale : {1e3, 1e8, 1e16, 1e30, 1e150}) {
     INFO(scale);

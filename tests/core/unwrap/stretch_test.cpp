@@ -14,7 +14,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// A closed surface on which log-scale tells less than half of what flattening stretches.
+/// A closed surface where the log-scale predicts less than half of the actual stretch.
 PolygonMesh roughTorus() {
   PolygonMesh mesh = torus(48, 32);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -60,7 +60,7 @@ TEST_CASE("cutting further does not depend on threads, and known charts give the
           "[unwrap]") {
   const PolygonMesh mesh = roughTorus();
   UnwrapOptions options;
-  options.minUtilization = 0;  // what packing cuts is flattened again
+  options.minUtilization = 0;  // charts cut by packing are flattened again
   options.threads = 1;
   const UnwrapResult one = unwrapped(mesh, options);
   options.threads = 2;

@@ -11,7 +11,7 @@ using namespace abflat::test;
 
 namespace {
 
-/// Cuts a torus of that many vertices into a quarter and the rest of it, both disks.
+/// Cuts a torus of that many vertices into a quarter and the rest, both disks.
 SeamSources inTwo(std::uint32_t columns, std::uint32_t rows) {
   SeamSources seams;
   seams.isAuto = false;
@@ -118,7 +118,7 @@ TEST_CASE("lists of seams") {
 TEST_CASE("a triangle mesh keeps all of its triangles in their order") {
   PolygonMesh mesh = torus(12, 8);
   std::vector<std::uint32_t> faces(mesh.faceVertices);
-  // One without area between two others, a repeated one, and one of an unused place.
+  // A face without area between two others, a repeated one, and one at an unused place.
   faces.insert(faces.begin() + 30, {faces[0], faces[1], faces[1]});
   faces.insert(faces.end(), {faces[0], faces[1], faces[2]});
   mesh.positions.insert(mesh.positions.end(), {9, 9, 9});
@@ -181,7 +181,7 @@ TEST_CASE("charts with pins stay where these put them, and the others go around"
         CHECK(r.uv[2 * r.cornerUv[c]] == pin.uv[0]);
         CHECK(r.uv[2 * r.cornerUv[c] + 1] == pin.uv[1]);
       }
-  // Two vertices of the other chart, at the same place.
+  // Two vertices of the other chart, pinned at the same place.
   options.pins.push_back({24 * 3 + 12, {0.25, 0.35}});
   options.pins.push_back({24 * 9 + 18, {0.25, 0.5}});
   const Status overlap = unwrap(mesh, options).status;

@@ -27,7 +27,7 @@ function methodCall(random, without) {
   return { method, args: [first, options], run: (abflat) => abflat[method](first, options) };
 }
 
-/** What those libraries take for data. */
+/** Array types that those libraries accept as data. */
 const STORED = [Float32Array, Uint32Array, Uint16Array, Uint8Array, Int16Array, Int8Array];
 const DRAWN = [...STORED, Int32Array, Float64Array];
 const isOf = (kinds, values) =>
@@ -41,7 +41,7 @@ function isPlain(value) {
   }
 }
 
-/** Without getters. */
+/** A plain copy without getters. */
 function plainly(mesh) {
   try {
     return { ...mesh };
@@ -50,7 +50,7 @@ function plainly(mesh) {
   }
 }
 
-/** A call of abflat/three, whose geometry may lack what it needs. */
+/** A call of abflat/three, whose geometry may lack something it needs. */
 function geometryCall(random, without) {
   const mesh = randomMesh(random);
   const geometry = new BufferGeometry();
@@ -124,7 +124,10 @@ function startCall(random, without) {
 
 const MAKERS = [...Array(20).fill(methodCall), geometryCall, geometryCall, documentCall, startCall];
 
-/** Mostly one, sometimes several at once. `without`: options that are left out, to find the ones that matter. */
+/**
+ * The calls of a seed, mostly one, sometimes several at once. `without`: options to leave out, to
+ * find those that matter.
+ */
 export function makeCalls(seed, without = []) {
   const random = new Random(seed);
   const count = random.chance(0.9) ? 1 : 3;

@@ -6,7 +6,7 @@ import { inspect } from 'node:util';
 import { makeCalls } from './calls.mjs';
 import { check, descriptorsOf, knownBytes, start } from './properties.mjs';
 
-/** One instance for many calls, so that what one leaves behind meets the next. */
+/** One instance for many calls, so that anything a call leaves behind affects the next. */
 export class Calls {
   #abflat;
   #bytes;
@@ -23,7 +23,7 @@ export class Calls {
     this.#bytes = await knownBytes(this.#abflat);
   }
 
-  /** { results }, how many there were, or { failure }, after which the instance is a new one. */
+  /** Returns { results }, their number, or { failure }, after which there is a new instance. */
   async run({ seed, without = [] }) {
     const calls = makeCalls(seed, without);
     const ended = await Promise.allSettled(
@@ -35,7 +35,7 @@ export class Calls {
     return { failure: failed.reason };
   }
 
-  /** The same failure with as few options as it takes. */
+  /** The same failure with as few options as possible. */
   async shrink(seed) {
     const names = new Set(
       makeCalls(seed).flatMap(({ args }) => Object.keys(descriptorsOf(args[1]))),
@@ -51,7 +51,7 @@ export class Calls {
   }
 }
 
-/** What a call is, in as few lines as tell it. */
+/** Describes the calls in as few lines as possible. */
 export const describe = ({ seed, without }) =>
   makeCalls(seed, without)
     .map(({ method, args }) =>

@@ -1,4 +1,4 @@
-// Meshes as callers hold them: of every kind of array and buffer, some of them broken.
+// Meshes as callers may hold them: with every kind of array and buffer, some of them broken.
 
 import { randomSurface } from '../../support/random-surfaces.mjs';
 import { objText, offText } from '../../wasm/support/meshes.mjs';
@@ -7,7 +7,7 @@ import { CallersError, cutOff, detached, oddValue } from './odd-values.mjs';
 const REALS = [Float64Array, Float32Array, Array, Int16Array, Int32Array, Int8Array, Uint8Array];
 const WHOLE = [Uint32Array, Uint16Array, Uint8Array, Array, Int32Array];
 
-/** The same numbers somewhere in a larger buffer, which may be shared or grow. */
+/** The same numbers somewhere inside a larger buffer, which may be shared or resizable. */
 function placed(random, array) {
   if (Array.isArray(array)) return array;
   const bytes = array.byteLength + 64;
@@ -21,7 +21,7 @@ function placed(random, array) {
   return view;
 }
 
-/** What may be wrong with one array. */
+/** Ways in which one array may be wrong. */
 const SPOILS = {
   element(random, array) {
     const values = [Number.NaN, Number.POSITIVE_INFINITY, -1, 0.5, 1e300, 2 ** 32, 2 ** 31, 255, 0];
@@ -115,7 +115,7 @@ function spoil(random, mesh) {
 
 const NAMES = ['mesh.obj', 'mesh.off', 'mesh.ply', 'mesh.stl', 'mesh', '', 'a.glb', 'é\ud800.obj'];
 
-/** { bytes, name }, whole, cut off or with some other bytes in it. */
+/** { bytes, name }, complete, truncated or with some bytes changed. */
 export function fileMesh(random) {
   const text = random.pick([objText, offText])(randomTriangles(random));
   let bytes = new TextEncoder().encode(text);

@@ -1,6 +1,6 @@
-// What callers pass by mistake.
+// Values that callers pass by mistake.
 
-/** Thrown by what callers pass: it reaches them as it is. */
+/** Thrown by the callers' own values; it reaches them unchanged. */
 export class CallersError extends Error {}
 
 const fail = () => {
@@ -13,13 +13,13 @@ function cyclic() {
   return value;
 }
 
-/** Its memory belongs to somebody else by now. */
+/** Its memory has already been transferred away. */
 export function detached(array) {
   structuredClone(array.buffer, { transfer: [array.buffer] });
   return array;
 }
 
-/** Reaches beyond the memory that it has. */
+/** Reaches beyond the end of its buffer. */
 export function cutOff(Kind) {
   const buffer = new ArrayBuffer(96, { maxByteLength: 96 });
   const array = new Kind(buffer, 24, 3);
@@ -27,7 +27,7 @@ export function cutOff(Kind) {
   return array;
 }
 
-/** Says that it is of a kind that it is not. */
+/** Claims to be of a type that it is not. */
 const impostor = (tag) => ({ [Symbol.toStringTag]: tag, length: 9, byteLength: 72 });
 
 const KINDS_TO_BE = [

@@ -1,4 +1,4 @@
-// Random options of every call: what the schema has, and what only the package takes.
+// Random options for every call: those of the schema, and those that only the package takes.
 
 import { FLATTEN_OPTIONS, UNWRAP_OPTIONS } from 'abflat';
 import { CallersError, oddValue } from './odd-values.mjs';
@@ -83,7 +83,7 @@ const OF_PACKAGE = {
 
 const SCHEMA = { flatten: FLATTEN_OPTIONS, unwrap: UNWRAP_OPTIONS };
 
-/** A signal that nobody aborts, that is aborted, or that will be in a moment. */
+/** A signal that is never aborted, is already aborted, or will be shortly. */
 function signalOf(random) {
   const controller = new AbortController();
   const kind = random.below(4);
@@ -94,7 +94,10 @@ function signalOf(random) {
   return controller.signal;
 }
 
-/** All but those in `without`, each by some chance; what is left out changes nothing else. */
+/**
+ * All options except those in `without`, each with some probability; leaving one out changes
+ * nothing else.
+ */
 export function randomOptions(random, method, without = []) {
   if (random.chance(0.03)) return oddValue(random);
   const options = {};

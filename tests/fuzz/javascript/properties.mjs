@@ -1,4 +1,4 @@
-// What must hold for every call, whatever it is given.
+// Properties that must hold for every call, whatever its arguments.
 
 import assert from 'node:assert/strict';
 import { types } from 'node:util';
@@ -7,21 +7,21 @@ import { judge } from '../../support/exact-atlas.mjs';
 import { grid } from '../../wasm/support/meshes.mjs';
 import { CallersError } from './odd-values.mjs';
 
-/** A call that takes longer never ends. */
+/** A call that takes longer is assumed never to end. */
 const SECONDS = 60;
-/** Little, so that what is not freed gives out soon. */
+/** Small, so that leaks soon exhaust it. */
 const MEMORY = 128 * 2 ** 20;
-/** Engines say such things of their own mistakes. */
+/** Engines use such messages for their own errors. */
 const OF_ENGINE =
   /is not (a|an) (function|object|iterable|constructor)|Cannot (read|convert|mix|destructure|perform)|\[object |unreachable|RuntimeError|TypeError|RangeError|(has|of|are|is) undefined\b|\bNaN (elements|vertices)/;
-/** Names of files are repeated as they are. */
+/** File names are repeated as they are, so messages may be long. */
 const MOST_LETTERS = 6000;
 
 export const start = () => createAbflat({ maxMemory: MEMORY });
 
 const KNOWN = grid(3);
 
-/** What a call that must always work gives. */
+/** The bytes that a call which must always work returns. */
 export async function knownBytes(abflat) {
   const { uv, indices } = await abflat.unwrap(KNOWN, { padding: 4 });
   return Buffer.concat([new Uint8Array(uv.buffer), new Uint8Array(indices.buffer)]).toString(
@@ -29,10 +29,10 @@ export async function knownBytes(abflat) {
   );
 }
 
-/** Also of an array whose memory is gone. */
+/** Also works for an array whose memory is gone. */
 const elements = (array) => Array.from({ length: array.length }, (_, i) => array[i]);
 
-/** All arrays below a value, with what is in them now. */
+/** All arrays inside a value, with their current contents. */
 function arraysIn(value, found = new Map(), depth = 0) {
   if (ArrayBuffer.isView(value) && !(value instanceof DataView)) found.set(value, elements(value));
   if (depth > 3 || value === null || typeof value !== 'object' || ArrayBuffer.isView(value))
@@ -42,7 +42,7 @@ function arraysIn(value, found = new Map(), depth = 0) {
   return found;
 }
 
-/** Without running what the caller's getters and proxies do. */
+/** Without triggering the caller's getters and proxies. */
 export function descriptorsOf(value) {
   try {
     return Object.getOwnPropertyDescriptors(Object(value));
@@ -68,7 +68,9 @@ function assertRefusal(error, { args }) {
   assert.ok(isSentence && !/[\n\r]/.test(message) && !OF_ENGINE.test(message), message);
 }
 
-/** Too small beside the mesh, or too thin, for an area in an atlas: as in targets/layouts.cpp. */
+/**
+ * Too small relative to the mesh, or too thin, to have area in an atlas: as in targets/layouts.cpp.
+ */
 function mayBeFlat(corners, extent) {
   const places = corners.map(({ place }) => place.map((x) => x / extent));
   const edges = places.map((p, k) => places[(k + 1) % 3].map((x, d) => x - p[d]));
@@ -80,7 +82,7 @@ function mayBeFlat(corners, extent) {
   return !(Math.min(...lengths) > 1e-6 && area > 1e-6 * Math.max(...lengths) ** 2);
 }
 
-/** Where a report says valid, nothing is flipped or on top of another. */
+/** Asserts that, if a report says valid, no triangles are flipped or overlap. */
 function assertValid(result, { method, args }) {
   if (method !== 'unwrap' && method !== 'flatten') return;
   const { uv, indices, vertexMap, report } = result;
@@ -88,7 +90,7 @@ function assertValid(result, { method, args }) {
   assert.ok(indices.every((v) => v < vertexMap.length));
   for (const { valid, problem } of report.charts) assert.equal(valid, problem === '', problem);
   if (!report.valid) return;
-  // Those of a file are the result's, a row for each of its vertices.
+  // The positions of a file are in the result, one row per vertex of it.
   const { positions } = result;
   const placeOf = (v, d) =>
     positions ? positions[3 * v + d] : args[0].positions[3 * vertexMap[v] + d];
@@ -117,7 +119,7 @@ async function settled(call, abflat) {
       1000 * SECONDS,
     );
   });
-  // Also what a call throws at once is a refusal.
+  // What a call throws synchronously counts as a rejection too.
   const made = (async () => call.run(abflat))();
   try {
     return await Promise.race([
@@ -132,7 +134,7 @@ async function settled(call, abflat) {
   }
 }
 
-/** Makes a call and throws where a property does not hold. Resolves to whether it had a result. */
+/** Makes a call and throws if a property does not hold. Resolves to whether it had a result. */
 export async function check(abflat, call, expectedBytes) {
   const before = arraysIn(call.args);
   const { value, error } = await settled(call, abflat);

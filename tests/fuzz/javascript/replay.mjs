@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Makes the calls of a finding again, or of a seed, and says what is wrong.
+// Repeats the calls of a finding, or of a seed, and says what is wrong.
 // Usage: replay.mjs FILE or SEED ...
 
 import { readFileSync } from 'node:fs';

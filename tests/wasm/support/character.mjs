@@ -1,4 +1,4 @@
-// A document that has much to keep.
+// A document with much that has to be kept.
 
 import { accessor, addMesh, emptyDocument, primitiveOf, randomRows } from '../../support/gltf.mjs';
 import { torus } from '../../support/surfaces.mjs';

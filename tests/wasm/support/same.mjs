@@ -1,4 +1,4 @@
-// Comparing what two builds of the same code give.
+// Compares the results of two builds of the same code.
 
 import assert from 'node:assert/strict';
 
@@ -14,7 +14,7 @@ export function assertSameText(text, expected) {
 export const withoutSeconds = (value) =>
   JSON.parse(JSON.stringify(value, (key, each) => (/seconds$/i.test(key) ? undefined : each)));
 
-/** The same keys in the same order, all the way down; of lists the first entry. */
+/** The same keys in the same order, at every level; for lists, only of the first entry. */
 export function assertSameShape(a, b, path) {
   assert.equal(typeof a, typeof b, path);
   if (typeof a !== 'object' || a === null) return;

@@ -10,7 +10,10 @@ import {
   reread,
 } from '../../support/gltf.mjs';
 
-/** Unwraps all of a document and checks all that must hold for any; gives its file read again, and the atlases. */
+/**
+ * Unwraps a whole document and checks everything that must hold for any; returns the document as
+ * read back from its file, and the atlases.
+ */
 export async function unwrapDocument(abflat, document, { isMirrored, ...given } = {}) {
   const options = { overwrite: true, ...given };
   const { texcoord = 0 } = options;

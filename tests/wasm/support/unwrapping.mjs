@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { AbflatError } from 'abflat';
 
-/** Triangles as arrays; of a polygon those round its first corner. */
+/** Triangles as arrays; a polygon becomes a fan around its first corner. */
 export function arraysOf({ positions, faces }) {
   const fans = faces.flatMap((face) => face.slice(2).flatMap((c, k) => [face[0], face[k + 1], c]));
   return { positions: Float64Array.from(positions.flat()), indices: Uint32Array.from(fans) };

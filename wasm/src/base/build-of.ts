@@ -1,9 +1,10 @@
-// Not in builds.ts: types that callers see know nothing of WebAssembly, which only some libraries declare.
+// Not in builds.ts: types that callers see must not mention WebAssembly, which only some libraries
+// declare.
 
 import { BUILDS, type Build } from './builds.js';
 import { AbflatError } from './errors.js';
 
-/** As the module says in a section of its own, written by wasm/build.mjs. */
+/** The build named in a custom section of the module, which wasm/build.mjs adds. */
 export function buildOf(module: WebAssembly.Module): Build {
   const [section] = WebAssembly.Module.customSections(module, 'abflat.build');
   const name = section && new TextDecoder().decode(section);

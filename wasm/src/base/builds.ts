@@ -1,8 +1,8 @@
 // The module is built more than once from the same source. All builds give the same results to the last bit.
 
 /**
- * `plain` runs wherever WebAssembly does, `simd` needs vectors of 128 bits and is faster, `threads` is `simd` on several
- * processors and needs a page that is cross-origin isolated.
+ * `plain` runs wherever WebAssembly does; `simd` needs 128-bit vectors and is faster; `threads` is
+ * `simd` on several processors and needs a cross-origin isolated page.
  */
 export type Build = 'plain' | 'simd' | 'threads';
 
@@ -17,15 +17,15 @@ const WITH_VECTORS = new Uint8Array([
 ]);
 
 /**
- * The fastest build that runs here. Where a browser refuses what `threads` needs, memory or further workers, which
- * only trying tells, createAbflat takes the next one.
+ * The fastest build that runs here. A browser may still refuse the memory or the extra workers that
+ * `threads` needs, which only shows on trying; createAbflat then takes the next build.
  */
 export function bestBuild(): Build {
   if (!WebAssembly.validate(WITH_VECTORS)) return 'plain';
   return whyNoThreads() === undefined && navigator.hardwareConcurrency > 1 ? 'threads' : 'simd';
 }
 
-/** What keeps the build `threads` from running here. */
+/** Why the `threads` build cannot run here; undefined if it can. */
 export function whyNoThreads(): string | undefined {
   if (typeof Worker === 'undefined')
     return 'there are no Web Workers here, as in Node. Use the command line program for threads';

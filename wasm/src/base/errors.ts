@@ -1,6 +1,9 @@
 import type { StatusName } from './generated.js';
 
-/** What of abflat itself is missing: its module or its worker cannot be loaded, or the worker has stopped. */
+/**
+ * The part of abflat itself that is missing: its module or worker cannot be loaded, or the worker
+ * has stopped.
+ */
 export type LostPart = 'module' | 'worker' | 'stopped';
 
 const ended = (message: string) => (/[.?!]$/.test(message) ? message : `${message}.`);
@@ -9,7 +12,7 @@ const ended = (message: string) => (/[.?!]$/.test(message) ? message : `${messag
 export class AbflatError extends Error {
   override readonly name = 'AbflatError';
   readonly code: StatusName;
-  /** Set where neither mesh nor options are at fault, so that trying again may help. */
+  /** Set if neither the mesh nor the options are at fault, so that trying again may help. */
   readonly lost: LostPart | null;
 
   constructor(code: StatusName, message: string, lost: LostPart | null = null) {

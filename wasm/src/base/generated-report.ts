@@ -9,7 +9,7 @@ import type {
   UnwrapOptionValues,
 } from './generated.js';
 
-/** A bound of t pi for one boundary vertex, in place of the common t; of several for a vertex the last counts. */
+/** A bound of t pi for one boundary vertex, in place of the common t; if a vertex has several, the last one counts. */
 export interface VertexBound {
   /** Vertex of the input. */
   vertex: number;
@@ -257,7 +257,7 @@ export interface RepairReport {
   splitFaces: number[];
   /** Faces at the places of an earlier one, the second number; they become charts of their own. */
   duplicateFaces: [number, number][];
-  /** Edges of more than two faces, by their vertices; they were cut. */
+  /** Edges with more than two faces, by their vertices; they were cut. */
   nonManifoldEdges: [number, number][];
   /** Edges whose two faces run in the same direction, by their vertices; they were cut. */
   orientationConflicts: [number, number][];
@@ -385,7 +385,7 @@ export interface UnwrapReport {
   angularDistortion: number;
   /** Quasi-conformal distortion σ₁/σ₂, the mean over all charts by 3D area. */
   quasiConformalMean: number;
-  /** Symmetric Dirichlet energy / 4, the mean over all charts by 3D area at one common scale. */
+  /** Symmetric Dirichlet energy / 4, the mean over all charts by 3D area, each chart at its own scale. */
   symmetricDirichlet: number;
   /** How the charts were packed. */
   atlas: AtlasReport;

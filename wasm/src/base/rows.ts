@@ -1,4 +1,4 @@
-// Vertices are rows of attributes: what copies them knows neither three.js nor glTF.
+// Vertices are rows of attributes. Copying them takes no knowledge of three.js or glTF.
 
 /** The typed arrays that attributes come in. */
 interface Row {
@@ -6,14 +6,14 @@ interface Row {
   [index: number]: number;
 }
 
-/** How the rows of an attribute lie in its array. */
+/** How the rows of an attribute are laid out in its array, in elements. */
 export interface RowLayout {
   size: number;
   stride?: number;
   offset?: number;
 }
 
-/** The rows that `rows` names, as they are stored, in an array of the same kind. */
+/** Copies the given rows, as they are stored, to an array of the same type. */
 export function pickRows<T extends Row>(
   array: T,
   rows: Uint32Array,
@@ -30,7 +30,10 @@ export function pickRows<T extends Row>(
 
 type IndexArray = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
-/** Indices of `count` rows in as few bytes as that takes, but no fewer than `leastBytes`. The largest number of a kind is no index. */
+/**
+ * Indices of `count` rows in the smallest type that holds them, but with at least `leastBytes`
+ * bytes. The largest value of a type is not an index.
+ */
 export function indexArray(indices: Uint32Array, count: number, leastBytes = 2): IndexArray {
   if (leastBytes < 2 && count <= 255) return new Uint8Array(indices);
   return leastBytes < 4 && count <= 65535 ? new Uint16Array(indices) : new Uint32Array(indices);

@@ -1,4 +1,4 @@
-// A document of glTF-Transform as one mesh.
+// A glTF-Transform document as one mesh.
 
 import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../base/errors.js';
@@ -7,36 +7,39 @@ import type { MeshArrays } from '../types/index.js';
 import { type Placement, placements, put } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 
-/** What one primitive has in the mesh. */
+/** The part of the mesh that one primitive makes up. */
 export interface DocumentPart {
   mesh: Mesh;
   primitive: Primitive;
-  /** Primitives that share their positions, at the same place, share vertices as well. */
+  /** Primitives that share their positions and are placed alike also share vertices. */
   firstVertex: number;
   vertexCount: number;
   firstTriangle: number;
   triangleCount: number;
-  /** The second and third corner of its triangles are exchanged in the mesh, as its node mirrors it. */
+  /**
+   * The second and third corners of its triangles are swapped in the mesh, because its node mirrors
+   * it.
+   */
   isMirrored: boolean;
 }
 
 export interface DocumentMesh extends MeshArrays {
   positions: Float64Array;
   indices: Uint32Array;
-  /** TEXCOORD_0 with v from the bottom, where any primitive has that. */
+  /** TEXCOORD_0 with v measured from the bottom, if any primitive has that set. */
   texcoords?: Float64Array;
   materials: Uint32Array;
   document: Document;
   parts: DocumentPart[];
 }
 
-/** A primitive and where to find it. */
+/** A primitive and the mesh that it is part of. */
 export interface Member {
   mesh: Mesh;
   primitive: Primitive;
 }
 
-/** All primitives of triangles that have positions. */
+/** All triangle primitives that have positions. */
 export function membersOf(document: Document): Member[] {
   const members = new Map<Primitive, Member>();
   for (const mesh of document.getRoot().listMeshes())
@@ -47,8 +50,8 @@ export function membersOf(document: Document): Member[] {
 }
 
 /**
- * The triangles of a document, of its `members` if not of all, as one mesh in the coordinates of the scene. Each mesh is where
- * its first node puts it.
+ * The triangles of a document, or only those of `members`, as one mesh in scene coordinates. Each
+ * mesh is where its first node puts it.
  */
 export function documentMesh(document: Document, members = membersOf(document)): DocumentMesh {
   const placementOf = placements(document);
@@ -119,7 +122,7 @@ function gather(
   return part;
 }
 
-/** Of the first set, NaN where there is none; nothing if nobody has any. */
+/** TEXCOORD_0, NaN for vertices without it; undefined if no primitive has it. */
 function texcoordsOf(parts: DocumentPart[], vertexCount: number): Float64Array | undefined {
   const known = parts.filter(({ primitive }) => primitive.getAttribute('TEXCOORD_0'));
   if (known.length === 0) return undefined;
@@ -137,7 +140,7 @@ function texcoordsOf(parts: DocumentPart[], vertexCount: number): Float64Array |
 
 type Fail = (what: string) => AbflatError;
 
-/** Errors say where. */
+/** Makes errors that name the mesh and the primitive. */
 function failureOf(document: Document, mesh: Mesh, primitive: Primitive): Fail {
   const number = document.getRoot().listMeshes().indexOf(mesh);
   const name = mesh.getName() ? ` (${JSON.stringify(mesh.getName())})` : '';
@@ -195,7 +198,7 @@ function inMesh(corners: Uint32Array, firstVertex: number, isMirrored: boolean):
   return isMirrored ? turned(out) : out;
 }
 
-/** Triangles that run the other way round, in place. */
+/** Reverses the winding of triangles, in place. */
 export function turned(triangles: Uint32Array): Uint32Array {
   for (let c = 0; c < triangles.length; c += 3) triangles.subarray(c + 1, c + 3).reverse();
   return triangles;

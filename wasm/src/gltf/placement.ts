@@ -3,17 +3,18 @@
 import type { Document, Mesh, mat4 } from '@gltf-transform/core';
 
 export interface Placement {
-  /** By columns; undefined where vertices are where they are. */
+  /** Column-major; undefined if vertices stay where they are. */
   matrix?: mat4;
-  /** Corners run clockwise round the outside. */
+  /** Corners run clockwise when seen from outside. */
   isMirrored: boolean;
 }
 
 const AS_IT_IS: Placement = { isMirrored: false };
 
 /**
- * The place of each mesh: where the first node puts it that leaves it a volume. A mesh that a skin moves is where its
- * vertices are. All instances share one layout, so there is no second place.
+ * The place of each mesh: where the first node with a matrix that does not flatten it puts it. A
+ * skinned mesh is where its vertices are. All instances share one layout, so there is no second
+ * place.
  */
 export function placements(document: Document): (mesh: Mesh) => Placement {
   const found = new Map<Mesh, Placement>();
@@ -40,7 +41,7 @@ function determinant(m: mat4): number {
   );
 }
 
-/** Writes a point to where it is placed. */
+/** Writes the point to where it is placed. */
 export function put(
   [x = 0, y = 0, z = 0]: number[],
   m: mat4 | undefined,

@@ -1,4 +1,4 @@
-// A layout back into the document that its mesh came from.
+// Writes a layout back into the document that its mesh came from.
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../base/errors.js';
@@ -10,16 +10,22 @@ import { freeTexcoord } from './texture-sets.js';
 import { TRIANGLES } from './triangles.js';
 
 export interface SetTexcoordsOptions {
-  /** The coordinates become TEXCOORD_`texcoord`; `auto`: as `freeTexcoord` says. Default: 0. */
+  /**
+   * The coordinates become TEXCOORD_`texcoord`; `auto`: the result of `freeTexcoord`. Default: 0.
+   */
   texcoord?: number | 'auto';
-  /** Scale and move them into [0, 1] x [0, 1]: for layouts in the unit of the mesh, as of `flatten`. Default: false. */
+  /**
+   * Scale and move them into [0, 1] x [0, 1]: for layouts in the unit of the mesh, such as those of
+   * `flatten`. Default: false.
+   */
   normalize?: boolean;
 }
 
 /**
- * Gives every primitive of a document mesh the coordinates of its layout, or of a layout of the same triangles whose vertices at one
- * place are one. Vertices keep their numbers; one that has several coordinates is copied to the end, with all its attributes and
- * morph targets. Tangents are copied like the rest and belong to the coordinates before.
+ * Gives every primitive of a document mesh the coordinates of its layout. A layout of the same
+ * triangles with coincident vertices merged works too. Vertices keep their numbers; one with
+ * several coordinates is copied to the end, with all its attributes and morph targets. Tangents are
+ * copied like the rest and belong to the old coordinates.
  */
 export function setTexcoords(
   { document, parts }: Pick<DocumentMesh, 'document' | 'parts'>,
@@ -57,7 +63,10 @@ interface Block {
   position: Accessor;
   vertexCount: number;
   parts: DocumentPart[];
-  /** Of each row, those with copies included: the row before, and the vertex of the layout, NONE where no triangle uses it. */
+  /**
+   * For each row, including copies: the original row, and the vertex of the layout, which is NONE
+   * if no triangle uses the row.
+   */
   rows: Uint32Array;
   vertices: Uint32Array;
 }
@@ -82,7 +91,10 @@ function blocksOf(parts: DocumentPart[]): Block[] {
   return [...blocks.values()];
 }
 
-/** Completes a block's rows, one for each row before and vertex of the layout that meet; gives those of the corners of each part. */
+/**
+ * Completes a block's rows, one for each pair of original row and layout vertex that occurs.
+ * Returns the rows of each part's corners.
+ */
 function placeCorners(block: Block, indices: Uint32Array): Uint32Array[] {
   const { vertexCount, vertices } = block;
   const copies = new Map<string, number>();
@@ -111,7 +123,7 @@ function placeCorners(block: Block, indices: Uint32Array): Uint32Array[] {
   return corners;
 }
 
-/** That of glTF points down. */
+/** glTF measures v from the top. */
 function texcoordsOf({ vertices }: Block, uv: ArrayLike<number>): Float32Array<ArrayBuffer> {
   const texcoords = new Float32Array(2 * vertices.length);
   vertices.forEach((vertex, row) => {
@@ -122,7 +134,7 @@ function texcoordsOf({ vertices }: Block, uv: ArrayLike<number>): Float32Array<A
   return texcoords;
 }
 
-/** Copies of a block's attributes with its new rows, one of each. */
+/** Copies of a block's attributes with its new rows, one copy per attribute. */
 class Copies {
   readonly #made = new Map<Accessor, Accessor>();
   readonly #own = new Set<Accessor>();
@@ -132,7 +144,7 @@ class Copies {
     private readonly replaced: Set<Accessor>,
   ) {}
 
-  /** All attributes and morph targets but `except`. */
+  /** All attributes and morph targets except `except`. */
   replace(primitive: Primitive, except: Accessor): void {
     const { rows, vertexCount } = this.block;
     if (rows.length === vertexCount) return;
@@ -157,7 +169,7 @@ class Copies {
   }
 }
 
-/** A set that is missing below the new one takes the same: glTF allows no gaps. */
+/** Missing sets below the new one get the same coordinates: glTF allows no gaps. */
 function setCoordinates(
   primitive: Primitive,
   coordinates: Accessor,
@@ -172,7 +184,7 @@ function setCoordinates(
       primitive.setAttribute(`TEXCOORD_${i}`, coordinates);
 }
 
-/** Triangles, by indices where they differ from those before. */
+/** Writes the triangles as indices, unless the primitive already draws them. */
 function setIndices(
   document: Document,
   { primitive, vertexCount }: DocumentPart,

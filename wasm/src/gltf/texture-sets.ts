@@ -1,4 +1,4 @@
-// Which sets of coordinates the textures of a document use.
+// Which texcoord sets the textures of a document use.
 
 import type { Document, ExtensionProperty, Primitive, TextureInfo } from '@gltf-transform/core';
 import { isOfTriangles } from './triangles.js';
@@ -6,8 +6,9 @@ import { isOfTriangles } from './triangles.js';
 type Node = Primitive | ReturnType<Primitive['listExtensions']>[number];
 
 /**
- * The sets that textures of the primitives' materials sample, in order: 0 for TEXCOORD_0. Materials of extensions count, as those of
- * variants, and so do the textures that extensions add and the set that KHR_texture_transform puts in place of another.
+ * The sets that textures of the primitives' materials sample, in ascending order; 0 is TEXCOORD_0.
+ * Materials from extensions, such as variants, count, as do textures that extensions add; a set
+ * given by KHR_texture_transform replaces the texture's own.
  */
 export function sampledTexcoords(primitives: Iterable<Primitive>): number[] {
   const [found, seen] = [new Set<number>(), new Set<Node>()];
@@ -37,8 +38,8 @@ function setOf(info: TextureInfo): number {
 }
 
 /**
- * The set for coordinates that take nothing from any texture: 0 where no texture samples that, otherwise the first one that no
- * primitive has and no texture samples.
+ * A set for new coordinates that no texture is affected by: 0 if no texture samples it, otherwise
+ * the first set that no primitive has and no texture samples.
  */
 export function freeTexcoord(document: Document): number {
   const primitives = document

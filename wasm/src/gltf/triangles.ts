@@ -1,14 +1,14 @@
 // Which triangles a primitive draws.
 
-/** The numbers of glTF for its `mode`. */
+/** glTF's numbers for `mode`. */
 export const TRIANGLES = 4;
 const [STRIP, FAN] = [5, 6];
 
 export const isOfTriangles = (mode: number) => mode === TRIANGLES || mode === STRIP || mode === FAN;
 
 /**
- * Three vertices per triangle. In strips and fans the number `restart` ends one and begins the next, and what is without
- * area because it repeats a vertex only leads from one place to another.
+ * Three vertices per triangle. In strips and fans, the index `restart` ends one and begins the
+ * next; triangles that repeat a vertex only lead from one place to another and are left out.
  */
 export function trianglesOf(mode: number, vertices: ArrayLike<number>, restart: number) {
   if (mode === TRIANGLES)

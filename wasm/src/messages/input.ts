@@ -13,7 +13,7 @@ interface Owned<T extends OwnedMesh> {
 
 const WANTED = 'The mesh must be { positions, indices } or { bytes, name }';
 
-/** For what other libraries take for a mesh. */
+/** Advice for the mesh objects of other libraries. */
 function hintFor(mesh: object): string {
   if ('isBufferGeometry' in mesh || 'isObject3D' in mesh)
     return '. For three.js geometry, use unwrapGeometry of "abflat/three"';
@@ -23,7 +23,7 @@ function hintFor(mesh: object): string {
 
 const invalid = (message: string) => new AbflatError('InvalidMesh', message);
 
-/** The mesh in buffers of its own: copies, or the caller's, which are detached by that. */
+/** The mesh in buffers of its own: copies, or with `transfer` the caller's, which get detached. */
 export function takeMesh(mesh: unknown, transfer: unknown): Owned<OwnedMesh> {
   return take(checkMesh(mesh), transfer);
 }
@@ -117,7 +117,7 @@ function ofSeparateTriangles(vertexCount: number): Uint32Array {
   return Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
 }
 
-/** As it is where it has the kind that the module takes. */
+/** Returns an array of a type that the module takes as it is. */
 function reals(name: string, values: unknown): Float32Array | Float64Array {
   const tag = kindOf(name, values);
   if (REALS.includes(tag)) return values as Float32Array;
@@ -160,7 +160,7 @@ function checkLength(name: string, { length }: { length: number }, wanted: numbe
   if (length !== wanted) throw invalid(`${name} has ${length} elements, not ${wanted}: ${rule}.`);
 }
 
-/** A typed array made from another has a buffer of its own, also where that of the other is shared. */
+/** A typed array made from another gets its own buffer, even if the other's is shared. */
 function copy<T extends OwnedMesh>(mesh: T): T {
   const fields = Object.entries(mesh).map(([name, value]) => {
     if (!ArrayBuffer.isView(value)) return [name, value];
@@ -171,7 +171,7 @@ function copy<T extends OwnedMesh>(mesh: T): T {
   return Object.fromEntries(fields) as T;
 }
 
-/** Not `view.constructor`: that of a Node Buffer is another. */
+/** Not `view.constructor`, which is Buffer for a Buffer of Node. */
 const KINDS = { Float32Array, Float64Array, Uint32Array, Uint16Array, Uint8Array };
 
 function buffersOf(mesh: OwnedMesh): ArrayBuffer[] {

@@ -30,10 +30,10 @@ export interface OwnedArrays {
 /** A mesh in buffers that belong to the call. */
 export type OwnedMesh = OwnedArrays | OwnedFile;
 
-/** Vertex, u, v and face, which is 2^32 - 1 where none is given. */
+/** Vertex, u, v and face, which is 2^32 - 1 if none is given. */
 export type PinNumbers = [vertex: number, u: number, v: number, face: number];
 
-/** What the calls that give a layout share. */
+/** What the calls that return a layout share. */
 export interface LayoutRequest {
   mesh: OwnedMesh;
   pins: PinNumbers[];
@@ -53,13 +53,13 @@ export interface FlattenRequest extends LayoutRequest {
   normalizes: boolean;
 }
 
-/** What is known of an earlier call, in arrays that belong to this one. */
+/** The `known` result of an earlier call, in arrays that belong to this one. */
 export interface KnownArrays {
-  /** As in `values` of a request. */
+  /** Encoded as in `values` of a request. */
   t: number;
   balance: number;
   straightSeams: boolean;
-  /** `uv` where charts are fixed. */
+  /** `uv` only if charts are fixed. */
   arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'> &
     Partial<Pick<UnwrapResult, 'uv'>>;
 }
@@ -68,12 +68,12 @@ export interface UnwrapRequest extends LayoutRequest {
   kind: 'unwrap';
   /** One number per option of UNWRAP_OPTIONS, in its order. */
   values: number[];
-  /** Where to cut, in words; without it what the module does by itself. */
+  /** Where to cut, as text; without it the module uses its default. */
   seams?: string;
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
   fixedFaces: Uint32Array | 'uv';
-  /** Of `known`. */
+  /** Charts of `known`. */
   fixedCharts: Uint32Array;
   known?: KnownArrays;
 }
@@ -87,7 +87,7 @@ export type Request =
   | { kind: 'load'; mesh: OwnedFile }
   | { kind: 'sample'; name: string; detail: number };
 
-/** What the module knows by name, to compare with what this package knows. */
+/** Names that the module knows, to compare with those that this package knows. */
 export interface Description {
   build: Build;
   statuses: string[];

@@ -35,14 +35,14 @@ export const KEYS = {
 
 const invalid = (message: string) => new AbflatError('InvalidOption', message);
 
-/** "Float32Array", "Object", "Null"; right for values of another window as well. */
+/** Such as "Float32Array", "Object" or "Null"; also right for values of another window. */
 export function tagOf(value: unknown): string {
   const tag = Object.prototype.toString.call(value).slice('[object '.length, -1);
-  // Anything may say that it is a typed array.
+  // Any object can claim to be a typed array.
   return /\wArray$/.test(tag) && !ArrayBuffer.isView(value) ? 'Object' : tag;
 }
 
-/** For messages; what is no number or text has no text of its own that could be trusted. */
+/** For messages. Objects are shown by type, since their own text cannot be trusted. */
 export function shown(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value);
   if (typeof value === 'bigint') return `${value}n`;
@@ -50,7 +50,10 @@ export function shown(value: unknown): string {
   return isObject ? `of the type ${tagOf(value)}` : String(value);
 }
 
-/** Memory goes when it is transferred, or when its buffer becomes smaller than the array. */
+/**
+ * Throws if an array has lost its memory: its buffer was transferred, or has become smaller than
+ * the array.
+ */
 export function checkMemory(name: string, view: ArrayBufferView): void {
   try {
     (view as Uint8Array).values();
@@ -59,7 +62,7 @@ export function checkMemory(name: string, view: ArrayBufferView): void {
   }
 }
 
-/** The same for what has no type yet. */
+/** The same for a bare buffer. */
 export function bytesIn(name: string, buffer: ArrayBuffer): Uint8Array {
   try {
     return new Uint8Array(buffer);
@@ -105,7 +108,7 @@ export function checkFunction(name: string, value: unknown): void {
     throw invalid(`${name} must be a function.`);
 }
 
-/** Of the functions that are no methods of it. */
+/** For functions that take abflat as an argument. */
 export function checkAbflat(abflat: unknown): void {
   if (typeof (abflat as { unwrap?: unknown } | null | undefined)?.unwrap !== 'function')
     throw invalid(
@@ -156,7 +159,7 @@ interface OptionRule extends NumberRule {
   readonly choices?: readonly string[];
 }
 
-/** The number by which the module takes an option: choices by their index, words by their value. */
+/** The number that stands for an option's value in the module: choices by index, words by value. */
 function optionNumber(name: string, value: unknown, rule: OptionRule): number {
   if (rule.type === 'boolean') {
     checkBoolean(name, value);
@@ -197,7 +200,7 @@ function optionNumbers<T extends object>(
   });
 }
 
-/** Copies. What is wrong with the numbers within is for the module to see. */
+/** Copies the arrays. The module checks the numbers in them. */
 export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | undefined {
   if (known === undefined) {
     if (needsUv) throw invalid('fixedCharts needs known, the result that has these charts.');
@@ -236,7 +239,7 @@ export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | und
   };
 }
 
-/** A copy: the caller's buffer stays. `what` its elements are, in words. */
+/** A copy, so that the caller's buffer stays. `what`: its elements, in words. */
 function numbers(name: string, what: string, values: unknown): Uint32Array {
   if (values === undefined) return new Uint32Array();
   if (tagOf(values) !== 'Uint32Array')
@@ -271,7 +274,7 @@ function checkArray(name: string, value: unknown, of: string): void {
   if (!Array.isArray(value)) throw invalid(`${name} must be an array of ${of}.`);
 }
 
-/** Unlike map this sees the holes of an array as well. */
+/** Unlike map, this also visits the holes of an array. */
 const each = <T, R>(values: T[], see: (value: T | undefined, i: number) => R): R[] =>
   Array.from(values, see);
 
@@ -293,7 +296,7 @@ export function straightNumbers(runs: unknown = []): [number, number][] {
   });
 }
 
-/** Of a pin without a face; that of the module's kAnyFace. */
+/** The face of a pin without one: kAnyFace of the module. */
 const ANY_FACE = 2 ** 32 - 1;
 
 export function pinNumbers(pins: unknown = []): PinNumbers[] {

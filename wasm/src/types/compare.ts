@@ -6,7 +6,7 @@ import type { CallOptions, Progress } from './layout.js';
 
 export type { MethodKey };
 
-/** `stage` is the method at work; numbers of Newton's method are 0 for the references. */
+/** `stage` names the method at work; the reference methods report 0 for Newton's numbers. */
 export interface CompareProgress extends Omit<Progress, 'stage'> {
   stage: CompareStage | MethodKey;
 }

@@ -1,8 +1,8 @@
-// What calls that give a layout have in common.
+// What the calls that return a layout have in common.
 
 import type { FlattenStage } from '../base/generated.js';
 
-/** What calls need of an AbortSignal, whichever library declares it. */
+/** The part of AbortSignal that calls need, no matter which library declares the type. */
 export interface AbortSignalLike {
   readonly aborted: boolean;
   readonly reason: unknown;
@@ -11,9 +11,11 @@ export interface AbortSignalLike {
 }
 
 export interface CallOptions {
-  /** An AbortSignal. Aborting rejects with its reason; the next call works. */
+  /** An AbortSignal. Aborting rejects the call with the signal's reason; the next call works. */
   signal?: AbortSignalLike;
-  /** Move the whole input buffers to the worker instead of copying them (they are detached by the call). */
+  /**
+   * Move the entire input buffers to the worker instead of copying them; the call detaches them.
+   */
   transfer?: boolean;
 }
 
@@ -26,39 +28,44 @@ export interface Progress {
   fraction: number;
 }
 
-/** A place in the layout for a vertex of the input. */
+/** A fixed place in the layout for an input vertex. */
 export interface Pin {
   vertex: number;
   uv: readonly [number, number];
-  /** A face that uses the vertex: tells which of its texcoords is meant where it lies on a seam. */
+  /** A face that uses the vertex. On a seam, it tells which of the vertex's texcoords is meant. */
   face?: number;
 }
 
 export interface LayoutOptions extends CallOptions {
   /**
-   * None, or two and more; in an atlas that of each chart, which then stays where its pins are. Two are met by moving,
-   * turning and scaling the layout, more by the nearest one to the angles in the sense of least squares.
+   * None, or at least two; in an atlas, per chart, and a pinned chart stays where its pins are. Two
+   * pins are met by moving, rotating and scaling the layout; more, by the layout that is closest to
+   * the angles in the least-squares sense.
    */
   pins?: readonly Pin[];
   /** Also return the input as OBJ text with the new texcoords. */
   obj?: boolean;
-  /** Also return the input as PLY with the new texcoords; the layout is rounded to single precision where it stays valid. */
+  /**
+   * Also return the input as PLY with the new texcoords. The layout is rounded to single precision
+   * if it stays valid.
+   */
   ply?: boolean;
   /**
-   * `uv` becomes what a glTF holds of it, single precision with v from the top, whatever becomes of its validity: the report is about
-   * that. Default: false; `unwrap` rounds to single precision then unless that would make a chart invalid.
+   * Round `uv` to the values that a glTF holds (single precision, v measured from the top), even if
+   * that makes it invalid; the report describes the rounded layout. Default: false; `unwrap` then
+   * rounds to single precision unless that would make a chart invalid.
    */
   roundsForGltf?: boolean;
 }
 
-/** Seconds; the stages between depend on the call. */
+/** In seconds. The stages in between depend on the call. */
 export interface LayoutTimings {
   read: number;
   write: number;
   total: number;
 }
 
-/** What every layout has; `R` is its report. */
+/** What every layout has; `R` is the type of its report. */
 export interface Layout<R> {
   /** 2 per output vertex. */
   uv: Float64Array;
@@ -66,11 +73,14 @@ export interface Layout<R> {
   indices: Uint32Array;
   /** Input vertex of each output vertex. */
   vertexMap: Uint32Array;
-  /** 3 per output vertex, only for file input (arrays know their own positions through vertexMap). */
+  /** 3 per output vertex, only for file input (for arrays, look them up through `vertexMap`). */
   positions?: Float64Array;
   /** OBJ text (UTF-8) when asked for with `obj: true`. */
   obj?: Uint8Array;
-  /** PLY when asked for with `ply: true`: in the encoding of the input, binary where that is no PLY. */
+  /**
+   * PLY when asked for with `ply: true`, in the encoding of the input, or binary if that is not a
+   * PLY.
+   */
   ply?: Uint8Array;
   report: R;
 }

@@ -9,23 +9,32 @@ export type RealArray =
   | Int32Array
   | WholeArray;
 
-/** Numbers from 0; Uint8Array, Uint16Array and Uint32Array are passed on as they are, others are copied. */
+/**
+ * Whole numbers from 0; Uint8Array, Uint16Array and Uint32Array are passed on as they are, others
+ * are copied.
+ */
 export type WholeArray = Uint8Array | Uint16Array | Uint32Array | Int32Array | readonly number[];
 
 /**
- * A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle, counter-clockwise; without them each three
- * vertices are a triangle.
+ * A triangle mesh as arrays. `positions`: xyz per vertex. `indices`: 3 vertices per triangle,
+ * counter-clockwise; without them, every three vertices form a triangle.
  */
 export interface MeshArrays {
   positions: RealArray;
   indices?: WholeArray;
-  /** The coordinates that it has, 2 per vertex, NaN for a vertex without: for `seams: 'uv'` and `fixedFaces`. */
+  /**
+   * The mesh's existing texcoords, 2 per vertex, NaN for a vertex without any: for `seams: 'uv'`
+   * and `fixedFaces`.
+   */
   texcoords?: RealArray;
-  /** A number per triangle: for `seams: 'material'`. */
+  /** One number per triangle: for `seams: 'material'`. */
   materials?: WholeArray;
 }
 
-/** The bytes of an OBJ, PLY, STL or OFF file. `name` is used to tell the format and in messages. */
+/**
+ * The bytes of an OBJ, PLY, STL or OFF file. `name` helps to tell the format and appears in
+ * messages.
+ */
 export interface MeshFile {
   bytes: Uint8Array | ArrayBuffer;
   name?: string;
@@ -39,7 +48,7 @@ export interface TriangleMesh {
   indices: Uint32Array;
 }
 
-/** `faces`: the face of the file that each triangle is of. */
+/** `faces`: for each triangle, the face of the file that it came from. */
 export interface LoadedMesh extends TriangleMesh {
   faces: Uint32Array;
 }

@@ -1,4 +1,7 @@
-/** Work that gives way to the user's runs: it is aborted when one begins and starts over when it has ended. */
+/**
+ * Work that yields to the user's runs: it is aborted when one begins and starts over once that has
+ * ended.
+ */
 export class Background {
   private readonly current = new Set<AbortController>();
   private gate: Promise<void> | null = null;

@@ -1,9 +1,9 @@
 import { nextTask } from './next-task';
 
-/** Bytes that are copied in one task. */
+/** Bytes copied per task. */
 const PIECE = 1 << 22;
 
-/** The buffers in a value, those of its typed arrays as well, each once. */
+/** The buffers in a value, including those of its typed arrays, each once. */
 export function buffersOf(value: unknown): ArrayBuffer[] {
   const found = new Set<ArrayBuffer>();
   const visit = (each: unknown) => {
@@ -16,8 +16,9 @@ export function buffersOf(value: unknown): ArrayBuffer[] {
 }
 
 /**
- * A value whose typed arrays are copies, to be given away. They are made piece by piece, so that the page answers meanwhile: a message that
- * is posted with the arrays themselves copies all of them at once, which takes several times as long.
+ * A value whose typed arrays are copies, to be transferred. They are made piece by piece so that
+ * the page stays responsive: posting the arrays themselves in a message would copy all of them at
+ * once, which takes several times as long.
  */
 export async function copied<T>(value: T): Promise<T> {
   if (ArrayBuffer.isView(value)) return (await copyOf(value as unknown as Uint8Array)) as T;

@@ -1,4 +1,4 @@
-/** The element with this id; the page is wrong when it is not there or of another kind. */
+/** The element with this id; it is a bug in the page if it is missing or of another type. */
 export function element<T extends HTMLElement>(id: string, type: new () => T): T {
   const found = document.getElementById(id);
   if (!(found instanceof type)) throw new Error(`The page has no ${type.name} with the id ${id}.`);

@@ -9,18 +9,18 @@ export function counted(n: number, singular: string, plural = `${singular}s`): s
   return `${count(n)} ${n === 1 ? singular : plural}`;
 }
 
-/** What abflat calls texcoords are UVs on the page. */
+/** abflat says texcoords where the page says UVs. */
 export function inPageWords(message: string): string {
   return message.replace(/\btexcoords\b(?!\.\w)/g, 'UVs').replace(/\btexcoord\b(?!\.\w)/g, 'UV');
 }
 
-/** With a capital at its beginning, in the page's words. */
+/** In the page's words and with a capital at the beginning. */
 export function sentence(text: string): string {
   const words = inPageWords(text);
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** Three significant digits, without an exponent where that stays short. */
+/** Three significant digits, without an exponent if that stays short. */
 export function measure(x: number): string {
   if (!Number.isFinite(x)) return 'not finite';
   if (x === 0) return '0';
@@ -28,7 +28,7 @@ export function measure(x: number): string {
   return Number(x.toPrecision(3)) >= 100 ? x.toFixed(0) : x.toPrecision(3);
 }
 
-/** What is left of rounding is no distortion. */
+/** Values within rounding error count as no distortion. */
 export function distortion(x: number, text = measure): string {
   return text(x < 1e-12 ? 0 : x);
 }
@@ -45,7 +45,7 @@ export function duration(seconds: number): string {
   return `${seconds < 9.95 ? seconds.toFixed(2) : seconds.toFixed(1)}\u202fs`;
 }
 
-/** What the user asks of the boundary. */
+/** The bound that the user asks for. */
 export type Bound = number | 'auto';
 
 /** At most three decimals: 1, 1.05, 0.968. */

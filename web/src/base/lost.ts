@@ -1,6 +1,9 @@
 import { AbflatError, type LostPart } from 'abflat';
 
-/** A part of the page could not be loaded or has stopped: trying again may help. `detail`: what was said about it. */
+/**
+ * A part of the page could not be loaded or has stopped, so trying again may help. `detail`: what
+ * was reported about it.
+ */
 export class Lost extends Error {
   constructor(
     sentence: string,
@@ -22,7 +25,7 @@ export const stopped = (detail: string) =>
     detail,
   );
 
-/** The name of such an error of a worker: that is all that is left of its class. */
+/** The name of such an error from a worker: its class does not survive the message. */
 export const NOT_LOADED = 'NotLoaded';
 
 export const NO_WORKER = 'A worker could not be loaded.';
@@ -33,7 +36,10 @@ const OF_PART: Record<LostPart, (sentence: string) => Lost> = {
   stopped,
 };
 
-/** What an error of abflat says of abflat itself; null: it is about a mesh. What follows its first sentence is for whoever builds a page. */
+/**
+ * The part of abflat itself that an error is about; null if it is about a mesh. Anything after its
+ * first sentence is meant for developers who build a page.
+ */
 export function lostOf(error: unknown): Lost | null {
   if (error instanceof Lost) return error;
   if (!(error instanceof AbflatError && error.lost)) return null;

@@ -1,4 +1,7 @@
-/** Resolves in a task of its own, so that the page can answer before; unlike a timer not later where the page is hidden. */
+/**
+ * Resolves in a task of its own, so that the page can respond first. Unlike a timer, it is not
+ * throttled while the page is hidden.
+ */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

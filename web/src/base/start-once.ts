@@ -1,4 +1,4 @@
-/** Starts something when it is first asked for, and again where that failed. */
+/** Starts something when it is first asked for, and again if that failed. */
 export function startOnce<T>(start: () => Promise<T>): () => Promise<T> {
   let started: Promise<T> | null = null;
   return () => {

@@ -1,9 +1,12 @@
-/** Also read by public/theme.js, which sets the theme before the first paint. */
+/** public/theme.js also reads it, to set the theme before the first paint. */
 const KEY = 'abflat-theme';
 
 const root = document.documentElement;
 
-/** Makes a button switch the theme; `changed` is also called when the system's theme changes and at once. */
+/**
+ * Makes a button switch the theme. `changed` is called at once and also when the system's theme
+ * changes.
+ */
 export function bindTheme(button: HTMLButtonElement, changed: () => void): void {
   const other = () => (root.dataset.theme === 'light' ? 'dark' : 'light');
   const use = (theme: string) => {
@@ -35,7 +38,7 @@ function remember(theme: string): void {
   try {
     localStorage.setItem(KEY, theme);
   } catch (error) {
-    // Storage is off or full: the theme still holds for this visit.
+    // Storage is off or full: the theme still applies for this visit.
     console.info('The theme cannot be remembered:', error);
   }
 }

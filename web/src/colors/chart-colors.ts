@@ -1,11 +1,12 @@
 import { ChartNeighbours, type ColoredAtlas } from './chart-neighbours';
 
-/** Colours there are; --chart-0 and so on in the style sheet. */
+/** How many colours there are: --chart-0 and so on in the style sheet. */
 export const CHART_COLORS = 9;
 
 /**
- * The number of a colour for each chart: another one for charts that share an edge of the surface, and as far as there are colours also
- * for those that touch in a point or lie side by side in the layout.
+ * A colour number for each chart. Charts that share an edge of the surface get different colours
+ * and, as far as the colours suffice, so do charts that touch at a point or lie side by side in the
+ * layout.
  */
 export function chartColors(atlas: ColoredAtlas): Float32Array {
   const near = new ChartNeighbours(atlas);
@@ -26,15 +27,16 @@ export function chartColors(atlas: ColoredAtlas): Float32Array {
   return colors;
 }
 
-/** Whether colour `a` is better than `b`: by the first list in which they differ. */
+/** Whether colour `a` is better than `b`, decided by the first list in which they differ. */
 function isLess(lists: number[][], a: number, b: number): boolean {
   const found = lists.find((list) => list[a] !== list[b]);
   return found !== undefined && found[a] < found[b];
 }
 
 /**
- * The chart with the fewest neighbours last, and so on with those that are left: then none has many neighbours before it. On a sphere
- * it has at most 5, on a surface with three handles at most 8.
+ * Puts the chart with the fewest neighbours last, and so on with the remaining ones, so that no
+ * chart has many neighbours before it: at most 5 on a sphere, at most 8 on a surface with three
+ * handles.
  */
 function coloringOrder(neighbours: Set<number>[]): number[] {
   const degrees = neighbours.map(({ size }) => size);

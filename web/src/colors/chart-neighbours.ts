@@ -1,26 +1,32 @@
-/** An atlas as far as its colours depend on it. */
+/** The parts of an atlas that its colours depend on. */
 export interface ColoredAtlas {
   indices: Uint32Array;
-  /** A number that is none for a triangle without area. */
+  /** Per triangle; not a valid chart number for a triangle without area. */
   chartOfTriangle: Uint32Array;
   chartCount: number;
   /** Edges of the charts' outlines, as pairs of vertices. */
   edges: Uint32Array;
-  /** Which vertices are one in 3D. */
+  /** Per vertex, the same number for vertices that are one in 3D. */
   places: Uint32Array;
   uv: Float64Array;
 }
 
-/** Cells along the side of a tile, at least: charts in the same or in neighbouring ones lie side by side. */
+/**
+ * The least number of cells along the side of a tile. Charts in the same or adjacent cells lie side
+ * by side.
+ */
 const LEAST_CELLS = 96;
-/** Charts that are looked at where many meet, as at the tip of a cone that is all in pieces: there are no more colours anyway. */
+/**
+ * The most charts that are compared where many meet, such as at the tip of a cone in pieces: there
+ * are no more colours anyway.
+ */
 const MOST_AT_ONCE = 16;
 
-/** Which charts meet which others. */
+/** Which charts are neighbours of which. */
 export class ChartNeighbours {
-  /** In an edge of the surface. */
+  /** Along an edge of the surface. */
   readonly byEdge: Set<number>[];
-  /** In a point of it, those of `byEdge` among them. */
+  /** At a point of the surface; includes those of `byEdge`. */
   readonly byPoint: Set<number>[];
   /** In the layout. */
   readonly inLayout: Set<number>[];
@@ -51,10 +57,10 @@ export class ChartNeighbours {
   }
 }
 
-/** From a cell to the one above it. */
+/** Offset from a cell to the one above it. */
 const ROW = 2 ** 22;
 
-/** The cells where points of an edge lie that are no further apart than a cell is wide. */
+/** The cells along an edge, sampled at most a cell's width apart. */
 function cellsAlong(uv: Float64Array, a: number, b: number, cells: number): number[] {
   const [u, v] = [cells * uv[2 * a], cells * uv[2 * a + 1]];
   const [du, dv] = [cells * uv[2 * b] - u, cells * uv[2 * b + 1] - v];
@@ -65,7 +71,7 @@ function cellsAlong(uv: Float64Array, a: number, b: number, cells: number): numb
   });
 }
 
-/** Charts that come to the same place are neighbours. */
+/** Charts that meet at the same place become neighbours. */
 class Meetings {
   private readonly at = new Map<number, number[]>();
 

@@ -15,11 +15,11 @@ export interface Palette {
   edge: Color;
   flipped: Color;
   tightened: Color;
-  /** Round the unit square. */
+  /** Around the unit square. */
   frame: Color;
   /** Between charts. */
   seam: Color;
-  /** Of what a click on the surface would cut. */
+  /** For edges that a click on the surface would cut. */
   cut: Color;
   charts: Color[];
   /** Low to high. */

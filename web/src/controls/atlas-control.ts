@@ -6,11 +6,11 @@ import { BalanceControl } from './balance-control';
 import { MoreControl } from './more-control';
 import { NumberField } from './number-field';
 
-/** From nearly no stretch to hardly any seams. */
+/** Stops of the slider, from nearly no stretch to hardly any seams. */
 const STRETCHES = [
   1.005, 1.01, 1.015, 1.02, 1.03, 1.04, 1.05, 1.06, 1.08, 1.1, 1.15, 1.2, 1.3, 1.5, 2,
 ];
-/** Below the slider, with what the end is good for. */
+/** Labels below the slider; at its ends they say what that end is good for. */
 const TICKS = [
   { stretch: 1.005, name: 'more seams' },
   { stretch: UNWRAP_DEFAULTS.maxStretch, name: '' },
@@ -19,7 +19,7 @@ const TICKS = [
 ];
 const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
 
-/** Stretch, resolution, padding and what is seldom changed of an atlas. */
+/** Stretch, resolution, padding and the less common options of an atlas. */
 export class AtlasControl {
   private readonly slider = element('stretch', HTMLInputElement);
   private readonly value = element('stretch-value', HTMLOutputElement);
@@ -29,7 +29,7 @@ export class AtlasControl {
   private readonly balance: BalanceControl;
   private readonly more: MoreControl;
 
-  /** Whether charts are cut until they keep within the limit. */
+  /** Whether charts are cut until they keep within the stretch limit. */
   private isCutting = true;
 
   constructor(
@@ -63,7 +63,7 @@ export class AtlasControl {
     );
   }
 
-  /** Another mesh. */
+  /** Another mesh was opened. */
   open({ texcoords }: MeshSummary): void {
     this.more.open(texcoords > 0);
   }
@@ -111,7 +111,10 @@ export class AtlasControl {
 
 const share = (stretch: number) => STRETCHES.indexOf(stretch) / (STRETCHES.length - 1);
 
-/** In percent: a stretch by s one way and 1/s across has the energy (s^2 + 1/s^2) / 2 = cosh(2 log s). */
+/**
+ * The change in length, in percent: stretching by s in one direction and by 1/s across it has the
+ * energy (s^2 + 1/s^2) / 2 = cosh(2 log s).
+ */
 function lengthChange(energy: number): number {
   return Math.round(100 * (Math.exp(Math.acosh(energy) / 2) - 1));
 }

@@ -5,7 +5,7 @@ import type { Mode } from '../model/settings';
 const STEP = 0.05;
 const DEFAULTS = { flatten: FLATTEN_DEFAULTS.balance, unwrap: UNWRAP_DEFAULTS.balance };
 
-/** Slider between angles and lengths; each kind of layout has one of its own. */
+/** The slider between angles and lengths; each kind of layout has its own. */
 export class BalanceControl {
   private readonly slider: HTMLInputElement;
   private readonly output: HTMLOutputElement;

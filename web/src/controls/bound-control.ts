@@ -21,7 +21,7 @@ export class BoundControl {
   private readonly field = element('t-number', HTMLInputElement);
   private readonly hint = element('t-hint', HTMLElement);
   private readonly auto = element('t-auto', HTMLButtonElement);
-  /** With auto the t that was found; free until then. */
+  /** The current t; with auto the one that was found, and free until then. */
   private current = MOST;
   private isAuto = FLATTEN_DEFAULTS.t === 'auto';
 
@@ -34,7 +34,7 @@ export class BoundControl {
       input.max = String(MOST);
     }
     this.slider.step = String(STEP);
-    // The paper's examples need three decimals, arrow keys steps of one hundredth.
+    // The paper's examples need three decimals, while arrow keys step by one hundredth.
     this.field.step = 'any';
     this.addTicks();
     this.setAuto(this.isAuto);
@@ -67,14 +67,14 @@ export class BoundControl {
     else if (!this.isAuto) this.auto.click();
   }
 
-  /** Shows what the automatic choice came to. */
+  /** Shows the t that the automatic choice found. */
   showFound(chart: ChartReport): void {
     if (!this.isAuto) return;
     this.current = Math.min(MOST, Math.max(LEAST, chart.t));
     this.show();
   }
 
-  /** Hatches the part of the slider that is not possible: t is at least 1 - 2/n for n boundary vertices. */
+  /** Hatches the infeasible part of the slider: t is at least 1 - 2/n for n boundary vertices. */
   setBoundaryVertices(n: number | null): void {
     const least = n === null ? 0 : 1 - 2 / n;
     const share = Math.min(1, Math.max(0, (least - LEAST) / (MOST - LEAST)));

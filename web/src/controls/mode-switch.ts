@@ -21,12 +21,12 @@ const NO_DISK: Partial<Record<StatusName, string>> = {
   HasHandles: 'Handles',
 };
 
-/** Unwrap, or for disks flatten if the user wants that; it stays chosen for later disks. */
+/** Unwrap, or for disks flatten if the user prefers that; the choice stays for later disks. */
 export class ModeSwitch {
   private readonly buttons = MODES.map((mode) => element(`mode-${mode}`, HTMLButtonElement));
   private readonly hint = element('mode-hint', HTMLElement);
   private chosen: Mode = 'unwrap';
-  /** Of the open mesh. */
+  /** Whether the open mesh is a disk. */
   private disk: MeshSummary['disk'] = { ok: true, code: 'Ok', message: '' };
 
   constructor(private readonly changed: () => void) {
@@ -47,7 +47,7 @@ export class ModeSwitch {
     if (this.mode !== before) this.changed();
   }
 
-  /** Asks for another kind of layout, as if the user had pressed its button. */
+  /** Switches to another kind of layout, as if the user had pressed its button. */
   choose(mode: Mode): void {
     if (mode === this.mode) return;
     this.chosen = mode;

@@ -16,7 +16,10 @@ import { NumberField } from './number-field';
 const KEEP_UV =
   'Faces with UVs in the file keep them exactly; all others are unwrapped and packed around them';
 
-/** The options of an atlas that open with a button, which says what of them is not as usual. */
+/**
+ * Further options of an atlas. They open with a button, which names the options that differ from
+ * the defaults.
+ */
 export class MoreControl {
   private readonly button = element('more-toggle', HTMLButtonElement);
   private readonly panel = element('more', HTMLElement);
@@ -52,7 +55,7 @@ export class MoreControl {
     return usedOptions(this.options);
   }
 
-  /** Another mesh, whose uv nobody has asked for yet; `hasUv`: it has some. */
+  /** Another mesh was opened; nobody has asked to keep its uv yet. `hasUv`: it has some. */
   open(hasUv: boolean): void {
     this.keepUv.hidden = !hasUv;
     const { fixedFaces, ...others } = this.options;

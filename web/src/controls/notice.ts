@@ -1,16 +1,19 @@
 import { create, element } from '../base/dom';
 import type { FileSource } from '../model/model';
 
-/** Buttons below the text. */
+/** The most buttons below the text. */
 const OFFERED = 3;
 
-/** What there is to know about the file that was opened. Of several that were chosen at once there are buttons for the others. */
+/**
+ * What the user should know about the opened file. If several meshes were chosen at once, there are
+ * buttons for the others.
+ */
 export class Notice {
   private readonly box = element('notice', HTMLElement);
 
   constructor(private readonly open: (source: FileSource) => void) {}
 
-  /** `compressions`: those of the file. */
+  /** `compressions`: how the file's triangles were compressed. */
   show(opened: FileSource, compressions: string[]): void {
     const others = opened.together.filter((source) => source !== opened);
     const sentences = [...compressed(opened, compressions), ...oneOfMany(opened, others)];

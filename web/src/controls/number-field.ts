@@ -1,4 +1,4 @@
-/** What an option of abflat may be. */
+/** The values that an option of abflat allows. */
 export interface NumberRule {
   readonly type: string;
   readonly above?: number;
@@ -7,7 +7,10 @@ export interface NumberRule {
   readonly words?: Readonly<Record<string, number>>;
 }
 
-/** A field for a number within its bounds; where the option has the word `auto`, an empty field is that. */
+/**
+ * A field for a number within its bounds. If the option has the word `auto`, an empty field stands
+ * for it.
+ */
 export class NumberField<T extends number | 'auto'> {
   constructor(
     private readonly input: HTMLInputElement,
@@ -73,7 +76,7 @@ function rangeText({ above, atLeast = 0, atMost, type }: NumberRule): string {
   return `${type === 'integer' ? 'a whole number ' : ''}${low}${high}`;
 }
 
-/** Why what was typed was not taken; `kept` is used still. */
+/** Why the typed value was not taken; `kept` stays in use. */
 export function refusal(name: string, typed: string, range: string, kept: string): string {
   const unused = typed === '' ? '' : `${typed} was ignored: `;
   return `${unused}${name} must be ${range}. It is still ${kept}.`;

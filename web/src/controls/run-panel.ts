@@ -14,10 +14,13 @@ const STAGES: Record<AnyProgress['stage'], string> = {
   write: 'Writing',
 };
 
-/** Faster than this, showing progress would only flicker. Milliseconds. */
+/** In milliseconds: showing the progress of faster runs would only flicker. */
 const QUIET = 120;
 
-/** What the worker is doing, with progress and Cancel. Nothing in it moves when it changes. */
+/**
+ * What the worker is doing, with progress and a Cancel button. Its layout does not move when it
+ * changes.
+ */
 export class RunPanel {
   private readonly text = element('run-text', HTMLElement);
   private readonly bar = element('progress', HTMLProgressElement);
@@ -35,7 +38,7 @@ export class RunPanel {
     });
   }
 
-  /** `verb` is what would do it again. */
+  /** `verb`: the label of the button that repeats the run. */
   start(what: string, verb: string): void {
     this.againButton.textContent = verb;
     this.cancelButton.disabled = false;
@@ -60,7 +63,7 @@ export class RunPanel {
     this.text.textContent = `${STAGES[stage]}${step}`;
   }
 
-  /** Says something that is no run's end; a run in flight keeps its line. */
+  /** Shows a message that does not end a run; a run in flight keeps its line. */
   say(text: string): void {
     this.live.textContent = text;
     if (!this.cancelButton.disabled) return;
@@ -68,13 +71,13 @@ export class RunPanel {
     this.text.title = text;
   }
 
-  /** Shows the button that does it again under another name. */
+  /** Shows the repeat button under another label. */
   offer(verb: string): void {
     this.againButton.textContent = verb;
     this.againButton.hidden = false;
   }
 
-  /** `text` is also read out by screen readers. */
+  /** Screen readers also read out `text`. */
   finish(text: string, canRepeat: boolean): void {
     clearTimeout(this.delay);
     this.delay = undefined;
@@ -86,12 +89,12 @@ export class RunPanel {
     this.live.textContent = text;
     this.cancelButton.disabled = true;
     this.againButton.hidden = !canRepeat;
-    // A disabled button loses the focus, and the reader's place in the page with it.
+    // A disabled button loses the focus, and with it the reader's place in the page.
     if (hadFocus) (canRepeat ? this.againButton : shownSlider()).focus();
   }
 }
 
-/** That of the kind of layout that is asked for. */
+/** The slider of the kind of layout that is chosen. */
 function shownSlider(): HTMLInputElement {
   const sliders = [element('t', HTMLInputElement), element('stretch', HTMLInputElement)];
   return sliders.find((slider) => slider.checkVisibility()) ?? sliders[0];

@@ -1,10 +1,10 @@
 import { element } from '../base/dom';
 import type { Outcome } from '../model/model';
 
-/** Where a glTF that has textures gets its new coordinates: shown for such files only. */
+/** Which texcoord set of a textured glTF gets the new coordinates; only shown for such files. */
 export class TexcoordChoice {
   private readonly select = element('texcoord', HTMLSelectElement);
-  /** What the user chose for the open file; null: nothing yet. */
+  /** What the user chose for the open file; null if nothing yet. */
   private chosen: number | null = null;
 
   constructor() {
@@ -13,7 +13,10 @@ export class TexcoordChoice {
     });
   }
 
-  /** The result that would be exported; null: none. `isNew`: of a file that was not open before. */
+  /**
+   * Takes the result that would be exported, or null. `isNew`: it is of a file that was not open
+   * before.
+   */
   show(outcome: Outcome | null, isNew: boolean): void {
     if (isNew) this.chosen = null;
     const free = outcome?.gltf?.freeTexcoord ?? 0;
@@ -32,7 +35,7 @@ export class TexcoordChoice {
   }
 }
 
-/** Faces that keep their uv keep it in the set that their textures use. */
+/** Faces that keep their uv keep it in the set that their textures use, which is 0. */
 function usual({ mode, settings }: Outcome, free: number): number {
   return mode === 'unwrap' && 'fixedFaces' in settings && settings.fixedFaces ? 0 : free;
 }

@@ -1,10 +1,13 @@
 import type { RepairReport, UnwrapReport } from 'abflat';
 import { count, counted, measure, sentence } from '../base/format';
 
-/** Places that are named before it gets long. */
+/** The most places to name before the list gets too long. */
 const NAMED = 3;
 
-/** What is worth knowing about an atlas beyond its numbers, one sentence each: what is not valid, what was repaired, what was done to get it. */
+/**
+ * What is worth knowing about an atlas beyond its numbers, one sentence each: what is not valid,
+ * what was repaired, and what was done to get it.
+ */
 export function atlasNotes(report: UnwrapReport): string[] {
   const all = [
     ...problems(report),
@@ -27,7 +30,7 @@ function problems({ charts }: UnwrapReport): string[] {
     : named;
 }
 
-/** One for each kind of defect. The mesh that is exported keeps all of it. */
+/** One note per kind of defect. The exported mesh keeps all defects. */
 function repairs(repair: RepairReport): string[] {
   const faces = (list: number[]) => places('face', list.map(String));
   const edges = (list: [number, number][]) =>
@@ -100,7 +103,7 @@ function topology({
   return notes;
 }
 
-/** Alike ones once, with their number. */
+/** Lists equal ones once, with their count. */
 function fallbacks({ charts }: UnwrapReport): string[] {
   const counts = new Map<string, number>();
   for (const chart of charts)

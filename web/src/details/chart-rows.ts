@@ -6,7 +6,7 @@ export interface ChartRow {
   /** Its index in the report. */
   index: number;
   chart: UnwrapChart;
-  /** Of the surface's area. */
+  /** Share of the surface's area. */
   share: number;
 }
 
@@ -73,7 +73,7 @@ export function chartRows({ charts }: UnwrapReport): ChartRow[] {
   }));
 }
 
-/** Equal ones keep the order of the report; what is no number comes last. */
+/** Equal rows keep the order of the report; NaN comes last. */
 export function sortedRows(rows: ChartRow[], { column, descending }: Order): ChartRow[] {
   const sign = descending ? -1 : 1;
   const { key } = COLUMNS[column];
@@ -85,7 +85,7 @@ export function sortedRows(rows: ChartRow[], { column, descending }: Order): Cha
   });
 }
 
-/** Near 1 the third decimal tells charts apart. */
+/** Three decimals below 10: near 1, the third one tells charts apart. */
 function fixed(x: number): string {
   return Number.isFinite(x) && x < 10 ? x.toFixed(3) : measure(x);
 }

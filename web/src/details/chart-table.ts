@@ -4,21 +4,21 @@ import { count, counted } from '../base/format';
 import { svg } from '../plot/svg';
 import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
 
-/** More rows than anybody reads would only be slow. */
+/** Nobody reads more rows, and they would be slow. */
 const MOST_ROWS = 200;
-/** What there is most of comes first. */
+/** Columns to sort by; initially, charts with the most faces come first. */
 const BY_NUMBER = 0;
 const BY_FACES = 1;
 
 export interface ChartTableEvents {
-  /** A chart is pointed at; null: none any more. */
+  /** The pointer is over a chart; null: over none any more. */
   pointed(chart: number | null): void;
   chosen(chart: number): void;
-  /** Locked, or unlocked. */
+  /** Locks or unlocks a chart. */
   locked(chart: number): void;
 }
 
-/** The charts of an atlas, a row each: sorted by any column. */
+/** The charts of an atlas, one row each, sortable by any column. */
 export class ChartTable {
   private readonly place = element('charts', HTMLElement);
   private readonly more = element('charts-more', HTMLElement);

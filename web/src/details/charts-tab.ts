@@ -7,12 +7,12 @@ import { ChartTable } from './chart-table';
 import type { Locks } from './locks';
 
 export interface ChartsTabEvents {
-  /** Another chart is locked, or one is no more. */
+  /** A chart was locked or unlocked. */
   locked(): void;
   packAgain(): void;
 }
 
-/** What an atlas consists of and what was done to get it. */
+/** What an atlas consists of and how it was made. */
 export class ChartsTab {
   private readonly notes = element('atlas-notes', HTMLUListElement);
   private readonly table: ChartTable;
@@ -20,7 +20,7 @@ export class ChartsTab {
   private readonly pack = element('pack-again', HTMLButtonElement);
   private readonly summary = element('charts-summary', HTMLElement);
 
-  /** `views` show the chart that is pointed at. */
+  /** `views` highlight the chart under the pointer. */
   constructor(
     views: Views | null,
     private readonly locks: Locks,

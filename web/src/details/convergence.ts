@@ -3,7 +3,7 @@ import { count, measure } from '../base/format';
 import type { ChartSpec, Column, Series } from '../plot/chart-spec';
 import { fixedScale, linearScale, logScale, type Scale } from '../plot/scale';
 
-/** Residuals by step, logarithmically, as both go to 0. */
+/** Residuals by step, on a logarithmic scale as both go to 0. */
 export function residualChart(history: NewtonStep[]): ChartSpec {
   const series = [
     line('Constraint', 'first', history, (step) => step.constraint),
@@ -28,7 +28,10 @@ export function residualChart(history: NewtonStep[]): ChartSpec {
   };
 }
 
-/** How many boundary vertices, and with the Delaunay condition inner edges, each step holds at their bound. */
+/**
+ * How many boundary vertices, and with the Delaunay condition how many interior edges, are held at
+ * their bound in each step.
+ */
 export function activeSetChart(history: NewtonStep[]): ChartSpec {
   const series = [line('Boundary vertices', 'first', history, ({ active }) => active)];
   if (history.some(({ activeEdges }) => activeEdges > 0))
@@ -69,7 +72,7 @@ function columns(history: NewtonStep[]): Column[] {
   }));
 }
 
-/** At most about ten steps are named. */
+/** Labels at most about ten steps. */
 function stepScale(steps: number): Scale {
   const stride = Math.ceil(steps / 10);
   const named = Array.from({ length: steps }, (_, i) => i + 1).filter(

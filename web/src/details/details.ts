@@ -5,20 +5,20 @@ import type { Mode } from '../model/settings';
 export type Tab = 'solver' | 'sweep' | 'methods' | 'charts';
 
 const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts'];
-/** What there is to see of each kind of layout. */
+/** The tabs of each kind of layout. */
 const TABS_OF: Record<Mode, Tab[]> = {
   flatten: ['solver', 'sweep', 'methods'],
   unwrap: ['charts'],
 };
 
-/** The pane that opens beside the layout: one of its tabs at a time. */
+/** The pane that opens beside the layout and shows one of its tabs at a time. */
 export class Details {
   private readonly pane = element('details', HTMLElement);
   private readonly toggle = element('details-toggle', HTMLButtonElement);
   private offered = TABS_OF.flatten;
   private readonly tabs = TABS.map((tab) => element(`tab-${tab}`, HTMLButtonElement));
 
-  /** `left` is called when a tab is no longer seen. */
+  /** `left` is called when a tab is no longer visible. */
   constructor(private readonly left: (tab: Tab) => void) {
     this.toggle.addEventListener('click', () => (this.isOpen ? this.close() : this.open()));
     element('details-close', HTMLButtonElement).addEventListener('click', () => {
@@ -40,7 +40,7 @@ export class Details {
     if (!this.offered.includes(this.selected)) this.select(this.offered[0]);
   }
 
-  /** Opens the pane at a tab and takes the focus there. */
+  /** Opens the pane at a tab and moves the focus there. */
   openAt(tab: Tab): void {
     this.select(tab);
     this.open();
@@ -57,7 +57,7 @@ export class Details {
 
   private open(): void {
     this.setOpen(true);
-    // Where the panes lie one below the other, the layout and what belongs to it are seen together.
+    // If the panes are stacked, scroll so that the layout and its details are both visible.
     if (this.pane.getBoundingClientRect().bottom > window.innerHeight)
       element('layout-pane', HTMLElement).scrollIntoView({ block: 'start' });
   }

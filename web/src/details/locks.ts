@@ -5,16 +5,16 @@ import type { Kept } from '../model/settings';
 /** Which charts are locked, across the atlases of one mesh. */
 export class Locks {
   private shown: UnwrapResult | null = null;
-  /** Of the atlas on screen. */
+  /** Charts of the atlas on screen that were locked when it was made. */
   private locked: Uint32Array = new Uint32Array();
   private wish: Kept | undefined;
 
-  /** What the next run is to keep; another object after every change. */
+  /** The charts that the next run must keep; a new object after every change. */
   get kept(): Kept | undefined {
     return this.wish;
   }
 
-  /** Of the atlas on screen. */
+  /** The locked charts of the atlas on screen. */
   get charts(): Set<number> {
     if (!this.shown) return new Set();
     const isCurrent = this.wish?.layout === this.shown;
@@ -29,7 +29,8 @@ export class Locks {
   show({ result, settings }: Unwrapped): void {
     this.shown = result;
     this.locked = lockedCharts(result, settings.kept);
-    // Otherwise the user has locked or unlocked meanwhile, which a further run will follow.
+    // Otherwise the user has locked or unlocked charts in the meantime, and another run will
+    // follow.
     if (settings.kept === this.wish) this.wish = { layout: result, charts: this.locked };
   }
 
@@ -41,7 +42,10 @@ export class Locks {
   }
 }
 
-/** What became of them: fixed charts with triangles of theirs. Others are fixed because the file has uv for them. */
+/**
+ * The locked charts in the new atlas: fixed charts that contain triangles of theirs. Other charts
+ * are fixed because the file has uv for them.
+ */
 function lockedCharts({ report, chartOfTriangle }: UnwrapResult, kept?: Kept): Uint32Array {
   const before = new Set(kept?.charts);
   const locked = new Set<number>();

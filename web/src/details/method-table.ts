@@ -40,7 +40,7 @@ const COLUMNS: ColumnOf[] = [
   },
 ];
 
-/** One row a method; `select` is called with the method of a row. */
+/** One row per method; `select` is called with the method of the chosen row. */
 export function methodTable(
   methods: MethodResult[],
   select: (method: MethodResult) => void,

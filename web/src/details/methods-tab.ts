@@ -8,7 +8,7 @@ export type Compare = (
   onProgress: (progress: CompareProgress) => void,
 ) => Promise<Comparison>;
 
-/** The mesh by other methods; one of them at a time can be looked at. */
+/** The mesh flattened by other methods; one of them at a time can be shown. */
 export class MethodsTab {
   private readonly button = element('compare', HTMLButtonElement);
   private readonly text = element('compare-text', HTMLElement);
@@ -20,7 +20,7 @@ export class MethodsTab {
   private comparison: Comparison | null = null;
   private selected: MethodResult | null = null;
 
-  /** `show` is called with the method to look at, null for the result of the page. */
+  /** `show` is called with the method to show, or null for the page's own result. */
   constructor(
     private readonly compare: Compare,
     private readonly show: (method: MethodResult | null, comparison: Comparison) => void,
@@ -30,14 +30,14 @@ export class MethodsTab {
     });
   }
 
-  /** Back to the page's own result. Returns whether anything else was shown. */
+  /** Goes back to the page's own result. Returns whether anything else was shown. */
   leave(): boolean {
     if (!this.selected) return false;
     this.select(null);
     return true;
   }
 
-  /** For another mesh. */
+  /** Resets for another mesh. */
   clear(): void {
     this.job.stop();
     this.comparison = null;

@@ -6,7 +6,7 @@ import { atlasNotes } from './atlas-notes';
 import { notes } from './notes';
 import { type Remedy, type Verdict, verdictOf } from './verdict';
 
-/** `S` is what it is the measure of. */
+/** `S` is what it measures. */
 interface Metric<S> {
   label: string;
   title: string;
@@ -100,7 +100,7 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
   },
 ];
 
-/** What refining gained, where it did anything. */
+/** What refining gained, if it did anything. */
 const REFINED: Metric<{ refined: Energies }> = {
   label: 'Energy',
   title:
@@ -138,7 +138,7 @@ export class MetricsPanel {
   private verdict: Verdict | null = null;
   private readonly list = element('metrics', HTMLElement);
 
-  /** `showNotes` opens them, `help` does what the verdict offers. */
+  /** `showNotes` opens the notes, `help` carries out the remedy that the verdict offers. */
   constructor(showNotes: () => void, help: (remedy: Remedy) => void) {
     this.notesButton.addEventListener('click', showNotes);
     this.remedyButton.addEventListener('click', () => {
@@ -154,7 +154,7 @@ export class MetricsPanel {
         ? itemsOf(OF_ATLAS, outcome.result.report)
         : itemsOf(OF_DISK, outcome.result.report);
     const refined = energiesOf(outcome);
-    // The time is said beside them: their number stays the same.
+    // Replaces the time, so that the number of items stays the same.
     const last = refined ? itemsOf([REFINED], { refined }) : itemsOf([TIME], report);
     this.list.replaceChildren(...items, ...last);
     this.verdict = verdictOf(outcome);
@@ -166,7 +166,9 @@ export class MetricsPanel {
     this.markStale(null);
   }
 
-  /** Marks the numbers as those of an earlier state, which `owner` names; null: they are current. */
+  /**
+   * Marks the numbers as those of an earlier state, named by `owner`; null means they are current.
+   */
   markStale(owner: string | null): void {
     this.panel.classList.toggle('stale', owner !== null);
     this.setReason(owner === null ? (this.verdict?.reason ?? '') : `Numbers of ${owner}`);
@@ -191,7 +193,7 @@ interface Energies {
   after: number;
 }
 
-/** Means over the refined charts by their area; null where none is. */
+/** Area-weighted means over the refined charts; null if there are none. */
 function energiesOf(outcome: Outcome): Energies | null {
   const charts =
     outcome.mode === 'unwrap'

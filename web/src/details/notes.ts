@@ -1,7 +1,10 @@
 import type { ChartReport, DelaunayReport } from 'abflat';
 import { bound, count, counted, measure, sentence } from '../base/format';
 
-/** What is worth knowing about a result beyond its numbers, one sentence each: why it is not valid, what was done to get it. */
+/**
+ * What is worth knowing about a result beyond its numbers, one sentence each: why it is not valid,
+ * and what was done to get it.
+ */
 export function notes(chart: ChartReport): string[] {
   const all = [...(chart.problem ? [chart.problem] : []), ...chart.fallbacks];
   if (chart.bounds.length > 0) all.push(tightening(chart));

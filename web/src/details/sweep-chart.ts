@@ -3,10 +3,10 @@ import { type Bound, bound, measure } from '../base/format';
 import type { ChartSpec, Column, Mark, Series } from '../plot/chart-spec';
 import { fixedScale, linearScale } from '../plot/scale';
 
-/** The values of t that are tried: where distortion changes fast they are close. */
+/** The values of t to try, close together where distortion changes fast. */
 export const SWEEP_T: Bound[] = ['auto', 2, 1.8, 1.6, 1.4, 1.2, 1.1, 1.05, 1, 0.98];
 
-/** What came of one t; no chart: it is not possible for this mesh. */
+/** The result for one t; no chart if that t is infeasible for this mesh. */
 export interface SweepPoint {
   t: Bound;
   chart: ChartReport | null;
@@ -21,7 +21,10 @@ const LEAST = 0.95;
 const MOST = 2;
 const TICKS = [1, 1.2, 1.4, 1.6, 1.8, 2];
 
-/** Distortion against t. `current` is the t of the layout on screen; `choose` is called with the t of a point. */
+/**
+ * Distortion over t. `current` is the t of the layout on screen; `choose` is called with the t of a
+ * point.
+ */
 export function sweepChart(
   points: SweepPoint[],
   current: number,
@@ -55,7 +58,7 @@ export function sweepChart(
   };
 }
 
-/** The same three names whatever was found, so that the legend does not move. */
+/** Always the same three names, so that the legend does not move. */
 function seriesOf(shown: Drawn[]): Series[] {
   const numbers = shown.filter(({ t }) => t !== 'auto');
   const series = (
@@ -103,7 +106,7 @@ function textOf({ t, chart }: Drawn): string {
   return `t = ${bound(t)}: ${measure(chart.angularDistortion)}, ${verdict}.`;
 }
 
-/** 2 and above is the same: free. */
+/** Values of 2 and above all mean free. */
 function placeOf({ chart }: Drawn): number {
   return Math.min(MOST, chart.t);
 }

@@ -7,7 +7,7 @@ import { SWEEP_T, type SweepPoint, sweepChart } from './sweep-chart';
 
 const HINT = 'Select a point to use its t.';
 
-/** Distortion against t, point by point. */
+/** Distortion over t, point by point. */
 export class SweepTab {
   private readonly button = element('sweep', HTMLButtonElement);
   private readonly text = element('sweep-text', HTMLElement);
@@ -19,7 +19,10 @@ export class SweepTab {
   private points: SweepPoint[] = [];
   private current = 2;
 
-  /** `measure` flattens with one t, null when it is not possible; `choose` is called with the t of a point. */
+  /**
+   * `measure` flattens with one t and resolves to null if that is infeasible; `choose` is called
+   * with the t of a point.
+   */
   constructor(
     private readonly measure: (t: Bound, signal: AbortSignal) => Promise<Report | null>,
     private readonly choose: (t: Bound) => void,
@@ -39,7 +42,7 @@ export class SweepTab {
     this.draw();
   }
 
-  /** For another mesh. */
+  /** Resets for another mesh. */
   clear(): void {
     this.job.stop();
     this.points = [];

@@ -2,21 +2,27 @@ import type { Report, UnwrapReport } from 'abflat';
 import { count, counted, sentence } from '../base/format';
 import type { Outcome, Unwrapped } from '../model/model';
 
-/** What stretches less: more seams, or seams at all. */
+/** What would reduce stretch: more seams, or seams at all. */
 export type Remedy = 'cut' | 'unwrap';
 
 export interface Verdict {
   badge: 'Valid' | 'Stretched' | 'Not valid';
   /** One sentence on why. */
   reason: string;
-  /** What the user can do about it; null: nothing with one click. */
+  /** What the user can do about it; null if no single click helps. */
   remedy: Remedy | null;
 }
 
-/** Of a mesh in one piece: the root of its length distortion, what its edges change by on average. */
+/**
+ * Limit for a mesh in one piece: the square root of its length distortion, which is how much its
+ * edges change on average.
+ */
 const MOST_CHANGE = 0.5;
 
-/** What the user cares for: first that nothing overlaps, then that nothing is stretched too much. */
+/**
+ * Judges what the user cares about: first that nothing overlaps, then that nothing is stretched too
+ * much.
+ */
 export function verdictOf(outcome: Outcome): Verdict {
   return outcome.mode === 'unwrap' ? ofAtlas(outcome) : ofDisk(outcome.result.report);
 }
@@ -48,15 +54,15 @@ function ofAtlas({ result, settings }: Unwrapped): Verdict {
   };
 }
 
-/** Not those that the user asked to keep. */
+/** Leaves out charts that the user asked to keep. */
 function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
   return charts.filter((chart) => !chart.fixed && chart.symmetricDirichlet > maxStretch);
 }
 
-/** Of `--seams`: whether charts are cut until they keep within the limit. */
+/** Whether, with this value of `--seams`, charts are cut until they keep within the limit. */
 export const isAutomatic = (seams: string) => seams.split(',').includes('auto');
 
-/** With as few decimals as show that it is more than the limit. */
+/** With just enough decimals to show that it is above the limit. */
 function above(stretch: number, limit: number): string {
   const digits = [2, 3, 4, 5].find((digits) => Number(stretch.toFixed(digits)) > limit);
   return stretch.toFixed(digits ?? 6);

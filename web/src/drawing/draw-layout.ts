@@ -4,7 +4,7 @@ import { tileFrames, tileGrid } from '../mesh/tiles';
 import { FLAT_FRAME, type LayoutDrawing } from '../model/drawing';
 import type { FlatPicture } from './picture';
 
-/** Crossings that are marked; more would only be a red blot. */
+/** The most crossings to mark; more would only be a red blot. */
 const MOST_MARKS = 500;
 
 /** A layout in the plane. */
@@ -18,7 +18,7 @@ export function drawLayout(picture: FlatPicture, chartCount: number): LayoutDraw
   const toPlane = (uv: Float64Array) => placed(uv, middle, unit);
   const plane = toPlane(mesh.uv);
   const frames = tileFrames(tiles);
-  // Of an atlas the report says whether charts cross.
+  // For an atlas, the report says whether charts cross.
   const crossed = chartColors ? new Float64Array() : crossings(mesh.uv, edges, MOST_MARKS);
   return {
     position: perCorner(plane, 3, mesh.indices),
@@ -35,7 +35,7 @@ export function drawLayout(picture: FlatPicture, chartCount: number): LayoutDraw
   };
 }
 
-/** From uv, 2 numbers per point, to what is drawn, 3 per point. */
+/** Converts uv, 2 numbers per point, to the plane that is drawn, 3 per point. */
 function placed(uv: Float64Array, middle: [number, number], unit: number): Float32Array {
   const plane = new Float32Array((uv.length / 2) * 3);
   for (let i = 0; i < uv.length / 2; ++i)

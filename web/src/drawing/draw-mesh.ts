@@ -7,7 +7,7 @@ import { heatOfCorners } from './heat';
 import { farthest, outline } from './outline';
 import type { FlatPicture, Picture } from './picture';
 
-/** A mesh that was opened. */
+/** Draws a mesh that was opened. */
 export function drawMesh(picture: Picture): Drawing {
   const { mesh } = picture;
   const unit = toUnitSphere(mesh);
@@ -59,7 +59,7 @@ function surface(
   };
 }
 
-/** `FRAME` of each chart, where there is one. */
+/** `FRAME` of each chart, if there are any. */
 function chartFrames(
   mesh: { positions: Float32Array; indices: Uint32Array },
   charts: Uint32Array,

@@ -3,7 +3,7 @@ import { drawLayout } from './draw-layout';
 import { drawFlatMesh, drawMarks } from './draw-mesh';
 import type { FlatPicture } from './picture';
 
-/** Both views of a layout; `chartCount` is that of an atlas, 0 of a disk. */
+/** Both views of a layout; `chartCount` is the number of charts of an atlas, 0 for a disk. */
 export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing {
   return {
     mesh: drawFlatMesh(picture, chartCount),

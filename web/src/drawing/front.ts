@@ -1,16 +1,22 @@
-/** A surface that faces one way as clearly as this is first seen from there. */
+/** A surface whose facing is at least this clear is first seen from the side it faces. */
 const CLEAR_FACING = 0.4;
-/** The steepest first look at a surface that faces up or down. */
+/** The steepest first view of a surface that faces up or down. */
 const STEEPEST = (40 * Math.PI) / 180;
-/** A surface that faces mostly up or down, such as a car without its floor, has its front where others have it. */
+/**
+ * A surface that faces mostly up or down, such as a car without its floor, has its front where
+ * other surfaces have it.
+ */
 const LEVEL = 0.6;
 const USUAL_AROUND = Math.PI / 7;
-/** Where others are first seen from. */
+/** The direction from which other surfaces are first seen. */
 const USUAL = unit([0.42, 0.2, 1]);
 
 export type Direction = [number, number, number];
 
-/** Unit vector from a mesh to the point from which it is first seen, `otherwise` where it faces nowhere; y is up. */
+/**
+ * Unit vector from a mesh to the point from which it is first seen, `otherwise` if it does not
+ * clearly face one way; y is up.
+ */
 export function frontOf(
   { direction, clarity }: { direction: Direction; clarity: number },
   otherwise: Direction = USUAL,
@@ -24,7 +30,7 @@ export function frontOf(
   return [away * Math.sin(around), Math.sin(elevation), away * Math.cos(around)];
 }
 
-/** What is to the right and above for an eye at `front`, which is not vertical. */
+/** The axes to the right and up for an eye at `front`, which is not vertical. */
 export function axesOf(front: Direction): Record<'front' | 'right' | 'top', Direction> {
   const [x, y, z] = front;
   const right = unit([z, 0, -x]);

@@ -1,6 +1,7 @@
 /**
- * The points (xyz each) that `indices` names and that bound the others wherever they are seen along a direction in the plane of `front` and `right` or of
- * `front` and `top`: corners of the convex hulls of both projections.
+ * Of the points (xyz each) named by `indices`, those that bound the others when seen along any
+ * direction in the plane of `front` and `right`, or of `front` and `top`: the corners of the convex
+ * hulls of both projections.
  */
 export function outline(
   points: Float32Array,
@@ -20,11 +21,13 @@ export function outline(
   );
 }
 
-/** Directions, evenly spread (a spiral of Fibonacci). */
+/** Number of directions, evenly spread (a Fibonacci spiral). */
 const DIRECTIONS = 128;
 const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
-/** The points (xyz each) that `indices` names and that are farthest in any of many directions. */
+/**
+ * Of the points (xyz each) named by `indices`, those that are farthest in one of many directions.
+ */
 export function farthest(points: Float32Array, indices: Uint32Array): Float32Array {
   const used = usedVertices(points.length / 3, indices);
   const found = new Set<number>();

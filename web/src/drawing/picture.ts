@@ -8,13 +8,13 @@ import { type Heat, heatOf } from './heat';
 /** A mesh with its boundary, as the 3D view shows it before it is flattened. */
 export interface Picture {
   mesh: DisplayMesh;
-  /** Boundary edges, of an atlas those of its charts, as pairs of vertices. */
+  /** Boundary edges, or for an atlas those of its charts, as pairs of vertices. */
   edges: Uint32Array;
-  /** Per vertex, where they are not those of the triangles. */
+  /** Per vertex, if they differ from those of the triangles. */
   normals?: Float32Array;
 }
 
-/** A layout with all that is marked in it. */
+/** A layout with everything that is marked in it. */
 export interface FlatPicture extends Picture {
   mesh: FlatMesh;
   heat: Heat;
@@ -22,20 +22,20 @@ export interface FlatPicture extends Picture {
   tightened: Uint32Array;
   /** Edges that cannot be made Delaunay, as pairs of vertices. */
   resisting: Uint32Array;
-  /** The number of each chart's colour when it is an atlas of charts in the unit square. */
+  /** For an atlas of charts in the unit square, the number of each chart's colour. */
   chartColors?: Float32Array;
-  /** The chart of each triangle of an atlas. */
+  /** For an atlas, the chart of each triangle. */
   charts?: Uint32Array;
   /** Unit squares that the atlas fills. */
   tiles?: number;
 }
 
-/** Vertices at one place are one: the boundary is that of the surface. */
+/** Vertices at the same point count as one, so the boundary is that of the surface. */
 export function meshPicture(mesh: DisplayMesh): Picture {
   return { mesh, edges: edgesOfOne(mesh.indices, weld(mesh.positions, 3)) };
 }
 
-/** Of an unwrapped mesh what is drawn. */
+/** The parts of an unwrapped mesh that are drawn. */
 export type AtlasArrays = Pick<
   Unwrapped['result'],
   'uv' | 'indices' | 'vertexMap' | 'positions' | 'chartOfTriangle'
@@ -55,7 +55,7 @@ export function atlasPicture(
   return {
     mesh,
     edges,
-    // A seam is no edge of the surface.
+    // The surface is smooth across seams.
     normals: pick(vertexNormals(input), 3, vertexMap),
     heat: heatOf(mesh, chartOfTriangle),
     tightened: none,
@@ -66,7 +66,7 @@ export function atlasPicture(
   };
 }
 
-/** Boundary edges where some vertices are one: `same` names the one for each. */
+/** Boundary edges after merging vertices: `same` names the representative of each. */
 function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
   const joined = new Uint32Array(indices.length);
   let size = 0;
@@ -80,10 +80,10 @@ function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
   return boundaryEdges(joined.subarray(0, size));
 }
 
-/** What a report says of vertices and edges. */
+/** The part of a report that is about vertices and edges. */
 export type MarkedChart = Pick<ChartReport, 'bounds' | 'delaunay'>;
 
-/** `input` has the positions when the layout comes without; without a `chart` nothing is marked. */
+/** `input` has the positions if the layout comes without; without a `chart`, nothing is marked. */
 export function flatPicture(
   layout: LayoutArrays,
   input: DisplayMesh,
@@ -100,7 +100,10 @@ export function flatPicture(
   return { mesh, edges, heat: heatOf(mesh), tightened, resisting };
 }
 
-/** Edges of the layout, as pairs of its vertices, that are `asked` for by vertices of the input. */
+/**
+ * Edges of the layout, as pairs of its vertices, for the edges in `asked`, given by vertices of the
+ * input.
+ */
 function edgesOf({ indices, vertexMap }: LayoutArrays, asked: [number, number][]): Uint32Array {
   const key = (a: number, b: number) => `${Math.min(a, b)} ${Math.max(a, b)}`;
   const left = new Set(asked.map(([a, b]) => key(a, b)));
@@ -112,7 +115,7 @@ function edgesOf({ indices, vertexMap }: LayoutArrays, asked: [number, number][]
   return Uint32Array.from(found);
 }
 
-/** Of the vertices of a layout; `input` has them when it comes without. */
+/** Positions of a layout's vertices; `input` has them if the layout comes without. */
 export function positionsOf(
   { positions, vertexMap }: Pick<LayoutArrays, 'positions' | 'vertexMap'>,
   input: Pick<DisplayMesh, 'positions'>,
@@ -120,7 +123,7 @@ export function positionsOf(
   return positions ?? pick(input.positions, 3, vertexMap);
 }
 
-/** The rows of `size` numbers that `rows` names. */
+/** Copies the given rows of `size` numbers each. */
 function pick<T extends Float64Array | Float32Array>(
   values: T,
   size: number,

@@ -4,8 +4,8 @@ import { exportFormat, type Outcome } from '../model/model';
 import type { Workshop } from '../workshop/workshop';
 
 /**
- * Offers the result as NAME-uv with the ending of its format, of a glTF with the coordinates as TEXCOORD_`texcoord`. Returns what was
- * done, for people.
+ * Offers the result as NAME-uv with the extension of its format; in a glTF the coordinates become
+ * TEXCOORD_`texcoord`. Returns a description of what was done, for display.
  */
 export async function exportMesh(
   outcome: Outcome,

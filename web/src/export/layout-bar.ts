@@ -21,7 +21,7 @@ interface Shown {
   chartColors: Float32Array;
 }
 
-/** Millimetres for a unit of the mesh. */
+/** Millimetres per unit of the mesh. */
 const SCALE = { type: 'number', above: 0, words: { auto: 0 } };
 
 /** The bar below the layout, which saves the atlas as a picture. */
@@ -53,7 +53,7 @@ export class LayoutBar {
     this.bar.hidden = mode === 'flatten';
   }
 
-  /** Null: there is none of the mesh on screen. */
+  /** Null: the mesh on screen has no atlas. */
   show(shown: Shown | null): void {
     this.shown = shown;
     for (const button of this.buttons) button.disabled = shown === null;
@@ -109,7 +109,7 @@ function drawingOf({ outcome, chartColors }: Shown): AtlasDrawing {
   };
 }
 
-/** As css has them, in the theme that is on. */
+/** As css colours, in the current theme. */
 function colorsOf(chartColors: Float32Array): string[] {
   const style = getComputedStyle(document.documentElement);
   const palette = Array.from({ length: CHART_COLORS }, (_, i) =>

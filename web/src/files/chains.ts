@@ -1,4 +1,7 @@
-/** Edges, as pairs of points, joined to runs as long as they go: each is in one of them. `bothWays`: edges may be walked backwards. */
+/**
+ * Joins edges, given as pairs of points, to runs as long as possible; each edge is in one of them.
+ * `bothWays`: edges may be traversed backwards.
+ */
 export function chains(pairs: ArrayLike<number>, bothWays: boolean): number[][] {
   const edgeCount = pairs.length / 2;
   const edgesAt = new Map<number, number[]>();

@@ -7,20 +7,23 @@ export interface AtlasShape {
   uv: Float64Array;
   /** 3 vertices per triangle. */
   indices: Uint32Array;
-  /** The chart of each triangle; a number that is none for one without area. */
+  /** The chart of each triangle; not a valid chart number for a triangle without area. */
   charts: Uint32Array;
-  /** The face of each triangle, where that is not itself. */
+  /** The face of each triangle, if that is not the triangle itself. */
   faces?: Uint32Array;
   chartCount: number;
 }
 
-/** What is drawn of a chart: runs of vertices. Outlines are closed, with the chart on their left. */
+/**
+ * The lines that are drawn of a chart, as runs of vertices. Outlines are closed, with the chart on
+ * their left.
+ */
 export interface ChartLines {
   outline: number[][];
   inner: number[][];
 }
 
-/** The lines of each chart: edges of faces, not those that triangulate them. */
+/** The lines of each chart: edges of faces, without those that only triangulate them. */
 export function chartLines({ uv, indices, charts, faces, chartCount }: AtlasShape): ChartLines[] {
   const points = weld(uv, 2);
   const corners = indices.map((v) => points[v]);
@@ -37,7 +40,7 @@ export function chartLines({ uv, indices, charts, faces, chartCount }: AtlasShap
   for (const h of halfEdges.values()) {
     const [from, to] = [corners[h], corners[next(h)]];
     const [triangle, twin] = [triangleOf(h), halfEdges.get(key(to, from))];
-    if (from === to) continue; // of a triangle without area
+    if (from === to) continue; // an edge of a triangle without area
     const other = twin === undefined ? -1 : triangleOf(twin);
     const own = edges[charts[triangle]];
     if (other < 0 || charts[other] !== charts[triangle]) own.outline.push(from, to);

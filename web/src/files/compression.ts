@@ -1,4 +1,4 @@
-// Documents whose triangles are compressed, as if they were not.
+// Reads documents with compressed triangles as if they were uncompressed.
 
 import type { Accessor, Document, JSONDocument } from '@gltf-transform/core';
 import { type Compression, loadDecoders } from './decoders';
@@ -16,7 +16,7 @@ export function compressionsOf({ json }: JSONDocument): Compression[] {
   return [...new Set(kinds)];
 }
 
-/** The document of a file without its compression, so that it is written without. */
+/** The document of a file without its compression, so that it is also written without. */
 export async function decompressed(name: string, source: JSONDocument): Promise<Document> {
   const kinds = compressionsOf(source);
   const decoders = await loadDecoders(kinds);
@@ -37,7 +37,7 @@ async function decoded(source: JSONDocument, decoders: Record<string, unknown>):
   return document;
 }
 
-/** Whatever damaged data leads to: decoders say little, and a count that is wrong fails anywhere. */
+/** The error for damaged data: decoders say little, and a wrong count can fail anywhere. */
 function damaged(name: string, kinds: Compression[], error: unknown): Error {
   const reason = (error instanceof Error ? error.message : String(error))
     .replace(/^\[\w+\]:? /, '')

@@ -1,11 +1,11 @@
-// What compressed glTF files are decoded by. None of it is loaded with the page.
+// Decoders for compressed glTF files. None of them is loaded with the page.
 
 import dracoWasm from 'draco3d/draco_decoder.wasm?url';
 import { NOT_LOADED } from '../base/lost';
 
 export type Compression = 'Draco' | 'meshopt';
 
-/** By the names under which glTF-Transform asks for them. */
+/** Each decoder is under the name that glTF-Transform asks for. */
 const LOADERS: Record<Compression, () => Promise<Record<string, unknown>>> = {
   Draco: async () => ({ 'draco3d.decoder': await loadDraco() }),
   meshopt: async () => ({ 'meshopt.decoder': await loadMeshopt() }),
@@ -20,7 +20,10 @@ export async function loadDecoders(kinds: Compression[]): Promise<Record<string,
   }
 }
 
-/** Draco's own loader would look for the module beside the worker, and fall back on requests that block. */
+/**
+ * Draco's own loader would look for the module beside the worker, and fall back to blocking
+ * requests.
+ */
 async function loadDraco(): Promise<unknown> {
   const [{ default: createDecoder }, wasmBinary] = await Promise.all([
     import('draco3d/draco_decoder_nodejs.js'),

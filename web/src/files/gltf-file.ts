@@ -1,4 +1,4 @@
-// glTF files as one mesh, and back with its new coordinates.
+// Reads glTF files as one mesh, and writes them back with its new coordinates.
 
 import type { Document } from '@gltf-transform/core';
 import { documentMesh, freeTexcoord, setTexcoords } from 'abflat/gltf';
@@ -11,12 +11,12 @@ export function readGltf(file: File, others: File[]): Promise<GltfFile | null> {
   return orDamaged(file.name, () => readPlain(file, others));
 }
 
-/** The copy that it keeps is an uncompressed GLB, so that nothing is decoded twice. */
+/** The copy it keeps is an uncompressed GLB, so that nothing is decoded twice. */
 export function readCompressed(file: File, others: File[]): Promise<GltfFile> {
   return orDamaged(file.name, () => decode(file, others));
 }
 
-/** What glTF-Transform does not check ends in an error of the language. */
+/** Problems that glTF-Transform does not check for end in plain JavaScript errors. */
 async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
   try {
     return await read();
@@ -81,7 +81,7 @@ async function glbOf(document: Document): Promise<Uint8Array<ArrayBuffer>> {
   return (await gltfIo().writeBinary(document)) as Uint8Array<ArrayBuffer>;
 }
 
-/** A GLB has one buffer. */
+/** A GLB has only one buffer. */
 function joinBuffers(document: Document): void {
   const [first, ...more] = document.getRoot().listBuffers();
   for (const accessor of document.getRoot().listAccessors()) accessor.setBuffer(first ?? null);

@@ -7,7 +7,7 @@ import { NEWER } from './meshopt-views';
 
 const KNOWN = new Set<string>([...ALL_EXTENSIONS.map((each) => each.EXTENSION_NAME), NEWER]);
 
-/** What was read of which file. */
+/** What was read from which file. */
 interface Used {
   name: string;
   bytes: Uint8Array;
@@ -20,7 +20,7 @@ interface Opened {
 
 export const gltfIo = () => new WebIO().registerExtensions(ALL_EXTENSIONS);
 
-/** A file, and those of `others` that it refers to. */
+/** Opens a file and those of `others` that it refers to. */
 export async function openGltf(file: File, others: File[]): Promise<Opened> {
   const { name } = file;
   const bytes = new Uint8Array(await file.arrayBuffer());
@@ -53,7 +53,7 @@ function checkExtensions(name: string, { json }: JSONDocument): void {
     );
 }
 
-/** A GLB says how long it is. */
+/** A GLB states its own length. */
 function checkLength(name: string, bytes: Uint8Array): void {
   const length = bytes.length < 12 ? 12 : new DataView(bytes.buffer).getUint32(8, true);
   if (bytes.length < length)
@@ -77,7 +77,9 @@ function parseJson(name: string, text: string): JSONDocument['json'] {
   }
 }
 
-/** The files that a document names, by their names alone: a browser does not tell where they are. */
+/**
+ * The files that a document refers to, found by name only: a browser does not tell where they are.
+ */
 async function resources(
   name: string,
   { buffers = [], images = [] }: JSONDocument['json'],

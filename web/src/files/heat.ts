@@ -1,4 +1,4 @@
-/** Steps of the ratio's logarithm, from 1/2 to 2: more than the eye tells apart. */
+/** Steps of the ratio's logarithm, from 1/2 to 2: more than the eye can tell apart. */
 export const HEAT_STEPS = 65;
 
 const LOW = [0x21, 0x66, 0xac];
@@ -6,7 +6,7 @@ const MIDDLE = [0xf7, 0xf7, 0xf7];
 const HIGH = [0xb2, 0x18, 0x2b];
 const NO_AREA = '#808080';
 
-/** The colour of a step: blue where area is lost, white where it is kept, red where it is gained. */
+/** The colour of a step: blue if area is lost, white if it is kept, red if it is gained. */
 export function heatColor(step: number): string {
   if (step < 0) return NO_AREA;
   const octaves = (2 * step) / (HEAT_STEPS - 1) - 1;
@@ -15,7 +15,10 @@ export function heatColor(step: number): string {
   return `rgb(${mixed.join(' ')})`;
 }
 
-/** The step of each triangle by its area in uv divided by that in 3D, where 1 is the whole atlas's; -1 without area. */
+/**
+ * The step of each triangle by its area in uv divided by its area in 3D, relative to that ratio for
+ * the whole atlas; -1 without area.
+ */
 export function heatSteps(in3d: Float64Array, inUv: Float64Array): Int8Array {
   const sum = (areas: Float64Array) => areas.reduce((total, area) => total + area, 0);
   const scale = sum(in3d) / sum(inUv);

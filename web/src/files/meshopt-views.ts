@@ -1,4 +1,4 @@
-// What a document says of buffers that meshopt has compressed.
+// What a document says about buffers that meshopt has compressed.
 
 import type { JSONDocument } from '@gltf-transform/core';
 
@@ -15,7 +15,10 @@ interface CompressedView {
   mode: string;
 }
 
-/** The extension has the same properties under both names, and glTF-Transform knows the older one only. */
+/**
+ * The extension has the same properties under both names, but glTF-Transform only knows the older
+ * one.
+ */
 export function withOlderName({ json, resources }: JSONDocument): JSONDocument {
   const names = (list?: string[]) => list?.map((name) => (name === NEWER ? OLDER : name));
   return {
@@ -36,7 +39,10 @@ function renamed<T extends Extended>(item: T): T {
   return { ...item, extensions: { ...others, [OLDER]: own } };
 }
 
-/** The decoder takes for granted what the extension asks for: with other strides it would read at random, or for ever. */
+/**
+ * The decoder relies on the extension's rules: with other strides it would read at random, or
+ * forever.
+ */
 export function checkMeshopt({ json }: JSONDocument): void {
   (json.bufferViews as Extended[] | undefined)?.forEach(({ extensions }, i) => {
     const view = extensions?.[OLDER] as CompressedView | undefined;

@@ -1,10 +1,10 @@
 import { tileGrid } from '../mesh/tiles';
 import type { AtlasDrawing } from './svg-text';
 
-/** What browsers draw at most. */
+/** The most pixels that browsers draw along a side. */
 export const MOST_PIXELS = 16_384;
 
-/** Pixels of the picture, or why there can be none. */
+/** Size of the picture in pixels, or why there can be none. */
 export function pictureSize({ resolution, tiles }: AtlasDrawing): {
   width: number;
   height: number;

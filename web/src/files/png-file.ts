@@ -7,7 +7,10 @@ import type { AtlasDrawing } from './svg-text';
 const INK = '#1b2430';
 const [THIN, THICK] = [1, 2];
 
-/** A pixel per texel: charts in their colours, edges thin, outlines thick, transparent between charts. */
+/**
+ * One pixel per texel: charts in their colours, thin edges, thick outlines, transparent between
+ * charts.
+ */
 export async function atlasPng(drawing: AtlasDrawing): Promise<Blob> {
   const canvas = new Painter(drawing);
   const lines = chartLines(drawing);
@@ -19,7 +22,10 @@ export async function atlasPng(drawing: AtlasDrawing): Promise<Blob> {
   return canvas.file();
 }
 
-/** The same with each triangle in the colour of its area in uv, compared with that in 3D; `positions` are those of the vertices. */
+/**
+ * The same, but each triangle is coloured by its area in uv relative to its area in 3D; `positions`
+ * are those of the vertices.
+ */
 export async function heatMapPng(drawing: AtlasDrawing, positions: Float64Array): Promise<Blob> {
   const canvas = new Painter(drawing);
   const { uv, indices } = drawing;
@@ -31,7 +37,7 @@ export async function heatMapPng(drawing: AtlasDrawing, positions: Float64Array)
   return canvas.file();
 }
 
-/** A canvas with a pixel per texel; v goes up, rows go down. */
+/** A canvas with one pixel per texel; v goes up, rows go down. */
 class Painter {
   private readonly canvas = new OffscreenCanvas(1, 1);
   private readonly context: OffscreenCanvasRenderingContext2D;
@@ -53,7 +59,9 @@ class Painter {
     this.context.fill(this.path(runs));
   }
 
-  /** All of one step at once; drawn somewhat larger, so that no light comes through between them. */
+  /**
+   * Fills all triangles of a step at once, drawn slightly larger so that no gaps show between them.
+   */
   fillTriangles(indices: Uint32Array, steps: Int8Array): void {
     const runs: number[][][] = Array.from({ length: HEAT_STEPS + 1 }, () => []);
     steps.forEach((step, f) => {
@@ -73,7 +81,7 @@ class Painter {
     this.context.strokeStyle = INK;
   }
 
-  /** Edges as dense as pixels would hide the colours. */
+  /** Drawn faintly if dense: edges as dense as pixels would hide the colours. */
   strokeInner(lines: ChartLines[]): void {
     const runs = lines.flatMap(({ inner }) => inner);
     this.context.globalAlpha = Math.max(0.08, 0.45 * Math.min(1, this.meanLength(runs) / 12));
@@ -116,7 +124,7 @@ class Painter {
     return path;
   }
 
-  /** Of the edges of these runs, in pixels. */
+  /** Mean length of the edges of these runs, in pixels. */
   private meanLength(runs: number[][]): number {
     let [sum, count] = [0, 0];
     for (const run of runs)

@@ -5,18 +5,18 @@ import { type AtlasShape, chartLines } from './chart-lines';
 const SIDE = 100_000;
 const INK = '#1b2430';
 
-/** What a picture of an atlas is drawn by. */
+/** What is needed to draw a picture of an atlas. */
 export interface AtlasDrawing extends AtlasShape {
   /** Texels along the side of a tile. */
   resolution: number;
   tiles: number;
   /** Texels per unit of length of the mesh. */
   texelDensity: number;
-  /** Of each chart, as css has it. */
+  /** The css colour of each chart. */
   colors: string[];
 }
 
-/** Lengths of the file and in the drawing. */
+/** Lengths in the file and in the drawing. */
 interface Size {
   side: number;
   unit: string;
@@ -24,7 +24,10 @@ interface Size {
   thick: number;
 }
 
-/** With `millimetres` for a unit of the mesh charts are as large as their surface; with `auto` a pixel is a texel. */
+/**
+ * With `millimetres` per unit of the mesh, charts are as large as their surface; with `auto`, a
+ * pixel is a texel.
+ */
 function sizeOf({ resolution, texelDensity }: AtlasDrawing, millimetres: number | 'auto'): Size {
   if (millimetres === 'auto' || !(texelDensity > 0)) {
     const pixel = SIDE / resolution;
@@ -32,12 +35,12 @@ function sizeOf({ resolution, texelDensity }: AtlasDrawing, millimetres: number 
   }
   const side = (resolution / texelDensity) * millimetres;
   const mm = SIDE / side;
-  // Lines must not be wider than charts are where these are tiny.
+  // Lines must not be wider than tiny charts are.
   const most = SIDE / 100;
   return { side, unit: 'mm', thin: Math.min(0.1 * mm, most / 4), thick: Math.min(0.4 * mm, most) };
 }
 
-/** The atlas as an SVG file, each chart a group; v goes up. */
+/** The atlas as an SVG file with one group per chart; v goes up. */
 export function atlasSvg(drawing: AtlasDrawing, millimetres: number | 'auto'): string {
   const { uv, colors, tiles } = drawing;
   const [columns, rows] = tileGrid(tiles);

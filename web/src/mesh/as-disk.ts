@@ -2,8 +2,8 @@ import type { Abflat, MeshSummary } from 'abflat';
 import type { ArrayMesh } from './mesh';
 
 /**
- * The mesh with its vertices joined where that makes it a disk: some files repeat vertices where normals change. `summary` tells what it
- * is then. `weld` joins vertices at one place.
+ * The mesh with its vertices joined if that makes it a disk: some files repeat vertices where
+ * normals change. `summary` describes the result. `weld` joins vertices at the same point.
  */
 export async function asDisk(
   abflat: Abflat,

@@ -1,6 +1,9 @@
 import { boundingBox, type FlatMesh, triangleAreas } from './mesh';
 
-/** Checker cells along the diagonal of the mesh's box, where the layout neither shrinks nor grows it. */
+/**
+ * Checker cells along the diagonal of the mesh's box, if the layout neither shrinks nor enlarges
+ * it.
+ */
 const CELLS = 36;
 
 /** Length in uv over length in 3D: the geometric mean over the surface. */

@@ -6,7 +6,10 @@ function turn(p: Float64Array, a: number, b: number, c: number): number {
   );
 }
 
-/** Where the open segments (a, b) and (c, d) cross, or null. Rounded, for display: the report decides what is valid. */
+/**
+ * Where the open segments (a, b) and (c, d) cross, or null. Rounded, so only for display: the
+ * report decides what is valid.
+ */
 function crossing(p: Float64Array, [a, b, c, d]: number[]): [number, number] | null {
   if (a === c || a === d || b === c || b === d) return null;
   const [sideC, sideD] = [turn(p, a, b, c), turn(p, a, b, d)];
@@ -17,8 +20,8 @@ function crossing(p: Float64Array, [a, b, c, d]: number[]): [number, number] | n
 }
 
 /**
- * Points where edges (pairs of vertices) cross in the plane, xy each. Sweeps along x: an edge is compared only with those
- * that begin before it ends. At most `most` points.
+ * Points where edges (pairs of vertices) cross in the plane, xy each, at most `most` of them.
+ * Sweeps along x: an edge is compared only with those that begin before it ends.
  */
 export function crossings(uv: Float64Array, edges: Uint32Array, most: number): Float64Array {
   const left = (e: number) => Math.min(uv[2 * edges[2 * e]], uv[2 * edges[2 * e + 1]]);

@@ -2,11 +2,11 @@
 export interface DisplayMesh {
   positions: Float64Array;
   indices: Uint32Array;
-  /** The face that each triangle is of, where that is not itself. */
+  /** The face that each triangle belongs to, if that is not the triangle itself. */
   faces?: Uint32Array;
 }
 
-/** With what seams may follow: 2 texcoords per vertex, a material per triangle. */
+/** With data that seams may follow: 2 texcoords per vertex, a material per triangle. */
 export interface ArrayMesh extends DisplayMesh {
   texcoords?: Float64Array;
   materials?: Uint32Array;
@@ -22,7 +22,7 @@ export interface Box {
   max: [number, number, number];
 }
 
-/** Box round the points (`size` coordinates each) that `vertices` names. */
+/** Bounding box of the points (`size` coordinates each) named by `vertices`. */
 export function boundingBox(points: Float64Array, size: number, vertices: Uint32Array): Box {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -45,7 +45,8 @@ export function boundingBox(points: Float64Array, size: number, vertices: Uint32
 /** Edges with exactly one triangle, as pairs of vertices in the direction of their triangle. */
 export function boundaryEdges(indices: Uint32Array): Uint32Array {
   const next = (h: number) => (h % 3 === 2 ? h - 2 : h + 1);
-  // A hash table of half-edges: the first one of each edge, with how often the edge was met, up to 2.
+  // A hash table of half-edges: the first one of each edge, and how often the edge has occurred, up
+  // to 2.
   let slotCount = 16;
   while (slotCount < 2 * indices.length) slotCount *= 2;
   const slots = new Int32Array(slotCount).fill(-1);
@@ -98,7 +99,7 @@ export function areaVectors({
   return areas;
 }
 
-/** Area of each triangle, of points of `size` coordinates, at most 3. */
+/** Area of each triangle, given points with `size` coordinates, at most 3. */
 export function triangleAreas(p: Float64Array, size: number, indices: Uint32Array): Float64Array {
   const areas = new Float64Array(indices.length / 3);
   const along = (from: number, to: number, d: number) =>
@@ -112,7 +113,7 @@ export function triangleAreas(p: Float64Array, size: number, indices: Uint32Arra
   return areas;
 }
 
-/** Unit normals per vertex, weighted by area; 0 where there is no area. */
+/** Unit normals per vertex, weighted by area; 0 if there is no area. */
 export function vertexNormals(mesh: DisplayMesh): Float32Array {
   const areas = areaVectors(mesh);
   const sums = new Float64Array(mesh.positions.length);
@@ -148,14 +149,17 @@ export interface Facing {
   clarity: number;
 }
 
-/** Of a surface with this sum of vector areas and this area. */
+/** The same for a surface with this sum of vector areas and this total area. */
 export function facingOf([x, y, z]: ArrayLike<number> & Iterable<number>, total: number): Facing {
   const length = Math.hypot(x, y, z);
   if (length === 0) return { direction: [0, 0, 1], clarity: 0 };
   return { direction: [x / length, y / length, z / length], clarity: length / total };
 }
 
-/** Values per vertex (`size` numbers each) copied to every corner, as drawing without an index needs it. */
+/**
+ * Copies values per vertex (`size` numbers each) to every corner, as drawing without an index
+ * requires.
+ */
 export function perCorner(
   values: Float32Array | Float64Array,
   size: number,
@@ -169,7 +173,7 @@ export function perCorner(
   return corners;
 }
 
-/** One value per triangle copied to its three corners. */
+/** Copies one value per triangle to its three corners. */
 export function toCorners(perTriangle: Float32Array | Uint32Array): Float32Array {
   const corners = new Float32Array(3 * perTriangle.length);
   for (let f = 0; f < perTriangle.length; ++f) corners.fill(perTriangle[f], 3 * f, 3 * f + 3);

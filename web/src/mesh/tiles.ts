@@ -1,4 +1,4 @@
-/** UDIM: tile 1001 is the unit square, ten lie in a row. */
+/** UDIM: tile 1001 is the unit square, and there are ten tiles in a row. */
 const FIRST = 1001;
 const IN_A_ROW = 10;
 

@@ -1,6 +1,9 @@
 import { boundingBox, type DisplayMesh } from './mesh';
 
-/** Positions moved and scaled so that the triangles lie in the unit sphere round their box's centre: float32 keeps its digits. */
+/**
+ * Positions moved and scaled so that the triangles lie in the unit sphere around the centre of
+ * their box, which preserves the precision of float32.
+ */
 export function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
   const { min, max } = boundingBox(positions, 3, indices);
   const [x, y, z] = min.map((low, d) => (low + max[d]) / 2);

@@ -1,6 +1,6 @@
 import type { ArrayMesh } from './mesh';
 
-/** For every point (`size` coordinates each) the first one that has the same coordinates. */
+/** For every point (`size` coordinates each), the first point with the same coordinates. */
 export function weld(points: Float64Array, size: number): Uint32Array {
   const count = points.length / size;
   const bits = new Uint32Array(Float64Array.from(points, (x) => x + 0).buffer); // no negative zero
@@ -26,7 +26,10 @@ export function weld(points: Float64Array, size: number): Uint32Array {
   return first;
 }
 
-/** The mesh with its vertices joined where they are at one place. A joined vertex had several texcoords, so there are none. */
+/**
+ * The mesh with vertices at the same point joined. A joined vertex had several texcoords, so there
+ * are none.
+ */
 export function joined({ positions, indices, materials }: ArrayMesh): ArrayMesh {
   const first = weld(positions, 3);
   return { positions, indices: indices.map((vertex) => first[vertex]), materials };

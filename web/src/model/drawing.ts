@@ -1,5 +1,5 @@
-// What the views draw: arrays that go to the graphics card as they are. They are made in the workshop, so that no loop over all triangles keeps
-// the page from answering.
+// What the views draw: arrays that go to the graphics card as they are. They are made in the
+// workshop, so that no loop over all triangles blocks the page.
 
 import type { Cells } from '../mesh/checker';
 import type { Measure, Spread } from './measures';
@@ -14,19 +14,22 @@ export interface TriangleMarks {
   piece: Float32Array;
 }
 
-/** How a mesh is first seen. */
+/** How a mesh first appears. */
 export interface FirstView {
   /** Unit vector from the mesh to the eye. */
   front: [number, number, number];
-  /** Points, xyz each, that fit in a view from there only where all of the mesh does. */
+  /** Points, xyz each: if they fit in a view from there, all of the mesh does. */
   outline: Float32Array;
-  /** The same for any direction, as good as. */
+  /** The same for any direction, approximately. */
   hull: Float32Array;
 }
 
-/** The box of one chart, xyz of its lowest and of its highest corner, and the sum of its vector areas and of its areas. */
+/**
+ * Per chart: xyz of its box's lowest and highest corners, and the sums of its vector areas and of
+ * its areas.
+ */
 export const FRAME = { size: 10, low: 0, high: 3, area: 6, total: 9 };
-/** The same in the plane: u and v of the lowest and of the highest corner. */
+/** The same in the plane: u and v of the lowest and highest corners. */
 export const FLAT_FRAME = { size: 4, low: 0, high: 2 };
 
 export interface MeshDrawing {
@@ -34,7 +37,7 @@ export interface MeshDrawing {
   position: Float32Array;
   /** xyz per corner. */
   normal: Float32Array;
-  /** In checker cells, 2 per corner; none before the mesh is flattened. */
+  /** In checker cells, 2 per corner; absent until the mesh is flattened. */
   uv?: Float32Array;
   /** Where those lie in uv. */
   cells?: Cells;
@@ -42,17 +45,17 @@ export interface MeshDrawing {
   edges: Float32Array;
   /** Tightened vertices, xyz each. */
   dots: Float32Array;
-  /** Of a mesh that was opened. */
+  /** Only for a mesh that was just opened. */
   first?: FirstView;
   /** `FRAME` per chart. */
   frames: Float32Array;
 }
 
-/** In a plane where the layout's centre is 0 and its longer side is 1; points have xyz. */
+/** In a plane where the layout is centred on 0 and its longer side is 1; points have xyz. */
 export interface LayoutDrawing {
   position: Float32Array;
   edges: Float32Array;
-  /** Edges that resist the Delaunay condition. */
+  /** Edges that cannot be made Delaunay. */
   resisting: Float32Array;
   dots: Float32Array;
   /** Crossings of the boundary. */
@@ -61,7 +64,7 @@ export interface LayoutDrawing {
   tileSides: Float32Array;
   tiles: number;
   size: [number, number];
-  /** In uv: what is at 0, and the length of a unit. */
+  /** In uv: the point at 0, and the length of a unit. */
   middle: [number, number];
   unit: number;
   /** `FLAT_FRAME` per chart. */
@@ -79,6 +82,6 @@ export interface FlatDrawing extends Drawing {
   marks: TriangleMarks;
   /** How each measure is spread over the surface. */
   spreads: Record<Measure, Spread>;
-  /** The number of each chart's colour; none of a disk. */
+  /** The number of each chart's colour; null for a disk. */
   chartColors: Float32Array | null;
 }

@@ -1,4 +1,4 @@
-// What the parts of the page tell each other of.
+// What the parts of the page exchange.
 
 import type {
   FlattenResult,
@@ -19,33 +19,36 @@ export interface FileSource {
   kind: 'file';
   name: string;
   file: File;
-  /** What came with it: a glTF may be of several files. */
+  /** Files that came with it: a glTF may consist of several. */
   others: File[];
-  /** All meshes that were chosen at once, this one included. */
+  /** All meshes that were chosen at once, including this one. */
   together: FileSource[];
 }
 
 export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
 
-/** A file goes back in the format it came in where that holds texcoords. */
+/** A file is exported in its own format if that can hold texcoords. */
 export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
   if (isGltf(source)) return 'glb';
   return /\.ply$/i.test(source.name) ? 'ply' : 'obj';
 }
 
-/** A document as it was when it was read: copies that the browser keeps where the page need not hold them. */
+/**
+ * A document as it was when it was read. These are copies that the browser stores, so the page need
+ * not hold them.
+ */
 export interface GltfFiles {
   file: File;
-  /** Those that it refers to. */
+  /** The files that it refers to. */
   others: File[];
 }
 
 export interface GltfFile {
   mesh: ArrayMesh;
-  /** The first set of coordinates that no texture needs as it is: 0 where no texture uses that. */
+  /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
   freeTexcoord: number;
   files: GltfFiles;
-  /** By what its triangles were compressed, for people. */
+  /** How its triangles were compressed, for display. */
   compressions: string[];
 }
 
@@ -56,15 +59,15 @@ export interface Opened {
   summary: MeshSummary;
   /** What the views show of it. */
   drawing: Drawing;
-  /** Of a glTF, which abflat knows as arrays. */
+  /** Set for a glTF, which abflat gets as arrays. */
   gltf?: GltfFile;
 }
 
 interface Made {
   source: Source;
-  /** What went in. */
+  /** The input. */
   mesh: DisplayMesh;
-  /** Where it came from one. */
+  /** Set if it came from a glTF. */
   gltf?: GltfFile;
 }
 
@@ -84,7 +87,7 @@ export type Outcome = Flattened | Unwrapped;
 
 export type AnyProgress = Progress | UnwrapProgress;
 
-/** What else the session needs to be done with meshes, away from the page. */
+/** Other work on meshes that the session needs, done off the main thread. */
 export interface Helpers {
   mesh(mesh: DisplayMesh): Promise<Drawing>;
   outcome(outcome: Outcome): Promise<FlatDrawing>;
@@ -92,7 +95,7 @@ export interface Helpers {
   joined(mesh: ArrayMesh): Promise<ArrayMesh>;
 }
 
-/** The arrays of a result, as abflat gives them. */
+/** The arrays of a result, as abflat returns them. */
 export interface LayoutArrays {
   uv: Float64Array;
   indices: Uint32Array;

@@ -1,6 +1,6 @@
 import { UNWRAP_DEFAULTS, type UnwrapOptionValues } from 'abflat';
 
-/** Options of an atlas that are seldom changed, in the order in which they are shown. */
+/** Less common options of an atlas, in the order in which they are shown. */
 export const MORE = [
   'fillHoles',
   'symmetricSeams',
@@ -33,15 +33,15 @@ export function defaultOptions(): MoreOptions {
   return { fillHoles, symmetricSeams, t, texelDensity, straightSeams, rotate, udim };
 }
 
-/** Several tiles are for a density that is given. */
+/** Several tiles need a given texel density. */
 export const canHaveTiles = ({ texelDensity }: MoreOptions) => texelDensity !== 'auto';
 
-/** What of it abflat is asked for. */
+/** The options that are passed to abflat. */
 export function usedOptions(options: MoreOptions): MoreOptions {
   return { ...options, udim: options.udim && canHaveTiles(options) };
 }
 
-/** "fill holes never", "no rotation": what is not as it usually is. */
+/** The options that differ from their defaults, such as "fill holes never" or "no rotation". */
 export function changedOptions(options: MoreOptions): string[] {
   const changed = MORE.filter((name) => options[name] !== UNWRAP_DEFAULTS[name]).map((name) => {
     const value = options[name];
@@ -52,7 +52,7 @@ export function changedOptions(options: MoreOptions): string[] {
   return options.fixedFaces ? ['UVs of the file kept', ...changed] : changed;
 }
 
-/** Without its capital, unless it begins with an acronym. */
+/** Without its capital letter, unless it begins with an acronym. */
 function inSentence(label: string): string {
   return /^[A-Z]{2}/.test(label) ? label : label.charAt(0).toLowerCase() + label.slice(1);
 }

@@ -2,7 +2,7 @@ import type { UnwrapResult } from 'abflat';
 import type { Bound } from '../base/format';
 import type { MoreOptions } from './more-options';
 
-/** Charts that are to stay where they are. */
+/** Charts to keep where they are. */
 export interface Kept {
   layout: UnwrapResult;
   charts: Uint32Array;
@@ -30,9 +30,9 @@ export interface UnwrapSettings extends MoreOptions {
   padding: number;
   /** As the command line takes it. */
   seams: string;
-  /** Cut as well, two vertices each. */
+  /** Edges to cut in addition, two vertices each. */
   seamEdges?: Uint32Array;
-  /** Where they are already: no reason to lay out anew. */
+  /** Charts kept where they already are, which is no reason to lay out again. */
   kept?: Kept;
 }
 

@@ -1,6 +1,6 @@
 import type { Scale } from './scale';
 
-/** How a value is drawn, and which class it has in the style sheet. */
+/** How a value is drawn; also its class in the style sheet. */
 export type Shape = 'filled' | 'hollow' | 'diamond';
 
 export interface Mark {
@@ -11,14 +11,17 @@ export interface Mark {
 export interface Series {
   /** For the legend and the table. */
   name: string;
-  /** Which of the chart's colours. */
+  /** Which of the chart's colours to use. */
   color: 'first' | 'second' | 'third';
   shape: Shape;
   hasLine: boolean;
   marks: Mark[];
 }
 
-/** What is under the pointer or has the focus: all at one x, or the part of it that is nearest to y. */
+/**
+ * What is under the pointer or has the focus: everything at one x, or the part of it that is
+ * nearest to y.
+ */
 export interface Column {
   x: number;
   y?: number;
@@ -36,9 +39,9 @@ export interface Table {
 /** A chart as plain values. */
 export interface ChartSpec {
   title: string;
-  /** For those who do not see it. */
+  /** For people who do not see the chart. */
   description: string;
-  /** Under the axis; empty when that is clear. */
+  /** Shown under the axis; empty if it goes without saying. */
   xName: string;
   x: Scale;
   y: Scale;

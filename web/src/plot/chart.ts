@@ -12,7 +12,10 @@ const KEYS: Record<string, (i: number, last: number) => number> = {
 
 let charts = 0;
 
-/** A chart that fills the width of its element; values are read out under the pointer, by arrow keys and in a hidden table. */
+/**
+ * A chart that fills the width of its element. Values are read out under the pointer, with the
+ * arrow keys and in a hidden table.
+ */
 export class Chart {
   private readonly id = `chart-${++charts}`;
   private readonly caption = create('figcaption', 'chart-caption');
@@ -22,7 +25,10 @@ export class Chart {
   /** The x of the column that Tab reaches. */
   private entry: number | null = null;
 
-  /** `read` gets the text of the column under the pointer or with the focus, null when there is none. */
+  /**
+   * `read` gets the text of the column that is under the pointer or has the focus, null if there is
+   * none.
+   */
   constructor(
     figure: HTMLElement,
     private readonly height: number,
@@ -36,7 +42,7 @@ export class Chart {
     figure.append(this.caption, this.picture, hidden);
     this.picture.style.height = `${height}px`;
     this.picture.addEventListener('pointerleave', () => this.point(null));
-    // Not at the picture: Chromium would let Tab stop at it.
+    // Not on the picture, since Chromium would then make it a tab stop.
     figure.addEventListener('focusout', () => this.point(null));
     figure.addEventListener('keydown', (event) => this.onKey(event));
     new ResizeObserver(() => this.draw()).observe(this.picture);
@@ -129,7 +135,7 @@ export class Chart {
   }
 }
 
-/** Names of the series, when there are several. */
+/** Names of the series, if there is more than one. */
 function legendOf({ series }: ChartSpec): HTMLElement {
   const legend = create('span', 'chart-legend');
   if (series.length < 2) return legend;

@@ -1,7 +1,7 @@
 import type { ChartSpec, Column, Series, Shape } from './chart-spec';
 import { svg } from './svg';
 
-/** Css pixels round the plot. */
+/** Css pixels around the plot. */
 const LEFT = 50;
 const RIGHT = 14;
 const TOP = 8;
@@ -38,7 +38,7 @@ export function frameOf({ x, y, xName }: ChartSpec, width: number, height: numbe
   };
 }
 
-/** Grid, names of the ticks and of the horizontal axis. */
+/** Grid, tick labels and the name of the horizontal axis. */
 export function drawAxes(spec: ChartSpec, frame: Frame): SVGGElement {
   const group = svg('g', { 'aria-hidden': 'true' });
   const { left, right, bottom } = frame;
@@ -97,7 +97,7 @@ function drawMark(shape: Shape, cx: number, cy: number, r: number): SVGElement {
   return svg('path', { class: 'chart-mark diamond', d: path });
 }
 
-/** What stands for a series in the legend. */
+/** The symbol of a series in the legend. */
 export function drawKey({ color, shape, hasLine }: Series): SVGSVGElement {
   const mark = hasLine
     ? svg('line', { class: 'chart-line', x1: 0, x2: 18, y1: 6, y2: 6 })
@@ -113,13 +113,16 @@ export interface Rectangle {
   height: number;
 }
 
-/** The part of the picture that belongs to each column: what is nearest to its x, and of that what is nearest to its y. */
+/**
+ * The part of the picture that belongs to each column: the points nearest to its x, and among those
+ * the ones nearest to its y.
+ */
 export function columnAreas(columns: Column[], frame: Frame, height: number): Rectangle[] {
   const xs = [...new Set(columns.map(({ x }) => x))];
   const across = middles(xs.map(frame.x), (xs.length > 0 ? frame.x(xs[0]) : 0) - REACH, REACH);
   return columns.map((column) => {
     const i = xs.indexOf(column.x);
-    // Downwards in the picture.
+    // From top to bottom of the picture.
     const ys = columns.filter(({ x }) => x === column.x).map(({ y = 0 }) => y);
     ys.sort((a, b) => b - a);
     const down = middles(ys.map(frame.y), 0, 0);
@@ -134,7 +137,7 @@ export function columnAreas(columns: Column[], frame: Frame, height: number): Re
   });
 }
 
-/** From `first` over the points half way between neighbours to `reach` beyond the last. */
+/** `first`, the midpoints between neighbours, and `reach` beyond the last value. */
 function middles(at: number[], first: number, reach: number): number[] {
   const between = at.slice(1).map((x, i) => (x + at[i]) / 2);
   return [first, ...between, (at.at(-1) ?? 0) + reach];

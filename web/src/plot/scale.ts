@@ -1,8 +1,8 @@
 import { measure } from '../base/format';
 
-/** Where values lie on an axis, 0..1, and which of them it names. */
+/** Where values lie on an axis, 0..1, and which of them have ticks. */
 export interface Scale {
-  /** Not a finite number where the value cannot be shown. */
+  /** Not finite if the value cannot be shown. */
   at(value: number): number;
   ticks: { value: number; text: string }[];
 }
@@ -23,7 +23,10 @@ export function fixedScale(low: number, high: number, ticks: Scale['ticks']): Sc
   return { at: (value) => (value - low) / (high - low || 1), ticks };
 }
 
-/** An axis of whole powers of ten round all positive values; 0 and below lie on its lower end. */
+/**
+ * An axis of whole powers of ten around all positive values; values of 0 and below lie at its lower
+ * end.
+ */
 export function logScale(values: number[], count: number): Scale {
   const logs = values.filter((value) => value > 0 && value < Infinity).map(Math.log10);
   const low = logs.length > 0 ? Math.floor(Math.min(...logs)) : -1;
@@ -52,7 +55,7 @@ export function power(n: number): string {
   return `10${n < 0 ? '⁻' : ''}${digits.join('')}`;
 }
 
-/** Without the zeros that say nothing: 0.5, not 0.500. */
+/** Without trailing zeros: 0.5, not 0.500. */
 function short(value: number): string {
   const text = measure(value);
   return text.includes('e') || !text.includes('.') ? text : String(Number(text));

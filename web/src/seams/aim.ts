@@ -1,20 +1,20 @@
 import type { Pixel } from '../view/sight';
 
 export interface Modifiers {
-  /** Does the other thing: joins in place of cutting and the other way round. */
+  /** Reverses the action: joins instead of cutting, and vice versa. */
   alt: boolean;
   shift: boolean;
 }
 
 export interface AimEvents {
-  /** Aims at a pixel of the canvas, or at nothing. */
+  /** Aims at a pixel of the canvas, or with null at nothing. */
   moved(at: Pixel | null, modifiers: Modifiers): void;
   clicked(at: Pixel, modifiers: Modifiers): void;
 }
 
-/** Css pixels that a click may be moved by; beyond that the view is turned. */
+/** Css pixels that the pointer may move during a click; beyond that, it turns the view. */
 const STEADY = 5;
-/** Keys that turn the view under the aim in its middle. */
+/** Keys that turn the view, and with it what the middle aims at. */
 const VIEW_KEYS = [
   'ArrowLeft',
   'ArrowRight',
@@ -31,7 +31,7 @@ const VIEW_KEYS = [
   '9',
 ];
 
-/** Where the user aims in a canvas: at the pointer or, by keyboard, at its middle. */
+/** Where the user aims in a canvas: at the pointer or, when using the keyboard, at the middle. */
 export class Aim {
   private pointer: Pixel | null = null;
   private modifiers: Modifiers = { alt: false, shift: false };
@@ -58,7 +58,7 @@ export class Aim {
       window.addEventListener(type, (event) => this.onModifier(event));
   }
 
-  /** Aims anew in the next frame: something has moved. */
+  /** Aims again in the next frame because something has moved. */
   refresh(): void {
     if (this.isScheduled) return;
     this.isScheduled = true;

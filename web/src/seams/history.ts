@@ -1,7 +1,7 @@
 /** Enough for an afternoon's work. */
 const MOST = 200;
 
-/** A value that changes, with the way back and forth. */
+/** A value that changes, with undo and redo. */
 export class History<T> {
   private past: T[] = [];
   private future: T[] = [];
@@ -26,7 +26,7 @@ export class History<T> {
     this.value = value;
   }
 
-  /** Returns whether there was a way back. */
+  /** Returns whether there was anything to undo. */
   undo(): boolean {
     return this.move(this.past, this.future);
   }

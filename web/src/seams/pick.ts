@@ -2,11 +2,11 @@ import { Vector3 } from 'three';
 import type { Solid } from '../surface/solid';
 import type { Pixel, Sight } from '../view/sight';
 
-/** Css pixels to what is worth aiming at. */
+/** The farthest a target may be from the pointer, in css pixels. */
 const REACH = 12;
-/** Candidates that are tested for being in sight; further ones would be hidden too. */
+/** How many candidates are tested for visibility; further ones would be hidden too. */
 const MOST_TRIES = 6;
-/** Share of the distance by which a point may lie behind the surface that it is on. */
+/** How far a point may lie behind the surface that it is on, as a share of the distance. */
 const SLACK = 2e-3;
 
 interface Candidate {
@@ -15,7 +15,10 @@ interface Candidate {
   point: Vector3;
 }
 
-/** The vertex under a pixel: one of `wanted` in reach, otherwise the nearest of the triangle there; -1 where there is none. */
+/**
+ * The vertex under a pixel: one of `wanted` that is in reach and visible, otherwise the nearest
+ * corner of the triangle there; -1 if there is none.
+ */
 export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable<number>): number {
   const near: Candidate[] = [];
   for (const v of wanted) {
@@ -28,11 +31,17 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   const hit = solid.firstHit(sight.ray(at));
   if (!hit) return -1;
   const corners = solid.indices.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
-  const pixels = (v: number) => distance(sight.pixel(solid.points, v) ?? at, at);
+  const pixels = (v: number) => {
+    const pixel = sight.pixel(solid.points, v); // none behind the eye
+    return pixel ? distance(pixel, at) : Infinity;
+  };
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
 }
 
-/** The edge (two vertices each in `ends`) of `edges` that is nearest to a pixel, in reach and in sight; -1 where there is none. */
+/**
+ * The edge of `edges` (two vertices each in `ends`) that is nearest to a pixel, in reach and
+ * visible; -1 if there is none.
+ */
 export function edgeAt(
   solid: Solid,
   sight: Sight,
@@ -76,7 +85,7 @@ function distance(a: Pixel, b: Pixel): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
-/** Where between two pixels a third one is nearest, 0 to 1. */
+/** How far along the line between two pixels it comes nearest to a third, 0 to 1. */
 function nearestShare(from: Pixel, to: Pixel, at: Pixel): number {
   const [x, y] = [to.x - from.x, to.y - from.y];
   const along = (at.x - from.x) * x + (at.y - from.y) * y;

@@ -7,12 +7,12 @@ export interface SeamSources {
   sharp: number | null;
 }
 
-/** What the user wants cut. */
+/** The cuts that the user wants. */
 export interface SeamChoice {
   sources: SeamSources;
-  /** Two vertices per edge: these, and not those of the sources. */
+  /** Two vertices per edge; these replace the seams of the sources. */
   edges: Uint32Array | null;
-  /** Automatic seams beside `edges`. */
+  /** Automatic seams in addition to `edges`. */
   isCutFurther?: boolean;
 }
 

@@ -1,9 +1,9 @@
 import { edgeBetween, otherEnd, type SurfaceGraph } from '../surface/surface-graph';
 
-/** Seams as edges of the surface: 1 for each edge that is one. */
+/** Seams as flags of the surface's edges: 1 if the edge is a seam. */
 export type EdgeFlags = Uint8Array;
 
-/** Seams given by two vertices each; pairs that are no edge are left out. */
+/** Seams given by two vertices each; pairs that are not an edge are left out. */
 export function flagsOf(graph: SurfaceGraph, pairs: Uint32Array): EdgeFlags {
   const flags = new Uint8Array(graph.lengths.length);
   for (let i = 0; i + 1 < pairs.length; i += 2) {
@@ -13,7 +13,7 @@ export function flagsOf(graph: SurfaceGraph, pairs: Uint32Array): EdgeFlags {
   return flags;
 }
 
-/** The same as two vertices each. */
+/** The flagged edges as two vertices each. */
 export function pairsOf({ ends }: SurfaceGraph, flags: EdgeFlags): Uint32Array {
   const pairs: number[] = [];
   for (let edge = 0; edge < flags.length; ++edge)
@@ -21,7 +21,10 @@ export function pairsOf({ ends }: SurfaceGraph, flags: EdgeFlags): Uint32Array {
   return Uint32Array.from(pairs);
 }
 
-/** The seam through an edge as far as it has no junction, end or boundary: all of it where it is a loop. */
+/**
+ * The seam through an edge, up to the nearest junction, end or boundary on both sides; all of it if
+ * it is a loop.
+ */
 export function seamRun(graph: SurfaceGraph, flags: EdgeFlags, edge: number): number[] {
   const run = new Set([edge]);
   for (const end of [0, 1]) {
@@ -36,7 +39,7 @@ export function seamRun(graph: SurfaceGraph, flags: EdgeFlags, edge: number): nu
   return [...run];
 }
 
-/** The one seam that goes on from `edge` at a place; -1 where there is none or more than one. */
+/** The one seam edge that continues `edge` at a place; -1 if there is none or more than one. */
 function nextAlong(graph: SurfaceGraph, flags: EdgeFlags, place: number, edge: number): number {
   let next = -1;
   for (let i = graph.firstAt[place]; i < graph.firstAt[place + 1]; ++i) {

@@ -11,13 +11,13 @@ import { SeamTools, type Tool } from './seam-tools';
 export interface SeamEditorEvents {
   /** The user wants other seams. */
   changed(): void;
-  /** For people. */
+  /** Shows a message to the user. */
   say(text: string): void;
 }
 
 const NO_POINTS = new Float32Array();
 
-/** As many are reached in a few milliseconds. */
+/** So many take only a few milliseconds. */
 const PLACES_PER_FRAME = 1 << 14;
 
 const INVITATIONS: Record<Tool, string> = {
@@ -25,22 +25,22 @@ const INVITATIONS: Record<Tool, string> = {
   join: 'Click a seam to join its sides',
 };
 
-/** What a click wants to meet. */
+/** What a click can hit. */
 interface Targets {
   /** Edges. */
   seams: number[];
-  /** Those on seams and boundaries. */
+  /** Places on seams and boundaries. */
   places: number[];
 }
 
-/** Seams are cut and joined by clicks on the surface. */
+/** Lets the user cut and join seams by clicking on the surface. */
 export class SeamEditor {
   private readonly tools: SeamTools;
   private readonly aim: Aim;
   private model: SeamModel | null = null;
   private paths: ShortestPaths | null = null;
   private isGrowing = false;
-  /** Null until they are needed. */
+  /** Null until needed. */
   private targets: Targets | null = null;
 
   constructor(
@@ -57,11 +57,11 @@ export class SeamEditor {
       clicked: (at, modifiers) => this.onClick(at, modifiers),
     });
     view.onTurn(() => this.aim.refresh());
-    // Before the page takes Escape for the run in flight.
+    // In the capture phase, before the page uses Escape to cancel the run in flight.
     window.addEventListener('keydown', (event) => this.onEscape(event), { capture: true });
   }
 
-  /** The seams to edit; null: none. */
+  /** Sets the seams to edit; null for none. */
   edit(model: SeamModel | null): void {
     if (model !== this.model) this.paths = null;
     this.model = model;
@@ -69,7 +69,7 @@ export class SeamEditor {
     this.update();
   }
 
-  /** The model has changed, or the atlas. */
+  /** Called when the model or the atlas has changed. */
   update(): void {
     this.targets = null;
     this.tools.setHistory(this.model?.canUndo ?? false, this.model?.canRedo ?? false);
@@ -140,7 +140,10 @@ export class SeamEditor {
     else this.mark({ ...NO_MARKS, joined: this.pairs(model, edges), vertices }, `${seam}: join`);
   }
 
-  /** The first click chooses where to begin, the second one cuts; `goesOn`: the next cut begins where this one ends. */
+  /**
+   * The first click chooses where to begin, the second one cuts. `goesOn`: the next cut begins
+   * where this one ends.
+   */
   private cut(model: SeamModel, at: Pixel, goesOn: boolean): void {
     const place = this.placeAt(model, at);
     if (place < 0) return;
@@ -168,7 +171,7 @@ export class SeamEditor {
     this.grow();
   }
 
-  /** Finds the paths a part in each frame: all of them at once would keep the page from answering. */
+  /** Finds the paths in parts, one per frame: all of them at once would block the page. */
   private grow(): void {
     if (this.isGrowing) return;
     this.isGrowing = true;
@@ -199,7 +202,7 @@ export class SeamEditor {
     return vertex < 0 ? vertex : model.graph.places[vertex];
   }
 
-  /** The edges of the seam that is aimed at, or only the one. */
+  /** The edges of the seam that is aimed at, or with `isOne` only the edge itself. */
   private seamAt(model: SeamModel, at: Pixel | null, isOne: boolean): number[] {
     if (!at) return [];
     this.targets ??= targetsOf(model);

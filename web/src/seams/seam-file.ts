@@ -1,16 +1,22 @@
 import { edgeBetween, type SurfaceGraph } from '../surface/surface-graph';
 
-/** Its message names file, line and what is wrong. */
+/** Its message names the file, the line and the problem. */
 export class BadSeamFile extends Error {}
 
-/** Lines of two vertex numbers, from 0; what follows a # is a remark. As the command line reads and writes them. */
+/**
+ * One edge per line, as two vertex numbers from 0; a # starts a comment. The command line reads and
+ * writes the same format.
+ */
 export function seamText(pairs: Uint32Array): string {
   const lines: string[] = [];
   for (let i = 0; i + 1 < pairs.length; i += 2) lines.push(`${pairs[i]} ${pairs[i + 1]}\n`);
   return lines.join('');
 }
 
-/** The edges of such a file, two vertices each. Throws where a line is none; `name` is that of the file. */
+/**
+ * The edges listed in such a file, two vertices each. Throws if a line is not an edge; `name` is
+ * the file's name.
+ */
 export function readSeams(graph: SurfaceGraph, text: string, name: string): Uint32Array {
   const pairs: number[] = [];
   text.split(/\r?\n/).forEach((line, i) => {

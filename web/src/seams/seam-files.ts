@@ -2,11 +2,11 @@ import { element } from '../base/dom';
 import { download } from '../base/download';
 
 export interface SeamFileEvents {
-  /** What is to be saved. */
+  /** The text to save. */
   text(): string;
   /** The name of the mesh that it belongs to. */
   meshName(): string;
-  /** A file was chosen; what is returned takes its text. */
+  /** A file was chosen; the returned function takes its text. */
   chosen(name: string): (text: string) => void;
   failed(sentence: string): void;
   say(text: string): void;
@@ -36,7 +36,7 @@ export class SeamFiles {
           .then(events.chosen(file.name), ({ message }: Error) =>
             events.failed(`${file.name} cannot be read (${message}) Choose the file again.`),
           );
-      // So that choosing the same file again is a change.
+      // So that choosing the same file again still fires a change event.
       input.value = '';
     });
   }

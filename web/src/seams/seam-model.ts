@@ -4,7 +4,7 @@ import { History } from './history';
 import { AUTOMATIC, type SeamChoice, type SeamSources } from './seam-choice';
 import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
 
-/** What is cut, and where it is seen. */
+/** What is cut, and where it appears on screen. */
 export interface Surface {
   graph: SurfaceGraph;
   solid: Solid;
@@ -14,15 +14,15 @@ export interface Surface {
 export class SeamModel {
   private readonly history = new History(AUTOMATIC);
   private made: Surface | null = null;
-  /** Those of the atlas, two vertices each; null until there is one. */
+  /** The atlas's seams, two vertices each; null until there is one. */
   private shownPairs: Uint32Array | null = null;
   private shownFlags: EdgeFlags | null = null;
   private wanted: EdgeFlags | null = null;
   private both: EdgeFlags | null = null;
-  /** What came of choices without edges, two vertices per seam. */
+  /** The seams found for choices without edges, two vertices per seam edge. */
   private readonly found = new WeakMap<SeamChoice, Uint32Array>();
 
-  /** `makeSurface` is called when somebody edits. */
+  /** `makeSurface` is called when editing begins. */
   constructor(private readonly makeSurface: () => Surface) {}
 
   get surface(): Surface {
@@ -47,8 +47,8 @@ export class SeamModel {
   }
 
   /**
-   * The seams to go on from: those asked for, or those that were found; where none were yet, those on screen. After undo the
-   * atlas on screen is not yet that of the choice.
+   * The seams that editing starts from: those asked for, or else those found for the choice, or
+   * else those on screen. After undo, the atlas on screen does not match the choice yet.
    */
   get own(): EdgeFlags {
     const { edges, isCutFurther } = this.choice;
@@ -58,14 +58,17 @@ export class SeamModel {
     return this.wanted;
   }
 
-  /** Own ones, and those beside them that charts need to be disks. */
+  /** The own seams, plus those that charts need to be disks. */
   get all(): EdgeFlags {
     const { own, shown } = this;
     this.both ??= shown ? either(own, shown) : own;
     return this.both;
   }
 
-  /** The seams of the atlas that is now on screen, two vertices each; `isOfChoice`: not of an earlier one. */
+  /**
+   * The seams of the atlas now on screen, two vertices each; `isOfChoice` is false if the atlas is
+   * of an earlier choice.
+   */
   show(pairs: Uint32Array, isOfChoice = true): void {
     if (isOfChoice) this.found.set(this.choice, pairs);
     this.shownPairs = pairs;
@@ -73,7 +76,7 @@ export class SeamModel {
     this.forget();
   }
 
-  /** Returns how many of these edges were no seams before. */
+  /** Returns how many of these edges were not seams before. */
   cut(edges: number[]): number {
     const { own } = this;
     return this.set(
@@ -91,7 +94,10 @@ export class SeamModel {
     );
   }
 
-  /** The seam through an edge from junction to junction; seams that are needed end no other. */
+  /**
+   * The seam through an edge, from junction to junction. Seams that were only added to get disks do
+   * not end others.
+   */
   run(edge: number): number[] {
     return seamRun(this.graph, this.own[edge] ? this.own : this.all, edge);
   }

@@ -20,7 +20,7 @@ export interface Editable {
   name: string;
 }
 
-/** All that the page has about seams: sources, editor, and what becomes of both. */
+/** Everything on the page about seams: the sources, the editor, and what results from both. */
 export class SeamPanel {
   private readonly sources: SourceControl;
   private readonly editor: SeamEditor | null;
@@ -28,10 +28,10 @@ export class SeamPanel {
   private isUnwrapped = false;
   private readonly files: SeamFiles;
   private mesh: Editable | null = null;
-  /** Of the mesh, as soon as it is needed. */
+  /** The surface of the mesh, made when it is first needed. */
   private surface: Surface | null = null;
 
-  /** Without a `view` there are the sources only. */
+  /** Without a `view` there are only the sources. */
   constructor(
     view: MeshView | null,
     private readonly workshop: Workshop,
@@ -52,7 +52,10 @@ export class SeamPanel {
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
   }
 
-  /** Takes the seams that a file lists, which says where it is wrong; not when another mesh was opened while it was read. */
+  /**
+   * Takes the seams listed in a file, or reports where the file is wrong. Does nothing if another
+   * mesh was opened while it was read.
+   */
   private openFile(name: string): (text: string) => void {
     const { model } = this;
     return (text) => {
@@ -82,7 +85,7 @@ export class SeamPanel {
     this.changed();
   }
 
-  /** Another mesh, with automatic seams. */
+  /** Opens another mesh, with automatic seams. */
   open(mesh: Editable): void {
     const { summary } = mesh;
     this.mesh = mesh;
@@ -96,7 +99,10 @@ export class SeamPanel {
     this.hide();
   }
 
-  /** Before the mesh is unwrapped: with the atlas there is then what it takes to edit its seams. */
+  /**
+   * Called before the mesh is unwrapped, so that its seams can be edited as soon as there is an
+   * atlas.
+   */
   async prepare(): Promise<void> {
     const { mesh } = this;
     if (!mesh || this.surface) return;
@@ -104,7 +110,7 @@ export class SeamPanel {
     if (mesh === this.mesh) this.surface ??= { graph, solid: new Solid(solid) };
   }
 
-  /** There is nothing to edit until the open mesh has an atlas. */
+  /** Hides the editor: there is nothing to edit until the open mesh has an atlas. */
   hide(): void {
     this.isUnwrapped = false;
     this.files.setEnabled(false);

@@ -10,7 +10,7 @@ export interface ToolEvents {
 
 const TOOLS: Tool[] = ['cut', 'join'];
 
-/** The bar below the 3D view: what a click does, and the way back. */
+/** The bar below the 3D view: what a click does, undo and redo. */
 export class SeamTools {
   private readonly bar = element('seam-tools', HTMLElement);
   private readonly buttons = TOOLS.map((tool) => element(`seam-${tool}`, HTMLButtonElement));
@@ -40,7 +40,7 @@ export class SeamTools {
     this.showTool();
   }
 
-  /** What a click does; null: nothing. */
+  /** What a click does; null if nothing. */
   get tool(): Tool | null {
     return this.bar.hidden ? null : this.chosen;
   }

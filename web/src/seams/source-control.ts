@@ -3,7 +3,7 @@ import { counted } from '../base/format';
 import { refusal } from '../controls/number-field';
 import type { SeamChoice, SeamSources } from './seam-choice';
 
-/** What the open mesh has to cut along. */
+/** What the open mesh can be cut along. */
 export interface Offered {
   uv: boolean;
   material: boolean;
@@ -58,7 +58,7 @@ export class SourceControl {
     this.switches[SWITCHES.indexOf('material')].hidden = !material;
   }
 
-  /** While edges are listed none of the sources counts: a press on one begins anew with it. */
+  /** While edges are listed, no source counts; pressing one starts over with it. */
   show({ sources, edges, isCutFurther }: SeamChoice): void {
     this.sources = edges ? NO_SOURCES : sources;
     this.switches.forEach((button, i) => {

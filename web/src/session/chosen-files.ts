@@ -1,4 +1,4 @@
-// Which of the files that were chosen or dropped at once is the mesh.
+// Finds the mesh among files that were chosen or dropped together.
 
 import type { FileSource } from '../model/model';
 
@@ -7,8 +7,9 @@ const MESH = /\.(obj|ply|stl|off|gltf|glb)$/i;
 const COMPANION = /\.(mtl|bin|png|jpe?g|webp|gif|bmp|tga|tiff?|ktx2?|dds|exr|hdr|txt|seams|json)$/i;
 
 /**
- * The meshes among files in the order in which they are offered, each with all that is no mesh. Of several the glTF is first, as what
- * came with it is most likely its own. A file of an unknown kind may be a mesh if there is no other: its content tells.
+ * The meshes among files, in the order in which they are offered, each with all files that are not
+ * meshes. A glTF comes first, as the other files most likely belong to it. A file of unknown type
+ * may be a mesh if there is no other: its content decides.
  */
 export function sourcesOf(files: File[]): FileSource[] {
   const meshes = files.filter(({ name }) => MESH.test(name));
@@ -22,7 +23,7 @@ export function sourcesOf(files: File[]): FileSource[] {
   return together;
 }
 
-/** Why nothing of it can be opened. */
+/** Why none of the files can be opened. */
 export function noMesh(files: File[]): string {
   const [{ name }] = files;
   const what =

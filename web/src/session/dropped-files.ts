@@ -1,9 +1,9 @@
-/** More than a mesh and its textures: somebody has dropped a disk. */
+/** Nobody needs more for a mesh and its textures: it would be a whole disk. */
 const MOST_FILES = 1000;
 
-/** The files that were dropped, with those in dropped folders. */
+/** The dropped files, including those in dropped folders. */
 export async function filesOf(dropped: DataTransfer): Promise<File[]> {
-  // At once: what was dropped can be read in this task only.
+  // Right away: dropped items can only be read in this task.
   const plain = [...dropped.files];
   const entries = [...dropped.items].map((item) => item.webkitGetAsEntry());
   if (!entries.some((entry) => entry?.isDirectory)) return plain;
@@ -14,7 +14,7 @@ export async function filesOf(dropped: DataTransfer): Promise<File[]> {
   return files;
 }
 
-/** Hidden files of a folder belong to the system, even where they end like meshes. */
+/** Hidden files in a folder belong to the system, even if they are named like meshes. */
 async function gather(entry: FileSystemEntry, files: File[]): Promise<void> {
   if (entry.name.startsWith('.')) return;
   if (isFile(entry)) files.push(await fileOf(entry));
@@ -33,7 +33,7 @@ const fileOf = (entry: FileSystemFileEntry) =>
     entry.file(resolve, reject);
   });
 
-/** A reader gives some at a time, and none when there are no more. */
+/** A reader returns some entries at a time, and none once there are no more. */
 async function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
   const reader = folder.createReader();
   const all: FileSystemEntry[] = [];

@@ -1,4 +1,4 @@
-/** One task at a time that takes long and can be stopped. */
+/** Runs one long task at a time, which can be stopped. */
 export class Job {
   private controller: AbortController | null = null;
 
@@ -9,7 +9,7 @@ export class Job {
     return this.controller !== null;
   }
 
-  /** Resolves when the task has ended; that it was stopped is no error. */
+  /** Resolves when the task has ended; being stopped is not an error. */
   async start(task: (signal: AbortSignal) => Promise<void>): Promise<void> {
     this.stop();
     const controller = new AbortController();

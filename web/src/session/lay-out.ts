@@ -14,14 +14,16 @@ interface Watch {
   onProgress: (progress: AnyProgress) => void;
 }
 
-/** Charts that an edit leaves as they were are not flattened again, locked ones stay where they are. */
+/**
+ * Charts that an edit leaves unchanged are not flattened again; locked ones stay where they are.
+ */
 function fromEarlier(source: Source, kept: Kept | undefined, earlier: Outcome | null) {
   if (kept && kept.charts.length > 0) return { known: kept.layout, fixedCharts: kept.charts };
   const isKnown = earlier?.mode === 'unwrap' && earlier.source === source;
   return { known: isKnown ? earlier.result : undefined };
 }
 
-/** One run of abflat, in the way the settings ask for; `earlier`: the last outcome, of whatever mesh. */
+/** One run of abflat with these settings. `earlier`: the last outcome, of any mesh. */
 export async function layOut(
   abflat: Abflat,
   { source, input, mesh, gltf }: Opened,
@@ -36,7 +38,7 @@ export async function layOut(
     const result = await abflat.flatten(await copied(input), {
       ...options,
       ...file,
-      // In the unit of the mesh it would repeat a texture as often as the mesh is large.
+      // In the unit of the mesh, a texture would repeat as often as the mesh is large.
       normalize: true,
       transfer: true,
       roundsForGltf: format === 'glb',

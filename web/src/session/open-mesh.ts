@@ -18,11 +18,11 @@ export function titleOf(source: Source): string {
 
 export interface OpenEvents {
   open(source: Source): void;
-  /** Nothing that was chosen can be opened, for people. */
+  /** None of the chosen files can be opened; `reason` is for display. */
   refused(reason: string): void;
 }
 
-/** Drop, paste, file dialog and samples: ways to choose a mesh. */
+/** Binds the ways to choose a mesh: drop, paste, file dialog and samples. */
 export function bindOpen(events: OpenEvents): void {
   const openFiles = (files: File[]) => {
     if (files.length === 0) return;
@@ -48,7 +48,7 @@ function bindDialog(openFiles: OpenFiles): void {
   element('open', HTMLButtonElement).addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
     openFiles([...(input.files ?? [])]);
-    // So that choosing the same file again is a change.
+    // So that choosing the same file again still fires a change event.
     input.value = '';
   });
 }
@@ -74,7 +74,7 @@ function bindDrop(openFiles: OpenFiles, refused: (reason: string) => void): void
     overlay.hidden = false;
   });
   window.addEventListener('dragleave', (event) => {
-    // Without a related target the pointer has left the window, not just an element in it.
+    // Without a related target, the pointer has left the window and not just an element in it.
     if (!event.relatedTarget) overlay.hidden = true;
   });
   window.addEventListener('drop', (event) => {

@@ -17,7 +17,7 @@ import type { Settings } from '../model/settings';
 import { layOut } from './lay-out';
 
 export interface SessionEvents {
-  /** A mesh is being read, or laid out when there are `settings`. */
+  /** A mesh is being read, or laid out if there are `settings`. */
   started(source: Source, settings: Settings | null): void;
   progress(progress: AnyProgress): void;
   /** A mesh was read. */
@@ -28,21 +28,27 @@ export interface SessionEvents {
   failed(source: Source, settings: Settings | null, error: Error): void;
 }
 
-/** A run that is nearly done is worth waiting for; after this many milliseconds without another change it is aborted. */
+/**
+ * In milliseconds. A run that is nearly done is worth waiting for; after this long without another
+ * change it is aborted.
+ */
 const PATIENCE = 150;
 
-/** Samples are made as fine as they look good. */
+/** Detail at which samples look good. */
 const SAMPLE_DETAIL = 2;
 
-/** One mesh at a time, one run at a time; the latest wish wins. Wishes are heard while abflat still starts. */
+/**
+ * One mesh and one run at a time; the latest request wins. Requests are accepted while abflat is
+ * still starting.
+ */
 export class Session {
   private opened: Opened | null = null;
-  /** The last one. */
+  /** The last outcome. */
   private outcome: Outcome | null = null;
   private running: AbortController | null = null;
-  /** What is in flight reads a mesh. */
+  /** Whether the run in flight reads a mesh. */
   private isReading = false;
-  /** Whether to lay out once more as soon as the run in flight ends. */
+  /** Whether to lay out again as soon as the run in flight ends. */
   private isWanted = false;
   private readonly background = new Background();
   private patience: ReturnType<typeof setTimeout> | undefined;
@@ -75,8 +81,8 @@ export class Session {
   }
 
   /**
-   * Lays the mesh out with other settings: at once, or as soon as the run in flight ends or has used up our patience. A mesh that is being
-   * read is laid out with them when it is there.
+   * Lays the mesh out with other settings: at once, or as soon as the run in flight ends or has
+   * used up our patience. A mesh that is still being read is laid out with them afterwards.
    */
   refresh(): void {
     if (!this.running) {
@@ -102,7 +108,10 @@ export class Session {
     return true;
   }
 
-  /** Does something with the open mesh while no run is in flight; a run interrupts it, and it starts over. */
+  /**
+   * Works on the open mesh while no run is in flight. A run interrupts the work, which then starts
+   * over.
+   */
   aside<T>(
     work: (abflat: Abflat, input: MeshInput, signal: AbortSignal) => Promise<T>,
     signal: AbortSignal,
@@ -150,7 +159,10 @@ export class Session {
     return this.running;
   }
 
-  /** Reports how a run ended, unless another one has taken its place, and starts what was wished for meanwhile. */
+  /**
+   * Reports how a run ended, unless another one has replaced it, and starts what was requested in
+   * the meantime.
+   */
   private end(controller: AbortController, report: () => void): void {
     if (controller !== this.running) return;
     this.running = null;

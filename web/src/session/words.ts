@@ -36,7 +36,7 @@ export function settingsText(settings: Settings): string {
 const balanceText = (balance: number, usual: number) =>
   balance === usual ? [] : [`balance ${balance}`];
 
-/** "500 polygons, 968 triangles"; of a mesh of triangles their number. */
+/** "500 polygons, 968 triangles"; for a triangle mesh just the number of triangles. */
 export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): string {
   const triangles = counted(indices.length / 3, 'triangle');
   return faces === indices.length / 3 ? triangles : `${counted(faces, 'polygon')}, ${triangles}`;
@@ -50,7 +50,10 @@ export function failure(source: Source, settings: Settings | null, message: stri
   return `${titleOf(source)} was not ${what}: ${text}.`;
 }
 
-/** The charts of an atlas; the t of a layout, and what the automatic choice came to. */
+/**
+ * The number of charts of an atlas, or the t of a layout with the value that the automatic choice
+ * found.
+ */
 export function layoutInfo(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return boundInfo(outcome);
   const { charts, atlas } = outcome.result.report;
@@ -66,7 +69,9 @@ function boundInfo({ settings, result }: Flattened): string {
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 
-/** Of an atlas that was edited: the charts that did not change, and those that were to stay where they are. */
+/**
+ * For an edited atlas: the charts that did not change and those that were to stay where they are.
+ */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return '';
   const { charts } = outcome.result.report;

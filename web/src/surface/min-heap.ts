@@ -1,4 +1,7 @@
-/** A binary heap of the numbers 0 to `size` - 1, each at most once; the one with the least key comes first. */
+/**
+ * A binary heap of the numbers 0 to `size` - 1, each at most once; the one with the smallest key
+ * comes first.
+ */
 export class MinHeap {
   private readonly items: Uint32Array;
   private readonly keys: Float64Array;
@@ -43,7 +46,7 @@ export class MinHeap {
     this.put(i, item);
   }
 
-  /** From the root. */
+  /** Moves an item down from the root. */
   private sink(item: number): void {
     let i = 0;
     for (;;) {

@@ -3,11 +3,11 @@ import { otherEnd, type SurfaceGraph } from './surface-graph';
 
 const NONE = 0xffffffff;
 
-/** Shortest paths along edges from one place to all others, found as far as they are asked for. */
+/** Shortest paths along edges from one place to all others, found only as far as requested. */
 export class ShortestPaths {
-  /** From the start; final where the place is reached. */
+  /** From the start; final once the place is reached. */
   private readonly distances: Float64Array;
-  /** The last edge on the way to each place. */
+  /** The last edge on the path to each place. */
   private readonly lastEdge: Uint32Array;
   private readonly isReached: Uint8Array;
   private readonly heap: MinHeap;
@@ -25,7 +25,7 @@ export class ShortestPaths {
     this.heap.add(start, 0);
   }
 
-  /** Reaches that many places more; returns whether there is no other. */
+  /** Reaches that many more places; returns whether there are none left. */
   grow(count: number): boolean {
     for (let i = 0; i < count; ++i) if (!this.step()) return true;
     return false;
@@ -36,13 +36,13 @@ export class ShortestPaths {
     return this.isReached[place] === 1;
   }
 
-  /** From the start; infinite where there is no way. */
+  /** From the start; infinite if there is no path. */
   distanceTo(place: number): number {
     this.reach(place);
     return this.distances[place];
   }
 
-  /** The edges from the start to a place; empty where there is no way. */
+  /** The edges from the start to a place; empty if there is no path. */
   to(place: number): number[] {
     this.reach(place);
     const edges: number[] = [];
@@ -58,7 +58,7 @@ export class ShortestPaths {
     while (!this.isReached[place] && this.step());
   }
 
-  /** Reaches the nearest place that is not yet; returns whether there was one. */
+  /** Reaches the nearest unreached place; returns whether there was one. */
   private step(): boolean {
     const v = this.heap.take();
     if (v === undefined) return false;

@@ -1,27 +1,30 @@
 import type { DisplayMesh } from '../mesh/mesh';
 
-/** The edges of a surface, between its places: vertices at one place are one, the first of them. */
+/**
+ * The edges of a surface, between its places: vertices at the same point share a place, which is
+ * the first of them.
+ */
 export interface SurfaceGraph {
   /** The place of each vertex. */
   places: Uint32Array;
   /** Two places per edge, the lower one first. */
   ends: Uint32Array;
   lengths: Float64Array;
-  /** Per edge: whether there are faces on both sides, so that it can be cut. */
+  /** Per edge: whether it has faces on both sides, so that it can be cut. */
   isInner: Uint8Array;
-  /** The edges round place v are edgesAt[firstAt[v]] to edgesAt[firstAt[v + 1] - 1]. */
+  /** The edges around place v are edgesAt[firstAt[v]] to edgesAt[firstAt[v + 1] - 1]. */
   firstAt: Uint32Array;
   edgesAt: Uint32Array;
 }
 
-/** The three sides of every triangle, by their lower place, then by the higher one. */
+/** The three sides of every triangle, sorted by their lower place, then by the higher one. */
 interface Sides {
   low: Uint32Array;
   high: Uint32Array;
   face: Uint32Array;
 }
 
-/** `faces`: the face of each triangle. Edges inside a face are only there to draw it and are left out. */
+/** `faces`: the face of each triangle. Edges inside a face only triangulate it and are left out. */
 export function surfaceGraph(
   { positions, indices }: DisplayMesh,
   places: Uint32Array,
@@ -46,7 +49,7 @@ export function otherEnd({ ends }: SurfaceGraph, edge: number, place: number): n
   return ends[2 * edge] === place ? ends[2 * edge + 1] : ends[2 * edge];
 }
 
-/** The edge between two vertices, -1 where there is none. */
+/** The edge between two vertices, -1 if there is none. */
 export function edgeBetween(graph: SurfaceGraph, a: number, b: number): number {
   const [from, to] = [graph.places[a], graph.places[b]];
   for (let i = graph.firstAt[from]; i < graph.firstAt[from + 1]; ++i)
@@ -81,7 +84,7 @@ function sortedSides(
   return { low: pick(low, order), high: pick(high, order), face: pick(face, order) };
 }
 
-/** The indices of keys below `most`, the least key first, equal ones in their order. */
+/** The indices of keys below `most`, smallest key first, equal ones in their order. */
 function ordered(keys: Uint32Array, most: number): Uint32Array {
   const next = new Uint32Array(most + 1);
   for (const key of keys) next[key + 1] += 1;
@@ -99,7 +102,7 @@ function pick(values: Uint32Array, rows: Uint32Array): Uint32Array {
   return picked;
 }
 
-/** Each edge of a face once, with the number of faces that it has. */
+/** Each edge of a face once, with its number of faces. */
 function uniqueEdges({ low, high, face }: Sides): { ends: Uint32Array; uses: Uint32Array } {
   const ends = new Uint32Array(2 * low.length);
   const uses = new Uint32Array(low.length);
@@ -115,7 +118,10 @@ function uniqueEdges({ low, high, face }: Sides): { ends: Uint32Array; uses: Uin
   return { ends: ends.slice(0, 2 * size), uses: uses.slice(0, size) };
 }
 
-/** Of the sides `from` to `to` those that are no diagonal: inside a face an edge has two triangles of that face. */
+/**
+ * How many of the sides `from` to `to` are not diagonals: inside a face, an edge has two triangles
+ * of that face.
+ */
 function sidesOfFaces(face: Uint32Array, from: number, to: number): number {
   let sides = 0;
   for (let i = from; i < to; ++i) {

@@ -3,7 +3,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
-/** Edges as lines of a width in css pixels. */
+/** Edges as lines with a width in css pixels. */
 export class EdgeLines {
   private readonly material: LineMaterial;
   readonly object: LineSegments2;
@@ -20,7 +20,7 @@ export class EdgeLines {
   /** xyz of both ends of each edge. */
   show(ends: Float32Array): void {
     this.object.geometry.dispose();
-    // As setPositions() makes it, which would go through all edges for a box and a sphere.
+    // Like setPositions(), which would also loop over all edges for a box and a sphere.
     const geometry = new LineSegmentsGeometry();
     const buffer = new InstancedInterleavedBuffer(ends, 6, 1);
     geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(buffer, 3, 0));

@@ -1,8 +1,9 @@
 import { Vector3 } from 'three';
 
 /**
- * Where to look and from how far so that points (xyz each) fill a view in perspective. `front`: unit vector to the eye,
- * not vertical. `across`, `up`: half the view's width and height at distance 1.
+ * The point to look at, and the distance from which points (xyz each) fill a perspective view.
+ * `front`: unit vector to the eye, not vertical. `across`, `up`: half the view's width and height
+ * at distance 1.
  */
 export function fitInView(
   points: Float32Array,

@@ -55,7 +55,10 @@ const FRAGMENT = /* glsl */ `
   }
 `;
 
-/** Material of the uv layout. Its geometry has no index and the attributes heat (a place on the ramp for each measure), chart (number of its colour) and piece (number of the chart itself). */
+/**
+ * Material of the uv layout. Its geometry has no index and has the attributes heat (a place on
+ * the ramp for each measure), chart (number of its colour) and piece (number of the chart itself).
+ */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,

@@ -16,14 +16,14 @@ import { gridTexture } from './uv-grid';
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
 
-/** Css pixels: charts may be many and small. */
+/** Css pixels; thin for atlases, whose charts may be many and small. */
 const OUTLINE = 2.25;
 const THIN_OUTLINE = 1.25;
 
 /** The uv layout in the plane. */
 export class LayoutView {
   private readonly stage: Stage;
-  /** When pictures can be drawn without waiting for shaders. */
+  /** Resolves when pictures can be drawn without waiting for shaders. */
   readonly ready: Promise<void>;
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
@@ -35,13 +35,13 @@ export class LayoutView {
   private readonly dots = new PointMarks({ ...DOT, depthTest: false });
   private readonly rings = new PointMarks({ ...RING, depthTest: false });
   private readonly panZoom: PanZoom;
-  /** Size of the shown layout, whose centre is 0 and whose longer side is 1. */
+  /** Size of the shown layout, which is centred on 0 and whose longer side is 1. */
   private size: [number, number] = [1, 1];
-  /** In uv: what is at 0 of the plane, and the length of a unit of it. */
+  /** In uv: the point at 0 of the plane, and the length of the plane's unit. */
   private middle: [number, number] = [0, 0];
   private unit = 1;
   private readonly labels = new TileLabels();
-  /** Until the user pans or zooms, the layout stays fitted whatever happens to it or to the pane. */
+  /** Until the user pans or zooms, the layout stays fitted however it or the pane changes. */
   private isFitted = true;
   private isAtlas = false;
   private palette: Palette | null = null;
@@ -86,7 +86,7 @@ export class LayoutView {
     else this.stage.invalidate();
   }
 
-  /** What is drawn beside the triangles. */
+  /** Shows everything besides the triangles. */
   private showParts(layout: LayoutDrawing, isAtlas: boolean): void {
     this.isAtlas = isAtlas;
     this.colorBoundary();
@@ -134,13 +134,13 @@ export class LayoutView {
     this.stage.invalidate();
   }
 
-  /** Shows one chart clearer than the others; null: all alike. */
+  /** Highlights one chart; null: none. */
   light(chart: number | null): void {
     this.material.uniforms.lit.value = chart ?? NONE_LIT;
     this.stage.invalidate();
   }
 
-  /** Goes to one chart. */
+  /** Moves the view to one chart. */
   goTo(chart: number): void {
     const [left, bottom, right, top] = this.frames.subarray(FLAT_FRAME.size * chart);
     if (!(left <= right)) return;
@@ -171,7 +171,7 @@ export class LayoutView {
 
   private draw(): void {
     if (this.surface && !this.surface.advance()) {
-      // What is on screen stays until all of the next layout is there.
+      // The current picture stays until all of the next layout has arrived.
       this.stage.invalidate();
       return;
     }

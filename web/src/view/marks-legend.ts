@@ -2,7 +2,7 @@ import type { DelaunayReport, VertexBound } from 'abflat';
 import { create, element } from '../base/dom';
 import { counted, measure } from '../base/format';
 
-/** What of a report is said beside the layout. */
+/** The part of a report that is shown beside the layout. */
 export interface Marked {
   bounds: VertexBound[];
   boundaryCrossings: number;
@@ -10,7 +10,7 @@ export interface Marked {
   angularDistortion: number | null;
 }
 
-/** Says what the marks in the views are, as far as there are any, and what the Delaunay condition costs. */
+/** Explains the marks in the views, if there are any, and what the Delaunay condition costs. */
 export function showMarksLegend(marked: Marked | null): void {
   const lines = marked ? linesOf(marked) : [];
   const box = element('marks', HTMLElement);
@@ -24,7 +24,7 @@ export function showMarksLegend(marked: Marked | null): void {
   box.hidden = lines.length === 0;
 }
 
-/** The kind of the mark and what it is. */
+/** Per line, the kind of mark and its meaning. */
 function linesOf(marked: Marked): [string, string][] {
   const { bounds, boundaryCrossings, delaunay } = marked;
   const lines: [string, string][] = [];

@@ -17,12 +17,12 @@ import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './s
 import { gridTexture } from './uv-grid';
 
 const FIELD_OF_VIEW = 32;
-/** Share of the view's width or height that a fitted mesh takes. */
+/** Fraction of the view's width or height that a fitted mesh fills. */
 const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
-/** From above y is still up by a little. */
+/** Seen from above, y is still slightly up. */
 const ABOVE = 1e-3;
 
 /** A view of points (xyz each); `direction`: from them to the eye. */
@@ -34,7 +34,7 @@ interface Look {
 /** The mesh in 3D. */
 export class MeshView {
   private readonly stage: Stage;
-  /** When pictures can be drawn without waiting for shaders. */
+  /** Resolves when pictures can be drawn without waiting for shaders. */
   readonly ready: Promise<void>;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
@@ -51,9 +51,9 @@ export class MeshView {
     outline: new Float32Array(),
     hull: new Float32Array(),
   };
-  /** Where it was last looked from, and what was to fit in the view. */
+  /** The direction it was last viewed from, and the points that had to fit in the view. */
   private from: Look = { direction: [0, 0, 1], points: new Float32Array() };
-  /** Until the user turns or zooms, the mesh stays fitted whatever happens to the pane. */
+  /** Until the user turns or zooms, the mesh stays fitted however the pane changes. */
   private isFitted = true;
   private isFlat = false;
   private isAtlas = false;
@@ -87,7 +87,10 @@ export class MeshView {
     this.ready = this.stage.start(this.scene, this.camera);
   }
 
-  /** Shows a mesh, with a checkerboard or its charts when it is flattened. Keeps the point of view unless the mesh was just opened. */
+  /**
+   * Shows a mesh, with a checkerboard or its charts if it is flattened. Keeps the point of view
+   * unless the mesh was just opened.
+   */
   show(drawing: Drawing | FlatDrawing): void {
     const { mesh } = drawing;
     const flat = 'marks' in drawing ? drawing : null;
@@ -161,13 +164,13 @@ export class MeshView {
     this.stage.invalidate();
   }
 
-  /** Shows one chart clearer than the others; null: all alike. */
+  /** Highlights one chart; null: none. */
   light(chart: number | null): void {
     this.material.uniforms.lit.value = chart ?? NONE_LIT;
     this.stage.invalidate();
   }
 
-  /** Looks at one chart. */
+  /** Turns the view to one chart. */
   goTo(chart: number): void {
     const frame = this.frames.subarray(FRAME.size * chart, FRAME.size * (chart + 1));
     if (!(frame[FRAME.low] <= frame[FRAME.high])) return;
@@ -182,7 +185,7 @@ export class MeshView {
     this.fit({ points: this.first.outline, direction: this.first.front });
   }
 
-  /** Looks from behind what is looked at now. */
+  /** Looks from the opposite side. */
   turnRound(): void {
     const { x, y, z } = this.camera.position.clone().sub(this.controls.target).normalize();
     this.lookFrom([-x, y, -z]);
@@ -209,7 +212,7 @@ export class MeshView {
     this.stage.invalidate();
   }
 
-  /** Ends a motion that is dying down: without damping an update uses up all of it. */
+  /** Ends a motion that is still dying down: without damping, one update uses up all of it. */
   private stopDamping(): void {
     const { enableDamping } = this.controls;
     this.controls.enableDamping = false;
@@ -244,11 +247,12 @@ export class MeshView {
 
   private draw(): void {
     if (this.surface && !this.surface.advance()) {
-      // What is on screen stays until all of the next surface is there.
+      // The current picture stays until all of the next surface has arrived.
       this.stage.invalidate();
       return;
     }
-    // With damping, update() moves on and asks for the next frame through its change event.
+    // With damping, update() continues the motion and asks for the next frame through its change
+    // event.
     this.controls?.update();
     this.stage?.renderer.render(this.scene, this.camera);
   }

@@ -10,8 +10,8 @@ const LEAST_SCALE = 20;
 const MOST_SCALE = 2e7;
 
 /**
- * Which part of a plane (y up) a canvas shows: (x, y) at its centre, `scale` css pixels per unit. Moved by drag, wheel, pinch,
- * keys; zooming keeps the point under the cursor where it is.
+ * The part of a plane (y up) that a canvas shows: (x, y) at its centre, `scale` css pixels per
+ * unit. Moved by drag, wheel, pinch and keys; zooming keeps the point under the cursor in place.
  */
 export class PanZoom {
   x = 0;
@@ -43,7 +43,7 @@ export class PanZoom {
     this.events.moved();
   }
 
-  /** `clientX`, `clientY`: the point that stays. */
+  /** `clientX`, `clientY`: the point that stays in place. */
   private zoom(factor: number, clientX: number, clientY: number): void {
     const box = this.canvas.getBoundingClientRect();
     const right = clientX - box.left - box.width / 2;
@@ -74,7 +74,7 @@ export class PanZoom {
       this.pan(now.x - last.x, now.y - last.y);
       return;
     }
-    // Each finger moves the midpoint by half of its way.
+    // Each finger moves the midpoint by half of its own movement.
     this.pan((now.x - last.x) / 2, (now.y - last.y) / 2);
     const before = Math.hypot(last.x - other.x, last.y - other.y);
     const after = Math.hypot(now.x - other.x, now.y - other.y);

@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
 
-// Nearer by a little than the surface that the point lies on, which would hide parts of the mark.
+// Slightly nearer than the surface that the point lies on, which would otherwise hide parts of the
+// mark.
 const VERTEX = /* glsl */ `
   uniform float size;
   void main() {
@@ -28,14 +29,14 @@ const FRAGMENT = /* glsl */ `
 export interface MarkStyle {
   /** Css pixels across. */
   size: number;
-  /** Radius of the hole of a ring relative to its own; 0 for a dot. */
+  /** Radius of a ring's hole relative to its own; 0 for a dot. */
   hole: number;
   depthTest: boolean;
 }
 
 /** Tightened vertices: small enough to tell neighbours apart. */
 export const DOT = { size: 7, hole: 0 };
-/** Crossings: the ring leaves what is in it to be seen. */
+/** Crossings: what is inside the ring stays visible. */
 export const RING = { size: 26, hole: 0.82 };
 
 /** Dots or rings of one size on the screen. */

@@ -46,7 +46,7 @@ export class SeamOverlay {
     this.vertices.object.renderOrder = 3;
   }
 
-  /** `points` has xyz per vertex. Returns whether that changes anything. */
+  /** `points` has xyz per vertex. Returns whether anything changes. */
   show(points: Float32Array, marks: SeamMarks): boolean {
     const isSame = (points === this.points || isEmpty(marks)) && sameMarks(marks, this.marks);
     if (isSame) return false;

@@ -1,7 +1,10 @@
 import { CHART_COLORS } from '../colors/chart-colors';
 import { RAMP_SIZE } from '../colors/palette';
 
-/** Corner of the triangle as barycentric coordinates: drawing without an index numbers corners in threes. */
+/**
+ * The triangle's corner as barycentric coordinates: without an index, corners are numbered in
+ * threes.
+ */
 export const CORNER_GLSL = /* glsl */ `
   vec3 cornerOf(int vertex) {
     int k = vertex % 3;
@@ -10,8 +13,8 @@ export const CORNER_GLSL = /* glsl */ `
 `;
 
 /**
- * Coverage (0..1) of the triangle's edges by a line of \`width\` device pixels, anti-aliased. Fades where triangles get smaller
- * than a few pixels, so that a dense mesh does not become one dark blot.
+ * Coverage (0..1) by the triangle's edges, drawn `width` device pixels wide and anti-aliased. Fades
+ * as triangles get smaller than a few pixels, so that a dense mesh does not become one dark blot.
  */
 export const EDGE_GLSL = /* glsl */ `
   float edgeCoverage(vec3 corner, float width) {
@@ -50,7 +53,7 @@ export const HEAT_GLSL = /* glsl */ `
   }
 `;
 
-/** The colour of a chart by its number. */
+/** A chart's colour by its number. */
 export const CHART_GLSL = /* glsl */ `
   uniform vec3 charts[${CHART_COLORS}];
   vec3 chartColor(float number) {

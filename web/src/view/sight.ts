@@ -5,7 +5,9 @@ export interface Pixel {
   y: number;
 }
 
-/** What a camera sees on a canvas: points to css pixels from its upper left corner, and back. */
+/**
+ * What a camera sees on a canvas: maps points to css pixels from the upper left corner, and back.
+ */
 export class Sight {
   private readonly matrix: Matrix4;
 
@@ -29,7 +31,7 @@ export class Sight {
     return new Ray(origin, direction.normalize());
   }
 
-  /** Where vertex `v` of `points` (xyz each) is seen; null behind the eye. */
+  /** Where vertex `v` of `points` (xyz each) appears; null if it is behind the eye. */
   pixel(points: ArrayLike<number>, v: number): Pixel | null {
     const m = this.matrix.elements;
     const [x, y, z] = [points[3 * v], points[3 * v + 1], points[3 * v + 2]];

@@ -8,19 +8,19 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-/** Numbers that go to the graphics card at once. */
+/** How many numbers go to the graphics card at once. */
 const SLICE = 1 << 17;
-/** Milliseconds of a frame in which they do: more would keep the page from answering. */
+/** Milliseconds per frame for uploads: more would block the page. */
 const UPLOADING = 8;
 
 const SIZES = { position: 3, normal: 3, uv: 2, heat: 3, chart: 1, piece: 1 };
 
-/** What there is of each corner of the triangles. */
+/** The arrays per corner of the triangles. */
 export type SurfaceArrays = { position: Float32Array } & Partial<
   Record<keyof typeof SIZES, Float32Array>
 >;
 
-/** A geometry on its way to the graphics card. */
+/** A geometry that is being uploaded to the graphics card. */
 interface Arriving {
   arrays: SurfaceArrays;
   geometry: BufferGeometry;
@@ -29,14 +29,17 @@ interface Arriving {
   arrived: () => void;
 }
 
-/** Triangles without an index. Others take their place as soon as all of them are on the graphics card, where they go slice by slice. */
+/**
+ * Triangles without an index. New ones are uploaded to the graphics card slice by slice and replace
+ * the old ones once all of them are there.
+ */
 export class SlicedSurface {
   readonly object: Mesh;
   private readonly gl: WebGL2RenderingContext;
   private arriving: Arriving | null = null;
   private shown: SurfaceArrays | null = null;
 
-  /** `attributes` are those that there will be: a material is compiled for them. */
+  /** `attributes` lists all that will be used: the material is compiled for them. */
   constructor(renderer: WebGLRenderer, material: Material, attributes: (keyof typeof SIZES)[]) {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
     const none = new BufferGeometry();
@@ -51,13 +54,13 @@ export class SlicedSurface {
   show(arrays: SurfaceArrays, arrived: () => void): void {
     for (const buffer of this.arriving?.buffers ?? []) this.gl.deleteBuffer(buffer);
     const geometry = new BufferGeometry();
-    geometry.boundingSphere = new Sphere(); // the renderer would go through all corners to sort by it
+    geometry.boundingSphere = new Sphere(); // else the renderer loops over all corners to sort
     const left: Arriving['left'] = [];
     for (const [name, size] of Object.entries(SIZES)) {
       const array = arrays[name as keyof SurfaceArrays];
       if (!array || array.length === 0) continue;
       const buffer = this.bufferOf(array);
-      // The types know no such attribute in a geometry, which takes it all the same.
+      // The types do not allow such an attribute in a geometry, but it works.
       geometry.setAttribute(
         name,
         this.attributeOf(buffer, array, size) as unknown as BufferAttribute,
@@ -67,7 +70,7 @@ export class SlicedSurface {
     this.arriving = { arrays, geometry, buffers: left.map(({ buffer }) => buffer), left, arrived };
   }
 
-  /** Before each frame. Returns whether nothing is missing any more. */
+  /** Called before each frame. Returns whether everything has arrived. */
   advance(): boolean {
     const { arriving } = this;
     if (!arriving) return true;

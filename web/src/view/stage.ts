@@ -2,7 +2,10 @@ import { type Camera, type Scene, WebGLRenderer } from 'three';
 
 export class NoWebGl extends Error {}
 
-/** A canvas that fills its parent, is redrawn only when asked, and follows size and pixel density. */
+/**
+ * A canvas that fills its parent, is redrawn only when asked, and follows changes of size and pixel
+ * density.
+ */
 export class Stage {
   readonly renderer: WebGLRenderer;
   width = 1;
@@ -12,7 +15,7 @@ export class Stage {
   /** Something has changed since the last picture. */
   private isStale = false;
 
-  /** Throws NoWebGl when the browser offers no WebGL 2. */
+  /** Throws NoWebGl if the browser offers no WebGL 2. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly draw: () => void,
@@ -27,12 +30,15 @@ export class Stage {
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
   }
 
-  /** Compiles the shaders of all that the scene will ever show, which takes the browser a while; nothing is drawn before. */
+  /**
+   * Compiles the shaders of everything that the scene will ever show, which takes the browser a
+   * while; nothing is drawn before that.
+   */
   async start(scene: Scene, camera: Camera): Promise<void> {
     new ResizeObserver(() => this.resize()).observe(parentOf(this.canvas));
     this.resize();
     await this.renderer.compileAsync(scene, camera);
-    // Asks for their errors now: later it would wait for pictures that are being drawn.
+    // Ask for their errors now: later, that would wait for pictures being drawn.
     for (const program of this.renderer.info.programs ?? []) program.getUniforms();
     this.isReady = true;
     this.drawNow();
@@ -42,7 +48,7 @@ export class Stage {
     return this.renderer.getPixelRatio();
   }
 
-  /** Draws in the next frame, however often it is called before. */
+  /** Draws in the next frame, once, however often it is called before that. */
   invalidate(): void {
     this.isStale = true;
     if (this.isScheduled) return;
@@ -50,7 +56,7 @@ export class Stage {
     requestAnimationFrame(() => {
       this.isScheduled = false;
       if (!this.isReady || !this.isStale) return;
-      // What is to be shown may have changed the page around it.
+      // The new content may have changed the page around it.
       this.follow();
       this.drawNow();
     });
@@ -62,11 +68,12 @@ export class Stage {
   }
 
   private resize(): void {
-    // At once: waiting for the next frame would show an empty canvas while the window is resized.
+    // Immediately: waiting for the next frame would show an empty canvas while the window is being
+    // resized.
     if (this.follow() && this.isReady) this.drawNow();
   }
 
-  /** Takes the size of the parent; returns whether it is another one. */
+  /** Takes the parent's size; returns whether it has changed. */
   private follow(): boolean {
     const { clientWidth, clientHeight } = parentOf(this.canvas);
     const [width, height] = [Math.max(1, clientWidth), Math.max(1, clientHeight)];

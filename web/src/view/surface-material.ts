@@ -9,7 +9,7 @@ import { GRID_GLSL } from './uv-grid';
 export const SurfacePaint = { Clay: 0, Checker: 1, Heat: 2, Charts: 3, Grid: 4 } as const;
 export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
 
-/** In place of the chart that is shown alone. */
+/** In place of the number of the highlighted chart. */
 export const NONE_LIT = -1;
 
 const VERTEX = /* glsl */ `
@@ -35,7 +35,7 @@ const VERTEX = /* glsl */ `
   }
 `;
 
-// Three lights that stay with the camera (key, fill, rim) and a sky: form reads from every side.
+// Three lights (key, fill, rim) fixed to the camera, plus a sky: shape is readable from every side.
 const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
   ${HEAT_GLSL}
@@ -87,7 +87,11 @@ const FRAGMENT = /* glsl */ `
   }
 `;
 
-/** Material of the mesh in 3D. Its geometry has no index and the attributes normal, uv (in cells), heat (a place on the ramp for each measure), chart (number of its colour) and piece (number of the chart itself). */
+/**
+ * Material of the mesh in 3D. Its geometry has no index and has the attributes normal, uv (in
+ * cells), heat (a place on the ramp for each measure), chart (number of its colour) and piece
+ * (number of the chart itself).
+ */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,

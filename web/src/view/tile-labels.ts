@@ -1,10 +1,10 @@
 import { create, element } from '../base/dom';
 import { tileAt } from '../mesh/tiles';
 
-/** Css pixels: numbers of smaller tiles would lie on each other. */
+/** In css pixels: the numbers of smaller tiles would overlap. */
 const LEAST_SIDE = 56;
 
-/** Where a tile's lower left corner lies in the view and how large it is, css pixels. */
+/** Where a tile's lower left corner lies in the view and how large the tile is, in css pixels. */
 export interface TilePlacement {
   x(u: number): number;
   y(v: number): number;
@@ -13,7 +13,7 @@ export interface TilePlacement {
   height: number;
 }
 
-/** The numbers of UDIM tiles, in their corners. One tile needs none. */
+/** The numbers of UDIM tiles, shown in their corners. A single tile needs none. */
 export class TileLabels {
   private readonly place = element('tiles', HTMLElement);
   private count = 0;
@@ -23,7 +23,7 @@ export class TileLabels {
     if (this.count === 0) this.place.replaceChildren();
   }
 
-  /** To where the tiles are now. */
+  /** Moves the labels to where the tiles are now. */
   move({ x, y, side, width, height }: TilePlacement): void {
     if (this.count === 0) return;
     const labels: HTMLElement[] = [];

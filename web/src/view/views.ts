@@ -7,7 +7,7 @@ import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
 import { ShadingControl } from './shading-control';
 
-/** Both pictures and the buttons that belong to them. */
+/** Both views and the buttons that belong to them. */
 export class Views {
   readonly mesh: MeshView;
   private readonly layout: LayoutView;
@@ -15,7 +15,7 @@ export class Views {
   private isDisk = true;
   private readonly shading: ShadingControl;
 
-  /** Throws NoWebGl when the browser offers no WebGL 2. */
+  /** Throws NoWebGl if the browser offers no WebGL 2. */
   constructor() {
     const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);
@@ -36,7 +36,7 @@ export class Views {
     element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
   }
 
-  /** When both can be drawn. */
+  /** Resolves when both can be drawn. */
   get ready(): Promise<unknown> {
     return Promise.all([this.mesh.ready, this.layout.ready]);
   }
@@ -47,12 +47,12 @@ export class Views {
     this.layout.setPalette(palette);
   }
 
-  /** A mesh that is not flattened (yet): the layout stays that of the mesh before. */
+  /** Shows a mesh that is not flattened (yet); the layout of the previous mesh stays. */
   showMesh(drawing: Drawing): void {
     this.mesh.show(drawing);
   }
 
-  /** Shows one chart clearer than the others; null: all alike. */
+  /** Highlights one chart; null: none. */
   lightChart(chart: number | null): void {
     this.mesh.light(chart);
     this.layout.light(chart);
@@ -72,7 +72,7 @@ export class Views {
     this.showFlat(drawing, isDisk ? outcome.result.report.charts[0] : null, isNew);
   }
 
-  /** Another layout of the mesh that is shown; `marked` is null when nothing is. */
+  /** Shows another layout of the current mesh; `marked` is null if nothing is marked. */
   showFlat(drawing: FlatDrawing, marked: Marked | null, isNew = false): void {
     this.lightChart(null);
     // The point of view was chosen when the mesh was opened.

@@ -1,4 +1,5 @@
-// The other side of workshop.ts: what takes a loop over all triangles is done here, away from the page.
+// The worker's side of workshop.ts: everything that loops over all triangles is done here, off the
+// main thread.
 
 import { expose, transfer } from 'comlink';
 import { buffersOf } from '../base/buffers';
@@ -65,7 +66,7 @@ const tasks = {
 
 export type Tasks = typeof tasks;
 
-/** Given away, not copied. */
+/** Transferred, not copied. */
 function handedOver<T extends object>(value: T): T {
   return transfer(value, buffersOf(value));
 }

@@ -17,15 +17,18 @@ import type { Tasks } from './worker';
 
 interface Running {
   tasks: Remote<Tasks>;
-  /** Rejects when the worker cannot be loaded, or stops. */
+  /** Rejects if the worker cannot be loaded or stops. */
   lost: Promise<never>;
   end: () => void;
 }
 
-/** A worker for what takes long with large meshes, so that the page always answers. It is started with the page, and again where it was lost. */
+/**
+ * A worker for everything slow with large meshes, so that the page stays responsive. It is started
+ * with the page, and again if it is lost.
+ */
 export class Workshop implements Helpers {
   private running: Running | null = null;
-  /** When all that was sent has been copied. */
+  /** Resolves when everything that was sent has been copied. */
   private sent: Promise<void> = Promise.resolve();
 
   constructor() {
@@ -38,7 +41,7 @@ export class Workshop implements Helpers {
     });
   }
 
-  /** A mesh that is not flattened yet. */
+  /** Draws a mesh that is not flattened yet. */
   mesh({ positions, indices }: DisplayMesh): Promise<Drawing> {
     return this.send([{ positions, indices }], (tasks, mesh) => tasks.mesh(mesh));
   }
@@ -66,7 +69,7 @@ export class Workshop implements Helpers {
     );
   }
 
-  /** What it takes to edit seams. */
+  /** What is needed to edit seams. */
   surface({ positions, indices, faces }: DisplayMesh, isDisk: boolean): Promise<SurfaceArrays> {
     return this.send([{ positions, indices, faces }], (tasks, mesh) => tasks.surface(mesh, isDisk));
   }
@@ -92,7 +95,10 @@ export class Workshop implements Helpers {
     return read ?? compressed(file, others, signal);
   }
 
-  /** The document that the mesh came from as GLB, with the coordinates of the layout as TEXCOORD_`texcoord`. */
+  /**
+   * The document that the mesh came from as GLB, with the layout's coordinates as
+   * TEXCOORD_`texcoord`.
+   */
   async glb({ gltf, result }: Outcome, texcoord: number): Promise<Blob | undefined> {
     const { uv, indices, vertexMap, positions } = result;
     return (
@@ -103,12 +109,14 @@ export class Workshop implements Helpers {
     );
   }
 
-  /** With vertices at one place joined. */
+  /** The mesh with vertices at the same point joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
     return this.send([mesh], (tasks, own) => tasks.joined(own));
   }
 
-  /** Gives the worker copies of all that is large; it gets to do what was asked for first. */
+  /**
+   * Sends the worker copies of all large values; it works on requests in the order they were made.
+   */
   private send<A extends object[], R>(
     values: [...A],
     post: (tasks: Remote<Tasks>, ...own: A) => Promise<R>,
@@ -142,11 +150,14 @@ function startWorker(name: string, onLost: () => void): Running {
       reject(event.message ? stopped(event.message) : notLoaded(NO_WORKER));
     };
   });
-  lost.catch(() => undefined); // whoever waits for the worker hears of it
+  lost.catch(() => undefined); // callers that wait for the worker get this error
   return { tasks: wrap<Tasks>(worker), lost, end: () => worker.terminate() };
 }
 
-/** In a worker of its own: the memory of a decoder ends with it, and data that would keep it busy for ever can be cancelled. */
+/**
+ * In a separate worker: the decoder's memory is freed with it, and data that would keep it busy
+ * forever can be cancelled.
+ */
 async function compressed(file: File, others: File[], signal: AbortSignal): Promise<GltfFile> {
   signal.throwIfAborted();
   const { tasks, lost, end } = startWorker('decoder', () => undefined);

@@ -28,7 +28,7 @@ struct RepairReport {
   std::vector<std::uint32_t> splitFaces;
   /// Faces at the places of an earlier one, the second number; they become charts of their own.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
-  /// Edges of more than two faces, by their vertices; they were cut.
+  /// Edges with more than two faces, by their vertices; they were cut.
   std::vector<std::array<std::uint32_t, 2>> nonManifoldEdges;
   /// Edges whose two faces run in the same direction, by their vertices; they were cut.
   std::vector<std::array<std::uint32_t, 2>> orientationConflicts;
@@ -232,7 +232,8 @@ struct UnwrapReport {
   double angularDistortion = 0;
   /// Quasi-conformal distortion σ₁/σ₂, the mean over all charts by 3D area.
   double quasiConformalMean = 0;
-  /// Symmetric Dirichlet energy / 4, the mean over all charts by 3D area at one common scale.
+  /// Symmetric Dirichlet energy / 4, the mean over all charts by 3D area, each chart at its own
+  /// scale.
   double symmetricDirichlet = 0;
   /// How the charts were packed.
   AtlasReport atlas;

@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// A bound of t pi for one boundary vertex, in place of the common t; of several for a vertex the
-/// last counts.
+/// A bound of t pi for one boundary vertex, in place of the common t; if a vertex has several, the
+/// last one counts.
 struct VertexBound {
   /// Vertex of the input.
   std::uint32_t vertex = 0;

@@ -21,14 +21,15 @@ struct CholeskyOptions {
 struct CholeskyStatus {
   enum class Code : std::uint8_t { Ok, ZeroPivot, NegativePivot, NotFinite };
   Code code = Code::Ok;
-  std::uint32_t column = 0;  ///< of the matrix, where a pivot fails
+  std::uint32_t column = 0;  ///< column of the matrix at which a pivot failed
   double pivot = 0;
   bool isOk() const { return code == Code::Ok; }
 };
 
 /// P A P^T = L S L^T of a symmetric matrix, L lower triangular and S a diagonal of signs: for
 /// positive definite matrices, and for others whose pivots need no exchange. A factor of floats
-/// takes half the memory and time and is as good a preconditioner as floats are precise.
+/// takes half the memory and time, and is as good a preconditioner as the precision of floats
+/// allows.
 template <typename Scalar>
 class BasicCholesky {
  public:
@@ -41,8 +42,8 @@ class BasicCholesky {
   /// `values` in the order of the pattern that was analysed.
   CholeskyStatus factorize(const double* values);
 
-  /// After a factorisation that succeeded, and until the next: replaces the columns of b, each
-  /// `size` long and one after another, by the solutions.
+  /// Replaces the columns of b, each `size` long and stored one after another, by the solutions.
+  /// Valid after a successful factorisation, until the next one.
   void solve(double* b, std::size_t columns = 1) const;
 
   std::uint32_t negativePivots() const { return negativePivots_; }

@@ -8,12 +8,12 @@
 namespace abflat {
 namespace {
 
-/// Numbers that are set or added up as one piece of work.
+/// Numbers set or added up per piece of work.
 constexpr std::size_t kGrain = 1 << 15;
 /// Multiplications within a front that count as one step of a pulse.
 constexpr std::size_t kPerStep = 4096;
 
-/// A supernode that is done, and its update matrix.
+/// A finished supernode and its update matrix.
 template <typename Scalar>
 struct Child {
   std::uint32_t supernode;
@@ -32,7 +32,7 @@ void extendAdd(const Scalar* update, std::size_t size, const std::uint32_t* row,
   }
 }
 
-/// What a thread needs for a task: the two stacks of update matrices within it.
+/// Work space of a thread for one task: the two stacks of update matrices within it.
 template <typename Scalar>
 struct Workspace {
   LargeBuffer<Scalar> stack[2], front;
@@ -44,7 +44,7 @@ struct Workspace {
 
 }  // namespace
 
-/// One factorisation under way.
+/// One factorisation in progress.
 template <typename Scalar>
 class BasicCholesky<Scalar>::Factorization {
  public:
@@ -64,7 +64,7 @@ class BasicCholesky<Scalar>::Factorization {
  private:
   void runTask(std::uint32_t t) {
     const CholeskyTask& task = s_.tasks.all[t];
-    // Those before a failure go on: the first one counts.
+    // Tasks before a failure go on, because the first failure counts.
     if (failedAt_ < task.begin) return;
     std::unique_ptr<Workspace<Scalar>> work = spares_.take();
     if (!work) work = std::make_unique<Workspace<Scalar>>(s_);
@@ -120,7 +120,7 @@ class BasicCholesky<Scalar>::Factorization {
     return std::size_t{s_.rowsBelow(p)} * s_.rowsBelow(p);
   }
 
-  /// One front. False when a pivot fails.
+  /// Eliminates one front. False if a pivot fails.
   bool eliminate(std::uint32_t p, const Child<Scalar>* children, std::size_t childCount,
                  Scalar* update, Workspace<Scalar>& work, ThreadPool* pool) {
     const std::size_t columns = s_.columns(p), below = s_.rowsBelow(p), rows = columns + below;

@@ -43,8 +43,8 @@ bool acceptPivot(Block<Scalar>& b, std::size_t column, Scalar pivot) {
   return true;
 }
 
-// Browsers begin with quickly made code and replace it from the next call of a function on: what is
-// called once a tile becomes fast soon, what loops over a whole front never.
+// Browsers start with quickly compiled code and replace it at the next call of a function: a
+// function called once per tile soon becomes fast, one that loops over a whole front never does.
 #ifdef __wasm__
 #define ABFLAT_TILE __attribute__((noinline))
 #else
@@ -141,7 +141,7 @@ const Kernel<float>& kernelOf(SimdWidth width) {
   return float4::kKernel;
 }
 
-/// The strips of a block at the same time: all of them are packed before any is used.
+/// Works on the strips of a block in parallel: all of them are packed before any is used.
 template <typename Scalar>
 class ParallelStrips {
  public:
@@ -169,9 +169,9 @@ class ParallelStrips {
   }
 
  private:
-  /// Multiplications from which it pays to wake up other threads: about 0.3 ms.
+  /// Multiplications from which waking up other threads pays off: about 0.3 ms.
   static constexpr double kLargeBlock = 2e6;
-  static constexpr std::size_t kPiece = 2;  ///< strips in a piece of work
+  static constexpr std::size_t kPiece = 2;  ///< strips per piece of work
 
   const Front<Scalar>& f_;
   const Kernel<Scalar>& kernel_;

@@ -3,7 +3,7 @@
 namespace abflat {
 namespace {
 
-/// sameAsNext[i]: rows i and i + 1 have the same columns, when the diagonal is left out of account.
+/// sameAsNext[i]: rows i and i + 1 have the same columns, ignoring the diagonal.
 std::vector<std::uint8_t> findEqualRows(const LowerPattern& p) {
   const std::uint32_t n = p.rows;
   std::vector<std::uint32_t> left(n, 0);   // entries of row i left of the diagonal

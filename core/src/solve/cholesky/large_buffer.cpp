@@ -23,7 +23,7 @@ std::size_t largeAlignment([[maybe_unused]] std::size_t bytes) {
 
 void adviseLarge([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  // A wish: nothing depends on whether it is granted.
+  // Only a hint: nothing depends on whether it is followed.
   if (bytes >= 2 * kHugePage) madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
 #endif
 }

@@ -7,7 +7,7 @@
 namespace abflat {
 
 struct LargeBufferDeleter {
-  void* block = nullptr;  ///< that the buffer lies in
+  void* block = nullptr;  ///< the block that contains the buffer
   void operator()(void*) const { ::operator delete(block); }
 };
 
@@ -15,14 +15,15 @@ struct LargeBufferDeleter {
 template <typename Scalar>
 using LargeBuffer = std::unique_ptr<Scalar[], LargeBufferDeleter>;
 
-/// What largeBuffer() wants an address to be a multiple of.
+/// The alignment that largeBuffer() wants for an address.
 std::size_t largeAlignment(std::size_t bytes);
-/// The system may expect all of it to be used: touching a large buffer for the first time then
-/// takes a fraction of the time (Linux, huge pages).
+/// Tells the system that all of the memory will be used: touching a large buffer for the first time
+/// then takes a fraction of the time (Linux, huge pages).
 void adviseLarge(void* memory, std::size_t bytes);
 
-/// Lack of memory ends as it does for every container. Aligned here: what glibc aligns leaves holes
-/// that no other aligned block of that size fits, hundreds of megabytes over many small charts.
+/// Running out of memory ends as for any container. Aligned here because glibc's aligned blocks
+/// leave holes that no other aligned block of that size fits: hundreds of megabytes over many small
+/// charts.
 template <typename Scalar>
 LargeBuffer<Scalar> largeBuffer(std::size_t count) {
   const std::size_t bytes = count * sizeof(Scalar), alignment = largeAlignment(bytes);

@@ -5,8 +5,8 @@
 namespace abflat {
 namespace {
 
-/// Neighbours outside the set beyond this number are left out of account: they change the order of
-/// vertices of very high degree only.
+/// Neighbours outside the set beyond this number are ignored, which changes only the order of
+/// vertices of very high degree.
 constexpr std::size_t kMaxHalo = 256;
 
 unsigned lowestBit(std::uint64_t bits) { return static_cast<unsigned>(__builtin_ctzll(bits)); }
@@ -35,7 +35,7 @@ void LocalMinimumDegree::order(std::vector<std::uint32_t>& vertices) {
       if (const std::uint32_t j = local_[*u]) row(i)[(j - 1) / 64] |= 1ull << ((j - 1) % 64);
     row(i)[i / 64] |= 1ull << (i % 64);
   }
-  // Vertices count alike: in a mesh nearly all weigh the same.
+  // Vertices count equally: in a mesh nearly all have the same weight.
   const auto degree = [&](std::size_t i) {
     std::uint32_t sum = 0;
     for (std::size_t w = 0; w < words; ++w) sum += countBits(row(i)[w]);

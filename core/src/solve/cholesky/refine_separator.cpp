@@ -14,7 +14,7 @@ constexpr double kLargestPart = 0.6;
 
 /// Moving a separator vertex to a part pulls its neighbours in the other part into the separator.
 /// All moves of a pass go the same way: the separator sweeps over the other part, past obstacles,
-/// and the best place on its way counts.
+/// and the best position on its way is kept.
 class Refinement {
  public:
   Refinement(const WeightedGraph& graph, Separation& separation)
@@ -26,7 +26,7 @@ class Refinement {
       if (s_.set[v] == 2) separator_.push_back(v);
   }
 
-  /// True when the separator became lighter or the parts better balanced.
+  /// True if the separator became lighter or the parts better balanced.
   bool pass() {
     heap_ = {};
     log_.clear();

@@ -23,7 +23,7 @@ void runUpwards(ThreadPool* pool, const std::vector<CholeskyTask>& tasks,
     const std::uint32_t p = tasks[t].parent;
     if (p != kNoParent && --unfinishedChildren[p] == 0) group.add([&run, p] { run(p); });
   };
-  // The last one added runs first: nearly in postorder, so that few results wait.
+  // The last one added runs first: nearly postorder, so that few results wait.
   for (std::uint32_t t = count; t-- > 0;)
     if (tasks[t].firstChild == kNoParent) group.add([&run, t] { run(t); });
   group.wait();

@@ -7,11 +7,11 @@
 
 namespace abflat {
 
-/// Each task after its children; without threads in postorder.
+/// Runs each task after its children; without threads in postorder.
 void runUpwards(ThreadPool* pool, const std::vector<CholeskyTask>& tasks,
                 const std::function<void(std::uint32_t)>& work);
 
-/// Each task before its children.
+/// Runs each task before its children.
 void runDownwards(ThreadPool* pool, const std::vector<CholeskyTask>& tasks,
                   const std::function<void(std::uint32_t)>& work);
 

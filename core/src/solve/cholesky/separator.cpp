@@ -23,7 +23,7 @@ constexpr std::uint32_t kTries = 3;
 /// at little cost.
 constexpr int kLevelOfTries = 2;
 constexpr std::uint32_t kCoarseTries = 6;
-/// Coarsening that leaves more than this share of the vertices is not worth going on.
+/// Coarsening stops when it leaves more than this share of the vertices.
 constexpr double kLeastShrinking = 0.8;
 
 /// Edges from `start`; `visited` gets the reached vertices in the order of their distance.
@@ -105,7 +105,7 @@ Separation cutAtMedian(const WeightedGraph& g, const std::vector<float>& key) {
   const auto less = [&](std::uint32_t a, std::uint32_t b) {
     return key[a] < key[b] || (key[a] == key[b] && a < b);
   };
-  // By count: vertices weigh 1 or 2, and the refinement balances weights.
+  // Split by count: vertices weigh 1 or 2, and the refinement balances weights.
   const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
   std::nth_element(order.begin(), middle, order.end(), less);
   Separation s;
@@ -123,8 +123,8 @@ Separation cutAtMedian(const WeightedGraph& g, const std::vector<float>& key) {
   return s;
 }
 
-/// Distances to `start`'s farthest vertex and to the one farthest from that decide; false where the
-/// graph is not connected.
+/// Cuts by the distances to `start`'s farthest vertex and to the one farthest from that; false if
+/// the graph is not connected.
 bool cutFrom(const WeightedGraph& g, std::uint32_t start, Separation& s) {
   std::vector<std::uint32_t> fromStart, fromEnd, visited;
   distancesFrom(g, start, fromStart, visited);

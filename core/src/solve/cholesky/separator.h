@@ -13,11 +13,11 @@ struct Separation {
   std::array<std::uint64_t, 3> weight{};  ///< sum of the vertices' weights
 };
 
-/// Two parts of similar weight and a light separator. Either part may come out empty where the
-/// graph cannot be split; the separator is empty where the graph is disconnected.
+/// Splits the graph into two parts of similar weight and a light separator. Either part may be
+/// empty if the graph cannot be split; the separator is empty if the graph is disconnected.
 Separation separate(const WeightedGraph& graph, ThreadPool* pool = nullptr);
 
-/// Fiduccia-Mattheyses moves of separator vertices into a part until no series of moves makes the
+/// Fiduccia-Mattheyses moves of separator vertices into a part, until no series of moves makes the
 /// separator lighter.
 void refineSeparator(const WeightedGraph& graph, Separation& separation);
 

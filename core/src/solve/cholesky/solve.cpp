@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t kTogether = 4;
 /// Right-hand sides that pass through the factor together.
 constexpr std::size_t kMaxSides = 8;
-/// Numbers that are copied as one piece of work.
+/// Numbers copied per piece of work.
 constexpr std::size_t kGrain = 1 << 15;
 
-/// Sixteen bytes everywhere, so that sums are the same on every machine.
+/// Always sixteen bytes, so that sums are the same on every machine.
 template <typename Scalar>
 struct Lanes {
   static constexpr std::size_t kCount = 16 / sizeof(Scalar);
@@ -96,7 +96,7 @@ struct Panel {
   }
 };
 
-/// Right-hand sides in the order of the factor. What a subtree takes from the rows above it is
+/// Right-hand sides in the order of the factor. What a subtree subtracts from the rows above it is
 /// passed on from child to parent: tasks share no numbers, and the order of additions is that of
 /// the tree.
 template <typename Scalar>

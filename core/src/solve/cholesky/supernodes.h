@@ -15,8 +15,8 @@ struct Supernodes {
   std::uint32_t size() const { return static_cast<std::uint32_t>(parent.size()); }
 };
 
-/// What a panel costs, in the time of one multiply-add in the dense kernels. Supernodes are joined
-/// where that makes the sum smaller.
+/// What a panel costs, in units of one multiply-add in the dense kernels. Supernodes are joined
+/// where that reduces the sum.
 struct PanelCost {
   double perPanel = 500;
   double perRow = 60;

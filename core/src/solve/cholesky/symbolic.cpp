@@ -7,7 +7,7 @@
 namespace abflat {
 namespace {
 
-/// From places of vertices to places of rows.
+/// Converts places of vertices to places of rows.
 void expandRows(const CompressedGraph& c, const Supernodes& s, CholeskySymbolic& out) {
   const std::vector<std::uint32_t>& weight = c.graph.weight;
   std::vector<std::uint32_t> firstRow(1, 0);
@@ -46,8 +46,8 @@ void numberInParents(CholeskySymbolic& s) {
   }
 }
 
-/// Sizes and work. The update matrices of a supernode and of its children lie in different stacks,
-/// so that each stack grows and shrinks at its end only.
+/// Computes sizes and work. The update matrices of a supernode and of its children lie in different
+/// stacks, so that each stack grows and shrinks only at its end.
 void measure(CholeskySymbolic& s) {
   s.panelBegin.assign(1, 0);
   s.stack.assign(s.supernodes(), 0);
@@ -69,7 +69,7 @@ void measure(CholeskySymbolic& s) {
   s.tasks = divideIntoTasks(s.parent, s.stack, sizes);
 }
 
-/// Where each entry of the matrix is added.
+/// Finds where each entry of the matrix is added.
 void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymbolic& s) {
   std::vector<std::uint32_t> supernodeOf(s.size);
   for (std::uint32_t p = 0; p < s.supernodes(); ++p)

@@ -10,15 +10,16 @@ namespace abflat {
 struct CholeskyAnalysisOptions {
   DissectionOptions dissection;
   PanelCost panelCost;
-  /// Per row, where it comes in an elimination order that is known, such as that of a larger
-  /// matrix; equal ones by number. Empty: nested dissection finds one.
+  /// Per row, its place in a known elimination order, such as that of a larger matrix; equal places
+  /// are ordered by row number. Empty: nested dissection finds an order.
   std::vector<std::uint32_t> place;
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
-/// All that depends on the pattern alone. Several factors may share one; it is never changed.
-/// Supernode s owns the columns firstColumn[s] to firstColumn[s+1] of the reordered matrix. Its
-/// front has these columns' rows first, then the rows `rows`; its panel is stored by columns.
+/// Everything that depends on the pattern alone. Several factors may share one; it is never
+/// changed. Supernode s owns the columns firstColumn[s] to firstColumn[s+1] of the reordered
+/// matrix. Its front has these columns' rows first, then the rows `rows`; its panel is stored by
+/// columns.
 struct CholeskySymbolic {
   struct Entry {
     std::uint32_t source;  ///< in the values of the matrix
@@ -47,7 +48,7 @@ struct CholeskySymbolic {
   std::uint32_t rowsBelow(std::uint32_t s) const {
     return static_cast<std::uint32_t>(rowsBegin[s + 1] - rowsBegin[s]);
   }
-  /// Of a factor, while it is being computed by one thread.
+  /// Memory of a factor while one thread computes it.
   std::uint64_t factorBytes() const {
     return 8 * (static_cast<std::uint64_t>(panelBegin.back()) + tasks.stackSize[0] +
                 tasks.stackSize[1] + tasks.maxResults);

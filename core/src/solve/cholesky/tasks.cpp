@@ -14,7 +14,7 @@ constexpr double kSmallTask = 1e6;
 /// What a supernode costs beyond its multiplications and additions, in their time.
 constexpr double kPerSupernode = 1000;
 
-/// Of each supernode's subtree.
+/// Work of each supernode's subtree.
 std::vector<double> subtreeWork(const std::vector<std::uint32_t>& parent,
                                 const SupernodeSizes& sizes) {
   std::vector<double> work(parent.size(), 0);
@@ -75,7 +75,7 @@ CholeskyTasks divideIntoTasks(const std::vector<std::uint32_t>& parent,
   double workOfLast = 0;
   std::uint32_t parentOfLast = kNoParent;  // supernode; only of small subtrees
   bool isLastSmall = false;
-  std::uint32_t begin = 0;  // of the subtree that is being looked for
+  std::uint32_t begin = 0;  // of the subtree being looked for
   for (std::uint32_t s = 0; s < n; ++s) {
     const bool isSmall = work[s] <= small;
     if (isSmall && parent[s] != kNoParent && work[parent[s]] <= small) continue;  // not its root

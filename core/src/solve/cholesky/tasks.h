@@ -18,7 +18,7 @@ struct CholeskyTask {
   std::size_t result = 0;         ///< doubles in the update matrices that it leaves to its parent
 };
 
-/// The work on a factor. It depends on the matrix alone, so that every result does.
+/// How the work on a factor is divided. Depends on the matrix alone, and so does every result.
 struct CholeskyTasks {
   std::vector<CholeskyTask> all;
   std::array<std::size_t, 2> stackSize{};  ///< doubles that one thread needs

@@ -9,7 +9,7 @@ namespace {
 /// A row whose entries of its kind sum to less than this share of its diagonal is as good as solved
 /// by the smoother.
 constexpr double kDominated = 0.05;
-/// Of a Jacobi step whose matrix has its spectrum in [0, 2].
+/// For a Jacobi step whose matrix has its spectrum in [0, 2].
 constexpr double kDamping = 2.0 / 3.0;
 
 /// Largest magnitude and sum of magnitudes right and left of the diagonal, within a kind.
@@ -32,7 +32,7 @@ std::vector<RowSize> rowSizes(const HalfMatrix& a, const std::vector<std::uint8_
   return size;
 }
 
-/// Largest entry of the row's strong neighbours that are in an aggregate already.
+/// The aggregate of the row's most strongly connected neighbour that already has one.
 std::uint32_t strongestAggregate(const StrongGraph& graph, const std::vector<std::uint32_t>& of,
                                  std::uint32_t i) {
   double largest = 0;
@@ -97,7 +97,7 @@ Aggregates aggregate(const StrongGraph& graph, const std::vector<std::uint8_t>& 
   const auto isAlone = [&](std::uint32_t i) {
     return graph.off.start[i] == graph.off.start[i + 1];
   };
-  // A row with all its neighbours, where none of them is taken.
+  // First, each row with all its neighbours, if none of them is taken.
   for (std::uint32_t i = 0; i < rows; ++i) {
     if (isAlone(i) || of[i] != kNoAggregate) continue;
     bool isFree = true;
@@ -107,7 +107,7 @@ Aggregates aggregate(const StrongGraph& graph, const std::vector<std::uint8_t>& 
     graph.off.forEach(i, [&](std::uint32_t j, double) { of[j] = of[i]; });
     out.kind.push_back(kind[i]);
   }
-  // The others join; by what is there now, so that no aggregate grows into a long one.
+  // Then the others join. Only the aggregates so far count, so that none grows long.
   const std::vector<std::uint32_t> cores = of;
   for (std::uint32_t i = 0; i < rows; ++i)
     if (!isAlone(i) && of[i] == kNoAggregate) of[i] = strongestAggregate(graph, cores, i);

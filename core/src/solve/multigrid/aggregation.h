@@ -26,7 +26,7 @@ struct Aggregates {
 Aggregates aggregate(const StrongGraph& graph, const std::vector<std::uint8_t>& kind);
 
 /// Smoothed aggregation (Vanek, Mandel and Brezina 1996): constants on the aggregates after a
-/// damped Jacobi step with the strong part of the matrix. A row per row of the matrix.
+/// damped Jacobi step with the strong part of the matrix. One row per row of the matrix.
 CompressedRows smoothedProlongation(const StrongGraph& graph, const Aggregates& aggregates);
 
 }  // namespace abflat

@@ -5,8 +5,8 @@
 
 namespace abflat {
 
-/// Symmetric matrix of which each row has its diagonal entry first and then those right of it: the
-/// lower triangle by columns, as Eigen::SparseMatrix<double> stores it. Owns nothing.
+/// Symmetric matrix stored by rows: the diagonal entry of each first, then those right of it, which
+/// is the lower triangle by columns as Eigen::SparseMatrix<double> stores it. Owns nothing.
 struct HalfMatrix {
   std::uint32_t rows = 0;
   const int* start = nullptr;  ///< size rows + 1

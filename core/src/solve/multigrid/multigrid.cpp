@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-/// Coarse levels must have at most this share of the rows: otherwise they are not worth it.
+/// Coarse levels with more than this share of the rows are not worth it.
 constexpr double kSlowCoarsening = 0.9;
 
 /// (D + L) x = b. `work` is overwritten.

@@ -10,28 +10,28 @@
 namespace abflat {
 
 struct MultigridOptions {
-  std::uint32_t coarsestRows = 1500;  ///< at most so many rows are factored
+  std::uint32_t coarsestRows = 1500;  ///< at most this many rows are factored
   double strongShare = 0.25;          ///< see strongGraph
 };
 
 /// One V-cycle of algebraic multigrid (smoothed aggregation, symmetric Gauss-Seidel) for a matrix
-/// with several unknowns per vertex: rows of the same kind are made coarser together, all kinds are
+/// with several unknowns per vertex: rows of the same kind are coarsened together, all kinds are
 /// smoothed together. Takes little more memory than the matrix.
 class Multigrid : public Preconditioner {
  public:
   /// `kind`: per row, which unknown it belongs to.
   explicit Multigrid(std::vector<std::uint8_t> kind, MultigridOptions options = {});
 
-  /// Refers to the matrix until the next call. False where it is seen not to be positive definite.
+  /// Refers to the matrix until the next call. False if it turns out not to be positive definite.
   bool setup(const HalfMatrix& matrix);
 
-  /// After a setup that succeeded.
+  /// Requires a successful setup.
   void apply(const double* r, double* z) const override;
 
   std::uint32_t levels() const { return static_cast<std::uint32_t>(levels_.size()); }
-  /// Entries of all levels' matrices in those of the finest.
+  /// Number of entries of all levels' matrices, relative to the finest.
   double complexity() const;
-  /// Memory held between calls, without the finest matrix.
+  /// Memory held between calls, not counting the finest matrix.
   std::uint64_t bytes() const;
 
  private:

@@ -22,7 +22,7 @@ Eigen::VectorXd randomVector(Eigen::Index n, unsigned seed) {
   return x;
 }
 
-/// Symmetric with random entries; `dominance` 1: positive definite, 0: indefinite as a rule.
+/// Symmetric with random entries; `dominance` 1: positive definite, 0: usually indefinite.
 SparseMatrix randomMatrix(int n, double density, double dominance, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1), share(0, 1);
@@ -213,7 +213,7 @@ TEST_CASE("a factor of floats solves as far as floats reach", "[cholesky]") {
 
 TEST_CASE("a singular matrix is reported with a column and the pivot", "[cholesky]") {
   using Code = CholeskyStatus::Code;
-  {  // the vertex without edges has the row 0
+  {  // the vertex without edges has a zero row
     const SparseMatrix m = graphLaplacian(4, {{0, 1}, {1, 2}}, 0, 1);
     Cholesky factor(analyzed(m));
     SparseMatrix shifted = m;

@@ -72,7 +72,7 @@ struct NamedGraph {
   Edges edges;
 };
 
-/// Graphs that are hard on orderings: nothing, one vertex, no edges, stars, paths, cliques, trees,
+/// Graphs that are hard for orderings: empty, one vertex, no edges, stars, paths, cliques, trees,
 /// several components, hubs, random ones.
 inline std::vector<NamedGraph> awkwardGraphs() {
   std::vector<NamedGraph> graphs;

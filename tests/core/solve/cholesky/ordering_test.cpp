@@ -22,7 +22,7 @@ bool isPermutation(std::vector<std::uint32_t> order, std::size_t n) {
 
 WeightedGraph graphOf(const SparseMatrix& m) { return compressGraph(patternOf(m)).graph; }
 
-/// Entries of the factor under an order, by eliminating the whole matrix symbolically.
+/// Entries of the factor for an order, found by symbolically eliminating the whole matrix.
 std::vector<std::uint64_t> columnCountsByElimination(const WeightedGraph& g,
                                                      const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> place(g.size());
@@ -56,7 +56,7 @@ TEST_CASE("rows of equal structure become one vertex, others do not", "[cholesky
     CHECK(once.graph.size() == twice.graph.size());
     for (std::uint32_t v = 0; v < once.graph.size(); ++v)
       CHECK(2 * once.graph.weight[v] == twice.graph.weight[v]);
-    // The vertices' pattern spells out the matrix's.
+    // The pattern of the vertices spells out that of the matrix.
     std::vector<std::uint32_t> vertexOf(static_cast<std::size_t>(m.rows()));
     for (std::uint32_t v = 0; v < once.graph.size(); ++v)
       for (std::uint32_t r = once.firstRow[v]; r < once.firstRow[v + 1]; ++r) vertexOf[r] = v;

@@ -26,7 +26,7 @@ double largestDifference(const AngleSolution& a, const AngleSolution& b) {
   return worst;
 }
 
-/// The same problem with and without a limit; both must converge, or neither.
+/// The same problem with and without a memory limit; either both converge or neither.
 void compareLimits(const AngleProblem& problem) {
   SolverOptions options;
   AngleSolver usual(problem, options);
@@ -41,7 +41,7 @@ void compareLimits(const AngleProblem& problem) {
   CHECK(b.constraintResidual <= options.constraintTolerance);
   CHECK(b.history.back().objective ==
         Approx(a.history.back().objective).epsilon(1e-8).margin(1e-12));
-  // Where the exact Hessian is indefinite, the limited solver goes on with the clamped one, which
+  // Where the exact Hessian is indefinite, the limited solver continues with the clamped one, which
   // converges linearly, and stops by the change of the objective.
   const bool isQuadratic = a.history.size() == b.history.size() && a.barrierFloor == 0;
   CHECK(largestDifference(a, b) < (isQuadratic ? 1e-8 : 1e-5));

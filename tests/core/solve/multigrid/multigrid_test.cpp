@@ -23,7 +23,7 @@ HalfMatrix halfOf(const SparseMatrix& lower) {
           lower.valuePtr()};
 }
 
-/// The first Newton step's system. With t = 1 the boundary vertices whose angles are too large are
+/// The system of the first Newton step. With t = 1, boundary vertices with too large angles are
 /// active.
 struct NewtonMatrix {
   SparseMatrix lower;
@@ -56,7 +56,7 @@ Eigen::MatrixXd denseOf(const Preconditioner& m, Eigen::Index n) {
   return dense;
 }
 
-/// Iterations that reduce the residual by 1e-10.
+/// Iterations needed to reduce the residual by 1e-10.
 int iterations(const NewtonMatrix& newton, const Preconditioner& m) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(newton.rhs.size());
   ConjugateGradientsOptions options;
@@ -78,7 +78,7 @@ int iterations(const PolygonMesh& mesh, double t) {
   return iterations(newton, m);
 }
 
-/// Stretched: all triangles are needles.
+/// Stretched, so that all triangles are needles.
 PolygonMesh needles(double aspect) {
   PolygonMesh mesh = bumpyGrid(60, 60, 0.2, 5);
   for (std::size_t i = 0; i < mesh.positions.size(); i += 3) mesh.positions[i] *= aspect;
