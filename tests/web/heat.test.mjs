@@ -1,6 +1,7 @@
 // Shading of both views: the numbered grid, and heat maps with their legend.
 
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { test } from 'node:test';
 import { objText, torus } from '../support/surfaces.mjs';
 import { dropAndWait, openPage, settled, textOf } from './page.mjs';
@@ -9,7 +10,13 @@ const TORUS = objText(torus(24, 12));
 const VIEWS = ['#mesh-canvas', '#layout-canvas'];
 
 const pictures = (page) =>
-  Promise.all(VIEWS.map(async (id) => (await page.locator(id).screenshot()).toString('base64')));
+  Promise.all(
+    VIEWS.map(async (id) =>
+      createHash('md5')
+        .update(await page.locator(id).screenshot())
+        .digest('hex'),
+    ),
+  );
 
 /** Both views have changed. */
 function assertOther(now, before) {

@@ -80,6 +80,8 @@ export interface Drawing {
 export interface FlatDrawing extends Drawing {
   layout: LayoutDrawing;
   marks: TriangleMarks;
+  /** The chart of each boundary edge of an atlas, in the order of `edges`. */
+  edgeCharts: Uint32Array;
   /** How each measure is spread over the surface. */
   spreads: Record<Measure, Spread>;
   /** The number of each chart's colour; null for a disk. */

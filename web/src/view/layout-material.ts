@@ -1,6 +1,7 @@
 import { Color, DoubleSide, ShaderMaterial, Vector2 } from 'three';
 import { CHART_COLORS } from '../colors/chart-colors';
 import type { Palette } from '../colors/palette';
+import { FLAGS_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
 import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
 import { NONE_LIT } from './surface-material';
@@ -30,6 +31,7 @@ const FRAGMENT = /* glsl */ `
   ${HEAT_GLSL}
   ${CHART_GLSL}
   ${GRID_GLSL}
+  ${FLAGS_GLSL}
   uniform bool showsHeat, showsCharts, showsGrid;
   uniform vec2 uvMiddle;
   uniform float uvUnit;
@@ -40,6 +42,8 @@ const FRAGMENT = /* glsl */ `
   flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
   void main() {
+    vec2 flag = flagsOf(vPiece);
+    if (flag.r > 0.5) discard;
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
     if (showsHeat) base = heatColor(vHeat);
@@ -47,6 +51,7 @@ const FRAGMENT = /* glsl */ `
     bool isPainted = showsHeat || showsCharts || showsGrid;
     float alpha = isPainted ? 0.9 : 0.75;
     if (!gl_FrontFacing) base = flipped;
+    base = mix(base, vec3(1.0), 0.25 * flag.g);
     bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));
     if (isDim) alpha = 0.25;
     float line = edgeCoverage(vCorner, pixelRatio) * (isPainted ? 0.45 : 0.85);
@@ -80,6 +85,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       grid: { value: null },
       uvMiddle: { value: new Vector2() },
       uvUnit: { value: 1 },
+      flags: { value: null },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

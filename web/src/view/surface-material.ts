@@ -1,6 +1,7 @@
 import { Color, DoubleSide, ShaderMaterial, Vector2 } from 'three';
 import { CHART_COLORS } from '../colors/chart-colors';
 import type { Palette } from '../colors/palette';
+import { FLAGS_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
 import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
 import { GRID_GLSL } from './uv-grid';
@@ -42,6 +43,7 @@ const FRAGMENT = /* glsl */ `
   ${CHECKER_GLSL}
   ${CHART_GLSL}
   ${GRID_GLSL}
+  ${FLAGS_GLSL}
   uniform int paint;
   uniform vec2 uvOrigin;
   uniform float uvCell;
@@ -68,6 +70,8 @@ const FRAGMENT = /* glsl */ `
   }
 
   void main() {
+    vec2 flag = flagsOf(vPiece);
+    if (flag.r > 0.5) discard;
     vec3 base = clay;
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
     if (paint == 2) base = heatColor(vHeat);
@@ -75,6 +79,7 @@ const FRAGMENT = /* glsl */ `
     if (paint == 4) base = gridColor(uvOrigin + uvCell * vUv);
     bool isDim = (lit >= 0.0 && vPiece != lit) || (paint == 2 && !isChosen(vHeat));
     if (isDim) base = mix(base, background, 0.75);
+    base = mix(base, vec3(1.0), 0.25 * flag.g);
     vec3 n = normalize(vNormal);
     if (!gl_FrontFacing) {
       n = -n;
@@ -116,6 +121,7 @@ export function createSurfaceMaterial(): ShaderMaterial {
       grid: { value: null },
       uvOrigin: { value: new Vector2() },
       uvCell: { value: 1 },
+      flags: { value: null },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

@@ -2,10 +2,14 @@ import { bindToggle, element } from '../base/dom';
 import { readPalette } from '../colors/palette';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { Outcome, Source } from '../model/model';
+import type { ChartStates } from './chart-flags';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
 import { ShadingControl } from './shading-control';
+import type { Pixel } from './sight';
+
+export type ViewName = 'mesh' | 'layout';
 
 /** Both views and the buttons that belong to them. */
 export class Views {
@@ -58,9 +62,29 @@ export class Views {
     this.layout.light(chart);
   }
 
-  goToChart(chart: number): void {
-    this.mesh.goTo(chart);
-    this.layout.goTo(chart);
+  goToCharts(charts: number[]): void {
+    this.mesh.goTo(charts);
+    this.layout.goTo(charts);
+  }
+
+  /** Shows which charts are selected, hidden and pointed at. */
+  showStates(states: ChartStates): void {
+    this.mesh.showStates(states);
+    this.layout.showStates(states);
+  }
+
+  canvasOf(view: ViewName): HTMLCanvasElement {
+    return this[view].canvas;
+  }
+
+  chartAt(view: ViewName, at: Pixel): number | null {
+    return this[view].chartAt(at);
+  }
+
+  /** `moved` is called when a view shows another part, or from another side. */
+  onMoved(view: ViewName, moved: () => void): void {
+    if (view === 'mesh') this.mesh.onTurn(moved);
+    else this.layout.onMove(moved);
   }
 
   showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
