@@ -207,7 +207,7 @@ test('wireframe and distortion change the pictures', async (t) => {
   const wired = await picture(page, '#mesh-canvas');
   assert.notDeepEqual(wired, plain);
   const layout = await picture(page, '#layout-canvas');
-  await page.click('#distortion');
+  await page.selectOption('#shading', 'angle');
   assert.ok(await page.isVisible('#legend'));
   assert.notDeepEqual(await picture(page, '#mesh-canvas'), wired);
   assert.notDeepEqual(await picture(page, '#layout-canvas'), layout);

@@ -54,7 +54,7 @@ async function assertIdleThroughout(page, name, content) {
   await dropAndWait(page, name, content);
   assert.equal(await textOf(page, '#badge'), 'Valid');
   await assertIdle(mostRun, FACES, 'opened and unwrapped');
-  await page.click('#distortion');
+  await page.selectOption('#shading', 'angle');
   await page.click('#theme');
   await page.setViewportSize({ width: 1000, height: 800 });
   await assertIdle(mostRun, FACES, 'looked at');

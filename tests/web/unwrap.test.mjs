@@ -193,7 +193,7 @@ test('charts have the same colours in both pictures, other than their neighbours
     const shared = inLayout.filter((hue) => inMesh.includes(hue));
     assert.ok(shared.length >= 3, `layout ${inLayout}, mesh ${inMesh}`);
     const plain = await picture(page, '#mesh-canvas');
-    await page.click('#distortion');
+    await page.selectOption('#shading', 'angle');
     assert.notDeepEqual(await picture(page, '#mesh-canvas'), plain);
   }
 });

@@ -31,6 +31,7 @@ import {
 } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
 import { SeamPanel } from './seams/seam-panel';
+import { SelectionPanel } from './selection/selection-panel';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh';
 import { Session, type SessionEvents } from './session/session';
 import { flattenIfPossible } from './session/sweep';
@@ -61,6 +62,7 @@ export class App implements SessionEvents {
   private readonly charts: ChartsTab;
   private readonly locks = new Locks();
   private readonly seams: SeamPanel;
+  private readonly selection: SelectionPanel | null;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
@@ -109,6 +111,7 @@ export class App implements SessionEvents {
   ) {
     this.session = new Session(abflat, this, () => this.settings, this.workshop);
     this.charts = new ChartsTab(views, this.locks, {
+      chosen: (chart) => this.selection?.pick(chart),
       // The run in flight would move the chart that was just locked.
       locked: () => this.session.isBusy && this.session.refresh(),
       packAgain: () => this.session.refresh(),
@@ -120,6 +123,12 @@ export class App implements SessionEvents {
       },
       say: this.say,
     });
+    this.selection =
+      views &&
+      new SelectionPanel(views, {
+        isFree: () => this.seams.isIdle,
+        changed: (selected) => this.charts.showSelected(selected),
+      });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     bindOpen({
       open: (source) => void this.session.open(source),
@@ -240,6 +249,7 @@ export class App implements SessionEvents {
   }
 
   private showDetails(outcome: Outcome): void {
+    this.selection?.open(outcome.mode === 'unwrap' ? outcome.result.report : null);
     if (outcome.mode === 'unwrap') {
       this.locks.show(outcome);
       this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);

@@ -24,6 +24,8 @@ export interface Palette {
   charts: Color[];
   /** Low to high. */
   ramp: Color[];
+  /** Below, at and above the best value. */
+  twoSided: [Color, Color, Color];
 }
 
 export const RAMP_SIZE = 4;
@@ -50,5 +52,6 @@ export function readPalette(): Palette {
     cut: color('cut'),
     charts: Array.from({ length: CHART_COLORS }, (_, i) => color(`chart-${i}`)),
     ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),
+    twoSided: [color('heat-less'), color('heat-same'), color('heat-more')],
   };
 }

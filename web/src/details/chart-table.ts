@@ -28,6 +28,7 @@ export class ChartTable {
   /** The number of each chart's colour. */
   private colors: ArrayLike<number> | null = null;
   private locks = new Set<number>();
+  private selected: ReadonlySet<number> = new Set();
   private order: Order = { column: BY_FACES, descending: true };
 
   constructor(private readonly events: ChartTableEvents) {
@@ -44,6 +45,12 @@ export class ChartTable {
     this.rows = chartRows(report);
     this.colors = colors;
     this.fill();
+  }
+
+  showSelected(charts: ReadonlySet<number>): void {
+    this.selected = charts;
+    for (const row of this.body.rows)
+      row.ariaSelected = String(charts.has(Number(row.dataset.chart)));
   }
 
   showLocks(charts: Set<number>): void {
@@ -95,6 +102,7 @@ export class ChartTable {
     const { index, chart } = row;
     const made = create('tr', '');
     made.dataset.chart = String(index);
+    made.ariaSelected = String(this.selected.has(index));
     COLUMNS.forEach(({ text }, column) => {
       if (column === 0) made.append(this.nameCell(index));
       else made.append(create('td', '', text(row)));

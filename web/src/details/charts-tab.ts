@@ -7,6 +7,8 @@ import { ChartTable } from './chart-table';
 import type { Locks } from './locks';
 
 export interface ChartsTabEvents {
+  /** A row was chosen. */
+  chosen(chart: number): void;
   /** A chart was locked or unlocked. */
   locked(): void;
   packAgain(): void;
@@ -28,7 +30,10 @@ export class ChartsTab {
   ) {
     this.table = new ChartTable({
       pointed: (chart) => views?.lightChart(chart),
-      chosen: (chart) => views?.goToChart(chart),
+      chosen: (chart) => {
+        views?.goToCharts([chart]);
+        events.chosen(chart);
+      },
       locked: (chart) => {
         locks.toggle(chart);
         this.showLocks();
@@ -46,6 +51,10 @@ export class ChartsTab {
     this.table.show(report, colors);
     this.showLocks();
     this.pack.disabled = false;
+  }
+
+  showSelected(charts: ReadonlySet<number>): void {
+    this.table.showSelected(charts);
   }
 
   private showLocks(): void {

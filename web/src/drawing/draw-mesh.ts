@@ -1,8 +1,9 @@
-import { checkerCells } from '../mesh/checker';
+import { checkerCells, inCells } from '../mesh/checker';
 import { areaVectors, facing, perCorner, toCorners, vertexNormals } from '../mesh/mesh';
 import { toUnitSphere } from '../mesh/unit-sphere';
 import { type Drawing, FRAME, type MeshDrawing, type TriangleMarks } from '../model/drawing';
 import { axesOf, frontOf } from './front';
+import { heatOfCorners } from './heat';
 import { farthest, outline } from './outline';
 import type { FlatPicture, Picture } from './picture';
 
@@ -22,9 +23,11 @@ export function drawMesh(picture: Picture): Drawing {
 export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDrawing {
   const { mesh, tightened, charts } = picture;
   const unit = toUnitSphere(mesh);
+  const cells = checkerCells(mesh);
   return {
     ...surface(picture, unit),
-    uv: perCorner(checkerCells(mesh), 2, mesh.indices),
+    uv: perCorner(inCells(mesh.uv, cells), 2, mesh.indices),
+    cells,
     dots: perCorner(unit, 3, tightened),
     frames: charts
       ? chartFrames({ positions: unit, indices: mesh.indices }, charts, chartCount)
@@ -32,12 +35,12 @@ export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDraw
   };
 }
 
-export function drawMarks({ errors, charts, chartColors }: FlatPicture): TriangleMarks {
-  const none = new Float32Array(errors.length);
+export function drawMarks({ heat, mesh, charts, chartColors }: FlatPicture): TriangleMarks {
+  const none = new Float32Array(mesh.indices.length / 3);
   const colors =
     charts && chartColors && Float32Array.from(charts, (chart) => chartColors[chart] ?? 0);
   return {
-    error: toCorners(errors),
+    heat: heatOfCorners(heat.places),
     chart: toCorners(colors ?? none),
     piece: toCorners(charts ?? none),
   };

@@ -9,6 +9,18 @@ export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing 
     mesh: drawFlatMesh(picture, chartCount),
     layout: drawLayout(picture, chartCount),
     marks: drawMarks(picture),
+    edgeCharts: edgeCharts(picture),
+    spreads: picture.heat.spreads,
     chartColors: picture.chartColors ?? null,
   };
+}
+
+/** Vertices of an atlas belong to one chart each. */
+function edgeCharts({ mesh, edges, charts }: FlatPicture): Uint32Array {
+  if (!charts) return new Uint32Array();
+  const chartOfVertex = new Uint32Array(mesh.uv.length / 2);
+  mesh.indices.forEach((v, c) => {
+    chartOfVertex[v] = charts[Math.floor(c / 3)];
+  });
+  return Uint32Array.from({ length: edges.length / 2 }, (_, e) => chartOfVertex[edges[2 * e]]);
 }

@@ -1,9 +1,9 @@
 import type { ChartReport } from 'abflat';
 import { chartColors } from '../colors/chart-colors';
-import { angleErrors } from '../mesh/angle-error';
 import { boundaryEdges, type DisplayMesh, type FlatMesh, vertexNormals } from '../mesh/mesh';
 import { weld } from '../mesh/weld';
 import type { LayoutArrays, Unwrapped } from '../model/model';
+import { type Heat, heatOf } from './heat';
 
 /** A mesh with its boundary, as the 3D view shows it before it is flattened. */
 export interface Picture {
@@ -17,8 +17,7 @@ export interface Picture {
 /** A layout with everything that is marked in it. */
 export interface FlatPicture extends Picture {
   mesh: FlatMesh;
-  /** Per triangle. */
-  errors: Float32Array;
+  heat: Heat;
   /** Vertices with a tightened bound. */
   tightened: Uint32Array;
   /** Edges that cannot be made Delaunay, as pairs of vertices. */
@@ -58,7 +57,7 @@ export function atlasPicture(
     edges,
     // The surface is smooth across seams.
     normals: pick(vertexNormals(input), 3, vertexMap),
-    errors: angleErrors(mesh),
+    heat: heatOf(mesh, chartOfTriangle),
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
@@ -98,7 +97,7 @@ export function flatPicture(
   // Each boundary vertex begins one boundary edge.
   const tightened = edges.filter((v, i) => i % 2 === 0 && bounded.has(vertexMap[v]));
   const resisting = edgesOf(layout, chart?.delaunay?.resisting ?? []);
-  return { mesh, edges, errors: angleErrors(mesh), tightened, resisting };
+  return { mesh, edges, heat: heatOf(mesh), tightened, resisting };
 }
 
 /**

@@ -20,14 +20,21 @@ function meanScale({ positions, indices, uv }: FlatMesh): number {
   return total > 0 ? Math.exp(sum / total) : 1;
 }
 
-/**
- * uv in checker cells, 2 per vertex. The cell size suits typical parts of the surface rather than
- * the most stretched one.
- */
-export function checkerCells(mesh: FlatMesh): Float32Array {
+/** Where checker cells lie in uv: `origin` + `cell` times their number. */
+export interface Cells {
+  origin: [number, number];
+  cell: number;
+}
+
+/** The cell suits the typical place of the surface, not the most stretched one. */
+export function checkerCells(mesh: FlatMesh): Cells {
   const { min, max } = boundingBox(mesh.positions, 3, mesh.indices);
   const diagonal = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
   const cell = (meanScale(mesh) * diagonal) / CELLS || 1;
-  const origin = boundingBox(mesh.uv, 2, mesh.indices).min;
-  return Float32Array.from(mesh.uv, (x, i) => (x - origin[i % 2]) / cell);
+  const [u, v] = boundingBox(mesh.uv, 2, mesh.indices).min;
+  return { origin: [u, v], cell };
 }
+
+/** 2 per vertex. */
+export const inCells = (uv: Float64Array, { origin, cell }: Cells): Float32Array =>
+  Float32Array.from(uv, (x, i) => (x - origin[i % 2]) / cell);

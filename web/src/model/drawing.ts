@@ -1,10 +1,13 @@
 // What the views draw: arrays that go to the graphics card as they are. They are made in the
 // workshop, so that no loop over all triangles blocks the page.
 
-/** One number per corner of each triangle. */
+import type { Cells } from '../mesh/checker';
+import type { Measure, Spread } from './measures';
+
+/** Per corner of each triangle. */
 export interface TriangleMarks {
-  /** Angle error. */
-  error: Float32Array;
+  /** A place on the colour ramp for each of MEASURES. */
+  heat: Float32Array;
   /** Number of the chart's colour. */
   chart: Float32Array;
   /** Number of the chart itself. */
@@ -36,6 +39,8 @@ export interface MeshDrawing {
   normal: Float32Array;
   /** In checker cells, 2 per corner; absent until the mesh is flattened. */
   uv?: Float32Array;
+  /** Where those lie in uv. */
+  cells?: Cells;
   /** Boundary edges, xyz of both ends. */
   edges: Float32Array;
   /** Tightened vertices, xyz each. */
@@ -75,6 +80,10 @@ export interface Drawing {
 export interface FlatDrawing extends Drawing {
   layout: LayoutDrawing;
   marks: TriangleMarks;
+  /** The chart of each boundary edge of an atlas, in the order of `edges`. */
+  edgeCharts: Uint32Array;
+  /** How each measure is spread over the surface. */
+  spreads: Record<Measure, Spread>;
   /** The number of each chart's colour; null for a disk. */
   chartColors: Float32Array | null;
 }

@@ -1,9 +1,9 @@
 import { counted, measure } from '../base/format';
 import { ShortestPaths } from '../surface/shortest-paths';
+import { Aim, type Modifiers } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel } from '../view/sight';
-import { Aim, type Modifiers } from './aim';
 import { edgeAt, vertexAt } from './pick';
 import type { SeamModel } from './seam-model';
 import { SeamTools, type Tool } from './seam-tools';
@@ -61,6 +61,11 @@ export class SeamEditor {
     window.addEventListener('keydown', (event) => this.onEscape(event), { capture: true });
   }
 
+  /** Whether clicks on the mesh do nothing here. */
+  get isIdle(): boolean {
+    return this.tools.tool === null;
+  }
+
   /** Sets the seams to edit; null for none. */
   edit(model: SeamModel | null): void {
     if (model !== this.model) this.paths = null;
@@ -97,7 +102,8 @@ export class SeamEditor {
 
   private onMove(at: Pixel | null, modifiers: Modifiers): void {
     const tool = this.toolOf(modifiers);
-    if (!this.model || tool === null) this.mark(NO_MARKS, '');
+    if (!this.model) this.mark(NO_MARKS, '');
+    else if (tool === null) this.mark(NO_MARKS, 'Click a chart to select it');
     else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
     else if (tool === 'cut') this.previewCut(this.model, at);
     else this.previewJoin(this.model, at, modifiers);

@@ -79,6 +79,11 @@ export class SeamPanel {
     return seamOptions(this.choice);
   }
 
+  /** Whether clicks on the mesh edit no seams. */
+  get isIdle(): boolean {
+    return this.editor?.isIdle ?? true;
+  }
+
   /** Adds automatic seams to those asked for. */
   cutFurther(): void {
     this.model?.cutFurther();

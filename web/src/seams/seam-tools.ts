@@ -8,7 +8,8 @@ export interface ToolEvents {
   redo(): void;
 }
 
-const TOOLS: Tool[] = ['cut', 'join'];
+/** Selecting is what clicks do without a tool. */
+const TOOLS = ['select', 'cut', 'join'] as const;
 
 /** The bar below the 3D view: what a click does, undo and redo. */
 export class SeamTools {
@@ -17,12 +18,12 @@ export class SeamTools {
   private readonly undo = element('seam-undo', HTMLButtonElement);
   private readonly redo = element('seam-redo', HTMLButtonElement);
   private readonly hint = element('seam-hint', HTMLElement);
-  private chosen: Tool | null = 'cut';
+  private chosen: (typeof TOOLS)[number] = 'cut';
 
   constructor(events: ToolEvents) {
     this.buttons.forEach((button, i) => {
       button.addEventListener('click', () => {
-        this.chosen = this.chosen === TOOLS[i] ? null : TOOLS[i];
+        this.chosen = this.chosen === TOOLS[i] ? 'select' : TOOLS[i];
         this.showTool();
         events.toolChanged();
       });
@@ -42,7 +43,7 @@ export class SeamTools {
 
   /** What a click does; null if nothing. */
   get tool(): Tool | null {
-    return this.bar.hidden ? null : this.chosen;
+    return this.bar.hidden || this.chosen === 'select' ? null : this.chosen;
   }
 
   setVisible(isVisible: boolean): void {

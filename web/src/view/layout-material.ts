@@ -1,19 +1,24 @@
-import { Color, DoubleSide, ShaderMaterial } from 'three';
+import { Color, DoubleSide, ShaderMaterial, Vector2 } from 'three';
 import { CHART_COLORS } from '../colors/chart-colors';
-import { type Palette, RAMP_SIZE } from '../colors/palette';
-import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+import type { Palette } from '../colors/palette';
+import { FLAGS_GLSL } from './chart-flags';
+import { heatUniforms, paintHeat } from './heat-uniforms';
+import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
 import { NONE_LIT } from './surface-material';
+import { GRID_GLSL } from './uv-grid';
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
-  attribute float error;
+  attribute vec3 heat;
   attribute float chart, piece;
   varying vec3 vCorner;
-  flat varying float vError;
+  varying vec2 vPlace;
+  flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
   void main() {
     vCorner = cornerOf(gl_VertexID);
-    vError = error;
+    vPlace = position.xy;
+    vHeat = heat;
     vChart = chart;
     vPiece = piece;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
@@ -23,30 +28,41 @@ const VERTEX = /* glsl */ `
 // The fill is translucent: where the layout overlaps itself, it is darker.
 const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
-  ${RAMP_GLSL}
+  ${HEAT_GLSL}
   ${CHART_GLSL}
-  uniform bool showsError, showsCharts;
+  ${GRID_GLSL}
+  ${FLAGS_GLSL}
+  uniform bool showsHeat, showsCharts, showsGrid;
+  uniform vec2 uvMiddle;
+  uniform float uvUnit;
   uniform float pixelRatio, lit;
   uniform vec3 fill, edge, flipped;
   varying vec3 vCorner;
-  flat varying float vError;
+  varying vec2 vPlace;
+  flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
   void main() {
+    vec2 flag = flagsOf(vPiece);
+    if (flag.r > 0.5) discard;
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
-    if (showsError) base = rampColor(vError);
-    float alpha = showsError || showsCharts ? 0.9 : 0.75;
+    if (showsHeat) base = heatColor(vHeat);
+    if (showsGrid) base = gridColor(uvMiddle + uvUnit * vPlace);
+    bool isPainted = showsHeat || showsCharts || showsGrid;
+    float alpha = isPainted ? 0.9 : 0.75;
     if (!gl_FrontFacing) base = flipped;
-    if (lit >= 0.0 && vPiece != lit) alpha = 0.25;
-    float line = edgeCoverage(vCorner, pixelRatio) * (showsError || showsCharts ? 0.45 : 0.85);
+    base = mix(base, vec3(1.0), 0.25 * flag.g);
+    bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));
+    if (isDim) alpha = 0.25;
+    float line = edgeCoverage(vCorner, pixelRatio) * (isPainted ? 0.45 : 0.85);
     gl_FragColor = vec4(mix(base, lines, line), mix(alpha, min(1.0, 2.0 * alpha), line));
     #include <colorspace_fragment>
   }
 `;
 
 /**
- * Material of the uv layout. Its geometry has no index and has the attributes error (angle error),
- * chart (number of its colour) and piece (number of the chart itself).
+ * Material of the uv layout. Its geometry has no index and has the attributes heat (a place on
+ * the ramp for each measure), chart (number of its colour) and piece (number of the chart itself).
  */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -57,14 +73,19 @@ export function createLayoutMaterial(): ShaderMaterial {
     depthTest: false,
     depthWrite: false,
     uniforms: {
-      showsError: { value: false },
+      showsHeat: { value: false },
+      showsGrid: { value: false },
       showsCharts: { value: false },
       pixelRatio: { value: 1 },
       lit: { value: NONE_LIT },
       fill: { value: new Color() },
       edge: { value: new Color() },
       flipped: { value: new Color() },
-      ramp: { value: Array.from({ length: RAMP_SIZE }, () => new Color()) },
+      ...heatUniforms(),
+      grid: { value: null },
+      uvMiddle: { value: new Vector2() },
+      uvUnit: { value: 1 },
+      flags: { value: null },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });
@@ -75,6 +96,6 @@ export function paintLayout(material: ShaderMaterial, palette: Palette): void {
   uniforms.fill.value = palette.fill;
   uniforms.edge.value = palette.edge;
   uniforms.flipped.value = palette.flipped;
-  uniforms.ramp.value = palette.ramp;
   uniforms.charts.value = palette.charts;
+  paintHeat(material, palette);
 }

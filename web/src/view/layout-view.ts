@@ -1,14 +1,21 @@
 import { OrthographicCamera, Scene } from 'three';
 import type { Palette } from '../colors/palette';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
+import { ChartFlags, type ChartStates } from './chart-flags';
+import { ChartPicker } from './chart-picker';
 import { EdgeLines } from './edge-lines';
+import { edgesOfCharts } from './edges-of-charts';
+import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { PanZoom } from './pan-zoom';
 import { DOT, PointMarks, RING } from './point-marks';
+import { isMeasure, type Shading } from './shading';
+import type { Pixel } from './sight';
 import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
 import { TileLabels } from './tile-labels';
+import { gridTexture } from './uv-grid';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
@@ -26,6 +33,16 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly surface: SlicedSurface;
+  private readonly flags = new ChartFlags(this.material);
+  private readonly picker: ChartPicker;
+  private edges: { ends: Float32Array; charts: Uint32Array } = {
+    ends: new Float32Array(),
+    charts: new Uint32Array(),
+  };
+  private hidden: ReadonlySet<number> = new Set();
+  private selected: ReadonlySet<number> = new Set();
+  /** Of selected charts. */
+  private readonly outline = new EdgeLines(3, false);
   private readonly frame = new EdgeLines(1.5, false);
   private readonly boundary = new EdgeLines(OUTLINE, false);
   private readonly resisting = new EdgeLines(2.5, false);
@@ -38,6 +55,7 @@ export class LayoutView {
   private middle: [number, number] = [0, 0];
   private unit = 1;
   private readonly labels = new TileLabels();
+  private moved: () => void = () => undefined;
   /** Until the user pans or zooms, the layout stays fitted however it or the pane changes. */
   private isFitted = true;
   private isAtlas = false;
@@ -45,10 +63,11 @@ export class LayoutView {
   /** `FLAT_FRAME` of each shown chart. */
   private frames: Float32Array = new Float32Array();
 
-  constructor(canvas: HTMLCanvasElement) {
+  constructor(readonly canvas: HTMLCanvasElement) {
     this.panZoom = new PanZoom(canvas, {
       moved: () => {
         this.isFitted = false;
+        this.moved();
         this.stage.invalidate();
       },
       fit: () => this.fit(),
@@ -58,11 +77,13 @@ export class LayoutView {
       () => this.draw(),
       () => this.resized(),
     );
+    this.picker = new ChartPicker(this.stage.renderer, false);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
     this.scene.add(
       this.frame.object,
       this.surface.object,
       this.boundary.object,
+      this.outline.object,
       this.resisting.object,
       this.dots.object,
       this.rings.object,
@@ -71,9 +92,9 @@ export class LayoutView {
   }
 
   /** Shows a layout. Keeps the point of view unless `isNew`. */
-  show({ layout, marks, chartColors }: FlatDrawing, isNew: boolean): void {
+  show({ layout, marks, chartColors, edgeCharts }: FlatDrawing, isNew: boolean): void {
     this.surface.show({ position: layout.position, ...marks }, () =>
-      this.showParts(layout, chartColors !== null),
+      this.showParts(layout, edgeCharts, chartColors !== null),
     );
     this.unit = layout.unit;
     this.middle = layout.middle;
@@ -84,12 +105,15 @@ export class LayoutView {
   }
 
   /** Shows everything besides the triangles. */
-  private showParts(layout: LayoutDrawing, isAtlas: boolean): void {
+  private showParts(layout: LayoutDrawing, edgeCharts: Uint32Array, isAtlas: boolean): void {
     this.isAtlas = isAtlas;
     this.colorBoundary();
     this.material.uniforms.showsCharts.value = isAtlas;
+    this.material.uniforms.uvMiddle.value.set(...layout.middle);
+    this.material.uniforms.uvUnit.value = layout.unit;
     this.boundary.setWidth(isAtlas ? THIN_OUTLINE : OUTLINE);
-    this.boundary.show(layout.edges);
+    this.edges = { ends: layout.edges, charts: edgeCharts };
+    this.showEdges();
     this.resisting.show(layout.resisting);
     this.dots.show(layout.dots);
     this.rings.show(layout.rings);
@@ -108,15 +132,54 @@ export class LayoutView {
     this.frame.setColor(palette.frame);
     this.palette = palette;
     this.colorBoundary();
+    this.outline.setColor(palette.boundary);
     this.resisting.setColor(palette.flipped);
     this.dots.setColor(palette.tightened);
     this.rings.setColor(palette.flipped);
     this.stage.invalidate();
   }
 
-  setDistortion(shows: boolean): void {
-    this.material.uniforms.showsError.value = shows;
+  setShading(shading: Shading): void {
+    const { uniforms } = this.material;
+    uniforms.showsHeat.value = isMeasure(shading);
+    uniforms.showsGrid.value = shading === 'grid';
+    if (isMeasure(shading)) showMeasure(this.material, shading);
+    if (shading === 'grid') uniforms.grid.value ??= gridTexture();
     this.stage.invalidate();
+  }
+
+  /** Lights some triangles of the heat map only; null: all. */
+  choose(chosen: Chosen | null): void {
+    choose(this.material, chosen);
+    this.stage.invalidate();
+  }
+
+  /** `moved` is called when another part of the layout is shown. */
+  onMove(moved: () => void): void {
+    this.moved = moved;
+  }
+
+  /** The chart at a pixel; null if there is none. */
+  chartAt(at: Pixel): number | null {
+    return this.picker.chartAt(at, this.surface.object, this.camera, this.stage);
+  }
+
+  showStates(states: ChartStates): void {
+    this.flags.show(states);
+    this.picker.material.uniforms.flags.value = this.material.uniforms.flags.value;
+    const { hidden, selected } = this;
+    this.hidden = states.hidden;
+    this.selected = states.selected;
+    if (states.hidden !== hidden || states.selected !== selected) this.showEdges();
+    this.stage.invalidate();
+  }
+
+  private showEdges(): void {
+    const { ends, charts } = this.edges;
+    const isShown = (chart: number) => !this.hidden.has(chart);
+    this.boundary.show(this.hidden.size > 0 ? edgesOfCharts(ends, charts, isShown) : ends);
+    const isOutlined = (chart: number) => this.selected.has(chart) && isShown(chart);
+    this.outline.show(edgesOfCharts(ends, charts, isOutlined));
   }
 
   /** Highlights one chart; null: none. */
@@ -126,8 +189,11 @@ export class LayoutView {
   }
 
   /** Moves the view to one chart. */
-  goTo(chart: number): void {
-    const [left, bottom, right, top] = this.frames.subarray(FLAT_FRAME.size * chart);
+  goTo(charts: number[]): void {
+    const { size, low, high } = FLAT_FRAME;
+    const of = (d: number) => charts.map((chart) => this.frames[size * chart + d]);
+    const [left, bottom] = [Math.min(...of(low)), Math.min(...of(low + 1))];
+    const [right, top] = [Math.max(...of(high)), Math.max(...of(high + 1))];
     if (!(left <= right)) return;
     this.look((left + right) / 2, (bottom + top) / 2, [right - left, top - bottom]);
     this.isFitted = false;
@@ -149,7 +215,7 @@ export class LayoutView {
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     for (const marks of [this.dots, this.rings]) marks.setPixelRatio(this.stage.pixelRatio);
-    for (const lines of [this.frame, this.boundary, this.resisting])
+    for (const lines of [this.frame, this.boundary, this.outline, this.resisting])
       lines.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.fit();
   }

@@ -4,14 +4,20 @@ import type { Palette } from '../colors/palette';
 import { type Direction, frontOf } from '../drawing/front';
 import { facingOf } from '../mesh/mesh';
 import { type Drawing, type FirstView, type FlatDrawing, FRAME } from '../model/drawing';
+import { ChartFlags, type ChartStates } from './chart-flags';
+import { ChartPicker } from './chart-picker';
 import { EdgeLines } from './edge-lines';
+import { edgesOfCharts } from './edges-of-charts';
 import { fitInView } from './fit-in-view';
+import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { DOT, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seam-overlay';
-import { Sight } from './sight';
+import { isMeasure, type Shading } from './shading';
+import { type Pixel, Sight } from './sight';
 import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
+import { gridTexture } from './uv-grid';
 
 const FIELD_OF_VIEW = 32;
 /** Fraction of the view's width or height that a fitted mesh fills. */
@@ -38,6 +44,16 @@ export class MeshView {
   private readonly controls: OrbitControls;
   private readonly material = createSurfaceMaterial();
   private readonly surface: SlicedSurface;
+  private readonly flags = new ChartFlags(this.material);
+  private readonly picker: ChartPicker;
+  private edges: { ends: Float32Array; charts: Uint32Array } = {
+    ends: new Float32Array(),
+    charts: new Uint32Array(),
+  };
+  private hidden: ReadonlySet<number> = new Set();
+  private selected: ReadonlySet<number> = new Set();
+  /** Of selected charts. */
+  private readonly outline = new EdgeLines(3, true);
   private readonly boundary = new EdgeLines(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private readonly seams = new SeamOverlay();
@@ -56,7 +72,7 @@ export class MeshView {
   private isAtlas = false;
   private palette: Palette | null = null;
   private flatPaint: SurfacePaint = SurfacePaint.Checker;
-  private showsDistortion = false;
+  private shading: Shading = 'plain';
   private wireOpacity = 0.5;
   private showsWireframe = false;
 
@@ -69,8 +85,15 @@ export class MeshView {
       () => this.draw(),
       () => this.resized(),
     );
+    this.picker = new ChartPicker(this.stage.renderer, true);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
-    this.scene.add(this.surface.object, this.boundary.object, this.dots.object, this.seams.object);
+    this.scene.add(
+      this.surface.object,
+      this.boundary.object,
+      this.outline.object,
+      this.dots.object,
+      this.seams.object,
+    );
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -93,12 +116,17 @@ export class MeshView {
     const flat = 'marks' in drawing ? drawing : null;
     const { position, normal, uv } = mesh;
     this.surface.show({ position, normal, ...(uv && { uv }), ...flat?.marks }, () => {
-      this.boundary.show(mesh.edges);
+      this.edges = { ends: mesh.edges, charts: flat?.edgeCharts ?? new Uint32Array() };
+      this.showEdges();
       this.dots.show(mesh.dots);
       this.isAtlas = Boolean(flat?.chartColors);
       this.colorBoundary();
       this.flatPaint = this.isAtlas ? SurfacePaint.Charts : SurfacePaint.Checker;
       this.isFlat = flat !== null;
+      if (mesh.cells) {
+        this.material.uniforms.uvOrigin.value.set(...mesh.cells.origin);
+        this.material.uniforms.uvCell.value = mesh.cells.cell;
+      }
       this.setUniforms();
     });
     this.frames = mesh.frames;
@@ -133,6 +161,7 @@ export class MeshView {
     paintSurface(this.material, palette);
     this.palette = palette;
     this.colorBoundary();
+    this.outline.setColor(palette.boundary);
     this.dots.setColor(palette.tightened);
     this.seams.setPalette(palette);
     this.wireOpacity = palette.wireOpacity;
@@ -144,9 +173,40 @@ export class MeshView {
     this.paint();
   }
 
-  setDistortion(shows: boolean): void {
-    this.showsDistortion = shows;
+  setShading(shading: Shading): void {
+    this.shading = shading;
+    if (isMeasure(shading)) showMeasure(this.material, shading);
+    if (shading === 'grid') this.material.uniforms.grid.value ??= gridTexture();
     this.paint();
+  }
+
+  /** Lights some triangles of the heat map only; null: all. */
+  choose(chosen: Chosen | null): void {
+    choose(this.material, chosen);
+    this.stage.invalidate();
+  }
+
+  /** The chart at a pixel; null if there is none. */
+  chartAt(at: Pixel): number | null {
+    return this.picker.chartAt(at, this.surface.object, this.camera, this.stage);
+  }
+
+  showStates(states: ChartStates): void {
+    this.flags.show(states);
+    this.picker.material.uniforms.flags.value = this.material.uniforms.flags.value;
+    const { hidden, selected } = this;
+    this.hidden = states.hidden;
+    this.selected = states.selected;
+    if (states.hidden !== hidden || states.selected !== selected) this.showEdges();
+    this.stage.invalidate();
+  }
+
+  private showEdges(): void {
+    const { ends, charts } = this.edges;
+    const isShown = (chart: number) => !this.hidden.has(chart);
+    this.boundary.show(this.hidden.size > 0 ? edgesOfCharts(ends, charts, isShown) : ends);
+    const isOutlined = (chart: number) => this.selected.has(chart) && isShown(chart);
+    this.outline.show(edgesOfCharts(ends, charts, isOutlined));
   }
 
   /** Highlights one chart; null: none. */
@@ -155,9 +215,9 @@ export class MeshView {
     this.stage.invalidate();
   }
 
-  /** Turns the view to one chart. */
-  goTo(chart: number): void {
-    const frame = this.frames.subarray(FRAME.size * chart, FRAME.size * (chart + 1));
+  /** Turns the view to some charts. */
+  goTo(charts: number[]): void {
+    const frame = unionOf(this.frames, charts);
     if (!(frame[FRAME.low] <= frame[FRAME.high])) return;
     const now = this.camera.position.clone().sub(this.controls.target).normalize();
     const area = frame.subarray(FRAME.area, FRAME.area + 3);
@@ -210,9 +270,13 @@ export class MeshView {
     this.stage.invalidate();
   }
 
+  private get paintOfLayout(): SurfacePaint {
+    if (isMeasure(this.shading)) return SurfacePaint.Heat;
+    return this.shading === 'grid' ? SurfacePaint.Grid : this.flatPaint;
+  }
+
   private setUniforms(): void {
-    const flatPaint = this.showsDistortion ? SurfacePaint.Distortion : this.flatPaint;
-    this.material.uniforms.paint.value = this.isFlat ? flatPaint : SurfacePaint.Clay;
+    this.material.uniforms.paint.value = this.isFlat ? this.paintOfLayout : SurfacePaint.Clay;
     this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
   }
 
@@ -221,7 +285,8 @@ export class MeshView {
     this.camera.updateProjectionMatrix();
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     this.dots.setPixelRatio(this.stage.pixelRatio);
-    this.boundary.setResolution(this.stage.width, this.stage.height);
+    for (const lines of [this.boundary, this.outline])
+      lines.setResolution(this.stage.width, this.stage.height);
     this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
     if (this.isFitted) this.fit(this.from);
   }
@@ -273,6 +338,23 @@ export class MeshView {
     this.controls.update();
     this.stage.invalidate();
   }
+}
+
+/** The `FRAME` of some charts together. */
+function unionOf(frames: Float32Array, charts: number[]): Float32Array {
+  const union = new Float32Array(FRAME.size);
+  union.fill(Infinity, FRAME.low, FRAME.low + 3);
+  union.fill(-Infinity, FRAME.high, FRAME.high + 3);
+  for (const chart of charts) {
+    const frame = frames.subarray(FRAME.size * chart, FRAME.size * (chart + 1));
+    for (let d = 0; d < 3; ++d) {
+      union[FRAME.low + d] = Math.min(union[FRAME.low + d], frame[FRAME.low + d]);
+      union[FRAME.high + d] = Math.max(union[FRAME.high + d], frame[FRAME.high + d]);
+      union[FRAME.area + d] += frame[FRAME.area + d];
+    }
+    union[FRAME.total] += frame[FRAME.total];
+  }
+  return union;
 }
 
 /** The corners of a chart's box, xyz each. */

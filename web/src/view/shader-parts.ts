@@ -2,12 +2,6 @@ import { CHART_COLORS } from '../colors/chart-colors';
 import { RAMP_SIZE } from '../colors/palette';
 
 /**
- * Angle error (relative) at the upper end of the colour ramp. Fixed, so that colours are comparable
- * across t and meshes.
- */
-export const RAMP_MOST = 0.25;
-
-/**
  * The triangle's corner as barycentric coordinates: without an index, corners are numbered in
  * threes.
  */
@@ -33,13 +27,29 @@ export const EDGE_GLSL = /* glsl */ `
   }
 `;
 
-export const RAMP_GLSL = /* glsl */ `
+/** The heat map of a measure, see heat-uniforms.ts. */
+export const HEAT_GLSL = /* glsl */ `
   uniform vec3 ramp[${RAMP_SIZE}];
-  vec3 rampColor(float error) {
-    float x = clamp(error / ${RAMP_MOST.toFixed(3)}, 0.0, 1.0) * ${(RAMP_SIZE - 1).toFixed(1)};
+  uniform vec3 twoSided[3];
+  uniform int measure;
+  uniform bool isTwoSided;
+  uniform vec2 chosen;
+  uniform bool choosesByDistance;
+  vec3 heatColor(vec3 places) {
+    float x = clamp(places[measure], 0.0, 1.0);
+    if (isTwoSided) {
+      vec3 end = x < 0.5 ? twoSided[0] : twoSided[2];
+      return mix(twoSided[1], end, abs(2.0 * x - 1.0));
+    }
+    x *= ${(RAMP_SIZE - 1).toFixed(1)};
     vec3 color = ramp[0];
     for (int i = 1; i < ${RAMP_SIZE}; ++i) color = mix(color, ramp[i], clamp(x - float(i - 1), 0.0, 1.0));
     return color;
+  }
+  bool isChosen(vec3 places) {
+    float x = places[measure];
+    if (choosesByDistance && isTwoSided) x = abs(x - 0.5);
+    return x >= chosen.x && x <= chosen.y;
   }
 `;
 

@@ -1,10 +1,13 @@
-import { Color, DoubleSide, ShaderMaterial } from 'three';
+import { Color, DoubleSide, ShaderMaterial, Vector2 } from 'three';
 import { CHART_COLORS } from '../colors/chart-colors';
-import { type Palette, RAMP_SIZE } from '../colors/palette';
-import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, RAMP_GLSL } from './shader-parts';
+import type { Palette } from '../colors/palette';
+import { FLAGS_GLSL } from './chart-flags';
+import { heatUniforms, paintHeat } from './heat-uniforms';
+import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
+import { GRID_GLSL } from './uv-grid';
 
 /** What the surface is painted with. */
-export const SurfacePaint = { Clay: 0, Checker: 1, Distortion: 2, Charts: 3 } as const;
+export const SurfacePaint = { Clay: 0, Checker: 1, Heat: 2, Charts: 3, Grid: 4 } as const;
 export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
 
 /** In place of the number of the highlighted chart. */
@@ -12,13 +15,13 @@ export const NONE_LIT = -1;
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
-  attribute float error;
+  attribute vec3 heat;
   attribute float chart, piece;
   varying vec3 vNormal;
   varying vec3 vCorner;
   varying vec3 vView;
   varying vec2 vUv;
-  flat varying float vError;
+  flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
   void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
@@ -26,7 +29,7 @@ const VERTEX = /* glsl */ `
     vCorner = cornerOf(gl_VertexID);
     vView = -view.xyz;
     vUv = uv;
-    vError = error;
+    vHeat = heat;
     vChart = chart;
     vPiece = piece;
     gl_Position = projectionMatrix * view;
@@ -36,10 +39,14 @@ const VERTEX = /* glsl */ `
 // Three lights (key, fill, rim) fixed to the camera, plus a sky: shape is readable from every side.
 const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
-  ${RAMP_GLSL}
+  ${HEAT_GLSL}
   ${CHECKER_GLSL}
   ${CHART_GLSL}
+  ${GRID_GLSL}
+  ${FLAGS_GLSL}
   uniform int paint;
+  uniform vec2 uvOrigin;
+  uniform float uvCell;
   uniform float wire;
   uniform float pixelRatio;
   uniform float lit;
@@ -48,7 +55,7 @@ const FRAGMENT = /* glsl */ `
   varying vec3 vCorner;
   varying vec3 vView;
   varying vec2 vUv;
-  flat varying float vError;
+  flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
 
   vec3 shade(vec3 base, vec3 n, vec3 v) {
@@ -63,11 +70,16 @@ const FRAGMENT = /* glsl */ `
   }
 
   void main() {
+    vec2 flag = flagsOf(vPiece);
+    if (flag.r > 0.5) discard;
     vec3 base = clay;
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
-    if (paint == 2) base = rampColor(vError);
+    if (paint == 2) base = heatColor(vHeat);
     if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
-    if (lit >= 0.0 && vPiece != lit) base = mix(base, background, 0.75);
+    if (paint == 4) base = gridColor(uvOrigin + uvCell * vUv);
+    bool isDim = (lit >= 0.0 && vPiece != lit) || (paint == 2 && !isChosen(vHeat));
+    if (isDim) base = mix(base, background, 0.75);
+    base = mix(base, vec3(1.0), 0.25 * flag.g);
     vec3 n = normalize(vNormal);
     if (!gl_FrontFacing) {
       n = -n;
@@ -82,7 +94,8 @@ const FRAGMENT = /* glsl */ `
 
 /**
  * Material of the mesh in 3D. Its geometry has no index and has the attributes normal, uv (in
- * cells), error (angle error), chart (number of its colour) and piece (number of the chart itself).
+ * cells), heat (a place on the ramp for each measure), chart (number of its colour) and piece
+ * (number of the chart itself).
  */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -104,7 +117,11 @@ export function createSurfaceMaterial(): ShaderMaterial {
       checkB: { value: new Color() },
       back: { value: new Color() },
       wireColor: { value: new Color() },
-      ramp: { value: Array.from({ length: RAMP_SIZE }, () => new Color()) },
+      ...heatUniforms(),
+      grid: { value: null },
+      uvOrigin: { value: new Vector2() },
+      uvCell: { value: 1 },
+      flags: { value: null },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });
@@ -118,6 +135,6 @@ export function paintSurface(material: ShaderMaterial, palette: Palette): void {
   uniforms.checkB.value = palette.checkB;
   uniforms.back.value = palette.back;
   uniforms.wireColor.value = palette.wire;
-  uniforms.ramp.value = palette.ramp;
   uniforms.charts.value = palette.charts;
+  paintHeat(material, palette);
 }

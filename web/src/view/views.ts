@@ -2,10 +2,14 @@ import { bindToggle, element } from '../base/dom';
 import { readPalette } from '../colors/palette';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { Outcome, Source } from '../model/model';
+import type { ChartStates } from './chart-flags';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
-import { RAMP_MOST } from './shader-parts';
+import { ShadingControl } from './shading-control';
+import type { Pixel } from './sight';
+
+export type ViewName = 'mesh' | 'layout';
 
 /** Both views and the buttons that belong to them. */
 export class Views {
@@ -13,19 +17,23 @@ export class Views {
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
   private isDisk = true;
+  private readonly shading: ShadingControl;
 
   /** Throws NoWebGl if the browser offers no WebGL 2. */
   constructor() {
     const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);
     this.layout = new LayoutView(element('layout-canvas', HTMLCanvasElement));
+    const both = [this.mesh, this.layout];
+    this.shading = new ShadingControl(
+      (shading) => {
+        for (const view of both) view.setShading(shading);
+      },
+      (chosen) => {
+        for (const view of both) view.choose(chosen);
+      },
+    );
     bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
-    bindToggle('distortion', (isOn) => {
-      this.mesh.setDistortion(isOn);
-      this.layout.setDistortion(isOn);
-      element('legend', HTMLElement).hidden = !isOn;
-    });
-    element('legend-most', HTMLElement).textContent = `${100 * RAMP_MOST}\u202f% and more`;
     const turnRound = () => this.mesh.turnRound();
     element('other-side', HTMLButtonElement).addEventListener('click', turnRound);
     element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
@@ -54,9 +62,29 @@ export class Views {
     this.layout.light(chart);
   }
 
-  goToChart(chart: number): void {
-    this.mesh.goTo(chart);
-    this.layout.goTo(chart);
+  goToCharts(charts: number[]): void {
+    this.mesh.goTo(charts);
+    this.layout.goTo(charts);
+  }
+
+  /** Shows which charts are selected, hidden and pointed at. */
+  showStates(states: ChartStates): void {
+    this.mesh.showStates(states);
+    this.layout.showStates(states);
+  }
+
+  canvasOf(view: ViewName): HTMLCanvasElement {
+    return this[view].canvas;
+  }
+
+  chartAt(view: ViewName, at: Pixel): number | null {
+    return this[view].chartAt(at);
+  }
+
+  /** `moved` is called when a view shows another part, or from another side. */
+  onMoved(view: ViewName, moved: () => void): void {
+    if (view === 'mesh') this.mesh.onTurn(moved);
+    else this.layout.onMove(moved);
   }
 
   showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
@@ -74,6 +102,7 @@ export class Views {
     // The point of view was chosen when the mesh was opened.
     this.mesh.show(drawing);
     this.layout.show(drawing, isNew);
+    this.shading.show(drawing);
     showMarksLegend(marked);
   }
 }

@@ -1,4 +1,4 @@
-import type { Pixel } from '../view/sight';
+import type { Pixel } from './sight';
 
 export interface Modifiers {
   /** Reverses the action: joins instead of cutting, and vice versa. */

@@ -1,0 +1,97 @@
+// Shading of both views: the numbered grid, and heat maps with their legend.
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { test } from 'node:test';
+import { objText, torus } from '../support/surfaces.mjs';
+import { dropAndWait, openPage, settled, textOf } from './page.mjs';
+
+const TORUS = objText(torus(24, 12));
+const VIEWS = ['#mesh-canvas', '#layout-canvas'];
+
+const pictures = (page) =>
+  Promise.all(
+    VIEWS.map(async (id) =>
+      createHash('md5')
+        .update(await page.locator(id).screenshot())
+        .digest('hex'),
+    ),
+  );
+
+/** Both views have changed. */
+function assertOther(now, before) {
+  now.forEach((picture, i) => {
+    assert.notEqual(picture, before[i], VIEWS[i]);
+  });
+}
+
+test('every shading paints both views, and heat maps say what their colours mean', async (t) => {
+  const page = await openPage(t, { open: ['torus.obj', TORUS] });
+  const plain = await pictures(page);
+  let before = plain;
+  for (const [shading, title, low, high] of [
+    ['grid'],
+    ['angle', 'Angle error', /^0\s%$/, /^25\s% and more$/],
+    ['area', 'Area', /^×0\.50 and less$/, /^×2\.00 and more$/],
+    ['stretch', 'Stretch', /^1\.00$/, /^1\.30 and more$/],
+  ]) {
+    await page.selectOption('#shading', shading);
+    const now = await pictures(page);
+    assertOther(now, before);
+    before = now;
+    assert.equal(await page.isVisible('#legend'), title !== undefined, shading);
+    if (!title) continue;
+    assert.equal(await textOf(page, '#legend-title'), title);
+    assert.match(await textOf(page, '#legend-low'), low);
+    assert.match(await textOf(page, '#legend-most'), high);
+  }
+  await page.selectOption('#shading', 'plain');
+  assert.ok(await page.isHidden('#legend'));
+  assert.deepEqual(await pictures(page), plain);
+});
+
+test('a bar of the histogram lights its triangles, and the button the worst', async (t) => {
+  const page = await openPage(t, { open: ['torus.obj', TORUS] });
+  await page.selectOption('#shading', 'stretch');
+  const all = await pictures(page);
+  const bar = page.locator('.legend-column').nth(2);
+  await bar.click();
+  assert.equal(await bar.getAttribute('aria-pressed'), 'true');
+  assert.match(
+    await textOf(page, '#legend-said'),
+    /^Stretch 1\.\d\d to 1\.\d\d: .*of the surface$/,
+  );
+  const some = await pictures(page);
+  assertOther(some, all);
+  await page.click('#legend-worst');
+  assert.equal(await bar.getAttribute('aria-pressed'), 'false');
+  assertOther(await pictures(page), some);
+  await page.click('#legend-worst');
+  await page.mouse.move(0, 0);
+  assert.deepEqual(await pictures(page), all, 'all are lit again');
+
+  // One stop of the Tab key; arrows go from bar to bar.
+  await page.locator('.legend-column').first().focus();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.locator('.legend-column').nth(1).getAttribute('aria-pressed'), 'true');
+  await page.keyboard.press('End');
+  assert.match(await textOf(page, '#legend-said'), /^Stretch 1\.29 and more: /);
+});
+
+test('the shading stays with the next mesh, with a histogram of its own', async (t) => {
+  const page = await openPage(t, { open: ['torus.obj', TORUS] });
+  await page.selectOption('#shading', 'area');
+  await page.locator('.legend-column').nth(12).click();
+  const sentences = () =>
+    page
+      .locator('.legend-column')
+      .evaluateAll((bars) => bars.map((each) => each.getAttribute('aria-label')));
+  const before = await sentences();
+  await dropAndWait(page, 'thin.obj', objText(torus(30, 8, 0.15)));
+  await settled(page);
+  assert.equal(await page.inputValue('#shading'), 'area');
+  assert.ok(await page.isVisible('#legend'));
+  assert.notDeepEqual(await sentences(), before);
+  assert.equal(await page.locator('.legend-column[aria-pressed="true"]').count(), 0);
+});

@@ -1,0 +1,145 @@
+// Charts are selected in either view, framed, isolated and hidden.
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { test } from 'node:test';
+import { objText, together, torus } from '../support/surfaces.mjs';
+import { choose, dropAndWait, openPage, textOf } from './page.mjs';
+
+/** Two rings side by side. */
+const RINGS = objText(
+  together([
+    [torus(16, 8), [0, 0, 0]],
+    [torus(16, 8), [3, 0, 0]],
+  ]),
+);
+
+const opened = (t, options) => openPage(t, { open: ['rings.obj', RINGS], ...options });
+
+async function at(page, view, x, y) {
+  const box = await page.locator(`#${view}-canvas`).boundingBox();
+  return [box.x + x * box.width, box.y + y * box.height];
+}
+
+/** Clicks where a chart is: looks for one along the middle line. */
+async function clickChart(page, view, from = 0.2) {
+  for (let x = from; x < 0.9; x += 0.04) {
+    await page.mouse.click(...(await at(page, view, x, 0.5)));
+    if (await page.isVisible('#selection')) return x;
+  }
+  return assert.fail(`no chart in the ${view}`);
+}
+
+/** Short, for messages. */
+const picture = async (page, view) =>
+  createHash('md5')
+    .update(await page.locator(`#${view}-canvas`).screenshot())
+    .digest('hex');
+
+const selectedRows = (page) => page.locator('.chart-table tr[aria-selected="true"]').count();
+
+test('a click in the layout selects a chart in both views and in the list', async (t) => {
+  const page = await opened(t);
+  await page.click('#details-toggle');
+  const mesh = await picture(page, 'mesh');
+  await clickChart(page, 'layout');
+  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: \d+ triangles, stretch 1/);
+  assert.equal(await selectedRows(page), 1);
+  await page.mouse.move(0, 0);
+  assert.notEqual(await picture(page, 'mesh'), mesh, 'it is outlined on the mesh');
+
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  const charts = await page.locator('.chart-table tbody tr').count();
+  assert.equal(await selectedRows(page), charts);
+  assert.match(await textOf(page, '#selection-text'), /^\d+ charts: .*, 100\s% of the surface$/);
+  await page.keyboard.press('Escape');
+  assert.ok(await page.isHidden('#selection'));
+  assert.equal(await picture(page, 'mesh'), mesh);
+});
+
+test('charts are hidden, isolated and shown again, by button and key', async (t) => {
+  const page = await opened(t);
+  const all = await picture(page, 'layout');
+  await clickChart(page, 'layout');
+  await page.click('#selection-hide');
+  await page.mouse.move(0, 0);
+  assert.match(await textOf(page, '#selection-text'), /^1 chart hidden$/);
+  assert.ok(await page.isHidden('#selection-frame'));
+  assert.notEqual(await picture(page, 'layout'), all);
+  await page.click('#selection-show-all');
+  await page.mouse.move(0, 0);
+  assert.equal(await picture(page, 'layout'), all);
+
+  await clickChart(page, 'layout');
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('/');
+  const [hidden] = (await textOf(page, '#selection-text')).match(/\d+/);
+  assert.ok(hidden);
+  assert.ok(await page.isVisible('#selection-show-all'));
+  await page.keyboard.press('.');
+  await page.mouse.move(0, 0);
+  const framed = await picture(page, 'layout');
+  assert.notEqual(framed, all);
+  await page.keyboard.press('/');
+  assert.notEqual(await picture(page, 'layout'), framed);
+  await page.keyboard.press('h');
+  await page.keyboard.press('Alt+h');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Home');
+  // Keys aim at the middle while the view has the focus.
+  await page.evaluate(() => document.activeElement.blur());
+  await page.mouse.move(0, 0);
+  assert.equal(await picture(page, 'layout'), all);
+});
+
+test('on the mesh clicks select with that tool alone, and Shift adds charts', async (t) => {
+  const page = await opened(t);
+  await page.mouse.click(...(await at(page, 'mesh', 0.25, 0.5)));
+  assert.ok(await page.isHidden('#selection'), 'the click began a cut');
+  await page.keyboard.press('Escape');
+  await page.click('#seam-select');
+  assert.equal(await page.getAttribute('#seam-cut', 'aria-pressed'), 'false');
+  const x = await clickChart(page, 'mesh', 0.1);
+  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /);
+  const before = await textOf(page, '#selection-text');
+  await page.keyboard.down('Shift');
+  for (let next = x + 0.06; next < 0.95; next += 0.04) {
+    await page.mouse.click(...(await at(page, 'mesh', next, 0.5)));
+    if ((await textOf(page, '#selection-text')) !== before) break;
+  }
+  await page.keyboard.up('Shift');
+  assert.match(await textOf(page, '#selection-text'), /^\d+ charts: |^Chart/);
+  assert.notEqual(await textOf(page, '#selection-text'), before);
+});
+
+test('a chart under the pointer stands out in the other view', async (t) => {
+  const page = await opened(t);
+  await page.mouse.move(0, 0);
+  const plain = await picture(page, 'mesh');
+  const x = await clickChart(page, 'layout');
+  await page.keyboard.press('Escape');
+  await page.mouse.move(...(await at(page, 'layout', x, 0.49)));
+  await page.mouse.move(...(await at(page, 'layout', x, 0.5)));
+  await page.waitForFunction(() => new Promise((done) => requestAnimationFrame(() => done(true))));
+  assert.notEqual(await picture(page, 'mesh'), plain);
+  await page.mouse.move(0, 0);
+  assert.equal(await picture(page, 'mesh'), plain);
+});
+
+test('another layout, another mesh and one piece have no selection', async (t) => {
+  const page = await opened(t);
+  await clickChart(page, 'layout');
+  await page.click('#selection-hide');
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => !document.body.ariaBusy);
+  assert.ok(await page.isHidden('#selection'));
+  await clickChart(page, 'layout');
+  await dropAndWait(page, 'ring.obj', objText(torus(12, 8)));
+  assert.ok(await page.isHidden('#selection'));
+  await dropAndWait(page, 'grid.obj', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n');
+  await choose(page, 'flatten');
+  await page.mouse.click(...(await at(page, 'layout', 0.5, 0.5)));
+  assert.ok(await page.isHidden('#selection'));
+});

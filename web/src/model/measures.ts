@@ -1,0 +1,66 @@
+// What the heat maps show, and where on the colour ramp a value lies.
+
+/** In the order of the numbers in `TriangleMarks.heat`. */
+export const MEASURES = ['angle', 'area', 'stretch'] as const;
+export type Measure = (typeof MEASURES)[number];
+
+interface Scale {
+  title: string;
+  /** What the numbers of the legend mean. */
+  explanation: string;
+  /** 0 at the low end of the ramp and 1 at the high one. Fixed, so that colours compare across layouts and meshes. */
+  place(value: number): number;
+  value(place: number): number;
+  text(value: number): string;
+  /** Whether the middle of the ramp is the best value, not its low end. */
+  isTwoSided: boolean;
+}
+
+const percent = (value: number) => `${(100 * value).toFixed(0)}\u202f%`;
+
+/** At the high end of the ramp. */
+const MOST_ANGLE = 0.25;
+const MOST_STRETCH = 1.3;
+
+export const SCALES: Record<Measure, Scale> = {
+  angle: {
+    title: 'Angle error',
+    explanation: 'Relative change of a triangle’s angles',
+    place: (value) => value / MOST_ANGLE,
+    value: (place) => place * MOST_ANGLE,
+    text: percent,
+    isTwoSided: false,
+  },
+  area: {
+    title: 'Area',
+    explanation:
+      'Area in uv divided by area in 3D: below 1 a place has fewer texels than the average',
+    place: (value) => (Math.log2(value) + 1) / 2,
+    value: (place) => 2 ** (2 * place - 1),
+    text: (value) => `\u00d7${value.toFixed(2)}`,
+    isTwoSided: true,
+  },
+  stretch: {
+    title: 'Stretch',
+    explanation: 'Symmetric Dirichlet energy / 4 of each triangle; 1 keeps all lengths',
+    place: (value) => (value - 1) / (MOST_STRETCH - 1),
+    value: (place) => 1 + place * (MOST_STRETCH - 1),
+    text: (value) => value.toFixed(2),
+    isTwoSided: false,
+  },
+};
+
+/** Bars of a histogram; what lies beyond the ends of the ramp is in the first or the last. */
+export const BARS = 24;
+
+/** How one measure is spread over the surface. */
+export interface Spread {
+  /** Share of the surface in each bar, by 3D area. */
+  shares: Float64Array;
+  /** The hundredth of the surface with the worst values lies beyond this distance from the best value, on the ramp. */
+  worst: number;
+}
+
+/** How far a place on the ramp is from the best value's. */
+export const distanceFromBest = (measure: Measure, place: number): number =>
+  SCALES[measure].isTwoSided ? Math.abs(place - 0.5) : place;

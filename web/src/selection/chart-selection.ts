@@ -1,0 +1,75 @@
+import type { ChartStates } from '../view/chart-flags';
+
+/** Which charts of the atlas on screen are selected, hidden and pointed at. */
+export class ChartSelection implements ChartStates {
+  /** Sets are replaced, never changed: who shows them sees by that whether there is anything to do. */
+  private picked: ReadonlySet<number> = new Set();
+  private away: ReadonlySet<number> = new Set();
+  private pointed: number | null = null;
+
+  constructor(private readonly changed: () => void) {}
+
+  get selected(): ReadonlySet<number> {
+    return this.picked;
+  }
+
+  get hidden(): ReadonlySet<number> {
+    return this.away;
+  }
+
+  get hovered(): number | null {
+    return this.pointed;
+  }
+
+  clear(): void {
+    this.picked = new Set();
+    this.away = new Set();
+    this.pointed = null;
+    this.changed();
+  }
+
+  hover(chart: number | null): void {
+    if (chart === this.pointed) return;
+    this.pointed = chart;
+    this.changed();
+  }
+
+  /** Selects one chart instead of all others, or with `adds` beside them; again takes it back. */
+  pick(chart: number | null, adds: boolean): void {
+    const picked = new Set(adds ? this.picked : []);
+    if (chart !== null && !picked.delete(chart)) picked.add(chart);
+    this.picked = picked;
+    this.changed();
+  }
+
+  /** `count` charts: all that are not hidden. */
+  pickAll(count: number): void {
+    const all = Array.from({ length: count }, (_, chart) => chart);
+    this.picked = new Set(all.filter((chart) => !this.away.has(chart)));
+    this.changed();
+  }
+
+  pickNone(): void {
+    this.pick(null, false);
+  }
+
+  hide(): void {
+    this.away = new Set([...this.away, ...this.picked]);
+    this.picked = new Set();
+    this.pointed = null;
+    this.changed();
+  }
+
+  /** Hides all of `count` charts but the selected ones. */
+  isolate(count: number): void {
+    if (this.picked.size === 0) return;
+    const all = Array.from({ length: count }, (_, chart) => chart);
+    this.away = new Set(all.filter((chart) => !this.picked.has(chart)));
+    this.changed();
+  }
+
+  showAll(): void {
+    this.away = new Set();
+    this.changed();
+  }
+}

@@ -1,0 +1,60 @@
+import type { UnwrapReport } from 'abflat';
+import { element } from '../base/dom';
+import { count, counted, measure } from '../base/format';
+import type { ChartStates } from '../view/chart-flags';
+
+export interface SelectionActions {
+  frame(): void;
+  isolate(): void;
+  hide(): void;
+  showAll(): void;
+  pickNone(): void;
+}
+
+/** What is selected or hidden, with buttons for it. */
+export class SelectionBar {
+  private readonly bar = element('selection', HTMLElement);
+  private readonly text = element('selection-text', HTMLElement);
+  private readonly onSelected = (['frame', 'isolate', 'hide', 'none'] as const).map((name) =>
+    element(`selection-${name}`, HTMLButtonElement),
+  );
+  private readonly showAll = element('selection-show-all', HTMLButtonElement);
+
+  constructor(actions: SelectionActions) {
+    const [frame, isolate, hide, none] = this.onSelected;
+    frame.addEventListener('click', () => actions.frame());
+    isolate.addEventListener('click', () => actions.isolate());
+    hide.addEventListener('click', () => actions.hide());
+    none.addEventListener('click', () => actions.pickNone());
+    this.showAll.addEventListener('click', () => actions.showAll());
+  }
+
+  show({ selected, hidden }: ChartStates, report: UnwrapReport | null): void {
+    this.bar.hidden = report === null || (selected.size === 0 && hidden.size === 0);
+    for (const button of this.onSelected) button.hidden = selected.size === 0;
+    this.showAll.hidden = hidden.size === 0;
+    if (report && !this.bar.hidden) this.text.textContent = selectionText(selected, hidden, report);
+  }
+}
+
+function selectionText(
+  selected: ReadonlySet<number>,
+  hidden: ReadonlySet<number>,
+  { charts }: UnwrapReport,
+): string {
+  if (selected.size === 0) return `${counted(hidden.size, 'chart')} hidden`;
+  const sum = (of: (chart: (typeof charts)[number]) => number, numbers: Iterable<number>) =>
+    [...numbers].reduce((total, chart) => total + of(charts[chart]), 0);
+  const areaOf = (numbers: Iterable<number>) => sum(({ area }) => area ?? 0, numbers);
+  const triangles = counted(
+    sum(({ faces }) => faces, selected),
+    'triangle',
+  );
+  if (selected.size === 1) {
+    const [chart] = selected;
+    return `Chart ${count(chart)}: ${triangles}, stretch ${measure(charts[chart].symmetricDirichlet ?? Number.NaN)}`;
+  }
+  const share = areaOf(selected) / areaOf(charts.keys());
+  const percent = `${(100 * share).toFixed(0)}\u202f%`;
+  return `${counted(selected.size, 'chart')}: ${triangles}, ${percent} of the surface`;
+}

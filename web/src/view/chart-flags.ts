@@ -1,0 +1,58 @@
+import { DataTexture, NearestFilter, type ShaderMaterial } from 'three';
+
+/** Texels per row: every browser allows textures this wide. */
+const WIDTH = 1024;
+
+/** How some charts are shown. */
+export interface ChartStates {
+  selected: ReadonlySet<number>;
+  hidden: ReadonlySet<number>;
+  hovered: number | null;
+}
+
+/** A texel for each chart: red if it is hidden, green if it is hovered. */
+export class ChartFlags {
+  private texture = textureFor(1);
+
+  constructor(private readonly material: ShaderMaterial) {
+    material.uniforms.flags.value = this.texture;
+  }
+
+  show({ hidden, hovered }: ChartStates): void {
+    const charts = [...hidden, hovered ?? -1];
+    this.makeRoom(charts.reduce((most, chart) => Math.max(most, chart + 1), 1));
+    const bytes = this.texture.image.data as Uint8Array;
+    bytes.fill(0);
+    for (const chart of hidden) bytes[4 * chart] = 255;
+    if (hovered !== null) bytes[4 * hovered + 1] = 255;
+    this.texture.needsUpdate = true;
+  }
+
+  private makeRoom(count: number): void {
+    const { width, height } = this.texture.image;
+    if (count <= width * height) return;
+    this.texture.dispose();
+    this.texture = textureFor(count);
+    this.material.uniforms.flags.value = this.texture;
+  }
+}
+
+function textureFor(count: number): DataTexture {
+  const height = Math.ceil(count / WIDTH);
+  const texture = new DataTexture(new Uint8Array(4 * WIDTH * height), WIDTH, height);
+  texture.minFilter = NearestFilter;
+  texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** `piece` is the number of a chart; charts beyond the texture have no flags. */
+export const FLAGS_GLSL = /* glsl */ `
+  uniform sampler2D flags;
+  vec2 flagsOf(float piece) {
+    int chart = int(piece + 0.5);
+    ivec2 at = ivec2(chart % ${WIDTH}, chart / ${WIDTH});
+    if (at.y >= textureSize(flags, 0).y) return vec2(0.0);
+    return texelFetch(flags, at, 0).rg;
+  }
+`;

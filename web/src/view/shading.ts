@@ -1,0 +1,7 @@
+import { MEASURES, type Measure } from '../model/measures';
+
+/** What both views are painted with: charts or a checkerboard, the numbered grid, or a heat map. */
+export type Shading = 'plain' | 'grid' | Measure;
+
+export const isMeasure = (shading: Shading): shading is Measure =>
+  (MEASURES as readonly string[]).includes(shading);
