@@ -1,6 +1,6 @@
 import { create, element } from '../base/dom';
 import { BARS, type Measure, SCALES, type Spread } from '../model/measures';
-import type { Chosen } from './heat-uniforms';
+import { BEYOND, type Chosen } from './heat-uniforms';
 
 /** The height of a bar grows with the root of its share, so that the few bad triangles are seen beside the many good ones. */
 const heightOf = (share: number) => `${(100 * Math.sqrt(share)).toFixed(1)}%`;
@@ -23,8 +23,8 @@ function rangeText(measure: Measure, bar: number): string {
 /** The ends of the ramp are open: what lies beyond them is in the last bars. */
 function rangeOf(bar: number): Chosen {
   return {
-    low: bar === 0 ? -1e9 : bar / BARS,
-    high: bar === BARS - 1 ? 1e9 : (bar + 1) / BARS,
+    low: bar === 0 ? -BEYOND : bar / BARS,
+    high: bar === BARS - 1 ? BEYOND : (bar + 1) / BARS,
     isDistance: false,
   };
 }
@@ -99,7 +99,7 @@ export class HeatLegend {
     });
     this.worst.setAttribute('aria-pressed', String(chosen === 'worst'));
     if (chosen === 'worst')
-      this.choose({ low: this.spread?.worst ?? 0, high: 1e9, isDistance: true });
+      this.choose({ low: this.spread?.worst ?? 0, high: BEYOND, isDistance: true });
     else this.choose(chosen === null ? null : rangeOf(chosen));
   }
 

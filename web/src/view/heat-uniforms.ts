@@ -10,7 +10,8 @@ export interface Chosen {
 }
 
 /** Beyond every place on the ramp. */
-const ALL: Chosen = { low: -1e9, high: 1e9, isDistance: false };
+export const BEYOND = 1e9;
+const ALL: Chosen = { low: -BEYOND, high: BEYOND, isDistance: false };
 
 /** What HEAT_GLSL reads. */
 export const heatUniforms = () => ({
