@@ -1,12 +1,14 @@
 import { defineConfig } from 'vite';
 import headers from './headers.json';
+import { afterBuild } from './scripts/after-build.mjs';
 
 /** Vite's own client, for development, has inline styles. */
 const { 'Content-Security-Policy': _, ...isolation } = headers;
 
 export default defineConfig({
   base: './',
-  build: { target: 'es2022', chunkSizeWarningLimit: 900 },
+  build: { target: 'es2022', chunkSizeWarningLimit: 900, reportCompressedSize: false },
+  plugins: [afterBuild()],
   // With them the browser gives the page threads.
   server: { headers: isolation },
   preview: { headers },
