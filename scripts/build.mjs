@@ -78,7 +78,7 @@ export async function buildFirstPage() {
   const only = FIRST_BUILD.replace('wasm-', '');
   await npmBuild('wasm', ['--only', only]);
   writeLicenses(WASM_DIST, 'wasm');
-  await npmBuild('web');
+  await npmBuild('web', ['--mode', 'first']);
   writeLicenses(WEB_DIST, 'web');
   rmSync(FIRST_PAGE, { recursive: true, force: true });
   cpSync(WEB_DIST, FIRST_PAGE, { recursive: true });

@@ -7,6 +7,8 @@ import { createServer } from 'node:http';
 import { extname, join, normalize, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
+import { copyFor } from './lib/encodings.mjs';
+import { etagOf, names } from './lib/etag.mjs';
 import { ROOT, WEB_DIST } from './lib/paths.mjs';
 import { Failure, runMain } from './lib/run.mjs';
 
@@ -84,15 +86,27 @@ export function createStaticServer(folders, headers = {}) {
       response.writeHead(404, { 'Content-Type': 'text/plain' }).end('Not found\n');
       return;
     }
-    response.writeHead(200, {
-      'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
-      'Content-Length': statSync(file).size,
+    const { path, encoding, varies } = copyFor(file, request.headers['accept-encoding']);
+    const tag = etagOf(path);
+    const always = {
+      ETag: tag,
       'Cache-Control': isHashed(folder, file) ? FOREVER : 'no-cache',
+      ...(varies && { Vary: 'Accept-Encoding' }),
       'X-Content-Type-Options': 'nosniff',
       ...headers,
+    };
+    if (names(request.headers['if-none-match'], tag)) {
+      response.writeHead(304, always).end();
+      return;
+    }
+    response.writeHead(200, {
+      'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
+      'Content-Length': statSync(path).size,
+      ...(encoding && { 'Content-Encoding': encoding }),
+      ...always,
     });
     if (request.method === 'HEAD') response.end();
-    else createReadStream(file).pipe(response);
+    else createReadStream(path).pipe(response);
   });
 }
 

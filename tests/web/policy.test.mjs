@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { HEADERS } from '../../scripts/serve.mjs';
 import { withDraco, withMeshopt } from '../support/compressed-by-exporters.mjs';
 import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
 import { grid } from '../support/small-meshes.mjs';
@@ -86,6 +87,13 @@ for (const [name, headers] of [
     }
     assert.deepEqual(await page.evaluate(() => globalThis.violations), []);
   });
+
+test('the policy that is sent allows nothing inline and nothing from elsewhere', () => {
+  const directives = HEADERS['Content-Security-Policy'].split(';').map((each) => each.trim());
+  assert.ok(directives.includes("default-src 'self'"));
+  for (const directive of directives)
+    assert.match(directive, /^[\w-]+( '(self|none|wasm-unsafe-eval)')+$/);
+});
 
 test('the theme is there before anything is painted', async (t) => {
   const page = await openPage(t, {

@@ -54,6 +54,8 @@ export function newContext(browser, options = {}) {
     viewport: { width: 1280, height: 720 },
     colorScheme: 'dark',
     acceptDownloads: true,
+    // What a test does to the files of a page is not answered from a store.
+    serviceWorkers: 'block',
     ...options,
   });
 }

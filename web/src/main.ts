@@ -2,6 +2,7 @@ import './css/style.css';
 import { type Abflat, createAbflat } from 'abflat';
 import { App } from './app';
 import { create, element } from './base/dom';
+import { keepOffline } from './base/offline';
 import { startOnce } from './base/start-once';
 import { NoWebGl } from './view/stage';
 import { Views } from './view/views';
@@ -29,6 +30,7 @@ const views = createViews();
 /** Compiles the shaders in the meantime. */
 async function start(): Promise<Abflat> {
   const [abflat] = await Promise.all([createAbflat(), views?.ready]);
+  keepOffline(abflat.build);
   return abflat;
 }
 

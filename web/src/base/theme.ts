@@ -1,4 +1,4 @@
-/** public/theme.js also reads it, to set the theme before the first paint. */
+/** theme.js, beside index.html, also reads it, to set the theme before the first paint. */
 const KEY = 'abflat-theme';
 
 const root = document.documentElement;
@@ -13,6 +13,7 @@ export function bindTheme(button: HTMLButtonElement, changed: () => void): void 
     root.dataset.theme = theme;
     button.setAttribute('aria-label', `Use the ${other()} theme`);
     button.title = `Use the ${other()} theme`;
+    colorFrame();
     changed();
   };
   button.addEventListener('click', () => {
@@ -23,6 +24,13 @@ export function bindTheme(button: HTMLButtonElement, changed: () => void): void 
     if (!remembered()) use(event.matches ? 'light' : 'dark');
   });
   use(root.dataset.theme ?? 'dark');
+}
+
+/** The window of an installed page, or the browser around it, goes on with the bar. */
+function colorFrame(): void {
+  const color = getComputedStyle(root).getPropertyValue('--panel');
+  for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]'))
+    meta.content = color;
 }
 
 function remembered(): string | null {

@@ -3,6 +3,7 @@ import { element } from '../base/dom';
 import type { Source } from '../model/model';
 import { noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';
+import { bindLaunch } from './launched-files';
 
 export const FIRST_SAMPLE = 'head';
 
@@ -22,7 +23,7 @@ export interface OpenEvents {
   refused(reason: string): void;
 }
 
-/** Binds the ways to choose a mesh: drop, paste, file dialog and samples. */
+/** Binds the ways to choose a mesh: drop, paste, file dialog, samples and "Open with" of the system. */
 export function bindOpen(events: OpenEvents): void {
   const openFiles = (files: File[]) => {
     if (files.length === 0) return;
@@ -34,6 +35,7 @@ export function bindOpen(events: OpenEvents): void {
   bindSamples((name) => events.open({ kind: 'sample', name }));
   bindDrop(openFiles, events.refused);
   bindPaste(openFiles);
+  bindLaunch(openFiles, events.refused);
 }
 
 type OpenFiles = (files: File[]) => void;
