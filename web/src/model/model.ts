@@ -27,8 +27,13 @@ export interface FileSource {
 
 export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
 
+/** What can be written, in the order in which it is offered. */
+export const EXPORT_FORMATS = ['obj', 'ply', 'glb'] as const;
+
+export type ExportFormat = (typeof EXPORT_FORMATS)[number];
+
 /** A file goes back in the format it came in where that holds texcoords. */
-export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
+export function exportFormat(source: Source): ExportFormat {
   if (isGltf(source)) return 'glb';
   return /\.ply$/i.test(source.name) ? 'ply' : 'obj';
 }

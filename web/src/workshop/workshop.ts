@@ -92,14 +92,13 @@ export class Workshop implements Helpers {
     return read ?? compressed(file, others, signal);
   }
 
-  /** The document that the mesh came from as GLB, with the coordinates of the layout as TEXCOORD_`texcoord`. */
-  async glb({ gltf, result }: Outcome, texcoord: number): Promise<Blob | undefined> {
+  /** The document that the mesh came from, with the coordinates of the layout as TEXCOORD_`texcoord`; a new one called `name` where there is none. */
+  glb({ gltf, result, mesh }: Outcome, texcoord: number, name: string): Promise<Blob> {
     const { uv, indices, vertexMap, positions } = result;
-    return (
-      gltf &&
-      this.send([{ uv, indices, vertexMap, positions }], (tasks, layout) =>
-        tasks.glb(gltf.files, layout, texcoord),
-      )
+    const layout = { uv, indices, vertexMap, positions };
+    if (gltf) return this.send([layout], (tasks, own) => tasks.glb(gltf.files, own, texcoord));
+    return this.send([layout, { positions: mesh.positions }], (tasks, own, input) =>
+      tasks.newGlb(name, own, input),
     );
   }
 
