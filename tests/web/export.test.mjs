@@ -1,4 +1,4 @@
-// The button that exports, and its menu of formats.
+// The button that exports, its menu of formats, and the statistics on the clipboard.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -146,4 +146,31 @@ test('on a phone the menu is on the screen', async (t) => {
   await page.click('#export-formats');
   const box = await page.locator('#export-menu').boundingBox();
   assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+});
+
+test('all statistics are copied as JSON', async (t) => {
+  const page = await openPage(t, { own: true });
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.click('#copy-report');
+  await page.waitForFunction(
+    () => document.querySelector('#run-text').textContent === 'Statistics copied as JSON',
+  );
+  const text = await page.evaluate(() => navigator.clipboard.readText());
+  const report = JSON.parse(text);
+  assert.equal(text, JSON.stringify(report, null, 2));
+  assert.equal(report.valid, true);
+  assert.equal(report.charts.length, Number(/^\d+/.exec(await textOf(page, '#layout-info'))[0]));
+});
+
+test('where the clipboard is refused, the page says what to do', async (t) => {
+  const page = await openPage(t, {
+    prepare: (page) =>
+      page.addInitScript(() => {
+        navigator.clipboard.writeText = () =>
+          Promise.reject(new DOMException('Write permission denied.', 'NotAllowedError'));
+      }),
+  });
+  await page.click('#copy-report');
+  await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
+  assert.match(await textOf(page, '#alert'), /^Nothing was copied: .*\s+Allow it in the settings/);
 });

@@ -12,6 +12,7 @@ import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
 import { TexcoordChoice } from './controls/texcoord-choice';
 import { ChartsTab } from './details/charts-tab';
+import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
 import { Locks } from './details/locks';
 import { MethodsTab } from './details/methods-tab';
@@ -93,6 +94,7 @@ export class App implements SessionEvents {
     export: () => this.export(),
     formatChanged: () => this.showTexcoordChoice(false),
   });
+  private readonly copyReport = new CopyReport(this.say);
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
@@ -238,6 +240,7 @@ export class App implements SessionEvents {
     this.drawing = drawing;
     this.showResult(outcome, drawing);
     this.metrics.show(outcome);
+    this.copyReport.show(outcome);
     this.showDetails(outcome);
     this.updateExport();
     this.markStale(outcome.settings);
