@@ -55,6 +55,11 @@ async function doEverything(page) {
   await page.click('#compare');
   await page.waitForFunction(() => document.querySelector('.method-table'));
   await exportMesh(page);
+  for (const name of ['PLY', 'GLB']) {
+    await page.click('#export-formats');
+    const item = page.getByRole('menuitemradio', { name });
+    await Promise.all([page.waitForEvent('download'), item.click()]);
+  }
 }
 
 for (const [name, headers] of [

@@ -12,6 +12,7 @@ import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
 import { TexcoordChoice } from './controls/texcoord-choice';
 import { ChartsTab } from './details/charts-tab';
+import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
 import { Locks } from './details/locks';
 import { MethodsTab } from './details/methods-tab';
@@ -19,16 +20,11 @@ import { MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
 import { isAutomatic, type Remedy, verdictOf } from './details/verdict';
-import { exportMesh } from './export/export-mesh';
+import { ExportControl } from './export/export-control';
+import { Exporter } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
 import type { FlatDrawing } from './model/drawing';
-import {
-  type AnyProgress,
-  exportFormat,
-  type Opened,
-  type Outcome,
-  type Source,
-} from './model/model';
+import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
@@ -81,7 +77,12 @@ export class App implements SessionEvents {
     (method, comparison) => void this.showMethod(method, comparison),
   );
   private readonly run = new RunPanel(
-    () => this.session.cancel() || this.sweep.stop() || this.methods.stop() || this.methods.leave(),
+    () =>
+      this.session.cancel() ||
+      this.exporter.stop() ||
+      this.sweep.stop() ||
+      this.methods.stop() ||
+      this.methods.leave(),
     () => this.again(),
   );
   private readonly layoutBar = new LayoutBar(this.workshop, {
@@ -90,8 +91,12 @@ export class App implements SessionEvents {
   });
   private readonly notice = new Notice((source) => void this.session.open(source));
   private readonly texcoordChoice = new TexcoordChoice();
-  private readonly exportButton = element('export', HTMLButtonElement);
-  private readonly exportText = element('export-text', HTMLSpanElement);
+  private readonly exporter: Exporter;
+  private readonly exportControl = new ExportControl({
+    export: () => this.export(),
+    formatChanged: () => this.showTexcoordChoice(false),
+  });
+  private readonly copyReport = new CopyReport(this.say);
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
@@ -110,6 +115,10 @@ export class App implements SessionEvents {
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings, this.workshop);
+    this.exporter = new Exporter(this.session, this.workshop, {
+      say: this.say,
+      failed: ({ outcome }, error) => this.notSaved(outcome, error),
+    });
     this.charts = new ChartsTab(views, this.locks, {
       chosen: (chart) => this.selection?.pick(chart),
       // The run in flight would move the chart that was just locked.
@@ -137,7 +146,6 @@ export class App implements SessionEvents {
         this.say('Nothing was opened');
       },
     });
-    this.exportButton.addEventListener('click', () => this.export());
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     bindToggle('delaunay', (isOn) => {
       this.delaunay = isOn;
@@ -218,6 +226,8 @@ export class App implements SessionEvents {
     this.seams.open({ mesh, summary, name: source.name });
     this.showCutting();
     this.locks.clear();
+    this.exporter.stop();
+    this.exportControl.open(source);
     this.shown = source;
     if (source.kind === 'file') this.notice.show(source, gltf?.compressions ?? []);
     else this.notice.hide();
@@ -239,6 +249,7 @@ export class App implements SessionEvents {
     this.drawing = drawing;
     this.showResult(outcome, drawing);
     this.metrics.show(outcome);
+    this.copyReport.show(outcome);
     this.showDetails(outcome);
     this.updateExport();
     this.markStale(outcome.settings);
@@ -376,13 +387,21 @@ export class App implements SessionEvents {
     document.title = `${title} \u2013 abflat`;
   }
 
+  /** The last result, where it is of the mesh on screen. */
+  private get current(): Outcome | null {
+    return this.outcome?.source === this.shown ? this.outcome : null;
+  }
+
+  private showTexcoordChoice(isNew: boolean): void {
+    this.texcoordChoice.show(this.exportControl.format === 'glb' ? this.current : null, isNew);
+  }
+
   /** Only what belongs to the mesh on screen is exported. */
   private updateExport(isNew = false): void {
-    const { outcome, drawing } = this;
-    const current = outcome?.source === this.shown ? outcome : null;
+    const { current, drawing } = this;
     const chartColors = drawing?.chartColors;
-    this.exportButton.disabled = current === null;
-    this.texcoordChoice.show(current, isNew);
+    this.exportControl.isDisabled = current === null;
+    this.showTexcoordChoice(isNew);
     this.nameExport(false);
     const isAtlas = current?.mode === 'unwrap' && chartColors;
     this.layoutBar.show(isAtlas ? { outcome: current, chartColors } : null);
@@ -392,21 +411,15 @@ export class App implements SessionEvents {
    * `isStale`: the exported layout would be of earlier settings, and no run is about to replace it.
    */
   private nameExport(isStale: boolean): void {
-    const format = this.shown ? exportFormat(this.shown) : 'obj';
-    const isEarlier = isStale && !this.exportButton.disabled;
-    this.exportText.textContent = `Export ${isEarlier ? 'earlier ' : ''}${format.toUpperCase()}`;
-    this.exportButton.title = isEarlier ? `Exports the layout still shown: ${this.owner()}` : '';
+    this.exportControl.name(isStale ? this.owner() : null);
   }
 
   private export(): void {
     const { outcome } = this;
     if (!outcome) return;
+    const { format, title } = this.exportControl;
     // The button's title says if the layout is an earlier one.
-    const { title } = this.exportButton;
-    exportMesh(outcome, this.texcoordChoice.texcoord, this.workshop).then(
-      (done) => this.say(title ? `${done}. ${title}` : done),
-      (error: Error) => this.notSaved(outcome, error),
-    );
+    this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {

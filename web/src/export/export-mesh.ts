@@ -1,33 +1,75 @@
 import { download } from '../base/download';
 import { count } from '../base/format';
-import { exportFormat, type Outcome } from '../model/model';
+import { type ExportFormat, exportFormat, type Outcome } from '../model/model';
+import type { Written } from '../session/write-again';
 import type { Workshop } from '../workshop/workshop';
 
-/**
- * Offers the result as NAME-uv with the extension of its format; in a glTF the coordinates become
- * TEXCOORD_`texcoord`. Returns a description of what was done, for display.
- */
-export async function exportMesh(
-  outcome: Outcome,
-  texcoord: number,
-  workshop: Workshop,
-): Promise<string> {
-  const { source } = outcome;
-  const format = exportFormat(source);
-  const file = format === 'glb' ? await workshop.glb(outcome, texcoord) : outcome.result[format];
-  if (!file) throw new Error(`The result came without ${format.toUpperCase()}.`);
-  const name = `${source.name.replace(/\.[^.]*$/, '')}-uv.${format}`;
-  download(name, TYPES[format], file);
-  const size = file instanceof Blob ? file.size : file.length;
-  const uncompressed = outcome.gltf?.compressions.length ? ', uncompressed' : '';
-  const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB${uncompressed}`;
-  return outcome.gltf?.freeTexcoord ? `${setText(texcoord)} ${exported}` : exported;
+/** What is to be written. */
+export interface Wish {
+  outcome: Outcome;
+  format: ExportFormat;
+  /** The set of a glTF that gets the coordinates. */
+  texcoord: number;
 }
 
-function setText(texcoord: number): string {
-  return texcoord === 0
-    ? 'New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.'
-    : `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`;
+/** Who writes. */
+export interface Writers {
+  workshop: Workshop;
+  /** Asks abflat for a file that the result came without. */
+  again(outcome: Outcome, format: ExportFormat): Promise<Written>;
+}
+
+/** Offers the result as NAME-uv with the ending of its format. Returns what was done, for people. */
+export async function exportMesh(wish: Wish, writers: Writers): Promise<string> {
+  const { source } = wish.outcome;
+  const base = source.name.replace(/\.[^.]*$/, '');
+  const { file, remarks } = await write(wish, base, writers);
+  const name = `${base}-uv.${wish.format}`;
+  download(name, TYPES[wish.format], file);
+  const size = file instanceof Blob ? file.size : file.length;
+  const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`;
+  return [...before(wish), exported + after(wish), ...remarks].join(' ');
+}
+
+interface Output {
+  file: Uint8Array | Blob;
+  /** For people. */
+  remarks: string[];
+}
+
+async function write(wish: Wish, name: string, writers: Writers): Promise<Output> {
+  const { outcome, format, texcoord } = wish;
+  const own = format === 'glb' ? undefined : outcome.result[format];
+  if (own) return { file: own, remarks: [] };
+  if (format === 'glb' && outcome.gltf)
+    return { file: await writers.workshop.glb(outcome, texcoord, name), remarks: [] };
+  return convert(wish, name, writers);
+}
+
+/** In a format that the mesh did not come in. */
+async function convert({ outcome, format }: Wish, name: string, writers: Writers): Promise<Output> {
+  const written = await writers.again(outcome, format);
+  const remarks = outcome.result.report.valid && !written.isValid ? [ROUNDED] : [];
+  if (format === 'glb') return { file: await writers.workshop.glb(outcome, 0, name), remarks };
+  const file = written[format];
+  if (!file) throw new Error(`The result came without ${format.toUpperCase()}.`);
+  return { file, remarks };
+}
+
+const ROUNDED =
+  'GLB holds single precision: rounded to it, some triangles flip or overlap. OBJ keeps all digits.';
+
+function before({ outcome, format, texcoord }: Wish): string[] {
+  if (format !== 'glb' || !outcome.gltf?.freeTexcoord) return [];
+  if (texcoord === 0)
+    return ['New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.'];
+  return [`New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`];
+}
+
+function after({ outcome, format }: Wish): string {
+  const hasMore = /\.(obj|ply|glb|gltf)$/i.test(outcome.source.name);
+  if (hasMore && format !== exportFormat(outcome.source)) return ', shape and UVs only';
+  return outcome.gltf?.compressions.length ? ', uncompressed' : '';
 }
 
 const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };

@@ -27,8 +27,13 @@ export interface FileSource {
 
 export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
 
-/** A file is exported in its own format if that can hold texcoords. */
-export function exportFormat(source: Source): 'glb' | 'ply' | 'obj' {
+/** The formats that can be written, in the order in which they are offered. */
+export const EXPORT_FORMATS = ['obj', 'ply', 'glb'] as const;
+
+export type ExportFormat = (typeof EXPORT_FORMATS)[number];
+
+/** A file is exported in its own format by default, if that can hold texcoords. */
+export function exportFormat(source: Source): ExportFormat {
   if (isGltf(source)) return 'glb';
   return /\.ply$/i.test(source.name) ? 'ply' : 'obj';
 }

@@ -235,12 +235,16 @@ export class SeamEditor {
   }
 
   private onEscape(event: KeyboardEvent): void {
-    if (event.key !== 'Escape' || !this.paths) return;
+    if (event.key !== 'Escape' || !this.paths || closesSomething(event)) return;
     event.stopPropagation();
     this.clear();
     this.events.say('Cut cancelled');
   }
 }
+
+/** What is open above the page comes first. */
+const closesSomething = ({ target }: KeyboardEvent) =>
+  target instanceof Element && target.closest('[role="menu"]') !== null;
 
 function listed(place: number): Uint32Array {
   return place < 0 ? new Uint32Array() : Uint32Array.of(place);

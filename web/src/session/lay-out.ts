@@ -2,6 +2,7 @@ import type { Abflat } from 'abflat';
 import { copied } from '../base/buffers';
 import {
   type AnyProgress,
+  type ExportFormat,
   exportFormat,
   type Opened,
   type Outcome,
@@ -11,8 +12,10 @@ import type { Kept, Settings } from '../model/settings';
 
 interface Watch {
   signal: AbortSignal;
-  onProgress: (progress: AnyProgress) => void;
+  onProgress?: (progress: AnyProgress) => void;
 }
+
+type Input = Pick<Opened, 'source' | 'input' | 'mesh' | 'gltf'>;
 
 /**
  * Charts that an edit leaves unchanged are not flattened again; locked ones stay where they are.
@@ -23,15 +26,19 @@ function fromEarlier(source: Source, kept: Kept | undefined, earlier: Outcome | 
   return { known: isKnown ? earlier.result : undefined };
 }
 
-/** One run of abflat with these settings. `earlier`: the last outcome, of any mesh. */
+/**
+ * One run of abflat with these settings. `earlier`: the last outcome, of any mesh; `format`: that of
+ * the file to write.
+ */
 export async function layOut(
   abflat: Abflat,
-  { source, input, mesh, gltf }: Opened,
+  { source, input, mesh, gltf }: Input,
   settings: Settings,
   earlier: Outcome | null,
   watch: Watch,
+  format: ExportFormat = exportFormat(source),
 ): Promise<Outcome> {
-  const format = exportFormat(source);
+  const roundsForGltf = exportFormat(source) === 'glb';
   const file = format === 'glb' ? {} : { [format]: true };
   if (settings.mode === 'flatten') {
     const { mode, ...options } = settings;
@@ -41,7 +48,7 @@ export async function layOut(
       // In the unit of the mesh, a texture would repeat as often as the mesh is large.
       normalize: true,
       transfer: true,
-      roundsForGltf: format === 'glb',
+      roundsForGltf,
       ...watch,
     });
     return { mode, source, mesh, gltf, settings, result };
@@ -52,7 +59,7 @@ export async function layOut(
     ...fromEarlier(source, kept, earlier),
     ...file,
     transfer: true,
-    roundsForGltf: format === 'glb',
+    roundsForGltf,
     ...watch,
   });
   return { mode, source, mesh, gltf, settings, result };

@@ -14,6 +14,7 @@ import {
   positionsOf,
 } from '../drawing/picture';
 import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
+import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
 import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
@@ -57,6 +58,12 @@ const tasks = {
 
   glb: (files: GltfFiles, layout: LayoutArrays, texcoord: number): Promise<Blob> =>
     writeGltf(files, layout, texcoord),
+
+  newGlb: (
+    name: string,
+    layout: LayoutArrays,
+    input: Parameters<typeof positionsOf>[1],
+  ): Promise<Blob> => newGlb(name, layout, positionsOf(layout, input)),
 
   joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
 

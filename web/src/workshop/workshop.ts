@@ -97,15 +97,14 @@ export class Workshop implements Helpers {
 
   /**
    * The document that the mesh came from as GLB, with the layout's coordinates as
-   * TEXCOORD_`texcoord`.
+   * TEXCOORD_`texcoord`; a new document called `name` if it came from none.
    */
-  async glb({ gltf, result }: Outcome, texcoord: number): Promise<Blob | undefined> {
+  glb({ gltf, result, mesh }: Outcome, texcoord: number, name: string): Promise<Blob> {
     const { uv, indices, vertexMap, positions } = result;
-    return (
-      gltf &&
-      this.send([{ uv, indices, vertexMap, positions }], (tasks, layout) =>
-        tasks.glb(gltf.files, layout, texcoord),
-      )
+    const layout = { uv, indices, vertexMap, positions };
+    if (gltf) return this.send([layout], (tasks, own) => tasks.glb(gltf.files, own, texcoord));
+    return this.send([layout, { positions: mesh.positions }], (tasks, own, input) =>
+      tasks.newGlb(name, own, input),
     );
   }
 

@@ -1,0 +1,176 @@
+// The button that exports, its menu of formats, and the statistics on the clipboard.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { complaints, parseObj } from '../support/atlas.mjs';
+import {
+  addMesh,
+  assertValidFile,
+  atlasOf,
+  emptyDocument,
+  flaws,
+  io,
+  primitiveOf,
+  primitivesOf,
+} from '../support/gltf.mjs';
+import { parsePly, plyToObj } from '../support/ply.mjs';
+import { grid } from '../support/small-meshes.mjs';
+import { objText, sphere } from '../support/surfaces.mjs';
+import { choose, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
+
+const BALL = ['ball.obj', objText(sphere(8))];
+
+/** Exports through the menu. */
+async function exportAs(page, format) {
+  await page.click('#export-formats');
+  const item = page.getByRole('menuitemradio', { name: format.toUpperCase() });
+  const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
+  assert.equal(await textOf(page, '#alert'), '');
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+const focused = (page) => page.evaluate(() => document.activeElement.textContent.trim());
+
+const READERS = {
+  obj: async (bytes) => complaints(bytes.toString()),
+  ply: async (bytes) => complaints(plyToObj(parsePly(bytes))),
+  glb: async (bytes) => {
+    const document = await io.readBinary(bytes);
+    await assertValidFile(document);
+    return flaws(atlasOf(primitivesOf(document)));
+  },
+};
+
+async function assertEveryFormat(page, base, formats = Object.keys(READERS)) {
+  for (const format of formats) {
+    const { name, bytes } = await exportAs(page, format);
+    assert.equal(name, `${base}-uv.${format}`);
+    assert.deepEqual(await READERS[format](bytes), [], format);
+  }
+}
+
+test('any mesh is exported in any format, in charts or in one piece', async (t) => {
+  const page = await openPage(t, { open: BALL });
+  await assertEveryFormat(page, 'ball');
+  await page.selectOption('#sample', 'hemisphere');
+  await settled(page);
+  await choose(page, 'flatten');
+  await assertEveryFormat(page, 'hemisphere');
+});
+
+test('a glTF is exported as OBJ and PLY, too', async (t) => {
+  const document = emptyDocument();
+  addMesh(document, 'ball', primitiveOf(document, sphere(6)));
+  const page = await openPage(t, { open: ['scene.glb', await io.writeBinary(document)] });
+  await assertEveryFormat(page, 'scene');
+  await exportAs(page, 'obj');
+  assert.match(
+    await textOf(page, '#run-text'),
+    /^Exported scene-uv\.obj, \d+\s*KB, shape and UVs only$/,
+  );
+});
+
+test('the format that was chosen holds for the mesh that is open', async (t) => {
+  const page = await openPage(t, { open: BALL });
+  await exportAs(page, 'ply');
+  assert.equal(await textOf(page, '#export'), 'Export PLY');
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  assert.equal((await exportMesh(page)).name, 'ball-uv.ply');
+  await page.click('#export-formats');
+  assert.equal(
+    await page.getByRole('menuitemradio', { name: 'PLY' }).getAttribute('aria-checked'),
+    'true',
+  );
+  await page.keyboard.press('Escape');
+  await dropAndWait(page, 'waves.obj', grid(4));
+  assert.equal(await textOf(page, '#export'), 'Export OBJ');
+  assert.equal((await exportMesh(page)).name, 'waves-uv.obj');
+});
+
+test('all formats have the coordinates that are on screen', async (t) => {
+  const page = await openPage(t, { open: BALL });
+  const [{ bytes: obj }, { bytes: ply }] = [
+    await exportAs(page, 'obj'),
+    await exportAs(page, 'ply'),
+  ];
+  const corners = ({ texcoords, faces }) => faces.flat().map(([, i]) => texcoords[i]);
+  assert.deepEqual(corners(parseObj(plyToObj(parsePly(ply)))), corners(parseObj(obj.toString())));
+});
+
+test('the menu works by keyboard', async (t) => {
+  const page = await openPage(t, { open: BALL });
+  const menu = page.locator('#export-menu');
+  const opener = page.locator('#export-formats');
+  for (const key of ['Enter', 'ArrowDown', 'Space']) {
+    await opener.focus();
+    await page.keyboard.press(key);
+    assert.ok(await menu.isVisible(), key);
+    assert.equal(await opener.getAttribute('aria-expanded'), 'true');
+    assert.equal(await focused(page), 'OBJ', key);
+    await page.keyboard.press('Escape');
+    assert.ok(await menu.isHidden());
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'export-formats');
+  }
+  await opener.press('ArrowDown');
+  for (const [key, text] of [
+    ['ArrowDown', 'PLY'],
+    ['ArrowDown', 'GLB'],
+    ['ArrowDown', 'OBJ'],
+    ['ArrowUp', 'GLB'],
+    ['Home', 'OBJ'],
+    ['End', 'GLB'],
+  ]) {
+    await page.keyboard.press(key);
+    assert.equal(await focused(page), text, key);
+  }
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.keyboard.press('Enter'),
+  ]);
+  assert.equal(download.suggestedFilename(), 'ball-uv.glb');
+  assert.ok(await menu.isHidden());
+  // It goes where the focus does.
+  await opener.press('ArrowDown');
+  await page.keyboard.press('Tab');
+  assert.ok(await menu.isHidden());
+  await opener.click();
+  await page.mouse.click(400, 300);
+  assert.ok(await menu.isHidden());
+});
+
+test('on a phone the menu is on the screen', async (t) => {
+  const page = await openPage(t, { viewport: { width: 390, height: 844 }, hasTouch: true });
+  await page.click('#export-formats');
+  const box = await page.locator('#export-menu').boundingBox();
+  assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+});
+
+test('all statistics are copied as JSON', async (t) => {
+  const page = await openPage(t, { own: true });
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.click('#copy-report');
+  await page.waitForFunction(
+    () => document.querySelector('#run-text').textContent === 'Statistics copied as JSON',
+  );
+  const text = await page.evaluate(() => navigator.clipboard.readText());
+  const report = JSON.parse(text);
+  assert.equal(text, JSON.stringify(report, null, 2));
+  assert.equal(report.valid, true);
+  assert.equal(report.charts.length, Number(/^\d+/.exec(await textOf(page, '#layout-info'))[0]));
+});
+
+test('where the clipboard is refused, the page says what to do', async (t) => {
+  const page = await openPage(t, {
+    prepare: (page) =>
+      page.addInitScript(() => {
+        navigator.clipboard.writeText = () =>
+          Promise.reject(new DOMException('Write permission denied.', 'NotAllowedError'));
+      }),
+  });
+  await page.click('#copy-report');
+  await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
+  assert.match(await textOf(page, '#alert'), /^Nothing was copied: .*\s+Allow it in the settings/);
+});

@@ -1,0 +1,78 @@
+import { element } from '../base/dom';
+
+/** A button that opens a menu of choices, of which one holds. Both work by keyboard, as menus of programs do. */
+export class MenuButton {
+  private readonly button: HTMLButtonElement;
+  private readonly menu: HTMLElement;
+  private readonly items: HTMLButtonElement[];
+
+  /** The menu has an item with a `data-value` for each choice. */
+  constructor(buttonId: string, menuId: string, chosen: (value: string) => void) {
+    this.button = element(buttonId, HTMLButtonElement);
+    this.menu = element(menuId, HTMLElement);
+    this.items = [...this.menu.querySelectorAll('button')];
+    for (const item of this.items)
+      item.addEventListener('click', () => {
+        this.close();
+        chosen(item.dataset.value ?? '');
+      });
+    this.button.addEventListener('click', () => (this.menu.hidden ? this.open() : this.close()));
+    this.button.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowDown') return;
+      event.preventDefault();
+      this.open();
+    });
+    this.menu.addEventListener('keydown', (event) => this.onKey(event));
+    this.menu.addEventListener('focusout', ({ relatedTarget }) => {
+      // The button closes it by its own click.
+      if (relatedTarget !== this.button && !this.menu.contains(relatedTarget as Node | null))
+        this.hide();
+    });
+  }
+
+  set isDisabled(isDisabled: boolean) {
+    this.button.disabled = isDisabled;
+    if (isDisabled) this.hide();
+  }
+
+  check(value: string): void {
+    for (const item of this.items)
+      item.setAttribute('aria-checked', String(item.dataset.value === value));
+  }
+
+  open(): void {
+    if (this.button.disabled) return;
+    this.menu.hidden = false;
+    this.button.setAttribute('aria-expanded', 'true');
+    const checked = this.items.find((item) => item.getAttribute('aria-checked') === 'true');
+    (checked ?? this.items[0]).focus();
+  }
+
+  private close(): void {
+    this.hide();
+    this.button.focus();
+  }
+
+  private hide(): void {
+    this.menu.hidden = true;
+    this.button.setAttribute('aria-expanded', 'false');
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const at = this.items.indexOf(event.target as HTMLButtonElement);
+    const count = this.items.length;
+    const actions: Record<string, () => void> = {
+      ArrowDown: () => this.items[(at + 1) % count].focus(),
+      ArrowUp: () => this.items[(at + count - 1) % count].focus(),
+      Home: () => this.items[0].focus(),
+      End: () => this.items[count - 1].focus(),
+      Escape: () => this.close(),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    // Escape would cancel the run in flight as well.
+    event.stopPropagation();
+    action();
+  }
+}

@@ -1,0 +1,32 @@
+import { showAlert } from '../base/alert';
+import { element } from '../base/dom';
+import type { Outcome } from '../model/model';
+
+/** The button that copies all numbers of a result. */
+export class CopyReport {
+  private readonly button = element('copy-report', HTMLButtonElement);
+  private outcome: Outcome | null = null;
+
+  constructor(private readonly say: (text: string) => void) {
+    this.button.addEventListener('click', () => void this.copy());
+  }
+
+  show(outcome: Outcome): void {
+    this.outcome = outcome;
+    this.button.disabled = false;
+  }
+
+  private async copy(): Promise<void> {
+    if (!this.outcome) return;
+    try {
+      await navigator.clipboard.writeText(JSON.stringify(this.outcome.result.report, null, 2));
+      this.say('Statistics copied as JSON');
+    } catch (error) {
+      console.info('The clipboard cannot be written:', error);
+      showAlert(
+        'Nothing was copied: the browser keeps this page from the clipboard.',
+        'Allow it in the settings beside the address. If there is no such setting, open the page over https or from localhost.',
+      );
+    }
+  }
+}

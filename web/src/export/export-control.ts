@@ -1,0 +1,68 @@
+import { element } from '../base/dom';
+import { MenuButton } from '../controls/menu-button';
+import { type ExportFormat, exportFormat, type Source } from '../model/model';
+
+export interface ExportEvents {
+  export(): void;
+  /** Another format holds from now on. */
+  formatChanged(): void;
+}
+
+/** The button that exports, and the menu beside it with all formats. A format that was chosen holds as long as the mesh is open. */
+export class ExportControl {
+  private readonly button = element('export', HTMLButtonElement);
+  private readonly text = element('export-text', HTMLSpanElement);
+  private readonly menu: MenuButton;
+  private chosen: ExportFormat = 'obj';
+  private earlier: string | null = null;
+
+  constructor(events: ExportEvents) {
+    this.button.addEventListener('click', () => events.export());
+    this.menu = new MenuButton('export-formats', 'export-menu', (value) => {
+      this.choose(value as ExportFormat);
+      events.formatChanged();
+      events.export();
+    });
+    this.menu.isDisabled = true;
+  }
+
+  get format(): ExportFormat {
+    return this.chosen;
+  }
+
+  /** What the button does beside exporting; '' where its text says it all. */
+  get title(): string {
+    return this.button.title;
+  }
+
+  open(source: Source): void {
+    this.choose(exportFormat(source));
+  }
+
+  openMenu(): void {
+    this.menu.open();
+  }
+
+  set isDisabled(isDisabled: boolean) {
+    this.button.disabled = isDisabled;
+    this.menu.isDisabled = isDisabled;
+  }
+
+  /** `earlier`: whose layout would be exported, where that is not what the settings say. */
+  name(earlier: string | null): void {
+    this.earlier = this.button.disabled ? null : earlier;
+    this.show();
+  }
+
+  private choose(format: ExportFormat): void {
+    this.chosen = format;
+    this.menu.check(format);
+    this.show();
+  }
+
+  private show(): void {
+    const { earlier } = this;
+    this.text.textContent = `Export ${earlier ? 'earlier ' : ''}${this.chosen.toUpperCase()}`;
+    this.button.title = earlier ? `Exports the layout still shown: ${earlier}` : '';
+  }
+}

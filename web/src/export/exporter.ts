@@ -1,0 +1,51 @@
+import { Job } from '../session/job';
+import type { Session } from '../session/session';
+import { writeAgain } from '../session/write-again';
+import type { Workshop } from '../workshop/workshop';
+import { exportMesh, type Wish } from './export-mesh';
+
+export interface ExporterEvents {
+  say(text: string): void;
+  failed(wish: Wish, error: Error): void;
+}
+
+/** Exports one file at a time. A file that abflat has to write first waits for the run in flight. */
+export class Exporter {
+  private readonly job = new Job(() => undefined);
+
+  constructor(
+    private readonly session: Session,
+    private readonly workshop: Workshop,
+    private readonly events: ExporterEvents,
+  ) {}
+
+  /** `remark`: what is to be said of it besides. */
+  export(wish: Wish, remark: string): void {
+    this.job
+      .start(async (signal) => {
+        const done = await exportMesh(wish, {
+          workshop: this.workshop,
+          again: (outcome, format) => {
+            this.events.say(`Writing ${format.toUpperCase()}`);
+            return this.session.aside(
+              (abflat, input, signal) => writeAgain(abflat, input, outcome, format, signal),
+              signal,
+            );
+          },
+        });
+        if (!signal.aborted) this.events.say(remark ? `${done}. ${remark}` : done);
+      })
+      .catch((error: Error) => {
+        this.events.say('Not exported');
+        this.events.failed(wish, error);
+      });
+  }
+
+  /** Returns whether there was anything to stop. */
+  stop(): boolean {
+    if (!this.job.isRunning) return false;
+    this.job.stop();
+    this.events.say('Export cancelled');
+    return true;
+  }
+}

@@ -1,0 +1,45 @@
+import { Document } from '@gltf-transform/core';
+import type { LayoutArrays } from '../model/model';
+import { gltfIo } from './gltf-source';
+
+/** A mesh that comes from no glTF, with its layout: positions, UVs, triangles and a material, all called `name`. */
+export async function newGlb(
+  name: string,
+  { uv, indices }: Pick<LayoutArrays, 'uv' | 'indices'>,
+  positions: Float64Array,
+): Promise<Blob> {
+  const bytes = await gltfIo().writeBinary(documentOf(name, uv, indices, positionsOf(positions)));
+  return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
+}
+
+function documentOf(
+  name: string,
+  uv: Float64Array,
+  indices: Uint32Array,
+  positions: Float32Array<ArrayBuffer>,
+): Document {
+  const document = new Document();
+  const buffer = document.createBuffer();
+  const accessor = () => document.createAccessor().setBuffer(buffer);
+  const isSmall = positions.length / 3 < 2 ** 16; // the largest index would restart a primitive
+  const primitive = document
+    .createPrimitive()
+    .setAttribute('POSITION', accessor().setType('VEC3').setArray(positions))
+    .setAttribute('TEXCOORD_0', accessor().setType('VEC2').setArray(texcoordsOf(uv)))
+    .setIndices(accessor().setArray(isSmall ? new Uint16Array(indices) : new Uint32Array(indices)))
+    .setMaterial(document.createMaterial(name).setMetallicFactor(0));
+  const node = document.createNode(name).setMesh(document.createMesh(name).addPrimitive(primitive));
+  document.createScene().addChild(node);
+  return document;
+}
+
+function positionsOf(positions: Float64Array): Float32Array<ArrayBuffer> {
+  const single = Float32Array.from(positions);
+  if (!single.every(Number.isFinite))
+    throw new Error('Its coordinates are too large for GLB. Scale the mesh down, or choose OBJ');
+  return single;
+}
+
+/** That of glTF points down. */
+const texcoordsOf = (uv: Float64Array) =>
+  Float32Array.from(uv, (x, i) => (i % 2 === 0 ? x : 1 - x));

@@ -1,0 +1,81 @@
+import type { Abflat, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
+import { copied } from '../base/buffers';
+import type { ExportFormat, Outcome } from '../model/model';
+import { layOut } from './lay-out';
+
+export interface Written {
+  obj?: Uint8Array;
+  ply?: Uint8Array;
+  /** In the precision of the format, of which a GLB has the least. */
+  isValid: boolean;
+}
+
+/** Asks for another file of a layout that is there. The file has the same coordinates, or there is none. */
+export async function writeAgain(
+  abflat: Abflat,
+  input: MeshInput,
+  outcome: Outcome,
+  format: ExportFormat,
+  signal: AbortSignal,
+): Promise<Written> {
+  const { result } = outcome;
+  // What is not valid cannot be kept in its place; the same once more gives the same.
+  const written = result.report.valid
+    ? await keepAll(abflat, input, outcome, format, signal)
+    : (await layOut(abflat, { ...outcome, input }, outcome.settings, null, { signal }, format))
+        .result;
+  if (!isSame(written.indices, result.indices) || !isSame(written.uv, result.uv))
+    throw new Error('The layout came out differently. Lay it out again, then export it.');
+  const { obj, ply, report } = written;
+  return { obj, ply, isValid: report.valid };
+}
+
+/** All charts stay where they are, so nothing is laid out. */
+async function keepAll(
+  abflat: Abflat,
+  input: MeshInput,
+  outcome: Outcome,
+  format: ExportFormat,
+  signal: AbortSignal,
+): Promise<UnwrapResult> {
+  const { charts } = outcome.result.report;
+  return abflat.unwrap(await copied(input), {
+    ...atlasOf(outcome),
+    known: knownOf(outcome),
+    fixedCharts: Uint32Array.from(charts.keys()),
+    seams: 'none',
+    ...wanted(format),
+    transfer: true,
+    signal,
+  });
+}
+
+const wanted = (format: ExportFormat) =>
+  format === 'glb' ? { roundsForGltf: true } : { [format]: true };
+
+/** What charts that stay must fit in. */
+function atlasOf(outcome: Outcome) {
+  if (outcome.mode === 'flatten') return {};
+  const { resolution, padding, udim, texelDensity } = outcome.settings;
+  return { resolution, padding, udim, texelDensity };
+}
+
+/** A mesh in one piece is an atlas of one chart. */
+function knownOf({ mode, result }: Outcome): KnownLayout {
+  if (mode === 'unwrap') return result;
+  const { uv, indices, vertexMap } = result;
+  return {
+    uv,
+    unpacked: uv,
+    indices,
+    vertexMap,
+    chartOfTriangle: new Uint32Array(indices.length / 3),
+    report: { options: { t: 'auto', straightSeams: false, balance: 0 } },
+  };
+}
+
+function isSame(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
+  return true;
+}
