@@ -3,6 +3,7 @@ import { hideAlert, showAlert } from './base/alert';
 import { bindToggle, element } from './base/dom';
 import { duration } from './base/format';
 import { Lost } from './base/lost';
+import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
 import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
@@ -23,6 +24,7 @@ import { isAutomatic, type Remedy, verdictOf } from './details/verdict';
 import { ExportControl } from './export/export-control';
 import { Exporter } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
+import { HelpSheet } from './help/help-sheet';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
@@ -51,7 +53,7 @@ export class App implements SessionEvents {
   });
   private readonly metrics = new MetricsPanel(
     () => this.showNotes(),
-    (remedy) => this.help(remedy),
+    (remedy) => this.remedy(remedy),
   );
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
@@ -95,6 +97,7 @@ export class App implements SessionEvents {
     formatChanged: () => this.showTexcoordChoice(false),
   });
   private readonly copyReport = new CopyReport(this.say);
+  private readonly help = new HelpSheet();
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
@@ -136,6 +139,12 @@ export class App implements SessionEvents {
         showAlert(reason, this.stillShown(this.markStale()));
         this.say('Nothing was opened');
       },
+    });
+    bindShortcuts({
+      'Ctrl+O': () => element('open', HTMLButtonElement).click(),
+      'Ctrl+S': () => element('export', HTMLButtonElement).click(),
+      'Ctrl+E': () => this.exportControl.openMenu(),
+      '?': () => this.help.open(),
     });
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     bindToggle('delaunay', (isOn) => {
@@ -182,7 +191,7 @@ export class App implements SessionEvents {
     this.atlas.setCutting(isAutomatic(this.seams.options.seams));
   }
 
-  private help(remedy: Remedy): void {
+  private remedy(remedy: Remedy): void {
     if (remedy === 'unwrap') this.mode.choose('unwrap');
     else this.seams.cutFurther();
   }
