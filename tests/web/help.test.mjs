@@ -1,11 +1,11 @@
-// The sheet of keys tells the truth: each key in it does something, and no other key does.
+// The sheet of keys tells the truth: each key in it does something, and no other key does. And what a first visit is told.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
-import { choose, drop, openPage, settled, textOf } from './page.mjs';
+import { choose, drop, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 const { CONTROLS } = await loadModule('help/keys');
 
@@ -334,3 +334,45 @@ test('no key is missing from the sheet', async (t) => {
   });
   await settled(page);
 });
+
+test('a first visit is told what this is, until a mesh of its own was opened', async (t) => {
+  const page = await openPage(t);
+  const welcome = page.locator('#welcome');
+  assert.match(await welcome.innerText(), /^abflat lays a 3D mesh flat.*OBJ.*GLB.*sample\.$/s);
+  await page.selectOption('#sample', 'hemisphere');
+  await settled(page);
+  assert.ok(await welcome.isVisible(), 'a sample is not of their own');
+  await dropAndWait(page, 'nothing.obj', 'v 0 0 0\n');
+  assert.ok(await welcome.isVisible(), 'nothing was opened');
+  await dropAndWait(page, 'waves.obj', grid(4));
+  assert.ok(await welcome.isHidden());
+  await page.reload();
+  await settled(page);
+  assert.ok(await welcome.isHidden());
+});
+
+for (const [width, height] of [
+  [1920, 1080],
+  [1280, 720],
+  [1024, 768],
+  [900, 700],
+  [768, 1024],
+  [390, 844],
+  [320, 640],
+])
+  test(`what a first visit is told can be read and covers nothing, ${width} wide`, async (t) => {
+    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
+    const wrong = await page.evaluate(() => {
+      const welcome = document.querySelector('#welcome');
+      const own = welcome.getBoundingClientRect();
+      const others = [...document.querySelectorAll('.bar > :not(#welcome), .pane, .dock')];
+      const meets = (element) => {
+        const box = element.getBoundingClientRect();
+        const isBeside = box.right <= own.left || box.left >= own.right;
+        return box.width > 0 && !isBeside && box.bottom > own.top && box.top < own.bottom;
+      };
+      const isCut = welcome.scrollHeight > welcome.clientHeight || own.right > innerWidth;
+      return [...others.filter(meets).map((e) => e.id || e.className), ...(isCut ? ['cut'] : [])];
+    });
+    assert.deepEqual(wrong, []);
+  });

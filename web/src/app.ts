@@ -25,6 +25,7 @@ import { ExportControl } from './export/export-control';
 import { Exporter } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
 import { HelpSheet } from './help/help-sheet';
+import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
@@ -98,6 +99,7 @@ export class App implements SessionEvents {
   });
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
+  private readonly welcome = new Welcome();
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
@@ -229,8 +231,10 @@ export class App implements SessionEvents {
     this.exporter.stop();
     this.exportControl.open(source);
     this.shown = source;
-    if (source.kind === 'file') this.notice.show(source, gltf?.compressions ?? []);
-    else this.notice.hide();
+    if (source.kind === 'file') {
+      this.notice.show(source, gltf?.compressions ?? []);
+      this.welcome.done();
+    } else this.notice.hide();
     this.views?.showMesh(drawing);
     this.sweep.clear();
     this.methods.clear();

@@ -1,3 +1,5 @@
+import { remember, remembered } from './remember';
+
 /** Also read by public/theme.js, which sets the theme before the first paint. */
 const KEY = 'abflat-theme';
 
@@ -14,28 +16,10 @@ export function bindTheme(button: HTMLButtonElement, changed: () => void): void 
   };
   button.addEventListener('click', () => {
     use(other());
-    remember(root.dataset.theme ?? '');
+    remember(KEY, root.dataset.theme ?? '');
   });
   window.matchMedia('(prefers-color-scheme: light)').addEventListener('change', (event) => {
-    if (!remembered()) use(event.matches ? 'light' : 'dark');
+    if (!remembered(KEY)) use(event.matches ? 'light' : 'dark');
   });
   use(root.dataset.theme ?? 'dark');
-}
-
-function remembered(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch (error) {
-    console.info('The theme cannot be remembered:', error);
-    return null;
-  }
-}
-
-function remember(theme: string): void {
-  try {
-    localStorage.setItem(KEY, theme);
-  } catch (error) {
-    // Storage is off or full: the theme still holds for this visit.
-    console.info('The theme cannot be remembered:', error);
-  }
 }
