@@ -72,8 +72,11 @@ test('axe finds nothing in a message and in a layout that is not valid', async (
   await assertNothingFound(page, 'message');
 });
 
-test('axe finds nothing in the menu of formats', async (t) => {
+test('axe finds nothing in the menu of formats and in the sheet of keys', async (t) => {
   const page = await openWithAxe(t);
   await page.click('#export-formats');
   await assertNothingFound(page, 'menu');
+  await page.keyboard.press('Escape');
+  await page.click('#help');
+  await assertNothingFound(page, 'sheet');
 });

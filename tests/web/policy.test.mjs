@@ -60,6 +60,8 @@ async function doEverything(page) {
     const item = page.getByRole('menuitemradio', { name });
     await Promise.all([page.waitForEvent('download'), item.click()]);
   }
+  await page.click('#help');
+  await page.keyboard.press('Escape');
 }
 
 for (const [name, headers] of [

@@ -3,6 +3,7 @@ import { hideAlert, showAlert } from './base/alert';
 import { bindToggle, element } from './base/dom';
 import { duration } from './base/format';
 import { Lost } from './base/lost';
+import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
 import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
@@ -23,6 +24,8 @@ import { isAutomatic, type Remedy, verdictOf } from './details/verdict';
 import { ExportControl } from './export/export-control';
 import { Exporter } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
+import { HelpSheet } from './help/help-sheet';
+import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
@@ -52,7 +55,7 @@ export class App implements SessionEvents {
   });
   private readonly metrics = new MetricsPanel(
     () => this.showNotes(),
-    (remedy) => this.help(remedy),
+    (remedy) => this.remedy(remedy),
   );
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
@@ -97,6 +100,8 @@ export class App implements SessionEvents {
     formatChanged: () => this.showTexcoordChoice(false),
   });
   private readonly copyReport = new CopyReport(this.say);
+  private readonly help = new HelpSheet();
+  private readonly welcome = new Welcome();
   private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
@@ -146,6 +151,12 @@ export class App implements SessionEvents {
         this.say('Nothing was opened');
       },
     });
+    bindShortcuts({
+      'Ctrl+O': () => element('open', HTMLButtonElement).click(),
+      'Ctrl+S': () => element('export', HTMLButtonElement).click(),
+      'Ctrl+E': () => this.exportControl.openMenu(),
+      '?': () => this.help.open(),
+    });
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     bindToggle('delaunay', (isOn) => {
       this.delaunay = isOn;
@@ -191,7 +202,7 @@ export class App implements SessionEvents {
     this.atlas.setCutting(isAutomatic(this.seams.options.seams));
   }
 
-  private help(remedy: Remedy): void {
+  private remedy(remedy: Remedy): void {
     if (remedy === 'unwrap') this.mode.choose('unwrap');
     else this.seams.cutFurther();
   }
@@ -229,8 +240,10 @@ export class App implements SessionEvents {
     this.exporter.stop();
     this.exportControl.open(source);
     this.shown = source;
-    if (source.kind === 'file') this.notice.show(source, gltf?.compressions ?? []);
-    else this.notice.hide();
+    if (source.kind === 'file') {
+      this.notice.show(source, gltf?.compressions ?? []);
+      this.welcome.done();
+    } else this.notice.hide();
     this.views?.showMesh(drawing);
     this.sweep.clear();
     this.methods.clear();

@@ -25,3 +25,8 @@ export function bindToggle(id: string, changed: (isOn: boolean) => void): void {
     changed(isOn);
   });
 }
+
+/** Whether keys go into a field. */
+export function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement && target.type !== 'range';
+}

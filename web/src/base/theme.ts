@@ -1,3 +1,5 @@
+import { remember, remembered } from './remember';
+
 /** theme.js, beside index.html, also reads it, to set the theme before the first paint. */
 const KEY = 'abflat-theme';
 
@@ -18,10 +20,10 @@ export function bindTheme(button: HTMLButtonElement, changed: () => void): void 
   };
   button.addEventListener('click', () => {
     use(other());
-    remember(root.dataset.theme ?? '');
+    remember(KEY, root.dataset.theme ?? '');
   });
   window.matchMedia('(prefers-color-scheme: light)').addEventListener('change', (event) => {
-    if (!remembered()) use(event.matches ? 'light' : 'dark');
+    if (!remembered(KEY)) use(event.matches ? 'light' : 'dark');
   });
   use(root.dataset.theme ?? 'dark');
 }
@@ -31,22 +33,4 @@ function colorFrame(): void {
   const color = getComputedStyle(root).getPropertyValue('--panel');
   for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]'))
     meta.content = color;
-}
-
-function remembered(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch (error) {
-    console.info('The theme cannot be remembered:', error);
-    return null;
-  }
-}
-
-function remember(theme: string): void {
-  try {
-    localStorage.setItem(KEY, theme);
-  } catch (error) {
-    // Storage is off or full: the theme still applies for this visit.
-    console.info('The theme cannot be remembered:', error);
-  }
 }

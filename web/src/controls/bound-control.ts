@@ -116,7 +116,7 @@ export class BoundControl {
 
   private onKey(event: KeyboardEvent): void {
     const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    if (!direction) return;
+    if (!direction || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     const t = Math.round((this.current + direction * STEP) * 1000) / 1000;
     this.set(Math.min(MOST, Math.max(LEAST, t)));

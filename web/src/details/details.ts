@@ -92,7 +92,7 @@ export class Details {
       Home: 0,
       End: last,
     }[event.key];
-    if (to === undefined) return;
+    if (to === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     this.select(this.offered[to]);
     this.tabs[TABS.indexOf(this.offered[to])].focus();

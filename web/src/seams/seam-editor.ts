@@ -244,7 +244,7 @@ export class SeamEditor {
 
 /** What is open above the page comes first. */
 const closesSomething = ({ target }: KeyboardEvent) =>
-  target instanceof Element && target.closest('[role="menu"]') !== null;
+  target instanceof Element && target.closest('dialog, [role="menu"]') !== null;
 
 function listed(place: number): Uint32Array {
   return place < 0 ? new Uint32Array() : Uint32Array.of(place);

@@ -1,4 +1,4 @@
-import { element } from '../base/dom';
+import { element, isTyping } from '../base/dom';
 
 export type Tool = 'cut' | 'join';
 
@@ -32,11 +32,10 @@ export class SeamTools {
     this.redo.addEventListener('click', () => events.redo());
     document.addEventListener('keydown', (event) => {
       if (this.bar.hidden || !(event.ctrlKey || event.metaKey) || isTyping(event.target)) return;
-      const key = event.key.toLowerCase();
-      if (key !== 'z' && key !== 'y') return;
+      const action = { Z: events.undo, 'Shift+Z': events.redo, Y: events.redo }[keyOf(event)];
+      if (!action) return;
       event.preventDefault();
-      if (key === 'y' || event.shiftKey) events.redo();
-      else events.undo();
+      action();
     });
     this.showTool();
   }
@@ -67,6 +66,5 @@ export class SeamTools {
   }
 }
 
-function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement && target.type !== 'range';
-}
+const keyOf = ({ key, shiftKey }: KeyboardEvent) =>
+  `${shiftKey ? 'Shift+' : ''}${key.toUpperCase()}`;

@@ -67,10 +67,12 @@ export class SelectionPanel {
     const actions: Record<string, () => void> = {
       '.': () => this.frame(),
       '/': () => this.isolate(),
-      h: () => (event.altKey ? this.selection.showAll() : this.selection.hide()),
-      a: () => (event.altKey ? this.selection.pickNone() : this.selection.pickAll(length)),
+      h: () => this.selection.hide(),
+      'alt h': () => this.selection.showAll(),
+      a: () => this.selection.pickAll(length),
+      'alt a': () => this.selection.pickNone(),
     };
-    const action = actions[event.key.toLowerCase()];
+    const action = actions[nameOf(event)];
     if (!action) return;
     event.preventDefault();
     action();
@@ -92,4 +94,9 @@ export class SelectionPanel {
     this.bar.show(this.selection, this.report);
     this.events.changed(this.selection.selected);
   }
+}
+
+/** With Alt a Mac's keys write other letters, so the key itself counts. */
+function nameOf({ altKey, key, code }: KeyboardEvent): string {
+  return altKey ? `alt ${code.replace(/^Key/, '').toLowerCase()}` : key.toLowerCase();
 }

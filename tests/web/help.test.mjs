@@ -1,0 +1,440 @@
+// The sheet of keys tells the truth: each key in it does something, and no other key does. And what a first visit is told.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { grid } from '../support/small-meshes.mjs';
+import { objText, sphere } from '../support/surfaces.mjs';
+import { loadModule } from './modules.mjs';
+import { choose, drop, dropAndWait, openPage, settled, textOf } from './page.mjs';
+
+const { CONTROLS } = await loadModule('help/keys');
+
+/** Without damping the view stands still; a small one is drawn quickly. */
+const STILL = { reducedMotion: 'reduce', viewport: { width: 1040, height: 620 } };
+const BALL = ['ball.obj', objText(sphere(6))];
+
+const keysOf = (title) =>
+  CONTROLS.find((group) => group.title === title).controls.flatMap(({ keys }) => keys);
+
+/** As the keyboard of playwright has it. */
+const pressed = (key) => key.replace('Ctrl+', 'Control+');
+
+const drawn = (page) =>
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
+
+const isOpen = (page) => page.locator('#help-sheet').evaluate((sheet) => sheet.open);
+
+test('the sheet opens by its button and by ?, and closes', async (t) => {
+  const page = await openPage(t);
+  for (const open of [() => page.click('#help'), () => page.keyboard.press('?')])
+    for (const close of [
+      () => page.keyboard.press('Escape'),
+      () => page.click('#help-close'),
+      () => page.mouse.click(3, 300),
+    ]) {
+      await open();
+      assert.ok(await isOpen(page));
+      await close();
+      assert.ok(!(await isOpen(page)));
+    }
+  await page.click('#help');
+  const titles = await page.locator('#help-sheet h3').allTextContents();
+  assert.deepEqual(
+    titles,
+    CONTROLS.map(({ title }) => title),
+    'once, however often it is opened',
+  );
+});
+
+for (const size of [
+  { width: 1280, height: 720 },
+  { width: 390, height: 844 },
+])
+  test(`the sheet can be read in full, ${size.width} wide`, async (t) => {
+    const page = await openPage(t, { viewport: size });
+    await page.click('#help');
+    const box = await page.locator('#help-sheet').boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= size.width);
+    assert.ok(box.y >= 0 && box.y + box.height <= size.height);
+    const cut = await page
+      .locator('#help-sheet, #help-sheet *')
+      .evaluateAll((parts) =>
+        parts.filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => e.outerHTML),
+      );
+    assert.deepEqual(cut, []);
+    await page.locator('.sheet-foot').scrollIntoViewIfNeeded();
+    assert.ok(await page.isVisible('.sheet-foot'));
+  });
+
+test('what is typed into a field opens nothing', async (t) => {
+  const page = await openPage(t);
+  await page.focus('#padding');
+  await page.keyboard.press('?');
+  assert.ok(!(await isOpen(page)));
+});
+
+test('Escape closes the sheet, and the cut that was begun goes on', async (t) => {
+  const page = await openPage(t, { ...STILL, open: BALL });
+  await page.focus('#mesh-canvas');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('Enter');
+  assert.match(await textOf(page, '#run-text'), /^Cut started/);
+  await page.keyboard.press('?');
+  await page.keyboard.press('Escape');
+  assert.ok(!(await isOpen(page)));
+  assert.match(await textOf(page, '#run-text'), /^Cut started/);
+  await page.keyboard.press('Escape');
+  assert.equal(await textOf(page, '#run-text'), 'Cut cancelled');
+});
+
+for (const [title, canvas] of [
+  ['Mesh view', '#mesh-canvas'],
+  ['Layout view', '#layout-canvas'],
+])
+  test(`${title}: each key moves the picture`, async (t) => {
+    const page = await openPage(t, { ...STILL, open: BALL });
+    await page.focus(canvas);
+    for (const key of keysOf(title)) {
+      // From where every key leads elsewhere.
+      for (const first of ['Home', 'ArrowLeft', 'ArrowUp', '+']) await page.keyboard.press(first);
+      await drawn(page);
+      const before = await page.locator(canvas).screenshot();
+      await page.keyboard.press(pressed(key));
+      await drawn(page);
+      assert.notDeepEqual(await page.locator(canvas).screenshot(), before, key);
+    }
+  });
+
+test('Seams: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, open: BALL });
+  const says = async (pattern) => assert.match(await textOf(page, '#run-text'), pattern);
+  const hint = () => page.evaluate(() => document.querySelector('#seam-hint').textContent);
+  const cut = async (modifier = '') => {
+    await page.keyboard.press(`${modifier}Enter`);
+    for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowLeft');
+    await drawn(page);
+    await page.keyboard.press(`${modifier}Enter`);
+    await settled(page);
+  };
+  const canDo = (id) => page.locator(id).isEnabled();
+  const start = async (key) => {
+    await page.keyboard.press(key);
+    await says(/^Cut started at vertex/);
+    await page.keyboard.press('Escape');
+    await says(/^Cut cancelled/);
+  };
+  const redo = async (key) => {
+    await page.keyboard.press('Control+z');
+    await settled(page);
+    assert.ok(await canDo('#seam-redo'));
+    await page.keyboard.press(key);
+    await settled(page);
+    assert.ok(!(await canDo('#seam-redo')));
+  };
+  const effects = {
+    Enter: () => start('Enter'),
+    Space: () => start('Space'),
+    Escape: () => start('Enter'),
+    Alt: async () => {
+      const before = await hint();
+      await page.keyboard.down('Alt');
+      await drawn(page);
+      assert.notEqual(await hint(), before);
+      await page.keyboard.up('Alt');
+      await drawn(page);
+    },
+    'Ctrl+Z': async () => {
+      await cut();
+      assert.ok(await canDo('#seam-undo'));
+      await page.keyboard.press('Control+z');
+      await settled(page);
+      assert.ok(!(await canDo('#seam-undo')));
+      await page.keyboard.press('Control+y');
+      await settled(page);
+    },
+    'Ctrl+Shift+Z': () => redo('Control+Shift+z'),
+    'Ctrl+Y': () => redo('Control+y'),
+    Shift: async () => {
+      for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowUp');
+      await cut('Shift+');
+      await page.keyboard.press('Escape');
+      await says(/^Cut cancelled/);
+    },
+  };
+  await page.focus('#mesh-canvas');
+  await page.keyboard.press('Home');
+  await drawn(page);
+  const keys = keysOf('Seams');
+  assert.deepEqual([...keys].sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
+test('Charts: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, open: BALL });
+  const press = (key) => page.keyboard.press(key);
+  const isSelected = () => page.isVisible('#selection-frame');
+  const isHidden = () => page.isVisible('#selection-show-all');
+  const picture = async () => {
+    await drawn(page);
+    return page.locator('#layout-canvas').screenshot();
+  };
+  const middle = (key) => async () => {
+    await press(key);
+    assert.ok(await isSelected());
+    await press('Escape');
+  };
+  const effects = {
+    A: async () => {
+      await press('a');
+      assert.ok(await isSelected());
+    },
+    '.': async () => {
+      const before = await picture();
+      await press('.');
+      assert.notDeepEqual(await picture(), before);
+    },
+    'Alt+A': async () => {
+      await press('Alt+a');
+      assert.ok(!(await isSelected()));
+    },
+    '/': async () => {
+      await page.locator('.chart-name').first().click();
+      await page.focus('#layout-canvas');
+      await press('/');
+      assert.ok(await isHidden());
+      await press('/');
+      assert.ok(!(await isHidden()));
+    },
+    Escape: async () => {
+      await press('Escape');
+      assert.ok(!(await isSelected()));
+    },
+    Enter: middle('Enter'),
+    Space: middle('Space'),
+    H: async () => {
+      await press('a');
+      await press('h');
+      assert.ok((await isHidden()) && !(await isSelected()));
+    },
+    'Alt+H': async () => {
+      await press('Alt+h');
+      assert.ok(!(await isHidden()));
+    },
+  };
+  await page.click('#details-toggle');
+  await page.focus('#layout-canvas');
+  await press('+');
+  assert.deepEqual(keysOf('Charts').sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
+test('Page: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { open: BALL });
+  const effects = {
+    'Ctrl+O': async () => {
+      await page.locator('#file').evaluate((input) =>
+        input.addEventListener('click', (event) => {
+          event.preventDefault(); // no window of the system
+          globalThis.asked = true;
+        }),
+      );
+      await page.keyboard.press('Control+o');
+      await page.waitForFunction(() => globalThis.asked);
+    },
+    'Ctrl+S': () => Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]),
+    'Ctrl+E': async () => {
+      await page.keyboard.press('Control+e');
+      assert.ok(await page.isVisible('#export-menu'));
+      await page.keyboard.press('Escape');
+    },
+    // What a key of the clipboard sets off, playwright cannot.
+    'Ctrl+V': async () => {
+      await page.evaluate((text) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.items.add(new File([text], 'pasted.obj'));
+        document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+      }, grid(4));
+      await page.waitForFunction(
+        () => document.querySelector('#source').textContent === 'pasted.obj',
+      );
+      await settled(page);
+    },
+    '?': async () => {
+      await page.keyboard.press('?');
+      assert.ok(await isOpen(page));
+      await page.keyboard.press('Escape');
+    },
+    Escape: async () => {
+      await drop(page, 'large.obj', objText(sphere(90)));
+      await page.locator('#cancel:enabled').waitFor();
+      await page.keyboard.press('Escape');
+      await settled(page);
+      assert.equal(await textOf(page, '#run-text'), 'Cancelled');
+    },
+  };
+  assert.deepEqual(keysOf('Page').sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
+test('Details and t: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, mode: 'flatten' });
+  await page.click('#details-toggle');
+  const focused = () =>
+    page.evaluate(() => document.activeElement.id || document.activeElement.ariaLabel);
+  const moves = async (keys) => {
+    for (const key of keys) {
+      const before = await focused();
+      await page.keyboard.press(key);
+      assert.notEqual(await focused(), before, key);
+    }
+  };
+  const both = ['ArrowRight', 'ArrowLeft', 'End', 'Home'];
+  await page.focus('#tab-solver');
+  await moves(both);
+  await page.locator('#residual-chart .chart-column').first().focus();
+  await moves(both);
+  await page.focus('#t-number');
+  for (const key of ['ArrowDown', 'ArrowUp']) {
+    const before = await page.inputValue('#t-number');
+    await page.keyboard.press(key);
+    assert.notEqual(await page.inputValue('#t-number'), before, key);
+  }
+  await settled(page);
+  await page.click('#tab-sweep');
+  await page.click('#sweep');
+  await page.waitForFunction(() => document.querySelector('#sweep').textContent !== 'Stop');
+  for (const [key, bound] of [
+    ['Enter', '1'],
+    ['Space', '1.2'],
+  ]) {
+    await page.locator(`#sweep-chart [aria-label^="t = ${bound}:"]`).focus();
+    await page.keyboard.press(key);
+    await settled(page);
+    assert.equal(await page.inputValue('#t-number'), bound);
+  }
+  assert.deepEqual(
+    new Set(keysOf('Details and t')),
+    new Set([...both, 'ArrowDown', 'ArrowUp', 'Enter', 'Space']),
+  );
+});
+
+/** Sends every key to the elements; returns those that the page takes for itself, by the element. */
+function takenKeys(page, selectors) {
+  return page.evaluate((selectors) => {
+    const signs = Array.from({ length: 95 }, (_, i) => String.fromCharCode(32 + i));
+    const names = [
+      ...['Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'Insert', 'Home', 'End'],
+      ...['PageUp', 'PageDown', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+      ...Array.from({ length: 12 }, (_, i) => `F${i + 1}`),
+    ];
+    const combinations = [
+      {},
+      { ctrlKey: true },
+      { ctrlKey: true, shiftKey: true },
+      { altKey: true },
+    ];
+    const taken = (element, key, modifiers) => {
+      element.focus();
+      const how = { ...modifiers, key, bubbles: true, cancelable: true };
+      const isTaken = !element.dispatchEvent(new KeyboardEvent('keydown', how));
+      document.querySelector('#help-sheet').close();
+      return isTaken;
+    };
+    return selectors.map((selector) => {
+      const element = document.querySelector(selector);
+      return combinations.flatMap((modifiers) =>
+        [...signs, ...names]
+          .filter((key) => taken(element, key, modifiers))
+          .map((key) => {
+            const name = key === ' ' ? 'Space' : key;
+            const { ctrlKey, shiftKey, altKey } = modifiers;
+            const before = `${altKey ? 'Alt+' : ''}${ctrlKey ? 'Ctrl+' : ''}${shiftKey ? 'Shift+' : ''}`;
+            return before + (before && name.length === 1 ? name.toUpperCase() : name);
+          }),
+      );
+    });
+  }, selectors);
+}
+
+/** The sheet has letters as keyboards do. Alt with Enter or Space is two keys of the sheet. */
+const isListed = (key, listed) =>
+  listed.has(key.replace(/^Alt\+(?=Enter|Space)/, '')) || listed.has(key.toUpperCase());
+
+test('no key is missing from the sheet', async (t) => {
+  const page = await openPage(t, STILL);
+  const everywhere = [...keysOf('Page'), ...keysOf('Seams')];
+  const check = async (places) => {
+    const taken = await takenKeys(page, Object.keys(places));
+    for (const [i, [selector, titles]] of Object.entries(places).entries()) {
+      const listed = new Set([...everywhere, ...titles.flatMap(keysOf)]);
+      assert.ok(taken[i].length > 0, `${selector} takes keys`);
+      assert.deepEqual(
+        taken[i].filter((key) => !isListed(key, listed)),
+        [],
+        selector,
+      );
+    }
+  };
+  await check({
+    body: [],
+    '#mesh-canvas': ['Mesh view', 'Charts'],
+    '#layout-canvas': ['Layout view', 'Charts'],
+    '#stretch': [],
+    '#padding': [],
+    '#open': [],
+  });
+  await settled(page);
+  await choose(page, 'flatten');
+  await page.click('#details-toggle');
+  await page.locator('#residual-chart .chart-column').first().waitFor({ state: 'attached' });
+  await check({
+    '#t-number': ['Details and t'],
+    '#residual-chart .chart-column': ['Details and t'],
+    '#tab-solver': ['Details and t'],
+  });
+  await settled(page);
+});
+
+test('a first visit is told what this is, until a mesh of its own was opened', async (t) => {
+  const page = await openPage(t);
+  const welcome = page.locator('#welcome');
+  assert.match(await welcome.innerText(), /^abflat lays a 3D mesh flat.*OBJ.*GLB.*sample\.$/s);
+  await page.selectOption('#sample', 'hemisphere');
+  await settled(page);
+  assert.ok(await welcome.isVisible(), 'a sample is not of their own');
+  await dropAndWait(page, 'nothing.obj', 'v 0 0 0\n');
+  assert.ok(await welcome.isVisible(), 'nothing was opened');
+  await dropAndWait(page, 'waves.obj', grid(4));
+  assert.ok(await welcome.isHidden());
+  await page.reload();
+  await settled(page);
+  assert.ok(await welcome.isHidden());
+});
+
+for (const [width, height] of [
+  [1920, 1080],
+  [1280, 720],
+  [1024, 768],
+  [900, 700],
+  [768, 1024],
+  [390, 844],
+  [320, 640],
+])
+  test(`what a first visit is told can be read and covers nothing, ${width} wide`, async (t) => {
+    const page = await openPage(t, { viewport: { width, height }, hasTouch: width < 1000 });
+    const wrong = await page.evaluate(() => {
+      const welcome = document.querySelector('#welcome');
+      const own = welcome.getBoundingClientRect();
+      const others = [...document.querySelectorAll('.bar > :not(#welcome), .pane, .dock')];
+      const meets = (element) => {
+        const box = element.getBoundingClientRect();
+        const isBeside = box.right <= own.left || box.left >= own.right;
+        return box.width > 0 && !isBeside && box.bottom > own.top && box.top < own.bottom;
+      };
+      const isCut = welcome.scrollHeight > welcome.clientHeight || own.right > innerWidth;
+      return [...others.filter(meets).map((e) => e.id || e.className), ...(isCut ? ['cut'] : [])];
+    });
+    assert.deepEqual(wrong, []);
+  });

@@ -1,0 +1,94 @@
+// Every key and gesture of the page, as the help shows them.
+
+/** Keys as events name them, with Ctrl+ and Shift+ in front of them. */
+export interface Control {
+  keys: string[];
+  /** The same by mouse or by touch. */
+  gestures?: string;
+  does: string;
+}
+
+export interface ControlGroup {
+  title: string;
+  /** What must have the focus, for people. */
+  where?: string;
+  controls: Control[];
+}
+
+export const CONTROLS: ControlGroup[] = [
+  {
+    title: 'Mesh view',
+    where: 'Click the mesh first. 1, 3, 7, 9 and Home are those of Blender.',
+    controls: [
+      {
+        keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+        gestures: 'drag',
+        does: 'Turn',
+      },
+      { keys: ['+', '=', '-'], gestures: 'wheel, pinch', does: 'Zoom' },
+      { keys: [], gestures: 'Shift-drag, right drag, two fingers', does: 'Move' },
+      { keys: ['1', '3', '7'], does: 'Look from the front, the right, the top' },
+      { keys: ['9'], does: 'Look from the other side' },
+      { keys: ['Home', '0'], does: 'Show the whole mesh' },
+    ],
+  },
+  {
+    title: 'Layout view',
+    where: 'Click the layout first.',
+    controls: [
+      {
+        keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+        gestures: 'drag',
+        does: 'Move',
+      },
+      { keys: ['+', '=', '-'], gestures: 'wheel, pinch', does: 'Zoom' },
+      { keys: ['Home', '0'], gestures: 'double-click', does: 'Show the whole layout' },
+    ],
+  },
+  {
+    title: 'Details and t',
+    controls: [
+      { keys: ['ArrowLeft', 'ArrowRight', 'Home', 'End'], does: 'Next tab, next point of a plot' },
+      { keys: ['Enter', 'Space'], gestures: 'click', does: 'Use the t of that point' },
+      { keys: ['ArrowUp', 'ArrowDown'], does: 'Step the number beside t' },
+    ],
+  },
+  {
+    title: 'Seams',
+    where: 'In the mesh view, with Cut or Join pressed.',
+    controls: [
+      { keys: [], gestures: 'click, tap', does: 'Start or end a cut; remove a seam' },
+      { keys: ['Enter', 'Space'], does: 'Click in the middle of the view' },
+      { keys: ['Shift'], gestures: 'Shift-click', does: 'Continue a cut; remove a single edge' },
+      { keys: ['Alt'], gestures: 'Alt-click', does: 'Join in place of Cut, Cut in place of Join' },
+      { keys: ['Escape'], does: 'Cancel the cut' },
+      { keys: ['Ctrl+Z'], does: 'Undo' },
+      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'Redo' },
+    ],
+  },
+  {
+    title: 'Charts',
+    where: 'In the layout view, or in the mesh view with Select pressed.',
+    controls: [
+      { keys: [], gestures: 'click, tap', does: 'Select a chart' },
+      { keys: [], gestures: 'Shift-click', does: 'Add a chart, or take it away' },
+      { keys: ['Enter', 'Space'], does: 'Select the chart in the middle of the view' },
+      { keys: ['A', 'Alt+A'], does: 'Select all, nothing' },
+      { keys: ['.'], does: 'Frame the selected charts' },
+      { keys: ['/'], does: 'Isolate them; again shows all' },
+      { keys: ['H', 'Alt+H'], does: 'Hide them, show all' },
+      { keys: ['Escape'], does: 'Select nothing' },
+    ],
+  },
+  {
+    title: 'Page',
+    controls: [
+      { keys: ['Ctrl+O'], gestures: 'drop a file', does: 'Open a mesh' },
+      { keys: ['Ctrl+V'], does: 'Open a file that was copied' },
+      { keys: ['Ctrl+S'], does: 'Export' },
+      { keys: ['Ctrl+E'], does: 'Export in another format' },
+      { keys: ['Escape'], does: 'Cancel what runs, close what is open' },
+      { keys: ['?'], does: 'Show this sheet' },
+    ],
+  },
+];
