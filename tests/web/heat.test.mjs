@@ -95,3 +95,20 @@ test('the shading stays with the next mesh, with a histogram of its own', async 
   assert.notDeepEqual(await sentences(), before);
   assert.equal(await page.locator('.legend-column[aria-pressed="true"]').count(), 0);
 });
+
+test('a click on a number of the result shows where it is worst', async (t) => {
+  const page = await openPage(t, { open: ['torus.obj', TORUS] });
+  const plain = await pictures(page);
+  for (const [label, title] of [
+    ['Stretch', 'Stretch'],
+    ['Angular distortion', 'Angle error'],
+  ]) {
+    await page.locator('.metric', { hasText: label }).getByRole('button').click();
+    assert.equal(await textOf(page, '#legend-title'), title);
+    assert.equal(await page.getAttribute('#legend-worst', 'aria-pressed'), 'true');
+    assertOther(await pictures(page), plain);
+  }
+  await page.selectOption('#shading', 'plain');
+  await page.mouse.move(0, 0);
+  assert.deepEqual(await pictures(page), plain);
+});

@@ -53,10 +53,11 @@ export class App implements SessionEvents {
   private readonly details = new Details((tab) => {
     if (tab === 'methods') this.methods.leave();
   });
-  private readonly metrics = new MetricsPanel(
-    () => this.showNotes(),
-    (remedy) => this.remedy(remedy),
-  );
+  private readonly metrics = new MetricsPanel({
+    showNotes: () => this.showNotes(),
+    help: (remedy) => this.remedy(remedy),
+    showWorst: (measure) => this.views?.showWorst(measure),
+  });
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
   private readonly locks = new Locks();

@@ -1,6 +1,7 @@
 import type { Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
 import { count, counted, distortion, duration, measure } from '../base/format';
+import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
 import { atlasNotes } from './atlas-notes';
 import { notes } from './notes';
@@ -12,6 +13,8 @@ interface Metric<S> {
   title: string;
   value(subject: S): string;
   isBad?(subject: S): boolean;
+  /** Whose heat map shows where the number comes from. */
+  measure?: Measure;
 }
 
 const STRETCH = 'Symmetric Dirichlet energy / 4, mean over the surface; 1 keeps all lengths';
@@ -23,6 +26,7 @@ const OF_DISK: Metric<Report>[] = [
     label: 'Angular distortion',
     title: 'Mean over all corners of ((x - α)/α)², x in the layout, α in 3D',
     value: ({ charts: [chart] }) => distortion(chart.angularDistortion),
+    measure: 'angle',
   },
   {
     label: 'Length distortion',
@@ -34,6 +38,7 @@ const OF_DISK: Metric<Report>[] = [
     label: 'Stretch',
     title: STRETCH,
     value: ({ charts: [chart] }) => stretch(chart.symmetricDirichlet),
+    measure: 'stretch',
   },
   {
     label: 'Crossings',
@@ -77,11 +82,13 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
     title:
       'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths',
     value: ({ symmetricDirichlet }) => stretch(symmetricDirichlet),
+    measure: 'stretch',
   },
   {
     label: 'Angular distortion',
     title: 'Mean over the surface of ((x - α)/α)², x in the layout, α in 3D',
     value: ({ angularDistortion }) => distortion(angularDistortion),
+    measure: 'angle',
   },
   {
     label: 'Utilisation',
@@ -128,6 +135,14 @@ const REMEDIES: Record<Remedy, { label: string; title: string }> = {
   unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
 };
 
+export interface MetricsEvents {
+  showNotes(): void;
+  /** Carries out the remedy that the verdict offers. */
+  help(remedy: Remedy): void;
+  /** A number was clicked: shows where it comes from. */
+  showWorst(measure: Measure): void;
+}
+
 /** The numbers of a result, and how good it is. */
 export class MetricsPanel {
   private readonly panel = element('result', HTMLElement);
@@ -138,11 +153,14 @@ export class MetricsPanel {
   private verdict: Verdict | null = null;
   private readonly list = element('metrics', HTMLElement);
 
-  /** `showNotes` opens the notes, `help` carries out the remedy that the verdict offers. */
-  constructor(showNotes: () => void, help: (remedy: Remedy) => void) {
-    this.notesButton.addEventListener('click', showNotes);
+  constructor(events: MetricsEvents) {
+    this.notesButton.addEventListener('click', () => events.showNotes());
     this.remedyButton.addEventListener('click', () => {
-      if (this.verdict?.remedy) help(this.verdict.remedy);
+      if (this.verdict?.remedy) events.help(this.verdict.remedy);
+    });
+    this.list.addEventListener('click', ({ target }) => {
+      const { measure } = target instanceof HTMLButtonElement ? target.dataset : {};
+      if (measure) events.showWorst(measure as Measure);
     });
     this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, '\u2013')));
   }
@@ -212,16 +230,29 @@ function energiesOf(outcome: Outcome): Energies | null {
 const stretch = (energy: number) => (energy < 100 ? energy.toFixed(4) : measure(energy));
 
 function itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
-  return metrics.map(({ label, title, value, isBad }) =>
-    item(label, title, value(subject), isBad?.(subject)),
-  );
+  return metrics.map((metric) => {
+    const { label, title, value, isBad, measure } = metric;
+    const content = measure ? linked(value(subject), title, measure) : value(subject);
+    return item(label, title, content, isBad?.(subject));
+  });
 }
 
-function item(label: string, title: string, text: string, isBad = false): HTMLElement {
+function item(label: string, title: string, value: string | Node, isBad = false): HTMLElement {
   const made = create('div', 'metric');
   made.title = title;
-  made.append(create('dt', '', label), create('dd', isBad ? 'bad' : '', text));
+  const shown = create('dd', isBad ? 'bad' : '');
+  shown.append(value);
+  made.append(create('dt', '', label), shown);
   return made;
+}
+
+/** A number whose click shows where it is worst. */
+function linked(text: string, title: string, measure: Measure): HTMLElement {
+  const button = create('button', 'metric-button', text);
+  button.type = 'button';
+  button.dataset.measure = measure;
+  button.title = `${title}. Click to see where it is worst`;
+  return button;
 }
 
 function notesOf(outcome: Outcome): string[] {

@@ -78,6 +78,12 @@ export class HeatLegend {
     this.say(this.chosen);
   }
 
+  /** Lights the worst of the surface. */
+  showWorst(): void {
+    this.select('worst');
+    this.say('worst');
+  }
+
   hide(): void {
     this.select(null);
     this.box.hidden = true;

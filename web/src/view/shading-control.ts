@@ -1,5 +1,6 @@
 import { element } from '../base/dom';
 import type { FlatDrawing } from '../model/drawing';
+import type { Measure } from '../model/measures';
 import { HeatLegend } from './heat-legend';
 import type { Chosen } from './heat-uniforms';
 import { isMeasure, type Shading } from './shading';
@@ -26,6 +27,12 @@ export class ShadingControl {
   show({ spreads }: FlatDrawing): void {
     this.spreads = spreads;
     this.showLegend();
+  }
+
+  showWorst(measure: Measure): void {
+    this.list.value = measure;
+    this.update();
+    this.legend.showWorst();
   }
 
   private update(): void {

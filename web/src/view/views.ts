@@ -1,6 +1,7 @@
 import { bindToggle, element } from '../base/dom';
 import { readPalette } from '../colors/palette';
 import type { Drawing, FlatDrawing } from '../model/drawing';
+import type { Measure } from '../model/measures';
 import type { Outcome, Source } from '../model/model';
 import type { ChartStates } from './chart-flags';
 import { LayoutView } from './layout-view';
@@ -71,6 +72,11 @@ export class Views {
   showStates(states: ChartStates): void {
     this.mesh.showStates(states);
     this.layout.showStates(states);
+  }
+
+  /** Shows the heat map of a measure, and lights the worst of the surface. */
+  showWorst(measure: Measure): void {
+    this.shading.showWorst(measure);
   }
 
   canvasOf(view: ViewName): HTMLCanvasElement {
