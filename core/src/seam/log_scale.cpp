@@ -30,7 +30,7 @@ LogScale::LogScale(const SeamMesh& mesh, ThreadPool* pool, EliminationRanks rank
       symbolic_([&] {
         buildPattern();
         CholeskyAnalysisOptions options;
-        options.place = std::move(ranks.raw());
+        options.eliminationRank = std::move(ranks.raw());
         options.pool = pool;
         return std::make_shared<const CholeskySymbolic>(
             analyzePattern({mesh.vertexCount(), columnStart_.data(), row_.data()}, options));

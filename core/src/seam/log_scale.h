@@ -24,7 +24,7 @@ class LogScale {
   /// Solves with another right-hand side, for the charts of the last solve().
   void solveAgain(IdVector<SurfaceVertex, double>& b) { factor_.solve(b.raw().data()); }
 
-  EliminationRanks eliminationRanks() const { return EliminationRanks(symbolic_->place); }
+  EliminationRanks eliminationRanks() const { return EliminationRanks(symbolic_->eliminationRank); }
 
  private:
   void buildPattern();

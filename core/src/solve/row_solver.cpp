@@ -25,7 +25,7 @@ constexpr int kMaxIterations = 30;
 Symbolic analyze(const SparseMatrix& m, ThreadPool* pool,
                  std::vector<std::uint32_t> eliminationRank = {}) {
   CholeskyAnalysisOptions options;
-  options.place = std::move(eliminationRank);
+  options.eliminationRank = std::move(eliminationRank);
   options.pool = pool;
   return std::make_shared<const CholeskySymbolic>(analyzePattern(
       {static_cast<std::uint32_t>(m.rows()), m.outerIndexPtr(), m.innerIndexPtr()}, options));
@@ -44,7 +44,7 @@ class DirectRowSolver : public RowSolver {
       : factor_(symbolic, choleskyOptions(true, pool)) {}
 
   const std::vector<std::uint32_t>* eliminationRank() const override {
-    return &factor_.symbolic().place;
+    return &factor_.symbolic().eliminationRank;
   }
 
   bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double,
@@ -78,7 +78,9 @@ class InexactRowSolver : public RowSolver {
                    std::function<std::unique_ptr<RowSolver>()> makeExact)
       : symbolic_(std::move(symbolic)), pool_(pool), makeExact_(std::move(makeExact)) {}
 
-  const std::vector<std::uint32_t>* eliminationRank() const override { return &symbolic_->place; }
+  const std::vector<std::uint32_t>* eliminationRank() const override {
+    return &symbolic_->eliminationRank;
+  }
 
   bool solve(const SparseMatrix& lower, const Eigen::VectorXd& b, double tolerance,
              Eigen::VectorXd& x) override {

@@ -209,7 +209,7 @@ void BasicCholesky<Scalar>::assemble(std::uint32_t p, const double* values, Thre
 template <typename Scalar>
 CholeskyStatus BasicCholesky<Scalar>::failure(std::uint32_t p, const PivotFailure& f) const {
   const auto column = static_cast<std::uint32_t>(symbolic_->firstColumn[p] + f.column);
-  const std::vector<std::uint32_t>& place = symbolic_->place;
+  const std::vector<std::uint32_t>& place = symbolic_->eliminationRank;
   CholeskyStatus status;
   status.column =
       static_cast<std::uint32_t>(std::find(place.begin(), place.end(), column) - place.begin());

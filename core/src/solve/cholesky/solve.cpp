@@ -115,13 +115,13 @@ class Substitution {
   void run(double* b) {
     parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        x_[i / s_.size * s_.size + s_.place[i % s_.size]] = static_cast<Scalar>(b[i]);
+        x_[i / s_.size * s_.size + s_.eliminationRank[i % s_.size]] = static_cast<Scalar>(b[i]);
     });
     runUpwards(pool_, s_.tasks.all, [this](std::uint32_t t) { forwardTask(t); });
     runDownwards(pool_, s_.tasks.all, [this](std::uint32_t t) { backwardTask(t); });
     parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        b[i] = x_[i / s_.size * s_.size + s_.place[i % s_.size]];
+        b[i] = x_[i / s_.size * s_.size + s_.eliminationRank[i % s_.size]];
     });
   }
 

@@ -11,10 +11,10 @@ namespace {
 void expandRows(const CompressedGraph& c, const Supernodes& s, CholeskySymbolic& out) {
   const std::vector<std::uint32_t>& weight = c.graph.weight;
   std::vector<std::uint32_t> firstRow(1, 0);
-  out.place.resize(out.size);
+  out.eliminationRank.resize(out.size);
   for (const std::uint32_t v : s.order) {
     for (std::uint32_t r = 0; r < weight[v]; ++r)
-      out.place[c.firstRow[v] + r] = firstRow.back() + r;
+      out.eliminationRank[c.firstRow[v] + r] = firstRow.back() + r;
     firstRow.push_back(firstRow.back() + weight[v]);
   }
   for (const std::uint32_t f : s.first) out.firstColumn.push_back(firstRow[f]);
@@ -80,7 +80,7 @@ void placeEntries(const LowerPattern& pattern, ThreadPool* pool, CholeskySymboli
       for (int k = pattern.columnStart[c]; k < pattern.columnStart[c + 1]; ++k) {
         const auto r = static_cast<std::uint32_t>(pattern.row[k]);
         if (r < c) continue;
-        const std::uint32_t a = s.place[r], b = s.place[c];
+        const std::uint32_t a = s.eliminationRank[r], b = s.eliminationRank[c];
         visit(static_cast<std::uint32_t>(k), std::max(a, b), std::min(a, b));
       }
   };
@@ -138,8 +138,8 @@ CholeskySymbolic analyzePattern(const LowerPattern& pattern,
   const CompressedGraph c = compressGraph(pattern);
   endStep();
   const std::vector<std::uint32_t> order =
-      options.place.empty() ? nestedDissection(c.graph, options.dissection, options.pool)
-                            : knownOrder(c, options.place);
+      options.eliminationRank.empty() ? nestedDissection(c.graph, options.dissection, options.pool)
+                                      : knownOrder(c, options.eliminationRank);
   endStep();
   const EliminationTree tree = eliminationTree(c.graph, order);
   endStep();

@@ -10,9 +10,9 @@ namespace abflat {
 struct CholeskyAnalysisOptions {
   DissectionOptions dissection;
   PanelCost panelCost;
-  /// Per row, its place in a known elimination order, such as that of a larger matrix; equal places
+  /// Per row, its rank in a known elimination order, such as that of a larger matrix; equal ranks
   /// are ordered by row number. Empty: nested dissection finds an order.
-  std::vector<std::uint32_t> place;
+  std::vector<std::uint32_t> eliminationRank;
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
@@ -27,8 +27,8 @@ struct CholeskySymbolic {
   };
 
   std::uint32_t size = 0;
-  std::uint32_t values = 0;          ///< entries of the matrix, those above the diagonal included
-  std::vector<std::uint32_t> place;  ///< row or column of the matrix -> of the factor
+  std::uint32_t values = 0;  ///< entries of the matrix, those above the diagonal included
+  std::vector<std::uint32_t> eliminationRank;  ///< row or column of the matrix -> of the factor
   std::vector<std::uint32_t> firstColumn;
   std::vector<std::uint32_t> parent;      ///< kNoParent at a root; supernodes are in postorder
   std::vector<std::size_t> rowsBegin;     ///< size S+1, into `rows` and `inParent`

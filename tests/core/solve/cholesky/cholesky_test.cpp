@@ -128,12 +128,12 @@ TEST_CASE("the order of a surface serves the surface and its parts", "[cholesky]
     const SparseMatrix one = meshLaplacian(grid), m = twice ? withTwoRowsEach(one) : one;
     const auto own = analyzed(m);
     CholeskyAnalysisOptions known;
-    known.place = own->place;
+    known.eliminationRank = own->eliminationRank;
     CHECK(analyzed(m, known)->factorEntries == own->factorEntries);
 
     const int rows = static_cast<int>(m.rows()) / 2;
     const SparseMatrix part = m.topLeftCorner(rows, rows);
-    known.place.resize(static_cast<std::size_t>(rows));
+    known.eliminationRank.resize(static_cast<std::size_t>(rows));
     const auto symbolic = analyzed(part, known);
     CHECK(10 * symbolic->factorEntries < 13 * analyzed(part)->factorEntries);
     Cholesky factor(symbolic);
