@@ -53,11 +53,7 @@ export class App implements SessionEvents {
   private readonly details = new Details((tab) => {
     if (tab === 'methods') this.methods.leave();
   });
-  private readonly metrics = new MetricsPanel({
-    showNotes: () => this.showNotes(),
-    help: (remedy) => this.remedy(remedy),
-    showWorst: (measure) => this.views?.showWorst(measure),
-  });
+  private readonly metrics: MetricsPanel;
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
   private readonly locks = new Locks();
@@ -121,6 +117,11 @@ export class App implements SessionEvents {
     private readonly views: Views | null,
   ) {
     this.session = new Session(abflat, this, () => this.settings, this.workshop);
+    this.metrics = new MetricsPanel({
+      showNotes: () => this.showNotes(),
+      help: (remedy) => this.remedy(remedy),
+      showWorst: views ? (measure) => views.showWorst(measure) : undefined,
+    });
     this.exporter = new Exporter(this.session, this.workshop, {
       say: this.say,
       failed: ({ outcome }, error) => this.notSaved(outcome, error),

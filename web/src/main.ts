@@ -19,8 +19,9 @@ function createViews(): Views | null {
       element(id, HTMLElement).append(create('p', 'no-webgl', text));
     }
     for (const id of ['mesh-canvas', 'layout-canvas']) element(id, HTMLElement).hidden = true;
-    for (const id of ['wireframe', 'distortion', 'other-side', 'reset', 'fit'])
+    for (const id of ['wireframe', 'other-side', 'reset', 'fit'])
       element(id, HTMLButtonElement).disabled = true;
+    element('shading', HTMLSelectElement).disabled = true;
     return null;
   }
 }

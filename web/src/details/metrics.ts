@@ -139,8 +139,8 @@ export interface MetricsEvents {
   showNotes(): void;
   /** Carries out the remedy that the verdict offers. */
   help(remedy: Remedy): void;
-  /** A number was clicked: shows where it comes from. */
-  showWorst(measure: Measure): void;
+  /** A number was clicked: shows where it comes from. Undefined if there are no views. */
+  showWorst?: ((measure: Measure) => void) | undefined;
 }
 
 /** The numbers of a result, and how good it is. */
@@ -153,14 +153,14 @@ export class MetricsPanel {
   private verdict: Verdict | null = null;
   private readonly list = element('metrics', HTMLElement);
 
-  constructor(events: MetricsEvents) {
+  constructor(private readonly events: MetricsEvents) {
     this.notesButton.addEventListener('click', () => events.showNotes());
     this.remedyButton.addEventListener('click', () => {
       if (this.verdict?.remedy) events.help(this.verdict.remedy);
     });
     this.list.addEventListener('click', ({ target }) => {
       const { measure } = target instanceof HTMLButtonElement ? target.dataset : {};
-      if (measure) events.showWorst(measure as Measure);
+      if (measure) events.showWorst?.(measure as Measure);
     });
     this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, '\u2013')));
   }
@@ -169,11 +169,11 @@ export class MetricsPanel {
     const { report } = outcome.result;
     const items =
       outcome.mode === 'unwrap'
-        ? itemsOf(OF_ATLAS, outcome.result.report)
-        : itemsOf(OF_DISK, outcome.result.report);
+        ? this.itemsOf(OF_ATLAS, outcome.result.report)
+        : this.itemsOf(OF_DISK, outcome.result.report);
     const refined = energiesOf(outcome);
     // Replaces the time, so that the number of items stays the same.
-    const last = refined ? itemsOf([REFINED], { refined }) : itemsOf([TIME], report);
+    const last = refined ? this.itemsOf([REFINED], { refined }) : this.itemsOf([TIME], report);
     this.list.replaceChildren(...items, ...last);
     this.verdict = verdictOf(outcome);
     this.badge.textContent = this.verdict.badge;
@@ -191,6 +191,15 @@ export class MetricsPanel {
     this.panel.classList.toggle('stale', owner !== null);
     this.setReason(owner === null ? (this.verdict?.reason ?? '') : `Numbers of ${owner}`);
     this.showRemedy(owner === null ? (this.verdict?.remedy ?? null) : null);
+  }
+
+  private itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
+    const canShow = this.events.showWorst !== undefined;
+    return metrics.map(({ label, title, value, isBad, measure }) => {
+      const text = value(subject);
+      const content = measure && canShow ? linked(text, title, measure) : text;
+      return item(label, title, content, isBad?.(subject));
+    });
   }
 
   private showRemedy(remedy: Remedy | null): void {
@@ -228,14 +237,6 @@ function energiesOf(outcome: Outcome): Energies | null {
 }
 
 const stretch = (energy: number) => (energy < 100 ? energy.toFixed(4) : measure(energy));
-
-function itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
-  return metrics.map((metric) => {
-    const { label, title, value, isBad, measure } = metric;
-    const content = measure ? linked(value(subject), title, measure) : value(subject);
-    return item(label, title, content, isBad?.(subject));
-  });
-}
 
 function item(label: string, title: string, value: string | Node, isBad = false): HTMLElement {
   const made = create('div', 'metric');
