@@ -10,6 +10,7 @@ import { fan, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { parseXml } from '../support/xml.mjs';
 
+const TOO_SLOW = isInstrumented && 'takes a minute with sanitizers';
 const SAMPLES = ['alpha-band', 'three-balls', 'head'];
 
 /** A folder "meshes" with the given files. */
@@ -110,7 +111,7 @@ describe('tables', () => {
 });
 
 describe('pictures', () => {
-  test('every file is well-formed, small, and shown on the page', async (t) => {
+  test('every file is well-formed, small, and shown on the page', { skip: TOO_SLOW }, async (t) => {
     const at = prepared(t, {
       'bumps.obj': grid(8),
       'a <b> & "c".obj': fan(9),
@@ -151,7 +152,7 @@ describe('pictures', () => {
   });
 });
 
-describe('convergence', { skip: isInstrumented && 'takes a minute with sanitizers' }, () => {
+describe('convergence', { skip: TOO_SLOW }, () => {
   test('every method ends at the same objective, plain ones after more iterations', async (t) => {
     const at = prepared(t, { 'bumps.obj': grid(6) });
     const total = {};
