@@ -20,7 +20,7 @@ const BATCH_CHECKS = '--checks=-bugprone-suspicious-include';
  * How far the analyzer explores each function: its own limits for a quick and for a deep analysis,
  * which takes three times as long.
  */
-const QUICK_NODES = 50000;
+const QUICK_NODES = 75000;
 const DEEP_NODES = 225000;
 const analyzerArgs = (nodes) =>
   ['-Xclang', '-analyzer-config', '-Xclang', `max-nodes=${nodes}`].map(

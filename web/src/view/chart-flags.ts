@@ -14,8 +14,9 @@ export interface ChartStates {
 export class ChartFlags {
   private texture = textureFor(1);
 
-  constructor(private readonly material: ShaderMaterial) {
-    material.uniforms.flags.value = this.texture;
+  /** All of `materials` read them. */
+  constructor(private readonly materials: ShaderMaterial[]) {
+    this.setUniforms();
   }
 
   show({ hidden, hovered }: ChartStates): void {
@@ -33,7 +34,11 @@ export class ChartFlags {
     if (count <= width * height) return;
     this.texture.dispose();
     this.texture = textureFor(count);
-    this.material.uniforms.flags.value = this.texture;
+    this.setUniforms();
+  }
+
+  private setUniforms(): void {
+    for (const { uniforms } of this.materials) uniforms.flags.value = this.texture;
   }
 }
 

@@ -1,10 +1,10 @@
 import { OrthographicCamera, Scene } from 'three';
 import type { Palette } from '../colors/palette';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
+import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates } from './chart-flags';
 import { ChartPicker } from './chart-picker';
 import { EdgeLines } from './edge-lines';
-import { edgesOfCharts } from './edges-of-charts';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { PanZoom } from './pan-zoom';
@@ -33,18 +33,10 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly surface: SlicedSurface;
-  private readonly flags = new ChartFlags(this.material);
   private readonly picker: ChartPicker;
-  private edges: { ends: Float32Array; charts: Uint32Array } = {
-    ends: new Float32Array(),
-    charts: new Uint32Array(),
-  };
-  private hidden: ReadonlySet<number> = new Set();
-  private selected: ReadonlySet<number> = new Set();
-  /** Of selected charts. */
-  private readonly outline = new EdgeLines(3, false);
+  private readonly flags: ChartFlags;
+  private readonly edges = new ChartEdges(OUTLINE, false);
   private readonly frame = new EdgeLines(1.5, false);
-  private readonly boundary = new EdgeLines(OUTLINE, false);
   private readonly resisting = new EdgeLines(2.5, false);
   private readonly dots = new PointMarks({ ...DOT, depthTest: false });
   private readonly rings = new PointMarks({ ...RING, depthTest: false });
@@ -78,12 +70,12 @@ export class LayoutView {
       () => this.resized(),
     );
     this.picker = new ChartPicker(this.stage.renderer, false);
+    this.flags = new ChartFlags([this.material, this.picker.material]);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
     this.scene.add(
       this.frame.object,
       this.surface.object,
-      this.boundary.object,
-      this.outline.object,
+      ...this.edges.objects,
       this.resisting.object,
       this.dots.object,
       this.rings.object,
@@ -111,9 +103,8 @@ export class LayoutView {
     this.material.uniforms.showsCharts.value = isAtlas;
     this.material.uniforms.uvMiddle.value.set(...layout.middle);
     this.material.uniforms.uvUnit.value = layout.unit;
-    this.boundary.setWidth(isAtlas ? THIN_OUTLINE : OUTLINE);
-    this.edges = { ends: layout.edges, charts: edgeCharts };
-    this.showEdges();
+    this.edges.boundary.setWidth(isAtlas ? THIN_OUTLINE : OUTLINE);
+    this.edges.show(layout.edges, edgeCharts);
     this.resisting.show(layout.resisting);
     this.dots.show(layout.dots);
     this.rings.show(layout.rings);
@@ -123,7 +114,7 @@ export class LayoutView {
 
   private colorBoundary(): void {
     if (this.palette)
-      this.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+      this.edges.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
   }
 
   setPalette(palette: Palette): void {
@@ -132,7 +123,7 @@ export class LayoutView {
     this.frame.setColor(palette.frame);
     this.palette = palette;
     this.colorBoundary();
-    this.outline.setColor(palette.boundary);
+    this.edges.setOutlineColor(palette.boundary);
     this.resisting.setColor(palette.flipped);
     this.dots.setColor(palette.tightened);
     this.rings.setColor(palette.flipped);
@@ -166,20 +157,8 @@ export class LayoutView {
 
   showStates(states: ChartStates): void {
     this.flags.show(states);
-    this.picker.material.uniforms.flags.value = this.material.uniforms.flags.value;
-    const { hidden, selected } = this;
-    this.hidden = states.hidden;
-    this.selected = states.selected;
-    if (states.hidden !== hidden || states.selected !== selected) this.showEdges();
+    this.edges.showStates(states);
     this.stage.invalidate();
-  }
-
-  private showEdges(): void {
-    const { ends, charts } = this.edges;
-    const isShown = (chart: number) => !this.hidden.has(chart);
-    this.boundary.show(this.hidden.size > 0 ? edgesOfCharts(ends, charts, isShown) : ends);
-    const isOutlined = (chart: number) => this.selected.has(chart) && isShown(chart);
-    this.outline.show(edgesOfCharts(ends, charts, isOutlined));
   }
 
   /** Highlights one chart; null: none. */
@@ -188,7 +167,7 @@ export class LayoutView {
     this.stage.invalidate();
   }
 
-  /** Moves the view to one chart. */
+  /** Moves the view to some charts. */
   goTo(charts: number[]): void {
     const { size, low, high } = FLAT_FRAME;
     const of = (d: number) => charts.map((chart) => this.frames[size * chart + d]);
@@ -215,7 +194,7 @@ export class LayoutView {
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     for (const marks of [this.dots, this.rings]) marks.setPixelRatio(this.stage.pixelRatio);
-    for (const lines of [this.frame, this.boundary, this.outline, this.resisting])
+    for (const lines of [this.frame, this.edges, this.resisting])
       lines.setResolution(this.stage.width, this.stage.height);
     if (this.isFitted) this.fit();
   }

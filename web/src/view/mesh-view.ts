@@ -4,10 +4,9 @@ import type { Palette } from '../colors/palette';
 import { type Direction, frontOf } from '../drawing/front';
 import { facingOf } from '../mesh/mesh';
 import { type Drawing, type FirstView, type FlatDrawing, FRAME } from '../model/drawing';
+import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates } from './chart-flags';
 import { ChartPicker } from './chart-picker';
-import { EdgeLines } from './edge-lines';
-import { edgesOfCharts } from './edges-of-charts';
 import { fitInView } from './fit-in-view';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { DOT, PointMarks } from './point-marks';
@@ -44,17 +43,9 @@ export class MeshView {
   private readonly controls: OrbitControls;
   private readonly material = createSurfaceMaterial();
   private readonly surface: SlicedSurface;
-  private readonly flags = new ChartFlags(this.material);
   private readonly picker: ChartPicker;
-  private edges: { ends: Float32Array; charts: Uint32Array } = {
-    ends: new Float32Array(),
-    charts: new Uint32Array(),
-  };
-  private hidden: ReadonlySet<number> = new Set();
-  private selected: ReadonlySet<number> = new Set();
-  /** Of selected charts. */
-  private readonly outline = new EdgeLines(3, true);
-  private readonly boundary = new EdgeLines(1.75, true);
+  private readonly flags: ChartFlags;
+  private readonly edges = new ChartEdges(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private readonly seams = new SeamOverlay();
   /** `FRAME` of each shown chart. */
@@ -86,14 +77,9 @@ export class MeshView {
       () => this.resized(),
     );
     this.picker = new ChartPicker(this.stage.renderer, true);
+    this.flags = new ChartFlags([this.material, this.picker.material]);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
-    this.scene.add(
-      this.surface.object,
-      this.boundary.object,
-      this.outline.object,
-      this.dots.object,
-      this.seams.object,
-    );
+    this.scene.add(this.surface.object, ...this.edges.objects, this.dots.object, this.seams.object);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -116,8 +102,7 @@ export class MeshView {
     const flat = 'marks' in drawing ? drawing : null;
     const { position, normal, uv } = mesh;
     this.surface.show({ position, normal, ...(uv && { uv }), ...flat?.marks }, () => {
-      this.edges = { ends: mesh.edges, charts: flat?.edgeCharts ?? new Uint32Array() };
-      this.showEdges();
+      this.edges.show(mesh.edges, flat?.edgeCharts ?? new Uint32Array());
       this.dots.show(mesh.dots);
       this.isAtlas = Boolean(flat?.chartColors);
       this.colorBoundary();
@@ -153,7 +138,7 @@ export class MeshView {
 
   private colorBoundary(): void {
     if (this.palette)
-      this.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+      this.edges.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
   }
 
   setPalette(palette: Palette): void {
@@ -161,7 +146,7 @@ export class MeshView {
     paintSurface(this.material, palette);
     this.palette = palette;
     this.colorBoundary();
-    this.outline.setColor(palette.boundary);
+    this.edges.setOutlineColor(palette.boundary);
     this.dots.setColor(palette.tightened);
     this.seams.setPalette(palette);
     this.wireOpacity = palette.wireOpacity;
@@ -193,20 +178,8 @@ export class MeshView {
 
   showStates(states: ChartStates): void {
     this.flags.show(states);
-    this.picker.material.uniforms.flags.value = this.material.uniforms.flags.value;
-    const { hidden, selected } = this;
-    this.hidden = states.hidden;
-    this.selected = states.selected;
-    if (states.hidden !== hidden || states.selected !== selected) this.showEdges();
+    this.edges.showStates(states);
     this.stage.invalidate();
-  }
-
-  private showEdges(): void {
-    const { ends, charts } = this.edges;
-    const isShown = (chart: number) => !this.hidden.has(chart);
-    this.boundary.show(this.hidden.size > 0 ? edgesOfCharts(ends, charts, isShown) : ends);
-    const isOutlined = (chart: number) => this.selected.has(chart) && isShown(chart);
-    this.outline.show(edgesOfCharts(ends, charts, isOutlined));
   }
 
   /** Highlights one chart; null: none. */
@@ -285,8 +258,7 @@ export class MeshView {
     this.camera.updateProjectionMatrix();
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
     this.dots.setPixelRatio(this.stage.pixelRatio);
-    for (const lines of [this.boundary, this.outline])
-      lines.setResolution(this.stage.width, this.stage.height);
+    this.edges.setResolution(this.stage.width, this.stage.height);
     this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
     if (this.isFitted) this.fit(this.from);
   }
