@@ -1,5 +1,5 @@
 import { distortionsOf } from '../mesh/distortion';
-import { type FlatMesh, triangleAreas } from '../mesh/mesh';
+import type { FlatMesh } from '../mesh/mesh';
 import {
   BARS,
   distanceFromBest,
@@ -19,7 +19,7 @@ export interface Heat {
 
 export function heatOf(mesh: FlatMesh, charts?: Uint32Array): Heat {
   const found = distortionsOf(mesh, charts);
-  const areas = triangleAreas(mesh.positions, 3, mesh.indices);
+  const areas = found.area3d;
   const places = new Float32Array(MEASURES.length * areas.length);
   MEASURES.forEach((measure, k) => {
     const { place } = SCALES[measure];

@@ -1,6 +1,6 @@
 import { type FlatMesh, triangleAreas } from './mesh';
 
-/** How each triangle of a layout differs from the triangle in 3D; 0, 1 and 1 where that has no area. */
+/** How each triangle of a layout differs from the triangle in 3D. Without area there: angle 0, area 1, stretch 1. */
 export interface Distortions {
   /**
    * Root mean square over the corners of the relative change of the angle. The square's mean over all triangles is the
@@ -14,6 +14,8 @@ export interface Distortions {
    * all lengths.
    */
   stretch: Float32Array;
+  /** Area in 3D. */
+  area3d: Float64Array;
 }
 
 /** `charts`: the chart of each triangle; without, all are one. */
@@ -27,6 +29,7 @@ export function distortionsOf(mesh: FlatMesh, charts?: Uint32Array): Distortions
     angle: new Float32Array(count),
     area: new Float32Array(count).fill(1),
     stretch: new Float32Array(count).fill(1),
+    area3d: in3d,
   };
   for (let f = 0; f < count; ++f) {
     const before = lengths(mesh.positions, 3, mesh.indices, f);
