@@ -195,6 +195,36 @@ test('fixedCharts: what is missing is said', async () => {
     await assertFails(abflat, abflat.unwrap(mesh, options), 'InvalidOption', pattern);
 });
 
+test('keepsPlaces: charts that the caller moved stay there, and are checked there', async () => {
+  const mesh = arraysOf(SPHERE_AND_TORUS);
+  const first = await abflat.unwrap(mesh);
+  const same = { seams: 'none', seamEdges: first.seams, keepsPlaces: true };
+  const again = await abflat.unwrap(mesh, { ...same, known: first });
+  for (const name of ARRAYS) assert.deepEqual(again[name], first[name], name);
+  const moved = new Set(
+    first.indices.filter((_, h) => first.chartOfTriangle[Math.floor(h / 3)] === 0),
+  );
+  const uv = first.uv.map((x, i) => (moved.has(i >> 1) && i % 2 === 0 ? x + 2 : x));
+  const away = await abflat.unwrap(mesh, { ...same, known: { ...first, uv } });
+  assert.deepEqual(away.uv, uv);
+  assert.deepEqual(
+    away.report.charts.map(({ valid }) => valid),
+    first.report.charts.map((_, chart) => chart !== 0),
+  );
+  assert.equal(away.report.valid, false);
+});
+
+test('keepsPlaces: what is missing is said', async () => {
+  const mesh = arraysOf(CUBE);
+  const { uv, ...known } = await abflat.unwrap(mesh);
+  for (const [options, pattern] of [
+    [{ keepsPlaces: true }, /keepsPlaces needs known/],
+    [{ keepsPlaces: 1, known: { ...known, uv } }, /keepsPlaces must be/],
+    [{ keepsPlaces: true, known }, /its uv is not a Float64Array/],
+  ])
+    await assertFails(abflat, abflat.unwrap(mesh, options), 'InvalidOption', pattern);
+});
+
 test('texelDensity and udim: tiles beside each other at the scale that was asked for', async () => {
   const mesh = arraysOf(together([0, 4, 8].map((x) => [torus(24, 12), [x, 0, 0]])));
   const { report, uv } = await abflat.unwrap(mesh, {

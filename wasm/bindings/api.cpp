@@ -140,6 +140,9 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t coun
   return job->unwrapOptions.fixedCharts.data();
 }
 
+/// Makes known charts stay where they are.
+EMSCRIPTEN_KEEPALIVE void abflatKeepsPlaces(Job* job) { job->unwrapOptions.keepsPlaces = true; }
+
 /// Buffer for an array of a known layout, `size` numbers; Field says which.
 EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);

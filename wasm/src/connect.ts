@@ -151,8 +151,11 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
   checkKeys(options, KEYS.unwrap);
   const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
+  const { keepsPlaces = false } = options;
+  checkBoolean('keepsPlaces', keepsPlaces);
   const fixedCharts = chartNumbers(options.fixedCharts);
-  const known = knownArrays(options.known, fixedCharts.length > 0);
+  const wantsUv = fixedCharts.length > 0 ? 'fixedCharts' : keepsPlaces && 'keepsPlaces';
+  const known = knownArrays(options.known, wantsUv);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
@@ -160,6 +163,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: keptFaces(options.fixedFaces),
     fixedCharts,
+    keepsPlaces,
     known,
   } as const;
   const buffers = Object.values(known?.arrays ?? {}).map(({ buffer }) => buffer as ArrayBuffer);

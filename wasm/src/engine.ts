@@ -163,7 +163,7 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, fixedCharts, known } = request;
+    const { values, seams, seamEdges, fixedFaces, fixedCharts, keepsPlaces, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
@@ -173,6 +173,7 @@ export class Engine {
         if (fixedFaces === 'uv') native._abflatKeepUv(job);
         else this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
+        if (keepsPlaces) native._abflatKeepsPlaces(job);
         if (known !== undefined) this.#heap.writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,

@@ -19,7 +19,7 @@ struct KnownLayout {
   double balance = 0;                    ///< likewise
   bool straightSeams = false;            ///< likewise
   std::vector<double> unpacked;          ///< 2 per vertex, where UnwrapResult has texcoords
-  std::vector<double> uv;                ///< likewise; needed for fixedCharts only
+  std::vector<double> uv;                ///< likewise; for fixedCharts and keepsPlaces
   std::vector<std::uint32_t> vertexMap;  ///< input vertex of each vertex
   std::vector<std::uint32_t> triangles;  ///< 3 vertices per triangle
   std::vector<std::uint32_t> chartOfTriangle;
@@ -39,6 +39,10 @@ struct UnwrapOptions : UnwrapOptionValues {
   std::vector<std::uint32_t> fixedFaces;
   /// Charts of `known` that stay exactly where they are, as above.
   std::vector<std::uint32_t> fixedCharts;
+  /// Charts that need not be flattened again, because they are known, also stay exactly where they
+  /// are in `known`. The others are packed around them, at their texel density if there is room.
+  /// Charts that stay may overlap or leave their tile; the report then says so.
+  bool keepsPlaces = false;
   /// Rounds texcoords to single precision before they are checked, since files and graphics cards
   /// hold them so; 1 - v is then exact in single precision as well. Skipped if it would make a
   /// chart invalid.

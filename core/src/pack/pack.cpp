@@ -98,8 +98,7 @@ class Packer {
     if (Status s = checkShapes(shapes); !s.ok()) return s;
     takeShapes(std::move(shapes));
     if (Status s = begin(); !s.ok()) return s;
-    if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeInOneTile(); !s.ok())
-      return s;
+    if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeAsLarge(); !s.ok()) return s;
     Packing out = placements();
     out.seconds = watch.lap();
     return out;
@@ -128,13 +127,17 @@ class Packer {
       const Loops loops = coveringLoops(shape);
       Pose box;
       box = turned(box, 0, 4, loops.points);
-      const double column = std::floor(box.minX + box.width / 2);
-      const double row = std::floor(box.minY + box.height / 2);
-      const bool isInside = box.minX >= column && box.minX + box.width <= column + 1 &&
-                            box.minY >= row && box.minY + box.height <= row + 1;
       const double lastRow = options_.udim ? kLastRow : 0;
       const double lastColumn = options_.udim ? 9 : 0;
-      if (!isInside || column < 0 || column > lastColumn || row < 0 || row > lastRow)
+      double column = std::floor(box.minX + box.width / 2);
+      double row = std::floor(box.minY + box.height / 2);
+      const bool isInside = box.minX >= column && box.minX + box.width <= column + 1 &&
+                            box.minY >= row && box.minY + box.height <= row + 1;
+      const bool exists = column >= 0 && column <= lastColumn && row >= 0 && row <= lastRow;
+      if (options_.fixedMayLeave) {
+        column = std::clamp(column, 0.0, lastColumn);
+        row = std::clamp(row, 0.0, lastRow);
+      } else if (!isInside || !exists)
         return invalid("chart " + text(i) +
                        " is fixed, but lies outside the unit square of its tile");
       const auto tile = static_cast<std::uint32_t>(row * 10 + column);
@@ -179,6 +182,17 @@ class Packer {
     const double tiles = texels / options_.resolution / options_.resolution;
     const auto count = static_cast<double>(items_.size());
     return static_cast<std::size_t>(std::ceil(count / std::max(tiles, 1.0)));
+  }
+
+  /// In one tile, as large as allowed.
+  Status placeAsLarge() {
+    if (options_.mostDensity > 0) {
+      density_ = scaleOf(options_.mostDensity);
+      tryAt(density_);
+      if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
+      if (placed_.fit == Fit::All) return {};
+    }
+    return placeInOneTile();
   }
 
   Status placeInOneTile() {

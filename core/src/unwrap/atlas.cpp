@@ -68,8 +68,31 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
   return std::max(kWorkOfCorner * corners, isCut ? kLeastOfCut : kLeastWork);
 }
 
+double areaOf(const PackShape& shape) {
+  double twice = 0;
+  for (std::size_t c = 0; c < shape.triangles.size(); c += 3) {
+    const double* p[3];
+    for (std::size_t k = 0; k < 3; ++k) p[k] = &shape.uv[2 * std::size_t{shape.triangles[c + k]}];
+    twice += (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+  }
+  return twice / 2;
+}
+
+/// Texels per mesh unit of the charts that stay where they are, on average; 0 if there are none.
+double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& shapes,
+                      int resolution) {
+  double inUv = 0, onSurface = 0;
+  for (const ChartId i : packed.charts.flat.ids()) {
+    const FlatChart& flat = packed.charts.flat[i];
+    if (!flat.isFixed) continue;
+    inUv += areaOf(shapes[i]);
+    onSurface += flat.area;
+  }
+  return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
+}
+
 /// Packs again with larger copies of the charts that need it, as long as everything fits.
-void fitAll(const PackedCharts& packed, const UnwrapOptionValues& options, Numbers numbers,
+void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers numbers,
             AtlasReport& atlas) {
   constexpr int kMostPackings = 4;
   for (int round = 0; round <= kMostPackings; ++round) {
@@ -90,7 +113,7 @@ void fitAll(const PackedCharts& packed, const UnwrapOptionValues& options, Numbe
 
 }  // namespace
 
-Status packAll(const PackedCharts& packed, const UnwrapOptionValues& options,
+Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
                const std::function<bool(double)>& tell, AtlasReport& atlas) {
   PackOptions how;
   how.resolution = options.resolution;
@@ -103,6 +126,8 @@ Status packAll(const PackedCharts& packed, const UnwrapOptionValues& options,
   how.progress = tell;
   std::vector<PackShape> shapes = shapesOf(packed.charts.set, packed.charts.flat);
   how.work = packWork(shapes, atlas.packingCuts > 0);
+  how.fixedMayLeave = options.keepsPlaces;
+  if (options.keepsPlaces) how.mostDensity = densityOfFixed(packed, shapes, options.resolution);
   Result<Packing> result = pack(std::move(shapes), how);
   if (!result.ok()) return result.status;
   Packing& packing = packed.packing;

@@ -11,7 +11,7 @@ namespace abflat {
 /// Places the charts that are not fixed in the atlas. `tell` receives the share that is done; if it
 /// returns false, the status is Aborted. Sets the packing fields of `atlas`, and leaves its fields
 /// about packing cuts alone.
-Status packAll(const PackedCharts& packed, const UnwrapOptionValues& options,
+Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
                const std::function<bool(double)>& tell, AtlasReport& atlas);
 
 /// Checks all charts in the atlas, rounded as the options ask or, with a note, unrounded. Charts

@@ -179,7 +179,7 @@ Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions
   return out;
 }
 
-Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTiles,
+Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const UnwrapOptions& options,
                    FlatCharts& flat) {
   if (fixed.isFixed.empty()) return {};
   std::vector<double> triangles;  // 6 coordinates each
@@ -195,7 +195,8 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
     out.unpacked.assign(out.uv.size(), NAN);
     const FixedChart c{chart, out.uv,
                        [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); }};
-    if (Status s = checkTile(c, hasTiles); !s.ok()) return s;
+    if (!options.keepsPlaces)
+      if (Status s = checkTile(c, options.udim); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
     out.solver = Solver::Given;
     out.area = areaOf(chart);
@@ -204,6 +205,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, bool hasTil
     for (const ChartVertex v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});
   }
+  if (options.keepsPlaces) return {};
   const auto pair = findOverlap(triangles);
   if (!pair) return {};
   return invalid("the texcoords of faces " + std::to_string(faces[(*pair)[0]]) + " and " +

@@ -17,11 +17,10 @@ struct Known {
   std::uint32_t chartOf(SurfaceTriangle f) const {
     return layout.chartOfTriangle[order.ofTriangle[f]];
   }
-  Point2 uv(SurfaceCorner c) const {
-    const std::size_t corner =
-        3 * std::size_t{order.ofTriangle[triangleOf(c)]} + placeInTriangle(c);
-    return pointAt(layout.unpacked, layout.triangles[corner]);
+  std::uint32_t vertex(SurfaceCorner c) const {
+    return layout.triangles[3 * std::size_t{order.ofTriangle[triangleOf(c)]} + placeInTriangle(c)];
   }
+  Point2 uv(SurfaceCorner c) const { return pointAt(layout.unpacked, vertex(c)); }
 };
 
 Status isOfOther(const std::string& what) {
@@ -104,6 +103,17 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
   return out;
 }
 
+/// Keeps the chart where it was in the atlas.
+void keepPlace(const Known& known, const ChartTopology& topology, const DiskChart& chart,
+               FlatChart& flat) {
+  flat.isFixed = flat.isGiven = true;
+  flat.uv.resize(flat.unpacked.size());
+  for (const ChartCorner c : topology.surfaceCorners())
+    setPoint(flat.uv, topology.vertexOfCorner[c],
+             pointAt(known.layout.uv, known.vertex(topology.onSurface(c))));
+  checkInPlace(chart, flat);
+}
+
 }  // namespace
 
 Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap& map) {
@@ -119,6 +129,8 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
   if (layout.triangles.empty()) return {};
   Result<TriangleOrder> order = knownTriangles(layout, mesh.map);
   if (!order.ok()) return order.status;
+  if (options.keepsPlaces && layout.uv.size() != layout.unpacked.size())
+    return {StatusCode::InvalidOption, "the known layout has no uv, so charts cannot stay there"};
   Known known{layout, std::move(order.value), {}};
   // The earlier run asked for different angles.
   if (layout.t != options.t || layout.balance != options.balance ||
@@ -139,7 +151,10 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
     std::vector<double> uv = knownUv(known, mesh.set.topology(i));
     if (uv.empty()) return;
     if (options.straightSeams && !hasSameEnds(mesh, i, before, now)) return;
-    flat[i] = takeOver(mesh.set.chart(i), wishes[i], std::move(uv));
+    const DiskChart chart = mesh.set.chart(i);
+    flat[i] = takeOver(chart, wishes[i], std::move(uv));
+    if (options.keepsPlaces && wishes[i].pins.empty() && !flat[i].unpacked.empty())
+      keepPlace(known, mesh.set.topology(i), chart, flat[i]);
   });
   return {};
 }

@@ -17,8 +17,8 @@ Result<IdVector<ChartId, ChartWishes>> chartWishes(const CutMesh& mesh, const Te
 Status checkUnpinned(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wishes,
                      const FlatCharts& flat);
 
-/// Charts with pins must be inside the unit square and must not overlap. Errors: InvalidOption,
-/// naming a vertex or two faces.
-Status checkPinned(const CutMesh& mesh, const FlatCharts& flat);
+/// Charts with pins must be inside the unit square and must not overlap, nor lie on charts that
+/// keep their place unless `options` allow it. Errors: InvalidOption, naming a vertex or two faces.
+Status checkPinned(const CutMesh& mesh, const UnwrapOptions& options, const FlatCharts& flat);
 
 }  // namespace abflat

@@ -134,7 +134,7 @@ class Unwrapping {
   Status flatten() {
     if (Status s = readWishes(); !s.ok()) return s;
     charts_.flat.resize(charts_.set.size());
-    if (Status s = layOutFixed(cutMesh(), fixed_, options_.udim, charts_.flat); !s.ok()) return s;
+    if (Status s = layOutFixed(cutMesh(), fixed_, options_, charts_.flat); !s.ok()) return s;
     if (Status s = checkUnpinned(charts_.set, wishes_, charts_.flat); !s.ok()) return s;
     const auto tell = [&](double share) { return tellSolve(share); };
     if (Status s = layOut(tell); !s.ok()) return s;
@@ -207,7 +207,7 @@ class Unwrapping {
   }
 
   Status packCharts() {
-    if (Status s = checkPinned(cutMesh(), charts_.flat); !s.ok()) return s;
+    if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
     const bool mayCut = canCut(options_) && cutsForRoom(options_, charts_.flat);
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();

@@ -74,6 +74,7 @@ const OF_PACKAGE = {
     seamEdges: numbers,
     fixedFaces: (random) => (random.chance(0.4) ? 'uv' : numbers(random)),
     fixedCharts: numbers,
+    keepsPlaces: boolean,
   },
   compare: { onProgress },
   inspect: {},

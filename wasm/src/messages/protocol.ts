@@ -59,7 +59,7 @@ export interface KnownArrays {
   t: number;
   balance: number;
   straightSeams: boolean;
-  /** `uv` only if charts are fixed. */
+  /** `uv` only if charts stay where they are. */
   arrays: Pick<UnwrapResult, 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle'> &
     Partial<Pick<UnwrapResult, 'uv'>>;
 }
@@ -75,6 +75,7 @@ export interface UnwrapRequest extends LayoutRequest {
   fixedFaces: Uint32Array | 'uv';
   /** Charts of `known`. */
   fixedCharts: Uint32Array;
+  keepsPlaces: boolean;
   known?: KnownArrays;
 }
 

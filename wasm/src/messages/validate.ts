@@ -25,6 +25,7 @@ export const KEYS = {
     'seamEdges',
     'fixedFaces',
     'fixedCharts',
+    'keepsPlaces',
     'known',
     ...OF_LAYOUT,
   ],
@@ -200,10 +201,12 @@ function optionNumbers<T extends object>(
   });
 }
 
-/** Copies the arrays. The module checks the numbers in them. */
-export function knownArrays(known: unknown, needsUv: boolean): KnownArrays | undefined {
+/**
+ * Copies the arrays. The module checks the numbers in them. `needsUv`: the option that needs `uv`.
+ */
+export function knownArrays(known: unknown, needsUv: string | false): KnownArrays | undefined {
   if (known === undefined) {
-    if (needsUv) throw invalid('fixedCharts needs known, the result that has these charts.');
+    if (needsUv) throw invalid(`${needsUv} needs known, the result that has these charts.`);
     return undefined;
   }
   const found = (known ?? {}) as Partial<KnownLayout>;

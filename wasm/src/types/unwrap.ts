@@ -12,7 +12,7 @@ export interface UnwrapProgress extends Omit<Progress, 'stage'> {
 /** The result of an earlier call for the same mesh, or at least this much of it. */
 export interface KnownLayout {
   unpacked: Float64Array;
-  /** Only needed for `fixedCharts`. */
+  /** Only needed for `fixedCharts` and `keepsPlaces`. */
   uv?: Float64Array;
   indices: Uint32Array;
   vertexMap: Uint32Array;
@@ -36,6 +36,12 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
   fixedFaces?: Uint32Array | 'uv';
   /** Charts of `known` that stay exactly where they are; all others are packed around them. */
   fixedCharts?: Uint32Array;
+  /**
+   * Charts of `known` that are not flattened again also stay exactly where they are in its `uv`. The
+   * others are packed around them, at their texel density if there is room. Charts that stay may
+   * overlap or leave the square; the result is then not valid, and the report says which ones.
+   */
+  keepsPlaces?: boolean;
   /**
    * Charts with the triangles and the outline of one of these, and the same `t`, `balance` and
    * `straightSeams`, are not flattened again.
