@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pack/outline.h"
 #include "unwrap/rounding.h"
 
 namespace abflat {
@@ -68,16 +69,6 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
   return std::max(kWorkOfCorner * corners, isCut ? kLeastOfCut : kLeastWork);
 }
 
-double areaOf(const PackShape& shape) {
-  double twice = 0;
-  for (std::size_t c = 0; c < shape.triangles.size(); c += 3) {
-    const double* p[3];
-    for (std::size_t k = 0; k < 3; ++k) p[k] = &shape.uv[2 * std::size_t{shape.triangles[c + k]}];
-    twice += (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
-  }
-  return twice / 2;
-}
-
 /// Texels per mesh unit of the charts that stay where they are, on average; 0 if there are none.
 double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& shapes,
                       int resolution) {
@@ -85,7 +76,7 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
   for (const ChartId i : packed.charts.flat.ids()) {
     const FlatChart& flat = packed.charts.flat[i];
     if (!flat.isFixed) continue;
-    inUv += areaOf(shapes[i]);
+    inUv += massOf(shapes[i]).area;
     onSurface += flat.area;
   }
   return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;

@@ -48,7 +48,7 @@ struct FlatChart {
   int iterations = 0;               ///< of the solver
   Solver solver = Solver::ActiveSet;
   bool isFixed = false;      ///< uv is its place in the atlas from the start; packing leaves it
-  bool isGiven = false;      ///< uv is that of the input, which has been checked
+  bool isGiven = false;      ///< uv is that of the input or an earlier run, which has been checked
   bool isCutEnough = false;  ///< no seam was found that would reduce its stretch
   bool isTangled = false;    ///< its boundary crosses itself; a seam may be the better remedy
 };

@@ -195,8 +195,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
     out.unpacked.assign(out.uv.size(), NAN);
     const FixedChart c{chart, out.uv,
                        [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); }};
-    if (!options.keepsPlaces)
-      if (Status s = checkTile(c, options.udim); !s.ok()) return s;
+    if (Status s = options.keepsPlaces ? Status() : checkTile(c, options.udim); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) return s;
     out.solver = Solver::Given;
     out.area = areaOf(chart);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/point2.h"
+#include "check/validity.h"
 #include "unwrap/straight_seams.h"
 
 namespace abflat {
@@ -35,6 +36,22 @@ Status checkSizes(const KnownLayout& known, std::size_t triangles) {
   if (known.unpacked.size() != 2 * known.vertexMap.size())
     return isOfOther("it has " + std::to_string(known.unpacked.size() / 2) + " coordinates for " +
                      std::to_string(known.vertexMap.size()) + " vertices");
+  return {};
+}
+
+/// Checks that charts can stay where they are.
+Status checkPlaces(const KnownLayout& known) {
+  const auto invalid = [](std::string text) {
+    return Status{StatusCode::InvalidOption, std::move(text)};
+  };
+  if (known.uv.size() != known.unpacked.size())
+    return invalid("the known layout has no uv, so charts cannot stay there");
+  // Far more tiles than any atlas has, and well within single precision.
+  constexpr double kMost = 1e6;
+  for (std::size_t i = 0; i < known.uv.size(); ++i)
+    if (!(std::abs(known.uv[i]) <= kMost))
+      return invalid("charts cannot stay where they are known: the uv of vertex " +
+                     std::to_string(i / 2) + " is not a number from -10^6 to 10^6");
   return {};
 }
 
@@ -103,7 +120,7 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
   return out;
 }
 
-/// Keeps the chart where it was in the atlas.
+/// Keeps the chart where it is in the known atlas, even if that is wrong.
 void keepPlace(const Known& known, const ChartTopology& topology, const DiskChart& chart,
                FlatChart& flat) {
   flat.isFixed = flat.isGiven = true;
@@ -111,7 +128,8 @@ void keepPlace(const Known& known, const ChartTopology& topology, const DiskChar
   for (const ChartCorner c : topology.surfaceCorners())
     setPoint(flat.uv, topology.vertexOfCorner[c],
              pointAt(known.layout.uv, known.vertex(topology.onSurface(c))));
-  checkInPlace(chart, flat);
+  if (!checkValidity(chart, flat.uv).valid())
+    flat.problem = "where it stays, triangles are flipped or its boundary crosses itself";
 }
 
 }  // namespace
@@ -129,8 +147,8 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
   if (layout.triangles.empty()) return {};
   Result<TriangleOrder> order = knownTriangles(layout, mesh.map);
   if (!order.ok()) return order.status;
-  if (options.keepsPlaces && layout.uv.size() != layout.unpacked.size())
-    return {StatusCode::InvalidOption, "the known layout has no uv, so charts cannot stay there"};
+  if (options.keepsPlaces)
+    if (Status s = checkPlaces(layout); !s.ok()) return s;
   Known known{layout, std::move(order.value), {}};
   // The earlier run asked for different angles.
   if (layout.t != options.t || layout.balance != options.balance ||

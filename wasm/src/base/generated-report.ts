@@ -295,7 +295,7 @@ export interface UnwrapChart {
   area: number | null;
   /** What laid the chart out. */
   solver: Solver;
-  /** Whether it stays where the input or pins put it. */
+  /** Whether it stays where the input, an earlier run or pins put it. */
   fixed: boolean;
   /** Newton steps of the last solve. */
   iterations: number;

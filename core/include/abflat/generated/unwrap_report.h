@@ -87,7 +87,7 @@ struct UnwrapChart {
   double area = 0;
   /// What laid the chart out.
   Solver solver = Solver::ActiveSet;
-  /// Whether it stays where the input or pins put it.
+  /// Whether it stays where the input, an earlier run or pins put it.
   bool fixed = false;
   /// Newton steps of the last solve.
   int iterations = 0;
