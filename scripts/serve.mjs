@@ -2,7 +2,7 @@
 // Serves the built page.
 // Usage: serve.mjs [--host ADDRESS] [--port N]   (or PORT in the environment)
 
-import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -99,14 +99,15 @@ export function createStaticServer(folders, headers = {}) {
       response.writeHead(304, always).end();
       return;
     }
+    // Read at once: a build may replace the file while it is sent.
+    const bytes = readFileSync(path);
     response.writeHead(200, {
       'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
-      'Content-Length': statSync(path).size,
+      'Content-Length': bytes.length,
       ...(encoding && { 'Content-Encoding': encoding }),
       ...always,
     });
-    if (request.method === 'HEAD') response.end();
-    else createReadStream(path).pipe(response);
+    response.end(request.method === 'HEAD' ? undefined : bytes);
   });
 }
 

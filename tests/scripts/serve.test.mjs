@@ -1,8 +1,8 @@
 // The little web server behind `npm start`.
 
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { request } from 'node:http';
+import { appendFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { Agent, request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -122,6 +122,29 @@ test('what a browser has is not sent again until it changes', async () => {
   const answer = await known(headers.etag);
   assert.equal(answer.status, 200);
   assert.notEqual(answer.headers.etag, headers.etag);
+});
+
+test('a file that grows while it is sent arrives as it was, and the connection stays usable', async () => {
+  const large = join(folder, 'site/large.bin');
+  const size = 2 ** 23;
+  writeFileSync(large, Buffer.alloc(size));
+  const port = await start();
+  const agent = new Agent({ keepAlive: true, maxSockets: 1 });
+  const call = (seen) =>
+    new Promise((resolve, reject) => {
+      const sent = request({ port, path: '/large.bin', agent }, (response) => {
+        seen();
+        let received = 0;
+        response.on('data', ({ length }) => {
+          received += length;
+        });
+        response.on('end', () => resolve(received));
+      });
+      sent.on('error', reject).end();
+    });
+  assert.equal(await call(() => appendFileSync(large, 'more')), size);
+  assert.equal(await call(() => undefined), size + 4);
+  agent.destroy();
 });
 
 test('only files that have their hash in their name are kept without asking', async () => {
