@@ -29,11 +29,12 @@ import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
+import { FIRST_SAMPLE, Opening, showSample } from './opening/open-mesh';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
-import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh';
 import { Session, type SessionEvents } from './session/session';
 import { flattenIfPossible } from './session/sweep';
+import { titleOf } from './session/titles';
 import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './session/words';
 import type { Views } from './view/views';
 import { Workshop } from './workshop/workshop';
@@ -78,6 +79,7 @@ export class App implements SessionEvents {
   );
   private readonly run = new RunPanel(
     () =>
+      this.opening.stop() ||
       this.session.cancel() ||
       this.exporter.stop() ||
       this.sweep.stop() ||
@@ -89,6 +91,7 @@ export class App implements SessionEvents {
     say: this.say,
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
+  private readonly opening: Opening;
   private readonly notice = new Notice((source) => void this.session.open(source));
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly exporter: Exporter;
@@ -146,7 +149,9 @@ export class App implements SessionEvents {
         changed: (selected) => this.charts.showSelected(selected),
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    bindOpen({
+    this.opening = new Opening({
+      fetching: (fraction, text) => this.run.show(fraction, text),
+      fetched: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
       open: (source) => void this.session.open(source),
       refused: (reason) => {
         showAlert(reason, this.stillShown(this.markStale()));

@@ -1,45 +1,57 @@
 import { SAMPLE_NAMES } from 'abflat';
-import { element } from '../base/dom';
+import { element, isTyping } from '../base/dom';
 import type { Source } from '../model/model';
+import { sampleTitle } from '../session/titles';
 import { noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';
+import { FromWeb, type FromWebEvents } from './from-web';
 import { bindLaunch } from './launched-files';
+import { pastedIn } from './pasted-text';
 
 export const FIRST_SAMPLE = 'head';
 
-/** "wavy-strip" as "Wavy strip". */
-function sampleTitle(name: string): string {
-  const words = name.replaceAll('-', ' ');
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}
-
-export function titleOf(source: Source): string {
-  return source.kind === 'sample' ? sampleTitle(source.name) : source.name;
-}
-
-export interface OpenEvents {
+export interface OpenEvents extends Pick<FromWebEvents, 'fetching' | 'fetched'> {
   open(source: Source): void;
   /** None of the chosen files can be opened; `reason` is for display. */
   refused(reason: string): void;
 }
 
-/** Binds the ways to choose a mesh: drop, paste, file dialog, samples and "Open with" of the system. */
-export function bindOpen(events: OpenEvents): void {
-  const openFiles = (files: File[]) => {
+/** Binds the ways to choose a mesh: drop, paste, file dialog, samples, a link and "Open with" of the system. */
+export class Opening {
+  private readonly web: FromWeb;
+
+  constructor(private readonly events: OpenEvents) {
+    const openFiles = (files: File[]) => this.openFiles(files);
+    const { refused } = events;
+    this.web = new FromWeb({ ...events, files: openFiles });
+    bindDialog(openFiles);
+    bindSamples((name) => this.open({ kind: 'sample', name }));
+    bindDrop(openFiles, refused);
+    bindPaste(openFiles, (text) => this.web.open(text));
+    bindLaunch(openFiles, refused);
+    const linked = new URLSearchParams(location.search).get('url');
+    if (linked) this.web.open(linked);
+  }
+
+  /** Ends what is being fetched; returns whether there was anything. */
+  stop(): boolean {
+    return this.web.stop();
+  }
+
+  private open(source: Source): void {
+    this.web.stop();
+    this.events.open(source);
+  }
+
+  private openFiles(files: File[]): void {
     if (files.length === 0) return;
     const [source] = sourcesOf(files);
-    if (source) events.open(source);
-    else events.refused(noMesh(files));
-  };
-  bindDialog(openFiles);
-  bindSamples((name) => events.open({ kind: 'sample', name }));
-  bindDrop(openFiles, events.refused);
-  bindPaste(openFiles);
-  bindLaunch(openFiles, events.refused);
+    if (source) this.open(source);
+    else this.events.refused(noMesh(files));
+  }
 }
 
 type OpenFiles = (files: File[]) => void;
-
 /** Shows which sample is open; none for a file. */
 export function showSample(name: string | null): void {
   element('sample', HTMLSelectElement).value = name ?? '';
@@ -87,11 +99,18 @@ function bindDrop(openFiles: OpenFiles, refused: (reason: string) => void): void
   });
 }
 
-function bindPaste(openFiles: OpenFiles): void {
+/** What is pasted into a field or above the page is not for the page. */
+function bindPaste(openFiles: OpenFiles, openAddress: (text: string) => void): void {
   window.addEventListener('paste', (event) => {
-    const files = [...(event.clipboardData?.files ?? [])];
-    if (files.length === 0) return;
+    const { clipboardData: data, target } = event;
+    if (!data || isTyping(target) || (target instanceof Element && target.closest('dialog')))
+      return;
+    const files = [...data.files];
+    const text = files.length > 0 ? '' : data.getData('text/plain');
+    const pasted = pastedIn(text);
+    if (files.length === 0 && !pasted) return;
     event.preventDefault();
-    openFiles(files);
+    if (pasted?.kind === 'address') openAddress(pasted.text);
+    else openFiles(pasted ? [new File([text], pasted.name)] : files);
   });
 }
