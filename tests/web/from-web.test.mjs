@@ -6,7 +6,7 @@ import axe from 'axe-core';
 import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
 import { CUBE, grid } from '../support/small-meshes.mjs';
 import { sphere } from '../support/surfaces.mjs';
-import { openPage, settled, textOf } from './page.mjs';
+import { openPage, sampleOf, settled, textOf } from './page.mjs';
 
 const HOST = 'https://models.example';
 const OPEN_TO_ALL = { 'Access-Control-Allow-Origin': '*' };
@@ -126,7 +126,7 @@ test('what goes wrong is said in one sentence: what, where, and what to do', asy
     await agree(page);
     await refused(page);
     assert.match(await textOf(page, '#alert'), pattern);
-    assert.equal(await page.inputValue('#sample'), 'head', 'the mesh that is open stays');
+    assert.equal(await sampleOf(page), 'head', 'the mesh that is open stays');
   }
 });
 
@@ -213,7 +213,7 @@ test('fetching shows how far it is and can be cancelled', async (t) => {
   assert.ok(await page.evaluate(() => document.querySelector('#progress').value > 0.2));
   await page.click('#cancel');
   assert.equal(await textOf(page, '#run-text'), 'Cancelled');
-  assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await sampleOf(page), 'head');
 });
 
 test('the question has no faults that axe finds, in either theme, and fits a phone', async (t) => {

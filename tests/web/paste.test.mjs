@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CUBE, grid } from '../support/small-meshes.mjs';
 import { loadModule } from './modules.mjs';
-import { openPage, settled, textOf } from './page.mjs';
+import { openPage, sampleOf, settled, textOf } from './page.mjs';
 
 const { pastedIn } = await loadModule('opening/pasted-text');
 const { companionsOf, namedByGltf, namedByMtl, namedByObj } =
@@ -106,7 +106,7 @@ test('the text of a mesh opens, unless it is pasted into a field', async (t) => 
   await paste(page, grid(4), '#padding');
   await paste(page, 'no mesh at all');
   await settled(page);
-  assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await sampleOf(page), 'head');
   await paste(page, grid(4));
   await shows(page, 'pasted.obj');
   assert.equal(await textOf(page, '#mesh-info'), '32 triangles');

@@ -12,17 +12,25 @@ export interface Address {
 /** `page`: the address of the page. Throws with a sentence if nothing can be fetched from there. */
 export function addressOf(text: string, page: string): Address {
   const url = parse(text, page);
-  const isOwn = url.origin === new URL(page).origin;
   if (url.username || url.password)
     throw new Error(
       `The address of a mesh on ${url.host} holds a password, so it is not opened. Download the file, then open it.`,
     );
-  if (url.protocol !== 'https:' && !isOwn)
+  if (url.protocol !== 'https:' && !isOfPage(url, page))
     throw new Error(
       `${shown(url)} is not opened, because only https addresses are. Use one that begins with https://, or download the file.`,
     );
-  return { url, name: nameOf(url), host: url.host, isOwn };
+  return placeOf(url, page);
 }
+
+export const placeOf = (url: URL, page: string): Address => ({
+  url,
+  name: nameOf(url),
+  host: url.host,
+  isOwn: isOfPage(url, page),
+});
+
+const isOfPage = ({ origin }: URL, page: string) => origin === new URL(page).origin;
 
 function parse(text: string, page: string): URL {
   try {

@@ -1,12 +1,12 @@
-import { SAMPLE_NAMES } from 'abflat';
 import { element, isTyping } from '../base/dom';
 import type { Source } from '../model/model';
-import { sampleTitle } from '../session/titles';
+import { placeOf } from './address';
 import { noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';
 import { FromWeb, type FromWebEvents } from './from-web';
 import { bindLaunch } from './launched-files';
 import { pastedIn } from './pasted-text';
+import { Samples } from './samples';
 
 export const FIRST_SAMPLE = 'head';
 
@@ -25,7 +25,10 @@ export class Opening {
     const { refused } = events;
     this.web = new FromWeb({ ...events, files: openFiles });
     bindDialog(openFiles);
-    bindSamples((name) => this.open({ kind: 'sample', name }));
+    new Samples({
+      made: (name) => this.open({ kind: 'sample', name }),
+      file: (url) => this.web.fetch(placeOf(url, location.href)),
+    });
     bindDrop(openFiles, refused);
     bindPaste(openFiles, (text) => this.web.open(text));
     bindLaunch(openFiles, refused);
@@ -52,11 +55,6 @@ export class Opening {
 }
 
 type OpenFiles = (files: File[]) => void;
-/** Shows which sample is open; none for a file. */
-export function showSample(name: string | null): void {
-  element('sample', HTMLSelectElement).value = name ?? '';
-}
-
 function bindDialog(openFiles: OpenFiles): void {
   const input = element('file', HTMLInputElement);
   element('open', HTMLButtonElement).addEventListener('click', () => input.click());
@@ -65,18 +63,6 @@ function bindDialog(openFiles: OpenFiles): void {
     // So that choosing the same file again still fires a change event.
     input.value = '';
   });
-}
-
-function bindSamples(openSample: (name: string) => void): void {
-  const select = element('sample', HTMLSelectElement);
-  const none = new Option('Samples', '');
-  none.disabled = true;
-  select.append(
-    none,
-    ...[...new Set(SAMPLE_NAMES)].map((name) => new Option(sampleTitle(name), name)),
-  );
-  select.value = '';
-  select.addEventListener('change', () => openSample(select.value));
 }
 
 function bindDrop(openFiles: OpenFiles, refused: (reason: string) => void): void {
