@@ -29,6 +29,8 @@ import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
+import { MeshTabs } from './opening/mesh-tabs';
+import { oneFile } from './opening/one-atlas';
 import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { SeamPanel } from './seams/seam-panel';
@@ -93,7 +95,11 @@ export class App implements SessionEvents {
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
   private readonly opening: Opening;
-  private readonly notice = new Notice((source) => void this.session.open(source));
+  private readonly tabs = new MeshTabs((source) => void this.session.open(source));
+  private readonly notice = new Notice({
+    tabs: (sources) => this.tabs.add(sources),
+    oneAtlas: (sources) => this.opening.join(sources),
+  });
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly exporter: Exporter;
   private readonly exportControl = new ExportControl({
@@ -151,8 +157,10 @@ export class App implements SessionEvents {
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     this.opening = new Opening({
-      fetching: (fraction, text) => this.run.show(fraction, text),
-      fetched: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
+      joined: async (sources, signal) =>
+        oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal),
+      gathering: (fraction, text) => this.run.show(fraction, text),
+      gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
       open: (source) => void this.session.open(source),
       refused: (reason) => {
         showAlert(reason, this.stillShown(this.markStale()));
@@ -248,8 +256,9 @@ export class App implements SessionEvents {
     this.exporter.stop();
     this.exportControl.open(source);
     this.shown = source;
+    this.tabs.show(source);
     if (source.kind === 'file') {
-      this.notice.show(source, gltf?.compressions ?? []);
+      this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
       this.welcome.done();
     } else this.notice.hide();
     this.views?.showMesh(drawing);

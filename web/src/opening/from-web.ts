@@ -1,16 +1,7 @@
-import { Job } from '../session/job';
 import { type Address, addressOf } from './address';
 import type { Watch } from './fetch-file';
 import { fetchMesh } from './fetch-mesh';
-
-export interface FromWebEvents {
-  /** A file is being fetched: how much of it is there, from 0 to 1, and what to say. */
-  fetching(fraction: number, text: string): void;
-  /** Nothing is fetched any more; `text` says how it ended. */
-  fetched(text: string): void;
-  files(files: File[]): void;
-  refused(reason: string): void;
-}
+import type { Gathering } from './gathering';
 
 /** Shown at most this often, in milliseconds. */
 const PAUSE = 100;
@@ -18,12 +9,14 @@ const PAUSE = 100;
 /** The sheet is not part of the first load. */
 const loadSheet = () => import('./web-sheet');
 
-/** Opens meshes from the web, each after asking. The latest one wins. */
+/** Opens meshes from the web, each after asking. */
 export class FromWeb {
-  private readonly job = new Job(() => undefined);
   private isAsking = false;
 
-  constructor(private readonly events: FromWebEvents) {}
+  constructor(
+    private readonly gathering: Gathering,
+    private readonly refused: (reason: string) => void,
+  ) {}
 
   /** Asks for a mesh from any server. */
   open(text: string): void {
@@ -32,13 +25,13 @@ export class FromWeb {
     try {
       address = addressOf(text, location.href);
     } catch (error) {
-      this.events.refused((error as Error).message);
+      this.refused((error as Error).message);
       return;
     }
     this.isAsking = true;
     this.agreed(address)
       .then((isAgreed) => isAgreed && this.fetch(address))
-      .catch(({ message }: Error) => this.events.refused(message))
+      .catch(({ message }: Error) => this.refused(message))
       .finally(() => {
         this.isAsking = false;
       });
@@ -46,29 +39,12 @@ export class FromWeb {
 
   /** Fetches without asking. */
   fetch(address: Address): void {
-    let files: File[] = [];
-    this.job
-      .start(async (signal) => {
-        this.events.fetching(0, `Fetching ${address.name} from ${address.host}`);
-        files = await fetchMesh(address, this.watch(signal));
-      })
-      .then(() => {
-        if (files.length === 0) return; // it was stopped
-        this.events.fetched(`Fetched ${address.name}`);
-        this.events.files(files);
-      })
-      .catch(({ message }: Error) => {
-        this.events.fetched(`${address.name} was not opened`);
-        this.events.refused(message);
-      });
-  }
-
-  /** Returns whether there was anything to stop. */
-  stop(): boolean {
-    if (!this.job.isRunning) return false;
-    this.job.stop();
-    this.events.fetched('Cancelled');
-    return true;
+    const { name, host } = address;
+    this.gathering.start({
+      name,
+      doing: `Fetching ${name} from ${host}`,
+      task: (signal) => fetchMesh(address, this.watch(signal)),
+    });
   }
 
   private async agreed(address: Address): Promise<boolean> {
@@ -85,11 +61,11 @@ export class FromWeb {
         if (now - last < PAUSE || signal.aborted) return;
         last = now;
         const fraction = total ? Math.min(1, received / total) : 0;
-        this.events.fetching(fraction, progressText(name, received, total));
+        this.gathering.progress(fraction, progressText(name, received, total));
       },
       allow: async (name, bytes) => {
         const { ask, fetchLarge } = await loadSheet();
-        if (!(await ask(fetchLarge(name, bytes)))) this.stop();
+        if (!(await ask(fetchLarge(name, bytes)))) this.gathering.stop();
         signal.throwIfAborted();
       },
     };

@@ -1,29 +1,35 @@
 import { element, isTyping } from '../base/dom';
-import type { Source } from '../model/model';
+import { counted } from '../base/format';
+import type { FileSource, Source } from '../model/model';
 import { placeOf } from './address';
 import { noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';
-import { FromWeb, type FromWebEvents } from './from-web';
+import { FromWeb } from './from-web';
+import { type GatherEvents, Gathering } from './gathering';
 import { bindLaunch } from './launched-files';
 import { pastedIn } from './pasted-text';
 import { Samples } from './samples';
 
 export const FIRST_SAMPLE = 'head';
 
-export interface OpenEvents extends Pick<FromWebEvents, 'fetching' | 'fetched'> {
+export interface OpenEvents extends Pick<GatherEvents, 'gathering' | 'gathered'> {
   open(source: Source): void;
   /** None of the chosen files can be opened; `reason` is for display. */
   refused(reason: string): void;
+  /** Makes one file of several meshes. */
+  joined(sources: FileSource[], signal: AbortSignal): Promise<File>;
 }
 
 /** Binds the ways to choose a mesh: drop, paste, file dialog, samples, a link and "Open with" of the system. */
 export class Opening {
+  private readonly gathering: Gathering;
   private readonly web: FromWeb;
 
   constructor(private readonly events: OpenEvents) {
     const openFiles = (files: File[]) => this.openFiles(files);
     const { refused } = events;
-    this.web = new FromWeb({ ...events, files: openFiles });
+    this.gathering = new Gathering({ ...events, files: openFiles });
+    this.web = new FromWeb(this.gathering, refused);
     bindDialog(openFiles);
     new Samples({
       made: (name) => this.open({ kind: 'sample', name }),
@@ -36,13 +42,22 @@ export class Opening {
     if (linked) this.web.open(linked);
   }
 
-  /** Ends what is being fetched; returns whether there was anything. */
+  /** Opens several meshes as one, to share an atlas. */
+  join(sources: FileSource[]): void {
+    this.gathering.start({
+      name: counted(sources.length, 'mesh', 'meshes'),
+      doing: `Joining ${counted(sources.length, 'mesh', 'meshes')}`,
+      task: async (signal) => [await this.events.joined(sources, signal)],
+    });
+  }
+
+  /** Ends what is being fetched or joined; returns whether there was anything. */
   stop(): boolean {
-    return this.web.stop();
+    return this.gathering.stop();
   }
 
   private open(source: Source): void {
-    this.web.stop();
+    this.gathering.stop();
     this.events.open(source);
   }
 
