@@ -117,10 +117,12 @@ test('the menu works by keyboard', async (t) => {
   for (const [key, text] of [
     ['ArrowDown', 'PLY'],
     ['ArrowDown', 'GLB'],
+    ['ArrowDown', 'Picture of both views'],
     ['ArrowDown', 'OBJ'],
-    ['ArrowUp', 'GLB'],
+    ['ArrowUp', 'Picture of both views'],
     ['Home', 'OBJ'],
-    ['End', 'GLB'],
+    ['End', 'Picture of both views'],
+    ['ArrowUp', 'GLB'],
   ]) {
     await page.keyboard.press(key);
     assert.equal(await focused(page), text, key);

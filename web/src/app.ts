@@ -105,6 +105,7 @@ export class App implements SessionEvents {
   private readonly exportControl = new ExportControl({
     export: () => this.export(),
     formatChanged: () => this.showTexcoordChoice(false),
+    picture: () => this.savePicture(),
   });
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
@@ -450,6 +451,15 @@ export class App implements SessionEvents {
     const { format, title } = this.exportControl;
     // The button's title says if the layout is an earlier one.
     this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
+  }
+
+  private savePicture(): void {
+    const { views, shown, outcome } = this;
+    if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
+    else
+      import('./export/views-picture')
+        .then(({ savePicture }) => savePicture(views, shown.name))
+        .then(this.say, (error: Error) => this.notSaved(outcome, error));
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {

@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
 
-/** A button that opens a menu of choices, of which one holds. Both work by keyboard, as menus of programs do. */
+/** A button that opens a menu of choices, of which one holds, and of actions. Both work by keyboard, as menus of programs do. */
 export class MenuButton {
   private readonly button: HTMLButtonElement;
   private readonly menu: HTMLElement;
@@ -37,7 +37,7 @@ export class MenuButton {
 
   check(value: string): void {
     for (const item of this.items)
-      item.setAttribute('aria-checked', String(item.dataset.value === value));
+      if (item.role === 'menuitemradio') item.ariaChecked = String(item.dataset.value === value);
   }
 
   open(): void {
