@@ -2,6 +2,7 @@ import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './base/alert';
 import { bindToggle, element } from './base/dom';
 import { duration } from './base/format';
+import { loadPart } from './base/load-part';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
@@ -30,7 +31,6 @@ import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
 import { MeshTabs } from './opening/mesh-tabs';
-import { oneFile } from './opening/one-atlas';
 import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { SeamPanel } from './seams/seam-panel';
@@ -120,6 +120,8 @@ export class App implements SessionEvents {
   private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
+  /** Why nothing was opened, if that was said during a run: the run's end hides what was said. */
+  private refusal = '';
   /** The drawing of the last result. */
   private drawing: FlatDrawing | null = null;
 
@@ -158,15 +160,17 @@ export class App implements SessionEvents {
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     this.opening = new Opening({
-      joined: async (sources, signal) =>
-        oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal),
+      joined: async (sources, signal) => {
+        const { oneFile } = await loadPart(import('./opening/one-atlas'));
+        return oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal);
+      },
       gathering: (fraction, text) => this.run.show(fraction, text),
       gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
-      open: (source) => void this.session.open(source),
-      refused: (reason) => {
-        showAlert(reason, this.stillShown(this.markStale()));
-        this.say('Nothing was opened');
+      open: (source) => {
+        this.refusal = '';
+        void this.session.open(source);
       },
+      refused: (reason) => this.refuse(reason),
     });
     bindShortcuts({
       'Ctrl+O': () => element('open', HTMLButtonElement).click(),
@@ -340,6 +344,13 @@ export class App implements SessionEvents {
   private finish(text: string, canRepeat: boolean): void {
     document.body.removeAttribute('aria-busy');
     this.run.finish(text, canRepeat);
+    if (this.refusal) this.refuse(this.refusal);
+  }
+
+  private refuse(reason: string): void {
+    this.refusal = this.session.isBusy ? reason : '';
+    showAlert(reason, this.stillShown(this.markStale()));
+    this.say('Nothing was opened');
   }
 
   /** Names the mesh and settings that the last result belongs to, for display. */
@@ -457,7 +468,7 @@ export class App implements SessionEvents {
     const { views, shown, outcome } = this;
     if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
     else
-      import('./export/views-picture')
+      loadPart(import('./export/views-picture'))
         .then(({ savePicture }) => savePicture(views, shown.name))
         .then(this.say, (error: Error) => this.notSaved(outcome, error));
   }
