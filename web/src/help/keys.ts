@@ -62,8 +62,6 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['Shift'], gestures: 'Shift-click', does: 'Continue a cut; remove a single edge' },
       { keys: ['Alt'], gestures: 'Alt-click', does: 'Join in place of Cut, Cut in place of Join' },
       { keys: ['Escape'], does: 'Cancel the cut' },
-      { keys: ['Ctrl+Z'], does: 'Undo' },
-      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'Redo' },
     ],
   },
   {
@@ -87,6 +85,8 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['Ctrl+V'], does: 'Open a file that was copied' },
       { keys: ['Ctrl+S'], does: 'Export' },
       { keys: ['Ctrl+E'], does: 'Export in another format' },
+      { keys: ['Ctrl+Z'], does: 'Undo' },
+      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'Redo' },
       { keys: ['Escape'], does: 'Cancel what runs, close what is open' },
       { keys: ['?'], does: 'Show this sheet' },
     ],
