@@ -25,13 +25,22 @@ import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
 import { PageHistory } from './page-history';
+import { Placement } from './placement';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
 import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh';
 import { Session, type SessionEvents } from './session/session';
 import type { Step } from './session/steps';
 import { flattenIfPossible } from './session/sweep';
-import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './session/words';
+import {
+  facesText,
+  failure,
+  isOnlyPlaced,
+  kept,
+  layoutInfo,
+  settingsText,
+  WORDS,
+} from './session/words';
 import { ownerOf, StaleMark } from './stale-mark';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
@@ -53,6 +62,7 @@ export class App implements SessionEvents {
   private readonly charts: ChartsTab;
   private readonly seams: SeamPanel;
   private readonly selection: SelectionPanel | null;
+  private readonly placement: Placement | null;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
@@ -101,7 +111,7 @@ export class App implements SessionEvents {
   private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
-  /** What to say when an earlier result is there again. */
+  /** What the user has done, where the result does not say it. */
   private said = '';
   /** The drawing of the last result. */
   private drawing: FlatDrawing | null = null;
@@ -140,6 +150,15 @@ export class App implements SessionEvents {
       new SelectionPanel(views, {
         isFree: () => this.seams.isIdle,
         changed: (selected) => this.charts.showSelected(selected),
+        locked: () => this.wishes.locks.charts,
+        arranged: (arranged, what) => void this.placement?.place(arranged, what),
+        say: this.say,
+      });
+    this.placement =
+      views &&
+      new Placement(this.workshop, views, {
+        placed: (layout, what) => this.wishes.place(layout, what),
+        failed: ({ message }) => showAlert(`The charts were not moved: ${message}`),
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     bindOpen({
@@ -163,6 +182,7 @@ export class App implements SessionEvents {
   /** The user wants something else. */
   private changed(what?: string): void {
     const { settings } = this.wishes;
+    this.said = what ?? '';
     this.history.change(settings, what);
     // With another t alone, the plot against t stays as it is.
     if (settings.mode === 'flatten') this.sweep.use(settings);
@@ -251,6 +271,8 @@ export class App implements SessionEvents {
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
     this.exporter.stop();
     this.exportControl.open(source);
+    this.selection?.open(null);
+    this.placement?.show(null);
     this.shown = source;
     if (source.kind === 'file') {
       this.notice.show(source, gltf?.compressions ?? []);
@@ -273,8 +295,12 @@ export class App implements SessionEvents {
     this.show(outcome, drawing);
     const { badge } = verdictOf(outcome);
     const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
+    const time = duration(report.timings.total);
     const { done } = WORDS[outcome.mode];
-    this.finish(`${done} in ${duration(report.timings.total)}${but}${kept(outcome)}`, false);
+    const what = isOnlyPlaced(outcome)
+      ? `${this.said}, checked in ${time}${but}`
+      : `${done} in ${time}${but}${kept(outcome)}`;
+    this.finish(what, false);
   }
 
   restored(outcome: Outcome, drawing: FlatDrawing): void {
@@ -296,6 +322,7 @@ export class App implements SessionEvents {
   }
 
   private showDetails(outcome: Outcome): void {
+    this.placement?.show(outcome.mode === 'unwrap' ? outcome : null);
     this.selection?.open(outcome.mode === 'unwrap' ? outcome.result.report : null);
     if (outcome.mode === 'unwrap') {
       this.wishes.locks.show(outcome);

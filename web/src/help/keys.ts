@@ -75,6 +75,11 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['.'], does: 'Frame the selected charts' },
       { keys: ['/'], does: 'Isolate them; again shows all' },
       { keys: ['H', 'Alt+H'], does: 'Hide them, show all' },
+      {
+        keys: ['G', 'R', 'S'],
+        gestures: 'drag moves',
+        does: 'Move, turn, scale them in the layout',
+      },
       { keys: ['Escape'], does: 'Select nothing' },
     ],
   },

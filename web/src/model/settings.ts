@@ -1,4 +1,4 @@
-import type { KnownLayout, UnwrapResult } from 'abflat';
+import type { UnwrapResult } from 'abflat';
 import type { Bound } from '../base/format';
 import type { MoreOptions } from './more-options';
 
@@ -35,7 +35,7 @@ export interface UnwrapSettings extends MoreOptions {
   /** Charts kept where they already are, which is no reason to lay out again. */
   kept?: Kept;
   /** The layout with charts where the user has moved them. */
-  placed?: KnownLayout;
+  placed?: UnwrapResult;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;

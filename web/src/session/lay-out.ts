@@ -17,7 +17,7 @@ interface Watch {
 
 type Input = Pick<Opened, 'source' | 'input' | 'mesh' | 'gltf'>;
 
-type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces'>;
+type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'seams' | 'seamEdges'>;
 
 /**
  * What a run takes over: charts that stay the same are not flattened again, and locked ones stay
@@ -30,10 +30,13 @@ function fromEarlier(source: Source, settings: UnwrapSettings, earlier: Outcome 
   const isMoved = placed !== undefined && placed !== last?.settings.placed;
   const keepsPlaces = isMoved || (last !== null && isSeamEdit(last.settings, settings));
   const layout = (isMoved ? placed : undefined) ?? last?.result;
-  if (!kept || kept.charts.length === 0) return { known: layout, keepsPlaces };
+  // Moving charts cuts nothing.
+  const seams = isMoved ? { seams: 'none', seamEdges: placed.seams } : {};
+  if (!kept || kept.charts.length === 0) return { known: layout, keepsPlaces, ...seams };
   // The numbers of locked charts are those of the layout in which they were locked.
   const isSame = keepsPlaces && (isMoved || kept.layout === last?.result);
-  return { known: isSame ? layout : kept.layout, fixedCharts: kept.charts, keepsPlaces: isSame };
+  const known = isSame ? layout : kept.layout;
+  return { known, fixedCharts: kept.charts, keepsPlaces: isSame, ...seams };
 }
 
 /** Whether only seams have changed, and to listed ones: other sources may cut everything anew. */

@@ -69,6 +69,10 @@ function boundInfo({ settings, result }: Flattened): string {
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 
+/** Whether charts were moved and nothing was laid out. */
+export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
+  mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
+
 /**
  * For an edited atlas: the charts that did not change and those that were to stay where they are.
  */
