@@ -7,7 +7,7 @@ import { loadModule as load } from './modules.mjs';
 const files = (...names) => names.map((name) => new File(['x'], name));
 
 test('a mesh is found among its files in any order; of several all are offered', async () => {
-  const { sourcesOf } = await load('session/chosen-files');
+  const { sourcesOf } = await load('opening/chosen-files');
   const names = (list) => sourcesOf(files(...list)).map(({ name }) => name);
   const parts = ['x.mtl', 'x.png', 'x.obj'];
   for (let turn = 0; turn < parts.length; turn++) {
@@ -26,7 +26,7 @@ test('a mesh is found among its files in any order; of several all are offered',
 });
 
 test('why nothing can be opened is a sentence with the name of the file', async () => {
-  const { noMesh } = await load('session/chosen-files');
+  const { noMesh } = await load('opening/chosen-files');
   assert.match(noMesh(files('cat.png')), /^cat\.png is not a mesh\. Open an OBJ, .*\.$/);
   assert.match(noMesh(files('cat.png', 'dog.png')), /^None of these 2 files is a mesh\. .*\.$/);
 });

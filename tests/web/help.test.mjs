@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
-import { choose, drop, dropAndWait, openPage, settled, textOf } from './page.mjs';
+import { choose, drop, dropAndWait, openPage, openSample, settled, textOf } from './page.mjs';
 
 const { CONTROLS } = await loadModule('help/keys');
 
@@ -402,8 +402,7 @@ test('a first visit is told what this is, until a mesh of its own was opened', a
   const page = await openPage(t);
   const welcome = page.locator('#welcome');
   assert.match(await welcome.innerText(), /^abflat lays a 3D mesh flat.*OBJ.*GLB.*sample\.$/s);
-  await page.selectOption('#sample', 'hemisphere');
-  await settled(page);
+  await openSample(page, 'hemisphere');
   assert.ok(await welcome.isVisible(), 'a sample is not of their own');
   await dropAndWait(page, 'nothing.obj', 'v 0 0 0\n');
   assert.ok(await welcome.isVisible(), 'nothing was opened');

@@ -24,14 +24,18 @@ import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
+import { MeshTabs } from './opening/mesh-tabs';
+import { oneFile } from './opening/one-atlas';
+import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
+import { showSample } from './opening/samples';
 import { PageHistory } from './page-history';
 import { Placement } from './placement';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
-import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh';
 import { Session, type SessionEvents } from './session/session';
 import type { Step } from './session/steps';
 import { flattenIfPossible } from './session/sweep';
+import { titleOf } from './session/titles';
 import {
   facesText,
   failure,
@@ -82,6 +86,7 @@ export class App implements SessionEvents {
   );
   private readonly run = new RunPanel(
     () =>
+      this.opening.stop() ||
       this.session.cancel() ||
       this.exporter.stop() ||
       this.sweep.stop() ||
@@ -93,12 +98,18 @@ export class App implements SessionEvents {
     say: this.say,
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
-  private readonly notice = new Notice((source) => void this.session.open(source));
+  private readonly opening: Opening;
+  private readonly tabs = new MeshTabs((source) => void this.session.open(source));
+  private readonly notice = new Notice({
+    tabs: (sources) => this.tabs.add(sources),
+    oneAtlas: (sources) => this.opening.join(sources),
+  });
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly exporter: Exporter;
   private readonly exportControl = new ExportControl({
     export: () => this.export(),
     formatChanged: () => this.showTexcoordChoice(false),
+    picture: () => this.savePicture(),
   });
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
@@ -161,7 +172,11 @@ export class App implements SessionEvents {
         failed: ({ message }) => showAlert(`The charts were not moved: ${message}`),
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    bindOpen({
+    this.opening = new Opening({
+      joined: async (sources, signal) =>
+        oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal),
+      gathering: (fraction, text) => this.run.show(fraction, text),
+      gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
       open: (source) => void this.session.open(source),
       refused: (reason) => {
         showAlert(reason, this.stillShown(this.markStale()));
@@ -274,8 +289,9 @@ export class App implements SessionEvents {
     this.selection?.open(null);
     this.placement?.show(null);
     this.shown = source;
+    this.tabs.show(source);
     if (source.kind === 'file') {
-      this.notice.show(source, gltf?.compressions ?? []);
+      this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
       this.welcome.done();
     } else this.notice.hide();
     this.views?.showMesh(drawing);
@@ -474,6 +490,15 @@ export class App implements SessionEvents {
     const { format, title } = this.exportControl;
     // The button's title says if the layout is an earlier one.
     this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
+  }
+
+  private savePicture(): void {
+    const { views, shown, outcome } = this;
+    if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
+    else
+      import('./export/views-picture')
+        .then(({ savePicture }) => savePicture(views, shown.name))
+        .then(this.say, (error: Error) => this.notSaved(outcome, error));
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {

@@ -2,7 +2,7 @@ import { element } from './base/dom';
 import type { MetricsPanel } from './details/metrics';
 import type { Outcome, Source } from './model/model';
 import { type Settings, sameSettings } from './model/settings';
-import { titleOf } from './session/open-mesh';
+import { titleOf } from './session/titles';
 import { settingsText } from './session/words';
 
 /** Names the mesh and settings that a result belongs to, for display. */

@@ -87,7 +87,7 @@ export const CONTROLS: ControlGroup[] = [
     title: 'Page',
     controls: [
       { keys: ['Ctrl+O'], gestures: 'drop a file', does: 'Open a mesh' },
-      { keys: ['Ctrl+V'], does: 'Open a file that was copied' },
+      { keys: ['Ctrl+V'], does: 'Open a copied file, address or text of a mesh' },
       { keys: ['Ctrl+S'], does: 'Export' },
       { keys: ['Ctrl+E'], does: 'Export in another format' },
       { keys: ['Ctrl+Z'], does: 'Undo' },

@@ -4,7 +4,7 @@ import type { DisplayMesh } from '../mesh/mesh';
 import type { Flattened, Outcome, Source } from '../model/model';
 import { changedOptions } from '../model/more-options';
 import type { Mode, Settings } from '../model/settings';
-import { titleOf } from './open-mesh';
+import { titleOf } from './titles';
 
 interface Words {
   doing: string;

@@ -158,6 +158,10 @@ export class LayoutView {
     this.moved = moved;
   }
 
+  picture(): Promise<HTMLCanvasElement> {
+    return this.stage.picture();
+  }
+
   /** The chart at a pixel; null if there is none. */
   chartAt(at: Pixel): number | null {
     return this.picker.chartAt(at, this.surface.object, this.camera, this.stage);

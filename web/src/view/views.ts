@@ -110,6 +110,16 @@ export class Views {
     this.layout.setPanning(mayPan);
   }
 
+  /** Copies of both views. */
+  async pictures(): Promise<{
+    mesh: HTMLCanvasElement;
+    layout: HTMLCanvasElement;
+    pixelRatio: number;
+  }> {
+    const [mesh, layout] = await Promise.all([this.mesh.picture(), this.layout.picture()]);
+    return { mesh, layout, pixelRatio: layout.width / this.layout.canvas.clientWidth };
+  }
+
   canvasOf(view: ViewName): HTMLCanvasElement {
     return this[view].canvas;
   }

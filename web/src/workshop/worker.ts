@@ -20,6 +20,7 @@ import {
   positionsOf,
 } from '../drawing/picture';
 import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
+import { joinedObj, type NamedMesh } from '../files/joined-obj';
 import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
 import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
@@ -84,6 +85,8 @@ const tasks = {
   ): Promise<Blob> => newGlb(name, layout, positionsOf(layout, input)),
 
   joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
+
+  joinedObj: (meshes: NamedMesh[]): Blob => new Blob(joinedObj(meshes), { type: 'model/obj' }),
 
   svg: (drawing: AtlasDrawing, millimetres: number | 'auto'): Blob =>
     new Blob([atlasSvg(drawing, millimetres)], { type: 'image/svg+xml' }),

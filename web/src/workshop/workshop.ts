@@ -3,6 +3,7 @@ import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
 import { NO_WORKER, NOT_LOADED, notLoaded, stopped } from '../base/lost';
+import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from '../model/drawing';
@@ -144,6 +145,11 @@ export class Workshop implements Helpers {
   /** The mesh with vertices at the same point joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
     return this.send([mesh], (tasks, own) => tasks.joined(own));
+  }
+
+  /** The meshes as one OBJ. */
+  joinedObj(meshes: NamedMesh[]): Promise<Blob> {
+    return this.send(meshes, (tasks, ...own) => tasks.joinedObj(own));
   }
 
   /**
