@@ -55,7 +55,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
   // Charts that the user keeps are not judged.
-  assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { fixed: true })])), 'Valid');
+  assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { solver: 'given' })])), 'Valid');
   assert.equal(badge(atlas(1.04, 'none', [chart(Number.NaN)])), 'Valid');
   const bad = atlas(
     1.04,
@@ -104,7 +104,7 @@ test('faces are those of the file: polygons beside their triangles', async () =>
   assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');
 });
 
-test('cutting further adds automatic seams to those chosen, and can be undone', async () => {
+test('cutting further adds automatic seams to those chosen, and can be taken back', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const { seamOptions } = await load('seams/seam-choice');
   const model = new SeamModel(() => {
@@ -116,8 +116,9 @@ test('cutting further adds automatic seams to those chosen, and can be undone', 
   const edges = Uint32Array.of(1, 2);
   model.setEdges(edges);
   assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
+  const before = model.choice;
   model.cutFurther();
   assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
-  model.undo();
+  model.restore(before);
   assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
 });

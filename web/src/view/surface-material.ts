@@ -70,7 +70,7 @@ const FRAGMENT = /* glsl */ `
   }
 
   void main() {
-    vec2 flag = flagsOf(vPiece);
+    vec3 flag = flagsOf(vPiece);
     if (flag.r > 0.5) discard;
     vec3 base = clay;
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
