@@ -84,6 +84,21 @@ export const CONTROLS: ControlGroup[] = [
     ],
   },
   {
+    title: 'Moving charts',
+    where: 'After G, R or S in the layout view, or while a chart is dragged.',
+    controls: [
+      { keys: ['X', 'Y'], does: 'Move along one axis; again frees it' },
+      { keys: ['Ctrl'], does: 'Keep to whole texels, 5°, tenths' },
+      {
+        keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+        does: 'By a texel, 1°, 1 %; with Shift by ten',
+      },
+      { keys: ['Backspace'], gestures: 'a number', does: 'In UV, degrees or as a factor' },
+      { keys: ['Enter', 'Space'], gestures: 'click', does: 'Place them' },
+      { keys: ['Escape'], gestures: 'right click', does: 'Put them back' },
+    ],
+  },
+  {
     title: 'Page',
     controls: [
       { keys: ['Ctrl+O'], gestures: 'drop a file', does: 'Open a mesh' },
