@@ -35,6 +35,7 @@ import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh
 import { Session, type SessionEvents } from './session/session';
 import { flattenIfPossible } from './session/sweep';
 import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './session/words';
+import { ShownLook } from './shown-look';
 import type { Views } from './view/views';
 import { Workshop } from './workshop/workshop';
 
@@ -90,6 +91,7 @@ export class App implements SessionEvents {
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
   private readonly notice = new Notice((source) => void this.session.open(source));
+  private readonly look = new ShownLook(this.workshop, this.notice);
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly exporter: Exporter;
   private readonly exportControl = new ExportControl({
@@ -232,7 +234,8 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened({ source, mesh, summary, drawing, gltf }: Opened): void {
+  opened(opened: Opened): void {
+    const { source, mesh, summary, drawing, gltf } = opened;
     hideAlert();
     this.atlas.open(summary);
     this.mode.setDisk(summary.disk);
@@ -246,6 +249,7 @@ export class App implements SessionEvents {
       this.notice.show(source, gltf?.compressions ?? []);
       this.welcome.done();
     } else this.notice.hide();
+    if (this.views) void this.look.open(opened, this.views);
     this.views?.showMesh(drawing);
     this.sweep.clear();
     this.methods.clear();

@@ -13,6 +13,7 @@ import {
   meshPicture,
   positionsOf,
 } from '../drawing/picture';
+import type { LookMesh, LookSource } from '../files/appearance';
 import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
 import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
@@ -64,6 +65,14 @@ const tasks = {
     layout: LayoutArrays,
     input: Parameters<typeof positionsOf>[1],
   ): Promise<Blob> => newGlb(name, layout, positionsOf(layout, input)),
+
+  /** Loaded once it is needed: most meshes are opened without materials. */
+  appearance: async (source: LookSource, mesh: LookMesh) => {
+    const { readAppearance } = await import('../files/appearance');
+    const read = await readAppearance(source, mesh);
+    const { corners, images = [] } = read.appearance ?? {};
+    return transfer(read, [...buffersOf(corners), ...images]);
+  },
 
   joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
 
