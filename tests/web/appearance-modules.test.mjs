@@ -185,6 +185,23 @@ test('a glTF says where corners lie in its images, and how they are tinted', asy
   assert.equal(corners.onlyTint, corners.words[3]);
 });
 
+test('what reads materials is loaded only for files that may have some', async () => {
+  const { hasLook } = await load('files/has-look');
+  const has = (name, content) => hasLook(new File([content], name));
+  assert.ok(await has('a.obj', 'v 0 0 0\nusemtl wood\nf 1 1 1'));
+  assert.ok(await has('a.OBJ', 'v 0 0 0\nv 0 1 -1.5e2 0.1 .5 1\r\nf 1 1 1'));
+  assert.ok(!(await has('a.obj', 'v 0 0 0\nvn 1 2 3 4 5 6\nf 1 1 1')));
+  assert.ok(await has('a.ply', 'ply\nelement vertex 1\nproperty uchar red\n'));
+  assert.ok(!(await has('a.ply', 'ply\nelement vertex 1\nproperty float x\n')));
+  assert.ok(!(await has('a.stl', 'usemtl')));
+  for (const paint of [textured('red', oneColor(RED)), () => undefined]) {
+    const bytes = await io.writeBinary(paintedDocument(paint));
+    const file = new File([bytes], 'a.glb');
+    const isPainted = await hasLook(file, { file, others: [] });
+    assert.equal(isPainted, paint.length > 0);
+  }
+});
+
 test('images share their memory', async () => {
   const { sideFor } = await load('files/look-images');
   assert.equal(sideFor(1, 2 ** 27), 2048);

@@ -3,7 +3,7 @@ import type { Opened } from './model/model';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
-/** Bytes that the images of a mesh may take; twice as many on each view's graphics card would be too many for a phone. */
+/** Bytes that the images of a mesh may take, and again on the graphics card of each view. */
 const memoryFor = (isPhone: boolean) => (isPhone ? 2 ** 25 : 2 ** 27);
 
 /** Shows how the mesh looks in its file, once that has been read. */
@@ -21,18 +21,18 @@ export class ShownLook {
     views.showAppearance(source, null);
     if (source.kind !== 'file') return;
     const isPhone = window.matchMedia('(pointer: coarse)').matches;
-    try {
-      const memory = memoryFor(isPhone);
-      const { appearance, remarks } = await this.workshop.appearance(source, opened, memory);
-      if (this.opened !== opened) {
-        for (const image of appearance?.images ?? []) image.close();
-        return;
-      }
-      for (const remark of remarks) this.notice.add(remark);
-      if (appearance) views.showAppearance(source, appearance);
-    } catch (error) {
-      if (this.opened !== opened) return;
-      this.notice.add(`Its materials cannot be shown: ${(error as Error).message}`);
+    const read = await this.workshop
+      .appearance(source, opened, memoryFor(isPhone))
+      .catch(() => ({ appearance: null, remarks: [failed(source.name)] }));
+    const { appearance, remarks } = read;
+    if (this.opened !== opened) {
+      for (const image of appearance?.images ?? []) image.close();
+      return;
     }
+    for (const remark of remarks) this.notice.add(remark);
+    if (appearance) views.showAppearance(source, appearance);
   }
 }
+
+const failed = (name: string) =>
+  `The materials of ${name} could not be read. Open it again to see them.`;

@@ -1,14 +1,14 @@
 // Reads how a file looks, besides its shape.
 
-import type { DisplayMesh } from '../mesh/mesh';
-import type { AppearanceRead, MaterialLook } from '../model/appearance';
-import { type GltfFiles, isGltf } from '../model/model';
-import { type CornerWriter, WHITE } from './corner-looks';
+import type { AppearanceRead } from '../model/appearance';
+import type { GltfFiles } from '../model/model';
+import { WHITE } from './corner-looks';
 import { readGltfLook } from './gltf-look';
-import { decodeImages, type StoredImage } from './look-images';
+import { decodeImages } from './look-images';
 import { remarksOn } from './missing-files';
 import { readObjLook } from './obj-look';
 import { readPlyLook } from './ply-look';
+import type { LookMesh, StoredLook } from './stored-look';
 
 export interface LookSource {
   file: File;
@@ -17,19 +17,6 @@ export interface LookSource {
   gltf?: GltfFiles;
   /** Bytes that decoded images may take. */
   memory: number;
-}
-
-/** A mesh as it was opened. */
-export type LookMesh = Pick<DisplayMesh, 'indices' | 'faces'>;
-
-/** How a file looks, with images as they are stored. */
-export interface StoredLook {
-  corners: CornerWriter;
-  /** Their images are numbers in `images`. */
-  materials: MaterialLook[];
-  images: StoredImage[];
-  /** Names of files that are not there. */
-  missing: string[];
 }
 
 export async function readAppearance(source: LookSource, mesh: LookMesh): Promise<AppearanceRead> {
@@ -56,7 +43,6 @@ async function readLook(
   mesh: LookMesh,
 ): Promise<StoredLook | null> {
   if (gltf) return readGltfLook(gltf);
-  if (isGltf({ kind: 'sample', name: file.name })) return null;
   if (/\.ply$/i.test(file.name)) return readPlyLook(file, mesh);
   return /\.obj$/i.test(file.name) ? readObjLook(file, others, mesh) : null;
 }

@@ -10,11 +10,10 @@ import { type DocumentPart, documentMesh } from 'abflat/gltf';
 import { byteOf, srgbByte } from '../colors/srgb';
 import { BLENDED, type MaterialLook, OPAQUE, Wrap } from '../model/appearance';
 import type { GltfFiles } from '../model/model';
-import type { StoredLook } from './appearance';
 import { CornerWriter, type Tint, tintOf, WHITE } from './corner-looks';
 import { gltfIo, openGltf } from './gltf-source';
-import type { StoredImage } from './look-images';
 import { nameOf } from './missing-files';
+import type { StoredImage, StoredLook } from './stored-look';
 
 /** What gives a surface its colour. */
 interface BaseColor {

@@ -1,10 +1,4 @@
-/** An image as it is stored. */
-export interface StoredImage {
-  name: string;
-  bytes: Blob;
-  /** Whether its texels stay squares when it is enlarged. */
-  isPixelated: boolean;
-}
+import type { StoredImage } from './stored-look';
 
 export interface DecodedImages {
   /** All of one size. */

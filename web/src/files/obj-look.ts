@@ -1,12 +1,11 @@
 import { byteOf } from '../colors/srgb';
 import { sourceCorners } from '../mesh/source-corners';
 import { BLENDED, type MaterialLook, OPAQUE, Wrap } from '../model/appearance';
-import type { LookMesh, StoredLook } from './appearance';
 import { CornerWriter, tintOf } from './corner-looks';
-import type { StoredImage } from './look-images';
 import { fileNamed, nameOf } from './missing-files';
 import { type MtlMaterial, readMtl } from './mtl';
 import { NO_TEXCOORD, type ObjCorners, readObjCorners } from './obj-corners';
+import type { LookMesh, StoredImage, StoredLook } from './stored-look';
 
 /** Null if the file has neither materials nor colours. */
 export async function readObjLook(

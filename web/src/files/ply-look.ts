@@ -1,8 +1,8 @@
 import { byteOf } from '../colors/srgb';
 import { OPAQUE, Wrap } from '../model/appearance';
-import type { LookMesh, StoredLook } from './appearance';
 import { CornerWriter, tintOf } from './corner-looks';
 import { type PlyNumbers, plyVertexNumbers } from './ply-vertices';
+import type { LookMesh, StoredLook } from './stored-look';
 
 /** Under the names that programs use. */
 const COLORS = [

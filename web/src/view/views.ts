@@ -72,6 +72,7 @@ export class Views {
   /** How a mesh looks in its file; null while that is not known. Images of the last one are freed. */
   showAppearance(source: Source, appearance: Appearance | null): void {
     const before = this.look?.appearance;
+    if (!before && !appearance) return;
     this.look = appearance && { source, appearance };
     this.mesh.setAppearance(appearance);
     this.layout.setAppearance(this.lookOf(this.shownSource));
@@ -122,7 +123,7 @@ export class Views {
   showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
-    if (isNew) this.layout.setAppearance(this.lookOf(outcome.source));
+    if (isNew && this.look) this.layout.setAppearance(this.lookOf(outcome.source));
     const isDisk = outcome.mode === 'flatten';
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;

@@ -13,13 +13,16 @@ import {
   meshPicture,
   positionsOf,
 } from '../drawing/picture';
-import type { LookMesh, LookSource } from '../files/appearance';
+import type { LookSource } from '../files/appearance';
 import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
+import { hasLook } from '../files/has-look';
 import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
+import type { LookMesh } from '../files/stored-look';
 import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import { joined } from '../mesh/weld';
+import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import { makeSurface, type SurfaceArrays } from '../surface/make-surface';
@@ -66,8 +69,8 @@ const tasks = {
     input: Parameters<typeof positionsOf>[1],
   ): Promise<Blob> => newGlb(name, layout, positionsOf(layout, input)),
 
-  /** Loaded once it is needed: most meshes are opened without materials. */
-  appearance: async (source: LookSource, mesh: LookMesh) => {
+  appearance: async (source: LookSource, mesh: LookMesh): Promise<AppearanceRead> => {
+    if (!(await hasLook(source.file, source.gltf))) return { appearance: null, remarks: [] };
     const { readAppearance } = await import('../files/appearance');
     const read = await readAppearance(source, mesh);
     const { corners, images = [] } = read.appearance ?? {};
