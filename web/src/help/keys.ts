@@ -30,6 +30,7 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['1', '3', '7'], does: 'Look from the front, the right, the top' },
       { keys: ['9'], does: 'Look from the other side' },
       { keys: ['Home', '0'], does: 'Show the whole mesh' },
+      { keys: ['Z'], does: 'From charts to the shading before, and back' },
     ],
   },
   {
@@ -43,6 +44,7 @@ export const CONTROLS: ControlGroup[] = [
       },
       { keys: ['+', '=', '-'], gestures: 'wheel, pinch', does: 'Zoom' },
       { keys: ['Home', '0'], gestures: 'double-click', does: 'Show the whole layout' },
+      { keys: ['Z'], does: 'From charts to the shading before, and back' },
     ],
   },
   {
