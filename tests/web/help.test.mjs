@@ -165,6 +165,13 @@ test('Charts: each key does what the sheet says', async (t) => {
     assert.ok(await isSelected());
     await press('Escape');
   };
+  const gesture = (key) => async () => {
+    await press('a');
+    await press(key);
+    assert.match(await textOf(page, '#selection-text'), /^(Move|Turn|Scale) /);
+    await press('Escape');
+    assert.ok(await isSelected());
+  };
   const effects = {
     A: async () => {
       await press('a');
@@ -187,6 +194,9 @@ test('Charts: each key does what the sheet says', async (t) => {
       await press('/');
       assert.ok(!(await isHidden()));
     },
+    G: gesture('g'),
+    R: gesture('r'),
+    S: gesture('s'),
     Escape: async () => {
       await press('Escape');
       assert.ok(!(await isSelected()));
@@ -207,6 +217,55 @@ test('Charts: each key does what the sheet says', async (t) => {
   await page.focus('#layout-canvas');
   await press('+');
   assert.deepEqual(keysOf('Charts').sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
+test('Moving charts: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, open: BALL });
+  const text = () => textOf(page, '#selection-text');
+  const press = (key) => page.keyboard.press(key);
+  await page.focus('#layout-canvas');
+  await press('a');
+  const [first] = await Promise.all([text(), press('g')]);
+  const changes = (key) => async () => {
+    const before = await text();
+    await press(key);
+    assert.notEqual(await text(), before, key);
+  };
+  const again = async (key) => {
+    await press('g');
+    await press('2');
+    await press(key);
+    await settled(page);
+    assert.match(await textOf(page, '#run-text'), /^Moved /);
+  };
+  const effects = {
+    ArrowLeft: changes('ArrowLeft'),
+    ArrowRight: changes('ArrowRight'),
+    ArrowUp: changes('ArrowUp'),
+    ArrowDown: changes('ArrowDown'),
+    X: changes('x'),
+    Y: changes('y'),
+    Backspace: async () => {
+      await press('5');
+      await changes('Backspace')();
+    },
+    Ctrl: async () => {
+      const { x, y } = await page.locator('#layout-canvas').boundingBox();
+      await page.mouse.move(x + 31, y + 77);
+      await page.keyboard.down('Control');
+      const snapped = await text();
+      await page.keyboard.up('Control');
+      assert.notEqual(await text(), snapped);
+    },
+    Escape: async () => {
+      await press('Escape');
+      assert.equal(await text(), first);
+    },
+    Enter: () => again('Enter'),
+    Space: () => again('Space'),
+  };
+  assert.deepEqual([...new Set(keysOf('Moving charts'))].sort(), Object.keys(effects).sort());
   for (const effect of Object.values(effects)) await effect();
 });
 
@@ -369,7 +428,8 @@ test('no key is missing from the sheet', async (t) => {
   const check = async (places) => {
     const taken = await takenKeys(page, Object.keys(places));
     for (const [i, [selector, titles]] of Object.entries(places).entries()) {
-      const listed = new Set([...everywhere, ...titles.flatMap(keysOf)]);
+      const numbers = titles.includes('Moving charts') ? '0123456789.-' : '';
+      const listed = new Set([...everywhere, ...titles.flatMap(keysOf), ...numbers]);
       assert.ok(taken[i].length > 0, `${selector} takes keys`);
       assert.deepEqual(
         taken[i].filter((key) => !isListed(key, listed)),
@@ -381,7 +441,7 @@ test('no key is missing from the sheet', async (t) => {
   await check({
     body: [],
     '#mesh-canvas': ['Mesh view', 'Charts'],
-    '#layout-canvas': ['Layout view', 'Charts'],
+    '#layout-canvas': ['Layout view', 'Charts', 'Moving charts'],
     '#stretch': [],
     '#padding': [],
     '#open': [],

@@ -45,6 +45,7 @@ import {
   settingsText,
   WORDS,
 } from './session/words';
+import { ShownLook } from './shown-look';
 import { ownerOf, StaleMark } from './stale-mark';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
@@ -104,6 +105,7 @@ export class App implements SessionEvents {
     tabs: (sources) => this.tabs.add(sources),
     oneAtlas: (sources) => this.opening.join(sources),
   });
+  private readonly look = new ShownLook(this.workshop, this.notice);
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly exporter: Exporter;
   private readonly exportControl = new ExportControl({
@@ -170,8 +172,12 @@ export class App implements SessionEvents {
     this.placement =
       views &&
       new Placement(this.workshop, views, {
+        placing: () => document.body.setAttribute('aria-busy', 'true'),
         placed: (layout, what) => this.wishes.place(layout, what),
-        failed: ({ message }) => showAlert(`The charts were not moved: ${message}`),
+        notPlaced: (error) => {
+          if (error) showAlert(`The charts were not moved: ${error.message}`);
+          if (!this.session.isBusy) this.finish('Nothing was moved', false);
+        },
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     this.opening = new Opening({
@@ -284,7 +290,8 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened({ source, mesh, summary, drawing, gltf }: Opened): void {
+  opened(opened: Opened): void {
+    const { source, mesh, summary, drawing, gltf } = opened;
     hideAlert();
     this.wishes.open({ mesh, summary, name: source.name });
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
@@ -298,6 +305,7 @@ export class App implements SessionEvents {
       this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
       this.welcome.done();
     } else this.notice.hide();
+    if (this.views) void this.look.open(opened, this.views);
     this.views?.showMesh(drawing);
     this.sweep.clear();
     this.sweep.use(this.wishes.disk);

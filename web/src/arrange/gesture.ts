@@ -93,7 +93,7 @@ export function withKey(gesture: Gesture, key: string, isLarge: boolean): Gestur
   const { axis, typed, nudge } = gesture;
   if (/^[0-9.-]$/.test(key)) return { ...gesture, typed: typed + key };
   if (key === 'Backspace') return { ...gesture, typed: typed.slice(0, -1) };
-  const along = { x: 0, u: 0, y: 1, v: 1 }[key.toLowerCase()];
+  const along = { x: 0, y: 1 }[key.toLowerCase()];
   if (along !== undefined && gesture.kind === 'move')
     return { ...gesture, axis: axis === along ? null : (along as 0 | 1) };
   const arrows: Record<string, Point> = {

@@ -23,11 +23,22 @@ export class Notice {
     this.hide();
     if (sentences.length === 0) return;
     const text = create('p', '', sentences.join(' '));
+    this.box.replaceChildren(text, ...this.choices(together), this.closing());
+  }
+
+  /** Adds what was found out later. */
+  add(sentence: string): void {
+    const text = this.box.querySelector('p');
+    if (text) text.textContent += ` ${sentence}`;
+    else this.box.replaceChildren(create('p', '', sentence), this.closing());
+  }
+
+  private closing(): HTMLElement {
     const close = create('button', 'alert-close', '×');
     close.type = 'button';
     close.ariaLabel = 'Close this notice';
     close.addEventListener('click', () => this.hide());
-    this.box.replaceChildren(text, ...this.choices(together), close);
+    return close;
   }
 
   hide(): void {

@@ -35,7 +35,8 @@ export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDraw
   };
 }
 
-export function drawMarks({ heat, mesh, charts, chartColors }: FlatPicture): TriangleMarks {
+export function drawMarks(picture: FlatPicture): TriangleMarks {
+  const { heat, mesh, charts, chartColors, source } = picture;
   const none = new Float32Array(mesh.indices.length / 3);
   const colors =
     charts && chartColors && Float32Array.from(charts, (chart) => chartColors[chart] ?? 0);
@@ -43,6 +44,7 @@ export function drawMarks({ heat, mesh, charts, chartColors }: FlatPicture): Tri
     heat: heatOfCorners(heat.places),
     chart: toCorners(colors ?? none),
     piece: toCorners(charts ?? none),
+    ...(source && { source }),
   };
 }
 

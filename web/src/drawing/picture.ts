@@ -1,6 +1,7 @@
 import type { ChartReport } from 'abflat';
 import { chartColors } from '../colors/chart-colors';
 import { boundaryEdges, type DisplayMesh, type FlatMesh, vertexNormals } from '../mesh/mesh';
+import { meshCorners } from '../mesh/source-corners';
 import { weld } from '../mesh/weld';
 import type { LayoutArrays, Unwrapped } from '../model/model';
 import { type Heat, heatOf } from './heat';
@@ -28,6 +29,8 @@ export interface FlatPicture extends Picture {
   charts?: Uint32Array;
   /** Unit squares that the atlas fills. */
   tiles?: number;
+  /** See `TriangleMarks`. */
+  source?: Float32Array;
 }
 
 /** Vertices at the same point count as one, so the boundary is that of the surface. */
@@ -69,6 +72,7 @@ export function atlasPicture(
     resisting: none,
     charts: chartOfTriangle,
     tiles,
+    source: meshCorners(input, atlas),
     chartColors: colors ?? chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
   };
 }
@@ -114,7 +118,8 @@ export function flatPicture(
   // Each boundary vertex begins one boundary edge.
   const tightened = edges.filter((v, i) => i % 2 === 0 && bounded.has(vertexMap[v]));
   const resisting = edgesOf(layout, chart?.delaunay?.resisting ?? []);
-  return { mesh, edges, heat: heatOf(mesh), tightened, resisting };
+  const source = meshCorners(input, layout);
+  return { mesh, edges, heat: heatOf(mesh), tightened, resisting, source };
 }
 
 /**

@@ -30,6 +30,7 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['1', '3', '7'], does: 'Look from the front, the right, the top' },
       { keys: ['9'], does: 'Look from the other side' },
       { keys: ['Home', '0'], does: 'Show the whole mesh' },
+      { keys: ['Z'], does: 'From charts to the shading before, and back' },
     ],
   },
   {
@@ -43,6 +44,7 @@ export const CONTROLS: ControlGroup[] = [
       },
       { keys: ['+', '=', '-'], gestures: 'wheel, pinch', does: 'Zoom' },
       { keys: ['Home', '0'], gestures: 'double-click', does: 'Show the whole layout' },
+      { keys: ['Z'], does: 'From charts to the shading before, and back' },
     ],
   },
   {
@@ -90,6 +92,21 @@ export const CONTROLS: ControlGroup[] = [
         does: 'Move, turn, scale them in the layout',
       },
       { keys: ['Escape'], does: 'Select nothing' },
+    ],
+  },
+  {
+    title: 'Moving charts',
+    where: 'After G, R or S in the layout view, or while a chart is dragged.',
+    controls: [
+      { keys: ['X', 'Y'], does: 'Move along one axis; again frees it' },
+      { keys: ['Ctrl'], does: 'Keep to whole texels, 5°, tenths' },
+      {
+        keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+        does: 'By a texel, 1°, 1 %; with Shift by ten',
+      },
+      { keys: ['Backspace'], gestures: 'a number', does: 'In UV, degrees or as a factor' },
+      { keys: ['Enter', 'Space'], gestures: 'click', does: 'Place them' },
+      { keys: ['Escape'], gestures: 'right click', does: 'Put them back' },
     ],
   },
   {

@@ -12,6 +12,8 @@ export interface TriangleMarks {
   chart: Float32Array;
   /** Number of the chart itself. */
   piece: Float32Array;
+  /** Number, from 1, of the same corner of the mesh as it was opened; absent if all are the same. */
+  source?: Float32Array;
 }
 
 /** How a mesh first appears. */

@@ -3,12 +3,14 @@ import { CHART_COLORS } from '../colors/chart-colors';
 import type { Palette } from '../colors/palette';
 import { FLAGS_GLSL, MOTION_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
+import { LOOK_GLSL, LOOK_VERTEX_GLSL, lookUniforms } from './look-shader';
 import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
 import { NONE_LIT } from './surface-material';
 import { GRID_GLSL } from './uv-grid';
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
+  ${LOOK_VERTEX_GLSL}
   attribute vec3 heat;
   ${FLAGS_GLSL}
   ${MOTION_GLSL}
@@ -23,6 +25,7 @@ const VERTEX = /* glsl */ `
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
+    readLook();
     gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 0.0, 1.0);
   }
 `;
@@ -34,7 +37,8 @@ const FRAGMENT = /* glsl */ `
   ${CHART_GLSL}
   ${GRID_GLSL}
   ${FLAGS_GLSL}
-  uniform bool showsHeat, showsCharts, showsGrid;
+  ${LOOK_GLSL}
+  uniform bool showsHeat, showsCharts, showsGrid, showsMaterials;
   uniform vec2 uvMiddle;
   uniform float uvUnit;
   uniform float pixelRatio, lit;
@@ -45,6 +49,7 @@ const FRAGMENT = /* glsl */ `
   flat varying float vChart, vPiece;
   void main() {
     vec3 flag = flagsOf(vPiece);
+    vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
     if (flag.r > 0.5) discard;
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
@@ -52,11 +57,18 @@ const FRAGMENT = /* glsl */ `
     if (showsGrid) base = gridColor(uvMiddle + uvUnit * vPlace);
     bool isPainted = showsHeat || showsCharts || showsGrid;
     float alpha = isPainted ? 0.9 : 0.75;
+    if (showsMaterials) {
+      bool isUnlit;
+      vec4 look = lookColor(dx, dy, isUnlit);
+      base = look.rgb;
+      alpha = look.a;
+    }
     if (!gl_FrontFacing) base = flipped;
     base = mix(base, vec3(1.0), 0.25 * flag.g);
     bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));
     if (isDim) alpha = 0.25;
     float line = edgeCoverage(vCorner, pixelRatio) * (isPainted ? 0.45 : 0.85);
+    if (showsMaterials) line = 0.0; // only the outlines of charts lie above the picture
     gl_FragColor = vec4(mix(base, lines, line), mix(alpha, min(1.0, 2.0 * alpha), line));
     #include <colorspace_fragment>
   }
@@ -64,7 +76,8 @@ const FRAGMENT = /* glsl */ `
 
 /**
  * Material of the uv layout. Its geometry has no index and has the attributes heat (a place on
- * the ramp for each measure), chart (number of its colour) and piece (number of the chart itself).
+ * the ramp for each measure), chart (number of its colour), piece (number of the chart itself) and
+ * source (see look-shader.ts).
  */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -78,6 +91,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       showsHeat: { value: false },
       showsGrid: { value: false },
       showsCharts: { value: false },
+      showsMaterials: { value: false },
       pixelRatio: { value: 1 },
       lit: { value: NONE_LIT },
       fill: { value: new Color() },
@@ -89,6 +103,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       uvUnit: { value: 1 },
       flags: { value: null },
       motion: { value: new Vector4(1, 0, 0, 0) },
+      ...lookUniforms(),
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

@@ -1,6 +1,7 @@
 import { OrthographicCamera, Scene } from 'three';
 import { inPlane, type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
+import type { Appearance } from '../model/appearance';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
 import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates } from './chart-flags';
@@ -8,6 +9,7 @@ import { ChartPicker } from './chart-picker';
 import { EdgeLines } from './edge-lines';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
+import { LookTextures } from './look-textures';
 import { PanZoom } from './pan-zoom';
 import { DOT, PointMarks, RING } from './point-marks';
 import { isMeasure, type Shading } from './shading';
@@ -36,6 +38,8 @@ export class LayoutView {
   private readonly surface: SlicedSurface;
   private readonly picker: ChartPicker;
   private readonly flags: ChartFlags;
+  private readonly textures: LookTextures;
+  private shading: Shading = 'plain';
   private readonly edges = new ChartEdges(OUTLINE, false);
   private readonly frame = new EdgeLines(1.5, false);
   private readonly resisting = new EdgeLines(2.5, false);
@@ -78,6 +82,7 @@ export class LayoutView {
     );
     this.picker = new ChartPicker(this.stage.renderer, false);
     this.flags = new ChartFlags([this.material, this.picker.material]);
+    this.textures = new LookTextures(this.stage.renderer, this.material);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
     this.scene.add(
       this.frame.object,
@@ -121,8 +126,10 @@ export class LayoutView {
   }
 
   private colorBoundary(): void {
-    if (this.palette)
-      this.edges.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+    if (!this.palette) return;
+    // What is dark on charts is not seen on every picture.
+    const isDark = this.isAtlas && !this.material.uniforms.showsMaterials.value;
+    this.edges.boundary.setColor(isDark ? this.palette.seam : this.palette.boundary);
   }
 
   setPalette(palette: Palette): void {
@@ -138,8 +145,17 @@ export class LayoutView {
     this.stage.invalidate();
   }
 
+  /** How the laid out mesh looks in its file; null if that is not known. */
+  setAppearance(appearance: Appearance | null): void {
+    this.textures.show(appearance);
+    this.setShading(this.shading);
+  }
+
   setShading(shading: Shading): void {
     const { uniforms } = this.material;
+    this.shading = shading;
+    uniforms.showsMaterials.value = shading === 'materials' && !this.textures.isEmpty;
+    this.colorBoundary();
     uniforms.showsHeat.value = isMeasure(shading);
     uniforms.showsGrid.value = shading === 'grid';
     if (isMeasure(shading)) showMeasure(this.material, shading);

@@ -3,12 +3,14 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Palette } from '../colors/palette';
 import { type Direction, frontOf } from '../drawing/front';
 import { facingOf } from '../mesh/mesh';
+import type { Appearance } from '../model/appearance';
 import { type Drawing, type FirstView, type FlatDrawing, FRAME } from '../model/drawing';
 import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates } from './chart-flags';
 import { ChartPicker } from './chart-picker';
 import { fitInView } from './fit-in-view';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
+import { LookTextures } from './look-textures';
 import { DOT, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seam-overlay';
 import { isMeasure, type Shading } from './shading';
@@ -45,6 +47,7 @@ export class MeshView {
   private readonly surface: SlicedSurface;
   private readonly picker: ChartPicker;
   private readonly flags: ChartFlags;
+  private readonly textures: LookTextures;
   private readonly edges = new ChartEdges(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
   private readonly seams = new SeamOverlay();
@@ -78,6 +81,7 @@ export class MeshView {
     );
     this.picker = new ChartPicker(this.stage.renderer, true);
     this.flags = new ChartFlags([this.material, this.picker.material]);
+    this.textures = new LookTextures(this.stage.renderer, this.material);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
     this.scene.add(this.surface.object, ...this.edges.objects, this.dots.object, this.seams.object);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -105,7 +109,6 @@ export class MeshView {
       this.edges.show(mesh.edges, flat?.edgeCharts ?? new Uint32Array());
       this.dots.show(mesh.dots);
       this.isAtlas = Boolean(flat?.chartColors);
-      this.colorBoundary();
       this.flatPaint = this.isAtlas ? SurfacePaint.Charts : SurfacePaint.Checker;
       this.isFlat = flat !== null;
       if (mesh.cells) {
@@ -141,15 +144,16 @@ export class MeshView {
   }
 
   private colorBoundary(): void {
-    if (this.palette)
-      this.edges.boundary.setColor(this.isAtlas ? this.palette.seam : this.palette.boundary);
+    if (!this.palette) return;
+    // What is dark on charts is not seen on every picture.
+    const isDark = this.isAtlas && this.material.uniforms.paint.value !== SurfacePaint.Materials;
+    this.edges.boundary.setColor(isDark ? this.palette.seam : this.palette.boundary);
   }
 
   setPalette(palette: Palette): void {
     this.stage.renderer.setClearColor(palette.background);
     paintSurface(this.material, palette);
     this.palette = palette;
-    this.colorBoundary();
     this.edges.setOutlineColor(palette.boundary);
     this.dots.setColor(palette.tightened);
     this.seams.setPalette(palette);
@@ -166,6 +170,12 @@ export class MeshView {
     this.shading = shading;
     if (isMeasure(shading)) showMeasure(this.material, shading);
     if (shading === 'grid') this.material.uniforms.grid.value ??= gridTexture();
+    this.paint();
+  }
+
+  /** How the mesh looks in its file; null if that is not known. */
+  setAppearance(appearance: Appearance | null): void {
+    this.textures.show(appearance);
     this.paint();
   }
 
@@ -249,12 +259,20 @@ export class MeshView {
 
   private get paintOfLayout(): SurfacePaint {
     if (isMeasure(this.shading)) return SurfacePaint.Heat;
-    return this.shading === 'grid' ? SurfacePaint.Grid : this.flatPaint;
+    if (this.shading === 'grid') return SurfacePaint.Grid;
+    return this.paintOfMesh || this.flatPaint;
+  }
+
+  private get paintOfMesh(): SurfacePaint {
+    return this.shading === 'materials' && !this.textures.isEmpty
+      ? SurfacePaint.Materials
+      : SurfacePaint.Clay;
   }
 
   private setUniforms(): void {
-    this.material.uniforms.paint.value = this.isFlat ? this.paintOfLayout : SurfacePaint.Clay;
+    this.material.uniforms.paint.value = this.isFlat ? this.paintOfLayout : this.paintOfMesh;
     this.material.uniforms.wire.value = this.showsWireframe ? this.wireOpacity : 0;
+    this.colorBoundary();
   }
 
   private resized(): void {

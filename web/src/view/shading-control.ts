@@ -10,13 +10,41 @@ export class ShadingControl {
   private readonly list = element('shading', HTMLSelectElement);
   private readonly legend: HeatLegend;
   private spreads: FlatDrawing['spreads'] | null = null;
+  private readonly materials = new Option('Materials', 'materials');
+  /** Whether a mesh with materials appears with them. */
+  private wantsMaterials = true;
+  /** Was shown before charts. */
+  private other: Shading = 'grid';
 
   constructor(
     private readonly changed: (shading: Shading) => void,
     choose: (chosen: Chosen | null) => void,
   ) {
     this.legend = new HeatLegend(choose);
-    this.list.addEventListener('change', () => this.update());
+    this.list.addEventListener('change', () => {
+      if (this.hasMaterials) this.wantsMaterials = this.shading === 'materials';
+      this.update();
+    });
+  }
+
+  private get hasMaterials(): boolean {
+    return this.materials.parentNode !== null;
+  }
+
+  /** Lists the materials of the mesh if it has any; `shows`: whether it appears with them. */
+  offerMaterials(hasAny: boolean, shows: boolean): void {
+    if (!hasAny && this.shading === 'materials') this.list.value = 'plain';
+    if (hasAny) this.list.options[0].after(this.materials);
+    else this.materials.remove();
+    this.other = hasAny ? 'materials' : 'grid';
+    if (shows && this.wantsMaterials && this.shading === 'plain') this.list.value = 'materials';
+    this.update();
+  }
+
+  /** From charts to the last other shading, and back. */
+  toggle(): void {
+    this.list.value = this.shading === 'plain' ? this.other : 'plain';
+    this.list.dispatchEvent(new Event('change'));
   }
 
   get shading(): Shading {
@@ -36,6 +64,7 @@ export class ShadingControl {
   }
 
   private update(): void {
+    if (this.shading !== 'plain') this.other = this.shading;
     this.changed(this.shading);
     this.showLegend();
   }

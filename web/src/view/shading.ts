@@ -1,7 +1,10 @@
 import { MEASURES, type Measure } from '../model/measures';
 
-/** What both views are painted with: charts or a checkerboard, the numbered grid, or a heat map. */
-export type Shading = 'plain' | 'grid' | Measure;
+/**
+ * What both views are painted with: charts or a checkerboard, the materials of the file, the
+ * numbered grid, or a heat map.
+ */
+export type Shading = 'plain' | 'materials' | 'grid' | Measure;
 
 export const isMeasure = (shading: Shading): shading is Measure =>
   (MEASURES as readonly string[]).includes(shading);

@@ -13,7 +13,7 @@ const SLICE = 1 << 17;
 /** Milliseconds per frame for uploads: more would block the page. */
 const UPLOADING = 8;
 
-const SIZES = { position: 3, normal: 3, uv: 2, heat: 3, chart: 1, piece: 1 };
+const SIZES = { position: 3, normal: 3, uv: 2, heat: 3, chart: 1, piece: 1, source: 1 };
 
 /** The arrays per corner of the triangles. */
 export type SurfaceArrays = { position: Float32Array } & Partial<

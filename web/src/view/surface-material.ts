@@ -3,11 +3,19 @@ import { CHART_COLORS } from '../colors/chart-colors';
 import type { Palette } from '../colors/palette';
 import { FLAGS_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
+import { LOOK_GLSL, LOOK_VERTEX_GLSL, lookUniforms } from './look-shader';
 import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
 import { GRID_GLSL } from './uv-grid';
 
 /** What the surface is painted with. */
-export const SurfacePaint = { Clay: 0, Checker: 1, Heat: 2, Charts: 3, Grid: 4 } as const;
+export const SurfacePaint = {
+  Clay: 0,
+  Checker: 1,
+  Heat: 2,
+  Charts: 3,
+  Grid: 4,
+  Materials: 5,
+} as const;
 export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
 
 /** In place of the number of the highlighted chart. */
@@ -15,6 +23,7 @@ export const NONE_LIT = -1;
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
+  ${LOOK_VERTEX_GLSL}
   attribute vec3 heat;
   attribute float chart, piece;
   varying vec3 vNormal;
@@ -32,6 +41,7 @@ const VERTEX = /* glsl */ `
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
+    readLook();
     gl_Position = projectionMatrix * view;
   }
 `;
@@ -44,6 +54,7 @@ const FRAGMENT = /* glsl */ `
   ${CHART_GLSL}
   ${GRID_GLSL}
   ${FLAGS_GLSL}
+  ${LOOK_GLSL}
   uniform int paint;
   uniform vec2 uvOrigin;
   uniform float uvCell;
@@ -71,21 +82,28 @@ const FRAGMENT = /* glsl */ `
 
   void main() {
     vec3 flag = flagsOf(vPiece);
+    vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
     if (flag.r > 0.5) discard;
     vec3 base = clay;
+    bool isUnlit = false;
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
     if (paint == 2) base = heatColor(vHeat);
     if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
     if (paint == 4) base = gridColor(uvOrigin + uvCell * vUv);
+    if (paint == 5) {
+      vec4 look = lookColor(dx, dy, isUnlit);
+      if (isLeftOut(look.a)) discard;
+      base = look.rgb;
+    }
     bool isDim = (lit >= 0.0 && vPiece != lit) || (paint == 2 && !isChosen(vHeat));
     if (isDim) base = mix(base, background, 0.75);
     base = mix(base, vec3(1.0), 0.25 * flag.g);
     vec3 n = normalize(vNormal);
     if (!gl_FrontFacing) {
       n = -n;
-      base = mix(base, back, 0.6);
+      if (paint != 5) base = mix(base, back, 0.6);
     }
-    vec3 color = shade(base, n, normalize(vView));
+    vec3 color = isUnlit ? base : shade(base, n, normalize(vView));
     if (wire > 0.0) color = mix(color, wireColor, wire * edgeCoverage(vCorner, pixelRatio));
     gl_FragColor = vec4(color, 1.0);
     #include <colorspace_fragment>
@@ -94,8 +112,8 @@ const FRAGMENT = /* glsl */ `
 
 /**
  * Material of the mesh in 3D. Its geometry has no index and has the attributes normal, uv (in
- * cells), heat (a place on the ramp for each measure), chart (number of its colour) and piece
- * (number of the chart itself).
+ * cells), heat (a place on the ramp for each measure), chart (number of its colour), piece (number
+ * of the chart itself) and source (see look-shader.ts).
  */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -122,6 +140,7 @@ export function createSurfaceMaterial(): ShaderMaterial {
       uvOrigin: { value: new Vector2() },
       uvCell: { value: 1 },
       flags: { value: null },
+      ...lookUniforms(),
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

@@ -1,6 +1,7 @@
 import type { Motion, Point } from '../arrange/motion';
 import { bindToggle, element } from '../base/dom';
 import { readPalette } from '../colors/palette';
+import type { Appearance } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
 import type { Outcome, Source } from '../model/model';
@@ -19,6 +20,8 @@ export class Views {
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
   private isDisk = true;
+  /** Of the mesh that was opened last; null if it is not known. */
+  private look: { source: Source; appearance: Appearance } | null = null;
   private readonly shading: ShadingControl;
 
   /** Throws NoWebGl if the browser offers no WebGL 2. */
@@ -35,11 +38,20 @@ export class Views {
         for (const view of both) view.choose(chosen);
       },
     );
+    for (const { canvas } of both) this.bindKey(canvas);
     bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
     const turnRound = () => this.mesh.turnRound();
     element('other-side', HTMLButtonElement).addEventListener('click', turnRound);
     element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
     element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
+  }
+
+  private bindKey(canvas: HTMLCanvasElement): void {
+    canvas.addEventListener('keydown', (event) => {
+      if (event.key.toUpperCase() !== 'Z' || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      this.shading.toggle();
+    });
   }
 
   /** Resolves when both can be drawn. */
@@ -56,6 +68,21 @@ export class Views {
   /** Shows a mesh that is not flattened (yet); the layout of the previous mesh stays. */
   showMesh(drawing: Drawing): void {
     this.mesh.show(drawing);
+  }
+
+  /** How a mesh looks in its file; null while that is not known. Images of the last one are freed. */
+  showAppearance(source: Source, appearance: Appearance | null): void {
+    const before = this.look?.appearance;
+    if (!before && !appearance) return;
+    this.look = appearance && { source, appearance };
+    this.mesh.setAppearance(appearance);
+    this.layout.setAppearance(this.lookOf(this.shownSource));
+    this.shading.offerMaterials(appearance !== null, appearance?.isVaried ?? false);
+    for (const image of before?.images ?? []) image.close();
+  }
+
+  private lookOf(source: Source | null): Appearance | null {
+    return this.look?.source === source ? this.look.appearance : null;
   }
 
   /** Highlights one chart; null: none. */
@@ -137,6 +164,7 @@ export class Views {
   showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
+    if (isNew && this.look) this.layout.setAppearance(this.lookOf(outcome.source));
     const isDisk = outcome.mode === 'flatten';
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;

@@ -19,13 +19,17 @@ import {
   meshPicture,
   positionsOf,
 } from '../drawing/picture';
+import type { LookSource } from '../files/appearance';
 import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
+import { hasLook } from '../files/has-look';
 import { joinedObj, type NamedMesh } from '../files/joined-obj';
 import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
+import type { LookMesh } from '../files/stored-look';
 import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import { joined } from '../mesh/weld';
+import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import { makeSurface, type SurfaceArrays } from '../surface/make-surface';
@@ -83,6 +87,14 @@ const tasks = {
     layout: LayoutArrays,
     input: Parameters<typeof positionsOf>[1],
   ): Promise<Blob> => newGlb(name, layout, positionsOf(layout, input)),
+
+  appearance: async (source: LookSource, mesh: LookMesh): Promise<AppearanceRead> => {
+    if (!(await hasLook(source.file, source.gltf))) return { appearance: null, remarks: [] };
+    const { readAppearance } = await import('../files/appearance');
+    const read = await readAppearance(source, mesh);
+    const { corners, images = [] } = read.appearance ?? {};
+    return transfer(read, [...buffersOf(corners), ...images]);
+  },
 
   joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
 

@@ -6,12 +6,14 @@ import { NO_WORKER, NOT_LOADED, notLoaded, stopped } from '../base/lost';
 import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
+import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type {
   FileSource,
   GltfFile,
   Helpers,
   LayoutArrays,
+  Opened,
   Outcome,
   Unwrapped,
 } from '../model/model';
@@ -142,6 +144,20 @@ export class Workshop implements Helpers {
     );
   }
 
+  /** How a file looks, besides its shape; images take up to `memory` bytes. */
+  async appearance(
+    { file, others }: FileSource,
+    { mesh, gltf }: Pick<Opened, 'mesh' | 'gltf'>,
+    memory: number,
+  ): Promise<AppearanceRead> {
+    const source = { file, others, gltf: gltf?.files, memory };
+    // A glTF is read again as a whole.
+    const own = gltf
+      ? { indices: new Uint32Array() }
+      : { indices: mesh.indices, faces: mesh.faces };
+    return this.send([own], (tasks, mesh) => tasks.appearance(source, mesh));
+  }
+
   /** The mesh with vertices at the same point joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
     return this.send([mesh], (tasks, own) => tasks.joined(own));
@@ -218,4 +234,8 @@ const chartArraysOf = ({ uv, indices, chartOfTriangle }: ChartArrays): ChartArra
   chartOfTriangle,
 });
 
-const trianglesOf = ({ positions, indices }: DisplayMesh): DisplayMesh => ({ positions, indices });
+const trianglesOf = ({ positions, indices, faces }: DisplayMesh): DisplayMesh => ({
+  positions,
+  indices,
+  faces,
+});

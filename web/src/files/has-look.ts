@@ -1,0 +1,24 @@
+import type { GltfFiles } from '../model/model';
+
+/** What colours a glTF. */
+const GLTF_COLOR = /"(COLOR_0|(baseColor|diffuse)(Texture|Factor))"/;
+/** Names of colours in the header of a PLY. */
+const PLY_COLOR = /^property\s+\w+\s+(red|diffuse_red|r)\s*$/m;
+/** "v x y z r g b" */
+const COLORED_VERTEX = /^v(?:[ \t]+[-+.\deE]+){6}[ \t]*(?:#|\r?$)/m;
+
+/** Whether a file may have more than a shape: only then, what reads it is loaded. */
+export async function hasLook(file: File, gltf: GltfFiles | undefined): Promise<boolean> {
+  if (gltf) return GLTF_COLOR.test(await jsonOf(gltf.file));
+  if (/\.ply$/i.test(file.name)) return PLY_COLOR.test(await file.slice(0, 1 << 16).text());
+  if (!/\.obj$/i.test(file.name)) return false;
+  const text = await file.text();
+  return text.includes('usemtl') || COLORED_VERTEX.test(text);
+}
+
+/** Of a GLB, its first chunk. */
+async function jsonOf(file: File): Promise<string> {
+  const head = new DataView(await file.slice(0, 20).arrayBuffer());
+  const isBinary = head.byteLength === 20 && head.getUint32(0, true) === 0x46546c67;
+  return (isBinary ? file.slice(20, 20 + head.getUint32(12, true)) : file).text();
+}
