@@ -94,6 +94,7 @@ test('a selected chart is dragged, what it does is checked, and it is undone', a
   await placed(page);
   assert.match(await textOf(page, '#run-text'), /^Moved chart \d+, checked in .*, not valid$/);
   assert.match(await textOf(page, '#badge'), /^Not valid$/);
+  assert.match(await textOf(page, '#marks'), /^\d charts? (is|are) not valid$/);
   assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /, 'it stays selected');
   const after = await atlas(page);
   const shift = shiftOf(before, after, 0);
@@ -102,6 +103,7 @@ test('a selected chart is dragged, what it does is checked, and it is undone', a
   await page.keyboard.press('Control+z');
   await settled(page);
   assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.ok(await page.isHidden('#marks'));
   assert.deepEqual((await atlas(page)).uv, before.uv);
   await page.mouse.move(0, 0);
   await page.evaluate(() => document.activeElement.blur());

@@ -8,7 +8,6 @@ import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
 import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
-import { TexcoordChoice } from './controls/texcoord-choice';
 import { ChartsTab } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
@@ -17,9 +16,6 @@ import { MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
 import { type Remedy, verdictOf } from './details/verdict';
-import { ExportControl } from './export/export-control';
-import { Exporter } from './export/exporter';
-import { LayoutBar } from './export/layout-bar';
 import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
@@ -30,6 +26,7 @@ import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { PageHistory } from './page-history';
 import { Placement } from './placement';
+import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
 import { Session, type SessionEvents } from './session/session';
@@ -46,6 +43,7 @@ import {
   WORDS,
 } from './session/words';
 import { ShownLook } from './shown-look';
+import { ShownMethod } from './shown-method';
 import { ownerOf, StaleMark } from './stale-mark';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
@@ -83,22 +81,18 @@ export class App implements SessionEvents {
         (abflat, input, signal) => abflat.compare(input, { signal, onProgress }),
         signal,
       ),
-    (method, comparison) => void this.showMethod(method, comparison),
+    (method, comparison) => this.showMethod(method, comparison),
   );
   private readonly run = new RunPanel(
     () =>
       this.opening.stop() ||
       this.session.cancel() ||
-      this.exporter.stop() ||
+      this.saving.stop() ||
       this.sweep.stop() ||
       this.methods.stop() ||
       this.methods.leave(),
     () => this.again(),
   );
-  private readonly layoutBar = new LayoutBar(this.workshop, {
-    say: this.say,
-    failed: (outcome, error) => this.notSaved(outcome, error),
-  });
   private readonly opening: Opening;
   private readonly tabs = new MeshTabs((source) => void this.session.open(source));
   private readonly notice = new Notice({
@@ -106,20 +100,13 @@ export class App implements SessionEvents {
     oneAtlas: (sources) => this.opening.join(sources),
   });
   private readonly look = new ShownLook(this.workshop, this.notice);
-  private readonly texcoordChoice = new TexcoordChoice();
-  private readonly exporter: Exporter;
-  private readonly exportControl = new ExportControl({
-    export: () => this.export(),
-    formatChanged: () => this.showTexcoordChoice(false),
-    picture: () => this.savePicture(),
-  });
+  private readonly saving: Saving;
+  private readonly shownMethod: ShownMethod;
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
   private readonly welcome = new Welcome();
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
-  /** The method whose layout is shown. */
-  private method: MethodResult | null = null;
   /** The last result. */
   private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
@@ -151,10 +138,8 @@ export class App implements SessionEvents {
       showWorst: views ? (measure) => views.showWorst(measure) : undefined,
     });
     this.staleMark = new StaleMark(this.metrics);
-    this.exporter = new Exporter(this.session, this.workshop, {
-      say: this.say,
-      failed: ({ outcome }, error) => this.notSaved(outcome, error),
-    });
+    this.saving = new Saving(this.session, this.workshop, views, this.say);
+    this.shownMethod = new ShownMethod(this.workshop, this.metrics, views);
     this.charts = new ChartsTab(views, this.wishes.locks, {
       chosen: (chart) => this.selection?.pick(chart),
       locked: (what) => this.locked(what),
@@ -196,7 +181,7 @@ export class App implements SessionEvents {
     bindShortcuts({
       'Ctrl+O': () => element('open', HTMLButtonElement).click(),
       'Ctrl+S': () => element('export', HTMLButtonElement).click(),
-      'Ctrl+E': () => this.exportControl.openMenu(),
+      'Ctrl+E': () => this.saving.openMenu(),
       '?': () => this.help.open(),
     });
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
@@ -231,7 +216,7 @@ export class App implements SessionEvents {
   private showMode(): void {
     const { mode } = this.wishes.mode;
     this.details.setMode(mode);
-    this.layoutBar.setMode(mode);
+    this.saving.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
   }
 
@@ -295,8 +280,7 @@ export class App implements SessionEvents {
     hideAlert();
     this.wishes.open({ mesh, summary, name: source.name });
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
-    this.exporter.stop();
-    this.exportControl.open(source);
+    this.saving.open(source);
     this.selection?.open(null);
     this.placement?.show(null);
     this.shown = source;
@@ -314,7 +298,6 @@ export class App implements SessionEvents {
     this.showOpenSample();
     this.showTitle(source);
     element('mesh-info', HTMLElement).textContent = facesText(mesh, summary);
-    this.updateExport(true);
     this.markStale();
   }
 
@@ -345,7 +328,7 @@ export class App implements SessionEvents {
     this.metrics.show(outcome);
     this.copyReport.show(outcome);
     this.showDetails(outcome);
-    this.updateExport();
+    this.saving.show(outcome, drawing);
     this.markStale(outcome.settings);
   }
 
@@ -370,7 +353,7 @@ export class App implements SessionEvents {
     // Without a mesh there is nothing to do again.
     const isStale = this.markStale();
     this.finish('Cancelled', this.shown !== null && (isStale || this.outcome === null));
-    this.nameExport(isStale);
+    this.saving.name(isStale);
   }
 
   failed(source: Source, settings: Settings | null, error: Error): void {
@@ -382,7 +365,7 @@ export class App implements SessionEvents {
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
     if (isLost) this.offer(source, settings);
-    this.nameExport(isStale);
+    this.saving.name(isStale);
   }
 
   /** Offers to repeat what failed through no fault of the mesh. */
@@ -426,29 +409,14 @@ export class App implements SessionEvents {
     element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
   }
 
-  /**
-   * Shows the layout of another method in place of the result, which is still what gets exported;
-   * null: the result again.
-   */
-  private async showMethod(method: MethodResult | null, comparison: Comparison): Promise<void> {
-    this.method = method;
+  /** Shows the layout of another method; null: the result again. */
+  private showMethod(method: MethodResult | null, comparison: Comparison): void {
     const { outcome, drawing } = this;
     if (!method) {
-      element('method-note', HTMLElement).hidden = true;
-      this.metrics.markStale(null);
+      this.shownMethod.hide();
       if (outcome && drawing) this.showResult(outcome, drawing);
-      return;
-    }
-    if (!outcome) return;
-    const layout = { ...comparison, uv: method.uv };
-    const other = await this.workshop.layout(layout, outcome.mesh, null);
-    if (this.method !== method || this.outcome !== outcome) return;
-    element('method-note', HTMLElement).hidden = false;
-    this.metrics.markStale(this.owner());
-    this.views?.showFlat(other, { ...method, bounds: [], delaunay: null });
-    element('layout-info', HTMLElement).textContent = method.title;
-    element('method-note-text', HTMLElement).textContent =
-      `Comparison, not exported: ${method.title}`;
+    } else if (outcome)
+      void this.shownMethod.show(method, comparison, outcome, () => this.outcome === outcome);
   }
 
   private backToResult(): void {
@@ -474,54 +442,5 @@ export class App implements SessionEvents {
     label.textContent = source.kind === 'file' ? title : '';
     label.title = title;
     document.title = `${title} \u2013 abflat`;
-  }
-
-  /** The last result, where it is of the mesh on screen. */
-  private get current(): Outcome | null {
-    return this.outcome?.source === this.shown ? this.outcome : null;
-  }
-
-  private showTexcoordChoice(isNew: boolean): void {
-    this.texcoordChoice.show(this.exportControl.format === 'glb' ? this.current : null, isNew);
-  }
-
-  /** Only what belongs to the mesh on screen is exported. */
-  private updateExport(isNew = false): void {
-    const { current, drawing } = this;
-    const chartColors = drawing?.chartColors;
-    this.exportControl.isDisabled = current === null;
-    this.showTexcoordChoice(isNew);
-    this.nameExport(false);
-    const isAtlas = current?.mode === 'unwrap' && chartColors;
-    this.layoutBar.show(isAtlas ? { outcome: current, chartColors } : null);
-  }
-
-  /**
-   * `isStale`: the exported layout would be of earlier settings, and no run is about to replace it.
-   */
-  private nameExport(isStale: boolean): void {
-    this.exportControl.name(isStale ? this.owner() : null);
-  }
-
-  private export(): void {
-    const { outcome } = this;
-    if (!outcome) return;
-    const { format, title } = this.exportControl;
-    // The button's title says if the layout is an earlier one.
-    this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
-  }
-
-  private savePicture(): void {
-    const { views, shown, outcome } = this;
-    if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
-    else
-      loadPart(import('./export/views-picture'))
-        .then(({ savePicture }) => savePicture(views, shown.name))
-        .then(this.say, (error: Error) => this.notSaved(outcome, error));
-  }
-
-  private notSaved({ source, settings }: Outcome, { message }: Error): void {
-    const text = `${titleOf(source)} was not saved: ${message.replace(/\.$/, '')}.`;
-    showAlert(text, settingsText(settings));
   }
 }

@@ -6,6 +6,7 @@ export class ChartSelection implements ChartStates {
   private picked: ReadonlySet<number> = new Set();
   private away: ReadonlySet<number> = new Set();
   private pointed: number | null = null;
+  private bad: ReadonlySet<number> = new Set();
 
   constructor(private readonly changed: () => void) {}
 
@@ -19,6 +20,16 @@ export class ChartSelection implements ChartStates {
 
   get hovered(): number | null {
     return this.pointed;
+  }
+
+  get invalid(): ReadonlySet<number> {
+    return this.bad;
+  }
+
+  /** Charts that are not valid where they are. */
+  setInvalid(charts: ReadonlySet<number>): void {
+    this.bad = charts;
+    this.changed();
   }
 
   clear(): void {

@@ -62,12 +62,11 @@ export class SelectionPanel {
   open(report: UnwrapReport | null): void {
     const isSame = hasSameCharts(report, this.report);
     this.report = report;
-    if (isSame) {
-      this.show();
-      return;
+    if (!isSame) {
+      this.mover.cancel();
+      this.selection.clear();
     }
-    this.mover.cancel();
-    this.selection.clear();
+    this.selection.setInvalid(invalidCharts(report));
   }
 
   /** Selects one chart instead of the others. */
@@ -171,6 +170,9 @@ const together = (charts: ReadonlySet<number>, motion: Motion): Arranged => ({
   charts: Uint32Array.from(charts),
   motions: Array.from(charts, () => motion),
 });
+
+const invalidCharts = (report: UnwrapReport | null): ReadonlySet<number> =>
+  new Set(report?.charts.flatMap(({ valid }, chart) => (valid ? [] : [chart])));
 
 /** Whether two atlases have the same charts, if perhaps in other places. */
 function hasSameCharts(a: UnwrapReport | null, b: UnwrapReport | null): boolean {

@@ -8,7 +8,17 @@ export interface ChartStates {
   selected: ReadonlySet<number>;
   hidden: ReadonlySet<number>;
   hovered: number | null;
+  /** Charts that overlap, are flipped or leave the square. */
+  invalid: ReadonlySet<number>;
 }
+
+const NONE: ReadonlySet<number> = new Set();
+export const NO_STATES: ChartStates = {
+  selected: NONE,
+  hidden: NONE,
+  hovered: null,
+  invalid: NONE,
+};
 
 /** A texel for each chart: red if it is hidden, green if it is hovered, blue if it is being moved. */
 export class ChartFlags {

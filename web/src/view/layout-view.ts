@@ -4,7 +4,7 @@ import type { Palette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
 import { ChartEdges } from './chart-edges';
-import { ChartFlags, type ChartStates } from './chart-flags';
+import { ChartFlags, type ChartStates, NO_STATES } from './chart-flags';
 import { ChartPicker } from './chart-picker';
 import { EdgeLines } from './edge-lines';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
@@ -54,7 +54,7 @@ export class LayoutView {
   private readonly labels = new TileLabels();
   private moved: () => void = () => undefined;
   private mayPan: () => boolean = () => true;
-  private states: ChartStates = { selected: new Set(), hidden: new Set(), hovered: null };
+  private states: ChartStates = NO_STATES;
   private moving: ReadonlySet<number> = new Set();
   /** Whether the next layout has the charts where they were moved to. */
   private isPlaced = false;
@@ -138,7 +138,7 @@ export class LayoutView {
     this.frame.setColor(palette.frame);
     this.palette = palette;
     this.colorBoundary();
-    this.edges.setOutlineColor(palette.boundary);
+    this.edges.setColors(palette.boundary, palette.flipped);
     this.resisting.setColor(palette.flipped);
     this.dots.setColor(palette.tightened);
     this.rings.setColor(palette.flipped);

@@ -8,6 +8,8 @@ export interface Marked {
   boundaryCrossings: number;
   delaunay: DelaunayReport | null;
   angularDistortion: number | null;
+  /** Charts of an atlas that overlap, are flipped or leave their tile. */
+  invalidCharts?: number;
 }
 
 /** Explains the marks in the views, if there are any, and what the Delaunay condition costs. */
@@ -28,6 +30,9 @@ export function showMarksLegend(marked: Marked | null): void {
 function linesOf(marked: Marked): [string, string][] {
   const { bounds, boundaryCrossings, delaunay } = marked;
   const lines: [string, string][] = [];
+  const { invalidCharts = 0 } = marked;
+  if (invalidCharts > 0)
+    lines.push(['line', counted(invalidCharts, 'chart is not valid', 'charts are not valid')]);
   if (bounds.length > 0)
     lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
   if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);

@@ -154,7 +154,7 @@ export class MeshView {
     this.stage.renderer.setClearColor(palette.background);
     paintSurface(this.material, palette);
     this.palette = palette;
-    this.edges.setOutlineColor(palette.boundary);
+    this.edges.setColors(palette.boundary, palette.flipped);
     this.dots.setColor(palette.tightened);
     this.seams.setPalette(palette);
     this.wireOpacity = palette.wireOpacity;

@@ -4,7 +4,7 @@ import { readPalette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
-import type { Outcome, Source } from '../model/model';
+import type { Outcome, Source, Unwrapped } from '../model/model';
 import type { ChartStates } from './chart-flags';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
@@ -168,7 +168,7 @@ export class Views {
     const isDisk = outcome.mode === 'flatten';
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;
-    this.showFlat(drawing, isDisk ? outcome.result.report.charts[0] : null, isNew);
+    this.showFlat(drawing, isDisk ? outcome.result.report.charts[0] : markedIn(outcome), isNew);
   }
 
   /** Shows another layout of the current mesh; `marked` is null if nothing is marked. */
@@ -180,4 +180,14 @@ export class Views {
     this.shading.show(drawing);
     showMarksLegend(marked);
   }
+}
+
+/** What is marked in an atlas; nothing if it is valid. */
+function markedIn({ result: { report } }: Unwrapped): Marked | null {
+  if (report.valid) return null;
+  const invalidCharts = report.charts.filter(({ valid }) => !valid).length;
+  return {
+    ...{ bounds: [], boundaryCrossings: 0, delaunay: null, angularDistortion: null },
+    invalidCharts,
+  };
 }

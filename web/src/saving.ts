@@ -1,0 +1,121 @@
+import { showAlert } from './base/alert';
+import { loadPart } from './base/load-part';
+import { TexcoordChoice } from './controls/texcoord-choice';
+import { ExportControl } from './export/export-control';
+import { Exporter } from './export/exporter';
+import { LayoutBar } from './export/layout-bar';
+import type { FlatDrawing } from './model/drawing';
+import type { Outcome, Source } from './model/model';
+import type { Mode } from './model/settings';
+import type { Session } from './session/session';
+import { titleOf } from './session/titles';
+import { settingsText } from './session/words';
+import { ownerOf } from './stale-mark';
+import type { Views } from './view/views';
+import type { Workshop } from './workshop/workshop';
+
+/** Everything that saves a file of a result. */
+export class Saving {
+  private readonly exporter: Exporter;
+  private readonly control = new ExportControl({
+    export: () => this.export(),
+    formatChanged: () => this.showTexcoordChoice(false),
+    picture: () => this.savePicture(),
+  });
+  private readonly bar: LayoutBar;
+  private readonly texcoordChoice = new TexcoordChoice();
+  /** The last result. */
+  private outcome: Outcome | null = null;
+  /** The mesh on screen. */
+  private shown: Source | null = null;
+
+  constructor(
+    session: Session,
+    workshop: Workshop,
+    private readonly views: Views | null,
+    private readonly say: (text: string) => void,
+  ) {
+    this.exporter = new Exporter(session, workshop, {
+      say,
+      failed: ({ outcome }, error) => this.notSaved(outcome, error),
+    });
+    this.bar = new LayoutBar(workshop, {
+      say,
+      failed: (outcome, error) => this.notSaved(outcome, error),
+    });
+  }
+
+  /** Another mesh is on screen; it has no result yet. */
+  open(source: Source): void {
+    this.exporter.stop();
+    this.control.open(source);
+    this.shown = source;
+    this.update(null, true);
+  }
+
+  /** There is a result of the mesh on screen. */
+  show(outcome: Outcome, drawing: FlatDrawing): void {
+    this.outcome = outcome;
+    this.update(drawing.chartColors, false);
+  }
+
+  setMode(mode: Mode): void {
+    this.bar.setMode(mode);
+  }
+
+  openMenu(): void {
+    this.control.openMenu();
+  }
+
+  /** Returns whether there was anything to stop. */
+  stop(): boolean {
+    return this.exporter.stop();
+  }
+
+  /**
+   * `isStale`: the exported layout would be of earlier settings, and no run is about to replace it.
+   */
+  name(isStale: boolean): void {
+    this.control.name(isStale && this.outcome ? ownerOf(this.outcome) : null);
+  }
+
+  /** The last result, where it is of the mesh on screen: only that is exported. */
+  private get current(): Outcome | null {
+    return this.outcome?.source === this.shown ? this.outcome : null;
+  }
+
+  private update(chartColors: Float32Array | null, isNew: boolean): void {
+    const { current } = this;
+    this.control.isDisabled = current === null;
+    this.showTexcoordChoice(isNew);
+    this.name(false);
+    const isAtlas = current?.mode === 'unwrap' && chartColors;
+    this.bar.show(isAtlas ? { outcome: current, chartColors } : null);
+  }
+
+  private showTexcoordChoice(isNew: boolean): void {
+    this.texcoordChoice.show(this.control.format === 'glb' ? this.current : null, isNew);
+  }
+
+  private export(): void {
+    const { outcome } = this;
+    if (!outcome) return;
+    const { format, title } = this.control;
+    // The button's title says if the layout is an earlier one.
+    this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
+  }
+
+  private savePicture(): void {
+    const { views, shown, outcome } = this;
+    if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
+    else
+      loadPart(import('./export/views-picture'))
+        .then(({ savePicture }) => savePicture(views, shown.name))
+        .then(this.say, (error: Error) => this.notSaved(outcome, error));
+  }
+
+  private notSaved({ source, settings }: Outcome, { message }: Error): void {
+    const text = `${titleOf(source)} was not saved: ${message.replace(/\.$/, '')}.`;
+    showAlert(text, settingsText(settings));
+  }
+}

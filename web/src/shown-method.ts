@@ -1,0 +1,45 @@
+import type { Comparison, MethodResult } from 'abflat';
+import { element } from './base/dom';
+import type { MetricsPanel } from './details/metrics';
+import type { Outcome } from './model/model';
+import { ownerOf } from './stale-mark';
+import type { Views } from './view/views';
+import type { Workshop } from './workshop/workshop';
+
+/** The layout of another method, shown in place of the result, which is still what gets exported. */
+export class ShownMethod {
+  private readonly note = element('method-note', HTMLElement);
+  private method: MethodResult | null = null;
+
+  constructor(
+    private readonly workshop: Workshop,
+    private readonly metrics: MetricsPanel,
+    private readonly views: Views | null,
+  ) {}
+
+  /** Does nothing if something else was shown before the layout could be drawn. */
+  async show(
+    method: MethodResult,
+    comparison: Comparison,
+    outcome: Outcome,
+    isStill: () => boolean,
+  ): Promise<void> {
+    this.method = method;
+    const layout = { ...comparison, uv: method.uv };
+    const drawing = await this.workshop.layout(layout, outcome.mesh, null);
+    if (this.method !== method || !isStill()) return;
+    this.note.hidden = false;
+    this.metrics.markStale(ownerOf(outcome));
+    this.views?.showFlat(drawing, { ...method, bounds: [], delaunay: null });
+    element('layout-info', HTMLElement).textContent = method.title;
+    element('method-note-text', HTMLElement).textContent =
+      `Comparison, not exported: ${method.title}`;
+  }
+
+  /** The result is shown again. */
+  hide(): void {
+    this.method = null;
+    this.note.hidden = true;
+    this.metrics.markStale(null);
+  }
+}
