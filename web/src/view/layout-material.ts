@@ -11,6 +11,7 @@ import { GRID_GLSL } from './uv-grid';
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   ${LOOK_VERTEX_GLSL}
+  uniform bool showsMaterials;
   attribute vec3 heat;
   attribute float chart, piece;
   varying vec3 vCorner;
@@ -23,7 +24,7 @@ const VERTEX = /* glsl */ `
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
-    readLook();
+    readLook(showsMaterials);
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }
 `;
