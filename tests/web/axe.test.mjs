@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import axe from 'axe-core';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
-import { drop, dropAndWait, openPage, settled } from './page.mjs';
+import { drop, dropAndWait, openPage, openSample, settled } from './page.mjs';
 
 /** Violations by rule, with the place and the problem. */
 async function findings(page) {
@@ -62,8 +62,7 @@ test('axe finds nothing in an atlas, its options and its charts', async (t) => {
 
 test('axe finds nothing in a message and in a layout that is not valid', async (t) => {
   const page = await openWithAxe(t, 'flatten');
-  await page.selectOption('#sample', 'alpha-band');
-  await settled(page);
+  await openSample(page, 'alpha-band');
   await page.fill('#t-number', '2');
   await settled(page);
   await drop(page, 'nothing.obj', 'v 0 0 0\n');

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { choose, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import { choose, dropAndWait, metrics, openPage, openSample, settled, textOf } from './page.mjs';
 
 const picture = (page, id) => page.locator(id).screenshot();
 
@@ -55,8 +55,7 @@ test('charts are refined as well; each kind of layout has a balance of its own',
   assert.match(after.Energy, /^1\.\d+ \u2192 1\.\d+$/);
   await dropAndWait(page, 'other.obj', objText(sphere(4)));
   assert.equal(await textOf(page, '#unwrap-balance-value'), '1', 'settings outlive a mesh');
-  await page.selectOption('#sample', 'head');
-  await settled(page);
+  await openSample(page, 'head');
   await choose(page, 'flatten');
   assert.equal(await textOf(page, '#flatten-balance-value'), '0');
   await choose(page, 'unwrap');

@@ -7,7 +7,7 @@ import { loadModule as load } from './modules.mjs';
 const files = (...names) => names.map((name) => new File(['x'], name));
 
 test('a mesh is found among its files in any order; of several all are offered', async () => {
-  const { sourcesOf } = await load('session/chosen-files');
+  const { sourcesOf } = await load('opening/chosen-files');
   const names = (list) => sourcesOf(files(...list)).map(({ name }) => name);
   const parts = ['x.mtl', 'x.png', 'x.obj'];
   for (let turn = 0; turn < parts.length; turn++) {
@@ -26,7 +26,7 @@ test('a mesh is found among its files in any order; of several all are offered',
 });
 
 test('why nothing can be opened is a sentence with the name of the file', async () => {
-  const { noMesh } = await load('session/chosen-files');
+  const { noMesh } = await load('opening/chosen-files');
   assert.match(noMesh(files('cat.png')), /^cat\.png is not a mesh\. Open an OBJ, .*\.$/);
   assert.match(noMesh(files('cat.png', 'dog.png')), /^None of these 2 files is a mesh\. .*\.$/);
 });
@@ -55,7 +55,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
   // Charts that the user keeps are not judged.
-  assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { fixed: true })])), 'Valid');
+  assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { solver: 'given' })])), 'Valid');
   assert.equal(badge(atlas(1.04, 'none', [chart(Number.NaN)])), 'Valid');
   const bad = atlas(
     1.04,
@@ -104,7 +104,7 @@ test('faces are those of the file: polygons beside their triangles', async () =>
   assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');
 });
 
-test('cutting further adds automatic seams to those chosen, and can be undone', async () => {
+test('cutting further adds automatic seams to those chosen, and can be taken back', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const { seamOptions } = await load('seams/seam-choice');
   const model = new SeamModel(() => {
@@ -116,8 +116,9 @@ test('cutting further adds automatic seams to those chosen, and can be undone', 
   const edges = Uint32Array.of(1, 2);
   model.setEdges(edges);
   assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
+  const before = model.choice;
   model.cutFurther();
   assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
-  model.undo();
+  model.restore(before);
   assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
 });

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid } from '../support/small-meshes.mjs';
-import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import { dropAndWait, metrics, openPage, openSample, settled, textOf } from './page.mjs';
 
 /** Cells of a chart's hidden table, without its head. */
 const tableOf = (page, chart) =>
@@ -87,8 +87,7 @@ test('what was done beyond the plain solver is noted', { skip: withoutShared }, 
 
 test('a result that is not valid says why in full', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
-  await page.selectOption('#sample', 'alpha-band');
-  await settled(page);
+  await openSample(page, 'alpha-band');
   await page.fill('#t-number', '2');
   await settled(page);
   assert.equal(await textOf(page, '#notes-button'), '1 note');
@@ -99,8 +98,7 @@ test('a result that is not valid says why in full', async (t) => {
 
 test('distortion against t: point by point, valid and not, a point selects its t', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
-  await page.selectOption('#sample', 'alpha-band');
-  await settled(page);
+  await openSample(page, 'alpha-band');
   await openSweep(page);
   await page.click('#sweep');
   await page.waitForFunction(() => document.querySelector('#sweep-chart .chart-mark'));
@@ -131,8 +129,7 @@ test('distortion against t: point by point, valid and not, a point selects its t
   assert.equal((await metrics(page))['Angular distortion'], rows[0][1]);
   assert.equal((await tableOf(page, '#sweep-chart')).length, rows.length, 'the points stay');
 
-  await page.selectOption('#sample', 'head');
-  await settled(page);
+  await openSample(page, 'head');
   assert.deepEqual(await tableOf(page, '#sweep-chart'), [], 'they belong to their mesh');
 });
 

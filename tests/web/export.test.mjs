@@ -17,7 +17,7 @@ import {
 import { parsePly, plyToObj } from '../support/ply.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { choose, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
+import { choose, dropAndWait, exportMesh, openPage, openSample, settled, textOf } from './page.mjs';
 
 const BALL = ['ball.obj', objText(sphere(8))];
 
@@ -53,8 +53,7 @@ async function assertEveryFormat(page, base, formats = Object.keys(READERS)) {
 test('any mesh is exported in any format, in charts or in one piece', async (t) => {
   const page = await openPage(t, { open: BALL });
   await assertEveryFormat(page, 'ball');
-  await page.selectOption('#sample', 'hemisphere');
-  await settled(page);
+  await openSample(page, 'hemisphere');
   await choose(page, 'flatten');
   await assertEveryFormat(page, 'hemisphere');
 });
@@ -118,10 +117,12 @@ test('the menu works by keyboard', async (t) => {
   for (const [key, text] of [
     ['ArrowDown', 'PLY'],
     ['ArrowDown', 'GLB'],
+    ['ArrowDown', 'Picture of both views'],
     ['ArrowDown', 'OBJ'],
-    ['ArrowUp', 'GLB'],
+    ['ArrowUp', 'Picture of both views'],
     ['Home', 'OBJ'],
-    ['End', 'GLB'],
+    ['End', 'Picture of both views'],
+    ['ArrowUp', 'GLB'],
   ]) {
     await page.keyboard.press(key);
     assert.equal(await focused(page), text, key);

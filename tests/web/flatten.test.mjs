@@ -8,7 +8,18 @@ import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { textStl, trianglesOf } from '../support/stl.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  choose,
+  dropAndWait,
+  exportMesh,
+  metrics,
+  openPage,
+  openSample,
+  sampleNames,
+  sampleOf,
+  settled,
+  textOf,
+} from './page.mjs';
 
 /** A screenshot of a canvas, whose bytes change with anything that is drawn. */
 const picture = (page, id) => page.locator(id).screenshot();
@@ -17,7 +28,7 @@ const lines = (text, keyword) => text.split('\n').filter((line) => line.startsWi
 
 test('the first visit shows a sample, unwrapped; flattened it is in one piece', async (t) => {
   const page = await openPage(t);
-  assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await sampleOf(page), 'head');
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.match(await textOf(page, '#layout-info'), /^\d+ charts?$/);
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
@@ -36,19 +47,17 @@ test('the first visit shows a sample, unwrapped; flattened it is in one piece', 
 
 test('every sample can be chosen and is unwrapped', async (t) => {
   const page = await openPage(t);
-  const names = await page
-    .locator('#sample option:not([disabled])')
-    .evaluateAll((options) => options.map((option) => option.value));
+  const names = await sampleNames(page);
   assert.deepEqual([...names].sort(), [
     'alpha-band',
     'head',
     'hemisphere',
+    'pumpkin',
     'three-balls',
     'wavy-strip',
   ]);
   for (const name of names) {
-    await page.selectOption('#sample', name);
-    await settled(page);
+    await openSample(page, name);
     assert.equal(await textOf(page, '#badge'), 'Valid', name);
     assert.equal(await textOf(page, '#alert'), '', name);
   }
@@ -177,8 +186,7 @@ test('a layout that crosses itself is called not valid, with the reason', {
 
 test('Auto untangles a boundary that crosses itself when it is free', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
-  await page.selectOption('#sample', 'alpha-band');
-  await settled(page);
+  await openSample(page, 'alpha-band');
   await page.fill('#t-number', '2');
   await settled(page);
   const { Crossings } = await metrics(page);

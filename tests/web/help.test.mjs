@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
-import { choose, drop, dropAndWait, openPage, settled, textOf } from './page.mjs';
+import { choose, drop, dropAndWait, openPage, openSample, settled, textOf } from './page.mjs';
 
 const { CONTROLS } = await loadModule('help/keys');
 
@@ -118,20 +118,11 @@ test('Seams: each key does what the sheet says', async (t) => {
     await page.keyboard.press(`${modifier}Enter`);
     await settled(page);
   };
-  const canDo = (id) => page.locator(id).isEnabled();
   const start = async (key) => {
     await page.keyboard.press(key);
     await says(/^Cut started at vertex/);
     await page.keyboard.press('Escape');
     await says(/^Cut cancelled/);
-  };
-  const redo = async (key) => {
-    await page.keyboard.press('Control+z');
-    await settled(page);
-    assert.ok(await canDo('#seam-redo'));
-    await page.keyboard.press(key);
-    await settled(page);
-    assert.ok(!(await canDo('#seam-redo')));
   };
   const effects = {
     Enter: () => start('Enter'),
@@ -145,17 +136,6 @@ test('Seams: each key does what the sheet says', async (t) => {
       await page.keyboard.up('Alt');
       await drawn(page);
     },
-    'Ctrl+Z': async () => {
-      await cut();
-      assert.ok(await canDo('#seam-undo'));
-      await page.keyboard.press('Control+z');
-      await settled(page);
-      assert.ok(!(await canDo('#seam-undo')));
-      await page.keyboard.press('Control+y');
-      await settled(page);
-    },
-    'Ctrl+Shift+Z': () => redo('Control+Shift+z'),
-    'Ctrl+Y': () => redo('Control+y'),
     Shift: async () => {
       for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowUp');
       await cut('Shift+');
@@ -185,6 +165,13 @@ test('Charts: each key does what the sheet says', async (t) => {
     assert.ok(await isSelected());
     await press('Escape');
   };
+  const gesture = (key) => async () => {
+    await press('a');
+    await press(key);
+    assert.match(await textOf(page, '#selection-text'), /^(Move|Turn|Scale) /);
+    await press('Escape');
+    assert.ok(await isSelected());
+  };
   const effects = {
     A: async () => {
       await press('a');
@@ -207,6 +194,9 @@ test('Charts: each key does what the sheet says', async (t) => {
       await press('/');
       assert.ok(!(await isHidden()));
     },
+    G: gesture('g'),
+    R: gesture('r'),
+    S: gesture('s'),
     Escape: async () => {
       await press('Escape');
       assert.ok(!(await isSelected()));
@@ -230,9 +220,79 @@ test('Charts: each key does what the sheet says', async (t) => {
   for (const effect of Object.values(effects)) await effect();
 });
 
+test('Moving charts: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, open: BALL });
+  const text = () => textOf(page, '#selection-text');
+  const press = (key) => page.keyboard.press(key);
+  await page.focus('#layout-canvas');
+  await press('a');
+  const [first] = await Promise.all([text(), press('g')]);
+  const changes = (key) => async () => {
+    const before = await text();
+    await press(key);
+    assert.notEqual(await text(), before, key);
+  };
+  const again = async (key) => {
+    await press('g');
+    await press('2');
+    await press(key);
+    await settled(page);
+    assert.match(await textOf(page, '#run-text'), /^Moved /);
+  };
+  const effects = {
+    ArrowLeft: changes('ArrowLeft'),
+    ArrowRight: changes('ArrowRight'),
+    ArrowUp: changes('ArrowUp'),
+    ArrowDown: changes('ArrowDown'),
+    X: changes('x'),
+    Y: changes('y'),
+    Backspace: async () => {
+      await press('5');
+      await changes('Backspace')();
+    },
+    Ctrl: async () => {
+      const { x, y } = await page.locator('#layout-canvas').boundingBox();
+      await page.mouse.move(x + 31, y + 77);
+      await page.keyboard.down('Control');
+      const snapped = await text();
+      await page.keyboard.up('Control');
+      assert.notEqual(await text(), snapped);
+    },
+    Escape: async () => {
+      await press('Escape');
+      assert.equal(await text(), first);
+    },
+    Enter: () => again('Enter'),
+    Space: () => again('Space'),
+  };
+  assert.deepEqual([...new Set(keysOf('Moving charts'))].sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
 test('Page: each key does what the sheet says', async (t) => {
   const page = await openPage(t, { open: BALL });
+  const canDo = (id) => page.locator(id).isEnabled();
+  const press = async (key) => {
+    await page.keyboard.press(key);
+    await settled(page);
+  };
+  const redo = async (key) => {
+    await press('Control+z');
+    assert.ok(await canDo('#redo'));
+    await press(key);
+    assert.ok(!(await canDo('#redo')));
+  };
   const effects = {
+    'Ctrl+Z': async () => {
+      await page.click('#seams-sharp');
+      await settled(page);
+      assert.ok(await canDo('#undo'));
+      await press('Control+z');
+      assert.ok(!(await canDo('#undo')));
+      await press('Control+y');
+    },
+    'Ctrl+Shift+Z': () => redo('Control+Shift+z'),
+    'Ctrl+Y': () => redo('Control+y'),
     'Ctrl+O': async () => {
       await page.locator('#file').evaluate((input) =>
         input.addEventListener('click', (event) => {
@@ -368,7 +428,8 @@ test('no key is missing from the sheet', async (t) => {
   const check = async (places) => {
     const taken = await takenKeys(page, Object.keys(places));
     for (const [i, [selector, titles]] of Object.entries(places).entries()) {
-      const listed = new Set([...everywhere, ...titles.flatMap(keysOf)]);
+      const numbers = titles.includes('Moving charts') ? '0123456789.-' : '';
+      const listed = new Set([...everywhere, ...titles.flatMap(keysOf), ...numbers]);
       assert.ok(taken[i].length > 0, `${selector} takes keys`);
       assert.deepEqual(
         taken[i].filter((key) => !isListed(key, listed)),
@@ -380,7 +441,7 @@ test('no key is missing from the sheet', async (t) => {
   await check({
     body: [],
     '#mesh-canvas': ['Mesh view', 'Charts'],
-    '#layout-canvas': ['Layout view', 'Charts'],
+    '#layout-canvas': ['Layout view', 'Charts', 'Moving charts'],
     '#stretch': [],
     '#padding': [],
     '#open': [],
@@ -401,8 +462,7 @@ test('a first visit is told what this is, until a mesh of its own was opened', a
   const page = await openPage(t);
   const welcome = page.locator('#welcome');
   assert.match(await welcome.innerText(), /^abflat lays a 3D mesh flat.*OBJ.*GLB.*sample\.$/s);
-  await page.selectOption('#sample', 'hemisphere');
-  await settled(page);
+  await openSample(page, 'hemisphere');
   assert.ok(await welcome.isVisible(), 'a sample is not of their own');
   await dropAndWait(page, 'nothing.obj', 'v 0 0 0\n');
   assert.ok(await welcome.isVisible(), 'nothing was opened');

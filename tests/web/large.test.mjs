@@ -131,7 +131,7 @@ test('on a large mesh the pointer finds its vertex without looking at all triang
   await page.mouse.down();
   await page.mouse.up();
   await settled(page);
-  assert.ok(await page.isEnabled('#seam-undo'), 'a seam was cut');
+  assert.ok(await page.isEnabled('#undo'), 'a seam was cut');
   await assertHandedOver(page);
 });
 

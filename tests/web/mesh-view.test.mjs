@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CUBE } from '../support/small-meshes.mjs';
-import { dropAndWait, openPage, settled } from './page.mjs';
+import { dropAndWait, openPage, openSample, sampleNames } from './page.mjs';
 
 const CANVAS = '#mesh-canvas';
 
@@ -43,12 +43,9 @@ const STILL = { reducedMotion: 'reduce' };
 
 test('every sample fills its pane; the head stands upright', async (t) => {
   const page = await openPage(t, STILL);
-  const names = await page
-    .locator('#sample option:not([disabled])')
-    .evaluateAll((options) => options.map((option) => option.value));
+  const names = await sampleNames(page);
   for (const name of names) {
-    await page.selectOption('#sample', name);
-    await settled(page);
+    await openSample(page, name);
     const box = await drawnBox(page);
     assertFits(box, name);
     if (name !== 'head') continue;

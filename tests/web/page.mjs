@@ -40,6 +40,31 @@ export async function choose(page, mode) {
   await settled(page);
 }
 
+/** Chooses a sample and waits for its result; by script, as `choose` does. */
+export async function openSample(page, name) {
+  await page.evaluate(
+    (name) => document.querySelector(`.sample-item[data-value="${name}"]`).click(),
+    name,
+  );
+  // A sample that is a file has to be fetched before anything runs.
+  await page.waitForFunction(
+    (name) =>
+      document.querySelector('#sample').value === name ||
+      document.querySelector('#source').textContent.startsWith(`${name}.`),
+    name,
+  );
+  await settled(page);
+}
+
+/** The names of all samples. */
+export const sampleNames = (page) =>
+  page
+    .locator('.sample-item')
+    .evaluateAll((items) => items.map((item) => item.getAttribute('data-value')));
+
+/** The sample that is open; '' for a file. */
+export const sampleOf = (page) => page.evaluate(() => document.querySelector('#sample').value);
+
 /** Waits until nothing runs any more. */
 export async function settled(page) {
   await page.waitForFunction(

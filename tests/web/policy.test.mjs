@@ -95,11 +95,50 @@ for (const [name, headers] of [
     assert.deepEqual(await page.evaluate(() => globalThis.violations), []);
   });
 
-test('the policy that is sent allows nothing inline and nothing from elsewhere', () => {
+test('the policy that is sent allows nothing inline, and nothing from elsewhere but to fetch', () => {
   const directives = HEADERS['Content-Security-Policy'].split(';').map((each) => each.trim());
   assert.ok(directives.includes("default-src 'self'"));
-  for (const directive of directives)
+  // A mesh that a link names may be on any server; the page asks before it fetches one.
+  const fetched = "connect-src 'self' https:";
+  assert.ok(directives.includes(fetched));
+  for (const directive of directives.filter((each) => each !== fetched))
     assert.match(directive, /^[\w-]+( '(self|none|wasm-unsafe-eval)')+$/);
+});
+
+test('nothing but a mesh that was agreed to comes from elsewhere', async (t) => {
+  const asked = [];
+  const page = await openPage(t, {
+    expected: /Content Security Policy|violates/,
+    prepare: (page) =>
+      page.route(
+        (url) => url.hostname !== '127.0.0.1' && url.protocol.startsWith('http'),
+        (route) => {
+          asked.push(route.request().url());
+          return route.fulfill({
+            headers: { 'Access-Control-Allow-Origin': '*' },
+            body: 'globalThis.isForeign = true',
+          });
+        },
+      ),
+  });
+  await doEverything(page);
+  assert.deepEqual(asked, []);
+  const fate = await page.evaluate(async () => {
+    const script = document.createElement('script');
+    script.src = 'https://models.example/a.js';
+    const loaded = new Promise((done) => {
+      script.onload = () => done('loaded');
+      script.onerror = () => done('refused');
+    });
+    document.head.append(script);
+    const plain = fetch('http://models.example/a.obj').then(
+      () => 'loaded',
+      () => 'refused',
+    );
+    return [await loaded, await plain, 'isForeign' in globalThis];
+  });
+  assert.deepEqual(fate, ['refused', 'refused', false]);
+  assert.deepEqual(asked, []);
 });
 
 test('the theme is there before anything is painted', async (t) => {

@@ -6,7 +6,16 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { drop, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  drop,
+  dropAndWait,
+  exportMesh,
+  metrics,
+  openPage,
+  sampleOf,
+  settled,
+  textOf,
+} from './page.mjs';
 
 /** Files whose name begins with "slow" are read when `release` is called. */
 const withSlowFiles = (page) =>
@@ -80,7 +89,7 @@ test('Escape ends reading and leaves the mesh before, which can be exported all 
   assert.equal(await textOf(page, '#run-text'), 'Cancelled');
   await release(page);
   await outlastTimers(page);
-  assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await sampleOf(page), 'head');
   assert.equal(await textOf(page, '#source'), '');
   assert.deepEqual(await metrics(page), before);
   assert.ok(await page.isHidden('#again'));
@@ -89,17 +98,15 @@ test('Escape ends reading and leaves the mesh before, which can be exported all 
 test('a sample that is cancelled is not the one that the list shows', async (t) => {
   const page = await openSlow(t);
   const other = await page.evaluate(() => {
-    const select = document.querySelector('#sample');
-    const { value } = [...select.options].find(({ value }) => value && value !== select.value);
-    select.value = value;
-    select.dispatchEvent(new Event('change'));
+    const item = document.querySelector('.sample-item[aria-checked="false"]');
+    item.click();
     // In the same task: nothing can have been read yet.
     document.querySelector('#cancel').click();
-    return value;
+    return item.dataset.value;
   });
   await settled(page);
   assert.notEqual(other, 'head');
-  assert.equal(await page.inputValue('#sample'), 'head');
+  assert.equal(await sampleOf(page), 'head');
   assert.equal(await textOf(page, '#run-text'), 'Cancelled');
 });
 

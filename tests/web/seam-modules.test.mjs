@@ -1,4 +1,4 @@
-// Seams on a surface, without a page: its edges, shortest paths, runs, what is under the pointer, undo.
+// Seams on a surface, without a page: its edges, shortest paths, runs, what is under the pointer.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -210,13 +210,14 @@ test('a run of a seam ends at junctions and at the boundary; a loop is one run',
   assert.equal(new Set(run).size, 12);
 });
 
-test('seams are cut and joined from those on screen, and every step can be undone', async () => {
+test('seams are cut and joined from those on screen, and every choice can be taken again', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const { ShortestPaths } = await load('surface/shortest-paths');
   const graph = await graphOf(plane(6));
   const model = new SeamModel(() => ({ graph }));
   assert.equal(model.choice.edges, null);
   model.show(Uint32Array.of(8, 9, 9, 10));
+  const first = model.choice;
   const path = new ShortestPaths(graph, 22).to(25);
   assert.equal(model.cut(path), 3);
   assert.equal(model.choice.edges.length, 2 * (2 + 3), 'those on screen stay');
@@ -237,19 +238,15 @@ test('seams are cut and joined from those on screen, and every step can be undon
     model.own.reduce((sum, x) => sum + x, 0),
     4,
   );
-  assert.ok(model.undo());
-  assert.equal(model.choice.edges.length, 2 * 5);
-  assert.ok(model.undo());
+  model.restore(first);
   assert.equal(model.choice.edges, null);
-  assert.equal(model.undo(), false);
-  assert.ok(model.redo() && model.redo());
-  assert.equal(model.choice, joined);
-  assert.equal(model.redo(), false);
+  model.restore(joined);
+  assert.equal(model.choice.edges.length, 2 * 4);
   model.setSources({ auto: false, uv: true, material: false, sharp: 30 });
   assert.equal(model.choice.edges, null);
 });
 
-test('after undo, seams are edited from those that were found before, though others are on screen yet', async () => {
+test('when a choice is taken again, seams are edited from those that were found before, though others are on screen yet', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const graph = await graphOf(plane(6));
   const { edgeBetween } = await load('surface/surface-graph');
@@ -257,14 +254,15 @@ test('after undo, seams are edited from those that were found before, though oth
   const model = new SeamModel(() => ({ graph }));
   const automatic = Uint32Array.of(8, 9, 9, 10);
   model.show(automatic);
+  const first = model.choice;
   model.cut(edge(22, 23));
   const edited = model.choice.edges;
   model.show(edited);
-  assert.ok(model.undo());
+  model.restore(first);
   model.cut(edge(30, 31));
   assert.deepEqual([...model.choice.edges].sort(), [...automatic, 30, 31].sort());
   // A late result of an earlier choice does not count as found for this one.
-  assert.ok(model.undo());
+  model.restore(first);
   model.show(edited, false);
   model.join(edge(8, 9));
   assert.deepEqual([...model.choice.edges], [9, 10]);
@@ -288,6 +286,23 @@ test('sources are the words of the command line', async () => {
     seams: 'none',
     seamEdges: edges,
   });
+});
+
+test('a choice of seams is found from its options', async () => {
+  const { AUTOMATIC, choiceOf, seamOptions } = await load('seams/seam-choice');
+  const edges = Uint32Array.of(1, 2);
+  const sources = { auto: false, uv: true, material: false, sharp: 42.5 };
+  const all = [
+    AUTOMATIC,
+    { sources, edges: null },
+    { sources: { ...sources, sharp: null, uv: false }, edges: null },
+    { sources: AUTOMATIC.sources, edges },
+    { sources: AUTOMATIC.sources, edges, isCutFurther: true },
+  ];
+  for (const choice of all) {
+    const { isCutFurther = false, ...found } = choiceOf(seamOptions(choice));
+    assert.deepEqual({ isCutFurther, ...found }, { isCutFurther: false, ...choice });
+  }
 });
 
 test('what is under a pixel: the vertex or seam in front, seams from further away', async () => {

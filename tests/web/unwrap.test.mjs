@@ -15,6 +15,7 @@ import {
   exportMesh,
   metrics,
   openPage,
+  openSample,
   settled,
   textOf,
 } from './page.mjs';
@@ -91,8 +92,7 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
 
 test('a disk that is stretched in one piece is unwrapped with one click', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
-  await page.selectOption('#sample', 'three-balls');
-  await settled(page);
+  await openSample(page, 'three-balls');
   assert.equal(await textOf(page, '#badge'), 'Stretched');
   assert.match(await textOf(page, '#reason'), /^Lengths change by \d+\s% on average/);
   assert.match(await textOf(page, '#run-text'), /^Flattened in .*, stretched$/);

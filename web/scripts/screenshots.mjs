@@ -46,7 +46,8 @@ async function listCharts(page) {
 
 /** A sample that crosses itself unless some vertices are tightened. */
 async function plotAgainstT(page) {
-  await page.selectOption('#sample', 'alpha-band');
+  await page.click('#sample');
+  await page.click('.sample-item[data-value="alpha-band"]');
   await page.waitForFunction(() => !document.body.ariaBusy);
   await page.click('#mode-flatten');
   await page.waitForFunction(() => !document.body.ariaBusy);

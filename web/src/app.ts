@@ -1,26 +1,21 @@
 import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './base/alert';
-import { bindToggle, element } from './base/dom';
+import { element } from './base/dom';
 import { duration } from './base/format';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
-import { AtlasControl } from './controls/atlas-control';
-import { BalanceControl } from './controls/balance-control';
-import { BoundControl } from './controls/bound-control';
-import { ModeSwitch } from './controls/mode-switch';
 import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
 import { TexcoordChoice } from './controls/texcoord-choice';
 import { ChartsTab } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
-import { Locks } from './details/locks';
 import { MethodsTab } from './details/methods-tab';
 import { MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
-import { isAutomatic, type Remedy, verdictOf } from './details/verdict';
+import { type Remedy, verdictOf } from './details/verdict';
 import { ExportControl } from './export/export-control';
 import { Exporter } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
@@ -28,15 +23,32 @@ import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
-import { type FlattenSettings, type Settings, sameSettings } from './model/settings';
+import type { Settings } from './model/settings';
+import { MeshTabs } from './opening/mesh-tabs';
+import { oneFile } from './opening/one-atlas';
+import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
+import { showSample } from './opening/samples';
+import { PageHistory } from './page-history';
+import { Placement } from './placement';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
-import { bindOpen, FIRST_SAMPLE, showSample, titleOf } from './session/open-mesh';
 import { Session, type SessionEvents } from './session/session';
+import type { Step } from './session/steps';
 import { flattenIfPossible } from './session/sweep';
-import { facesText, failure, kept, layoutInfo, settingsText, WORDS } from './session/words';
+import { titleOf } from './session/titles';
+import {
+  facesText,
+  failure,
+  isOnlyPlaced,
+  kept,
+  layoutInfo,
+  settingsText,
+  WORDS,
+} from './session/words';
 import { ShownLook } from './shown-look';
+import { ownerOf, StaleMark } from './stale-mark';
 import type { Views } from './view/views';
+import { Wishes } from './wishes';
 import { Workshop } from './workshop/workshop';
 
 /** Connects the session with what is on the page. */
@@ -44,30 +56,26 @@ export class App implements SessionEvents {
   private readonly workshop = new Workshop();
   private readonly session: Session;
   private readonly say = (text: string) => this.run.say(text);
-  private readonly bound = new BoundControl(() => this.session.refresh(), this.say);
-  private readonly balance = new BalanceControl('flatten', () => {
-    this.sweep.clear();
-    this.session.refresh();
-  });
-  private readonly atlas = new AtlasControl(() => this.session.refresh(), this.say);
-  private readonly mode = new ModeSwitch(() => this.modeChanged());
+  private readonly wishes: Wishes;
+  private readonly history = new PageHistory((step, said) => this.goBack(step, said));
   private readonly details = new Details((tab) => {
     if (tab === 'methods') this.methods.leave();
   });
   private readonly metrics: MetricsPanel;
+  private readonly staleMark: StaleMark;
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
-  private readonly locks = new Locks();
   private readonly seams: SeamPanel;
   private readonly selection: SelectionPanel | null;
+  private readonly placement: Placement | null;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
         (abflat, input, signal) =>
-          flattenIfPossible(abflat, input, { ...this.diskSettings, t }, signal),
+          flattenIfPossible(abflat, input, { ...this.wishes.disk, t }, signal),
         signal,
       ),
-    (t) => this.bound.choose(t),
+    (t) => this.wishes.bound.choose(t),
   );
   private readonly methods = new MethodsTab(
     (signal, onProgress) =>
@@ -79,6 +87,7 @@ export class App implements SessionEvents {
   );
   private readonly run = new RunPanel(
     () =>
+      this.opening.stop() ||
       this.session.cancel() ||
       this.exporter.stop() ||
       this.sweep.stop() ||
@@ -90,27 +99,33 @@ export class App implements SessionEvents {
     say: this.say,
     failed: (outcome, error) => this.notSaved(outcome, error),
   });
-  private readonly notice = new Notice((source) => void this.session.open(source));
+  private readonly opening: Opening;
+  private readonly tabs = new MeshTabs((source) => void this.session.open(source));
+  private readonly notice = new Notice({
+    tabs: (sources) => this.tabs.add(sources),
+    oneAtlas: (sources) => this.opening.join(sources),
+  });
   private readonly look = new ShownLook(this.workshop, this.notice);
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly exporter: Exporter;
   private readonly exportControl = new ExportControl({
     export: () => this.export(),
     formatChanged: () => this.showTexcoordChoice(false),
+    picture: () => this.savePicture(),
   });
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
   private readonly welcome = new Welcome();
-  private readonly layoutNote = element('layout-note', HTMLElement);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
-  private delaunay = false;
   /** The method whose layout is shown. */
   private method: MethodResult | null = null;
   /** The last result. */
   private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
+  /** What the user has done, where the result does not say it. */
+  private said = '';
   /** The drawing of the last result. */
   private drawing: FlatDrawing | null = null;
 
@@ -118,37 +133,52 @@ export class App implements SessionEvents {
     abflat: () => Promise<Abflat>,
     private readonly views: Views | null,
   ) {
-    this.session = new Session(abflat, this, () => this.settings, this.workshop);
+    this.seams = new SeamPanel(views?.mesh ?? null, this.workshop, {
+      changed: (what) => this.wishes.seamsChanged(what),
+      say: this.say,
+    });
+    this.wishes = new Wishes(this.seams, {
+      changed: (what) => this.changed(what),
+      modeChanged: () => this.modeChanged(),
+      say: this.say,
+    });
+    this.session = new Session(abflat, this, () => this.wishes.settings, this.workshop);
     this.metrics = new MetricsPanel({
       showNotes: () => this.showNotes(),
       help: (remedy) => this.remedy(remedy),
       showWorst: views ? (measure) => views.showWorst(measure) : undefined,
     });
+    this.staleMark = new StaleMark(this.metrics);
     this.exporter = new Exporter(this.session, this.workshop, {
       say: this.say,
       failed: ({ outcome }, error) => this.notSaved(outcome, error),
     });
-    this.charts = new ChartsTab(views, this.locks, {
+    this.charts = new ChartsTab(views, this.wishes.locks, {
       chosen: (chart) => this.selection?.pick(chart),
-      // The run in flight would move the chart that was just locked.
-      locked: () => this.session.isBusy && this.session.refresh(),
-      packAgain: () => this.session.refresh(),
-    });
-    this.seams = new SeamPanel(views?.mesh ?? null, this.workshop, {
-      changed: () => {
-        this.showCutting();
-        this.session.refresh();
-      },
-      say: this.say,
+      locked: (what) => this.locked(what),
+      packAgain: () => this.wishes.packAgain(),
     });
     this.selection =
       views &&
       new SelectionPanel(views, {
         isFree: () => this.seams.isIdle,
         changed: (selected) => this.charts.showSelected(selected),
+        locked: () => this.wishes.locks.charts,
+        arranged: (arranged, what) => void this.placement?.place(arranged, what),
+        say: this.say,
+      });
+    this.placement =
+      views &&
+      new Placement(this.workshop, views, {
+        placed: (layout, what) => this.wishes.place(layout, what),
+        failed: ({ message }) => showAlert(`The charts were not moved: ${message}`),
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    bindOpen({
+    this.opening = new Opening({
+      joined: async (sources, signal) =>
+        oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal),
+      gathering: (fraction, text) => this.run.show(fraction, text),
+      gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
       open: (source) => void this.session.open(source),
       refused: (reason) => {
         showAlert(reason, this.stillShown(this.markStale()));
@@ -162,58 +192,76 @@ export class App implements SessionEvents {
       '?': () => this.help.open(),
     });
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
-    bindToggle('delaunay', (isOn) => {
-      this.delaunay = isOn;
-      this.sweep.clear();
-      this.session.refresh();
-    });
     this.showMode();
     void this.session.open({ kind: 'sample', name: FIRST_SAMPLE });
   }
 
-  private get settings(): Settings {
-    if (this.mode.mode === 'flatten') return this.diskSettings;
-    return { ...this.atlas.settings, ...this.seams.options, kept: this.locks.kept };
-  }
-
-  private get diskSettings(): FlattenSettings {
-    return {
-      mode: 'flatten',
-      t: this.bound.t,
-      balance: this.balance.balance,
-      delaunay: this.delaunay,
-    };
+  /** The user wants something else. */
+  private changed(what?: string): void {
+    const { settings } = this.wishes;
+    this.said = what ?? '';
+    this.history.change(settings, what);
+    // With another t alone, the plot against t stays as it is.
+    if (settings.mode === 'flatten') this.sweep.use(settings);
+    this.session.refresh();
   }
 
   /** Switches the page to the other kind of layout. */
   private modeChanged(): void {
+    this.leaveMode();
+    this.showMode();
+    this.changed();
+  }
+
+  private leaveMode(): void {
     this.methods.leave();
     this.methods.stop();
     this.sweep.stop();
     this.seams.hide();
-    this.showMode();
-    this.session.refresh();
   }
 
   private showMode(): void {
-    const { mode } = this.mode;
+    const { mode } = this.wishes.mode;
     this.details.setMode(mode);
     this.layoutBar.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
   }
 
-  private showCutting(): void {
-    this.atlas.setCutting(isAutomatic(this.seams.options.seams));
+  private remedy(remedy: Remedy): void {
+    if (remedy === 'unwrap') this.wishes.mode.choose('unwrap');
+    else this.seams.cutFurther();
   }
 
-  private remedy(remedy: Remedy): void {
-    if (remedy === 'unwrap') this.mode.choose('unwrap');
-    else this.seams.cutFurther();
+  /** Locking changes nothing on screen. */
+  private locked(what: string): void {
+    const { outcome } = this;
+    this.history.change(this.wishes.settings, what);
+    // The run in flight would move the chart that was just locked.
+    if (this.session.isBusy) this.session.refresh();
+    else if (outcome) this.history.settle(outcome);
+  }
+
+  /** Returns to an earlier step, or to one that was undone. */
+  private goBack({ settings, outcome }: Step, said: string): void {
+    this.methods.leave();
+    const isOther = settings.mode !== this.wishes.mode.mode;
+    if (isOther) this.leaveMode();
+    this.wishes.restore(settings);
+    if (isOther) this.showMode();
+    if (settings.mode === 'flatten') this.sweep.use(settings);
+    this.said = said;
+    this.say(said);
+    if (!outcome) {
+      this.session.refresh();
+      return;
+    }
+    document.body.setAttribute('aria-busy', 'true');
+    void this.session.restore(outcome);
   }
 
   started(source: Source, settings: Settings | null): void {
     this.methods.leave();
-    const { doing, verb } = WORDS[this.mode.mode];
+    const { doing, verb } = WORDS[this.wishes.mode.mode];
     this.run.start(
       settings ? `${doing} with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
       verb,
@@ -221,7 +269,7 @@ export class App implements SessionEvents {
     this.again = () => this.session.refresh();
     if (settings?.mode === 'unwrap') this.prepareSeams();
     document.body.setAttribute('aria-busy', 'true');
-    this.markStale(settings ?? this.settings);
+    this.markStale(settings ?? this.wishes.settings);
   }
 
   private prepareSeams(): void {
@@ -237,23 +285,24 @@ export class App implements SessionEvents {
   opened(opened: Opened): void {
     const { source, mesh, summary, drawing, gltf } = opened;
     hideAlert();
-    this.atlas.open(summary);
-    this.mode.setDisk(summary.disk);
-    this.seams.open({ mesh, summary, name: source.name });
-    this.showCutting();
-    this.locks.clear();
+    this.wishes.open({ mesh, summary, name: source.name });
+    this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
     this.exporter.stop();
     this.exportControl.open(source);
+    this.selection?.open(null);
+    this.placement?.show(null);
     this.shown = source;
+    this.tabs.show(source);
     if (source.kind === 'file') {
-      this.notice.show(source, gltf?.compressions ?? []);
+      this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
       this.welcome.done();
     } else this.notice.hide();
     if (this.views) void this.look.open(opened, this.views);
     this.views?.showMesh(drawing);
     this.sweep.clear();
+    this.sweep.use(this.wishes.disk);
     this.methods.clear();
-    this.bound.setBoundaryVertices(null);
+    this.wishes.bound.setBoundaryVertices(null);
     this.showOpenSample();
     this.showTitle(source);
     element('mesh-info', HTMLElement).textContent = facesText(mesh, summary);
@@ -263,7 +312,25 @@ export class App implements SessionEvents {
 
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
+    this.show(outcome, drawing);
+    const { badge } = verdictOf(outcome);
+    const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
+    const time = duration(report.timings.total);
+    const { done } = WORDS[outcome.mode];
+    const what = isOnlyPlaced(outcome)
+      ? `${this.said}, checked in ${time}${but}`
+      : `${done} in ${time}${but}${kept(outcome)}`;
+    this.finish(what, false);
+  }
+
+  restored(outcome: Outcome, drawing: FlatDrawing): void {
+    this.show(outcome, drawing);
+    this.finish(this.said, false);
+  }
+
+  private show(outcome: Outcome, drawing: FlatDrawing): void {
     hideAlert();
+    this.history.settle(outcome);
     this.outcome = outcome;
     this.drawing = drawing;
     this.showResult(outcome, drawing);
@@ -272,16 +339,13 @@ export class App implements SessionEvents {
     this.showDetails(outcome);
     this.updateExport();
     this.markStale(outcome.settings);
-    const { badge } = verdictOf(outcome);
-    const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
-    const { done } = WORDS[outcome.mode];
-    this.finish(`${done} in ${duration(report.timings.total)}${but}${kept(outcome)}`, false);
   }
 
   private showDetails(outcome: Outcome): void {
+    this.placement?.show(outcome.mode === 'unwrap' ? outcome : null);
     this.selection?.open(outcome.mode === 'unwrap' ? outcome.result.report : null);
     if (outcome.mode === 'unwrap') {
-      this.locks.show(outcome);
+      this.wishes.locks.show(outcome);
       this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);
       this.seams.show(outcome);
       return;
@@ -289,8 +353,8 @@ export class App implements SessionEvents {
     const [chart] = outcome.result.report.charts;
     this.solver.show(chart);
     this.sweep.setCurrent(chart.t);
-    this.bound.setBoundaryVertices(chart.boundaryVertices);
-    if (outcome.settings.t === 'auto') this.bound.showFound(chart);
+    this.wishes.bound.setBoundaryVertices(chart.boundaryVertices);
+    if (outcome.settings.t === 'auto') this.wishes.bound.showFound(chart);
   }
 
   cancelled(): void {
@@ -330,25 +394,16 @@ export class App implements SessionEvents {
     this.run.finish(text, canRepeat);
   }
 
-  /** Names the mesh and settings that the last result belongs to, for display. */
   private owner(): string {
-    if (!this.outcome) return '';
-    return `${titleOf(this.outcome.source)}, ${settingsText(this.outcome.settings)}`;
+    return this.outcome ? ownerOf(this.outcome) : '';
   }
 
   /**
    * Marks layout and numbers if they do not belong to the mesh on screen and its settings; returns
    * whether that is so.
    */
-  private markStale(settings: Settings = this.settings): boolean {
-    const isStale =
-      this.outcome !== null &&
-      (this.outcome.source !== this.shown || !sameSettings(this.outcome.settings, settings));
-    if (isStale) this.layoutNote.textContent = `Still showing ${this.owner()}`;
-    this.layoutNote.hidden = !isStale;
-    element('layout-stage', HTMLElement).classList.toggle('stale', isStale);
-    this.metrics.markStale(isStale ? this.owner() : null);
-    return isStale;
+  private markStale(settings: Settings = this.wishes.settings): boolean {
+    return this.staleMark.show(this.outcome, this.shown, settings);
   }
 
   private showResult(outcome: Outcome, drawing: FlatDrawing): void {
@@ -439,6 +494,15 @@ export class App implements SessionEvents {
     const { format, title } = this.exportControl;
     // The button's title says if the layout is an earlier one.
     this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
+  }
+
+  private savePicture(): void {
+    const { views, shown, outcome } = this;
+    if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
+    else
+      import('./export/views-picture')
+        .then(({ savePicture }) => savePicture(views, shown.name))
+        .then(this.say, (error: Error) => this.notSaved(outcome, error));
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {

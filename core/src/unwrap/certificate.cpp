@@ -18,14 +18,17 @@ std::vector<double> writtenUv(const std::vector<double>& uv, Numbers numbers) {
 }
 
 std::string problemOf(const ChartDefect& defect, const std::vector<UnwrapChart>& charts) {
+  // A chart that was laid out here is valid before that; one that stays may be anywhere.
+  const std::string cause =
+      charts[defect.chart].fixed ? "" : " after rounding to the precision of the file";
   if (defect.kind == ChartDefect::Flipped)
     return std::to_string(defect.triangles) +
            (defect.triangles == 1 ? " triangle is" : " triangles are") +
-           " flipped or degenerate after rounding to the precision of the file";
+           " flipped or degenerate" + cause;
   if (defect.kind == ChartDefect::Outside)
-    return "it extends beyond its tile after rounding to the precision of the file";
+    return "it extends beyond its tile" + cause;
   if (defect.other == defect.chart)
-    return "its boundary touches or crosses itself after rounding to the precision of the file";
+    return "its boundary touches or crosses itself" + cause;
   return "it touches or overlaps the chart containing face " +
          std::to_string(charts[defect.other].firstFace) + " in the atlas";
 }

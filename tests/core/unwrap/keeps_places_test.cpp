@@ -100,7 +100,9 @@ TEST_CASE("charts that stay may leave the square, and the report says which", "[
   CHECK_FALSE(result.report.valid);
   for (std::size_t h = 0; h < result.triangles.size(); ++h) {
     const bool isMoved = first.chartOfTriangle[h / 3] == 1;
-    CHECK(result.report.charts[result.chartOfTriangle[h / 3]].valid != isMoved);
+    const UnwrapChart& chart = result.report.charts[result.chartOfTriangle[h / 3]];
+    CHECK(chart.valid != isMoved);
+    CHECK(chart.problem == (isMoved ? "it extends beyond its tile" : ""));
     CHECK(uvOf(result, h)[0] == uvOf(first, h)[0] + (isMoved ? 1 : 0));
     CHECK(uvOf(result, h)[1] == uvOf(first, h)[1]);
   }

@@ -79,6 +79,16 @@ export class AtlasControl {
     };
   }
 
+  /** Shows other settings without asking for them. */
+  restore({ maxStretch, balance, resolution, padding, ...others }: UnwrapSettings): void {
+    this.slider.valueAsNumber = STRETCHES.indexOf(maxStretch);
+    this.resolution.value = String(resolution);
+    this.padding.restore(padding);
+    this.balance.restore(balance);
+    this.more.restore(others);
+    this.showStretch();
+  }
+
   /** Without automatic seams the limit is only checked. */
   setCutting(isCutting: boolean): void {
     this.isCutting = isCutting;

@@ -26,6 +26,12 @@ export class BalanceControl {
     return this.slider.valueAsNumber;
   }
 
+  /** Shows another value without asking for it. */
+  restore(balance: number): void {
+    this.slider.valueAsNumber = balance;
+    this.show();
+  }
+
   private show(): void {
     const { balance } = this;
     this.output.value = String(balance);

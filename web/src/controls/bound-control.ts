@@ -67,6 +67,13 @@ export class BoundControl {
     else if (!this.isAuto) this.auto.click();
   }
 
+  /** Shows another t without asking for it. */
+  restore(t: Bound): void {
+    this.setAuto(t === 'auto');
+    if (t !== 'auto') this.current = t;
+    this.show();
+  }
+
   /** Shows the t that the automatic choice found. */
   showFound(chart: ChartReport): void {
     if (!this.isAuto) return;

@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
 
-/** A button that opens a menu of choices, of which one holds. Both work by keyboard, as menus of programs do. */
+/** A button that opens a menu of choices, of which one holds, and of actions. Both work by keyboard, as menus of programs do. */
 export class MenuButton {
   private readonly button: HTMLButtonElement;
   private readonly menu: HTMLElement;
@@ -37,7 +37,7 @@ export class MenuButton {
 
   check(value: string): void {
     for (const item of this.items)
-      item.setAttribute('aria-checked', String(item.dataset.value === value));
+      if (item.role === 'menuitemradio') item.ariaChecked = String(item.dataset.value === value);
   }
 
   open(): void {
@@ -58,12 +58,21 @@ export class MenuButton {
     this.button.setAttribute('aria-expanded', 'false');
   }
 
+  /** Items side by side. */
+  private get columns(): number {
+    return this.items.filter(({ offsetTop }) => offsetTop === this.items[0].offsetTop).length;
+  }
+
   private onKey(event: KeyboardEvent): void {
     const at = this.items.indexOf(event.target as HTMLButtonElement);
     const count = this.items.length;
+    const { columns } = this;
     const actions: Record<string, () => void> = {
-      ArrowDown: () => this.items[(at + 1) % count].focus(),
-      ArrowUp: () => this.items[(at + count - 1) % count].focus(),
+      ArrowDown: () => this.items[at + columns < count ? at + columns : at % columns].focus(),
+      ArrowUp: () =>
+        this.items[at < columns ? lastBelow(at, columns, count) : at - columns].focus(),
+      ArrowRight: () => this.items[(at + 1) % count].focus(),
+      ArrowLeft: () => this.items[(at + count - 1) % count].focus(),
       Home: () => this.items[0].focus(),
       End: () => this.items[count - 1].focus(),
       Escape: () => this.close(),
@@ -76,3 +85,7 @@ export class MenuButton {
     action();
   }
 }
+
+/** The last item of the column that begins with the item `at`. */
+const lastBelow = (at: number, columns: number, count: number) =>
+  at + columns * Math.floor((count - 1 - at) / columns);

@@ -55,6 +55,12 @@ export class ModeSwitch {
     this.changed();
   }
 
+  /** Shows another kind of layout without asking for it. */
+  restore(mode: Mode): void {
+    this.chosen = mode;
+    this.show();
+  }
+
   private show(): void {
     this.buttons.forEach((button, i) => {
       button.setAttribute('aria-pressed', String(MODES[i] === this.mode));

@@ -28,6 +28,8 @@ export class MoreControl {
   private udim: HTMLButtonElement | null = null;
   private readonly keepUv: HTMLButtonElement;
   private options: MoreOptions = defaultOptions();
+  /** Each shows one option as it is. */
+  private readonly shows: (() => void)[] = [];
 
   constructor(
     private readonly changed: () => void,
@@ -55,6 +57,14 @@ export class MoreControl {
     return usedOptions(this.options);
   }
 
+  /** Shows other options without asking for them. */
+  restore(settings: MoreOptions): void {
+    const { fixedFaces } = settings;
+    this.options = { ...defaultOptions(), ...(fixedFaces && { fixedFaces }) };
+    for (const name of MORE) Object.assign(this.options, { [name]: settings[name] });
+    this.show();
+  }
+
   /** Another mesh was opened; nobody has asked to keep its uv yet. `hasUv`: it has some. */
   open(hasUv: boolean): void {
     this.keepUv.hidden = !hasUv;
@@ -74,6 +84,7 @@ export class MoreControl {
     this.state.textContent = changes;
     this.state.title = changes;
     this.keepUv.setAttribute('aria-pressed', String(Boolean(this.options.fixedFaces)));
+    for (const show of this.shows) show();
     if (this.udim) this.udim.disabled = !canHaveTiles(this.options);
   }
 
@@ -87,7 +98,9 @@ export class MoreControl {
     const { choices } = UNWRAP_OPTIONS[name];
     const select = create('select', 'button');
     select.append(...choices.map((choice) => new Option(sentence(choice), choice)));
-    select.value = this.options[name];
+    this.shows.push(() => {
+      select.value = this.options[name];
+    });
     select.addEventListener('change', () => {
       const chosen = choices.find((choice) => choice === select.value);
       if (chosen) this.set({ [name]: chosen });
@@ -97,24 +110,24 @@ export class MoreControl {
 
   private addNumber(name: 't' | 'texelDensity'): void {
     const input = create('input', 'number');
-    new NumberField(
+    const field = new NumberField(
       input,
       UNWRAP_OPTIONS[name],
       this.options[name],
       (value) => this.set({ [name]: value }),
       this.say,
     );
+    this.shows.push(() => {
+      if (field.value !== this.options[name]) field.restore(this.options[name]);
+    });
     this.addRow(name, input);
   }
 
   private addSwitch(name: 'straightSeams' | 'rotate' | 'udim'): void {
     const text = sentence(UNWRAP_OPTIONS[name].text);
     const button = this.switchOf(idOf(name), MORE_LABELS[name], text);
-    button.setAttribute('aria-pressed', String(this.options[name]));
-    button.addEventListener('click', () => {
-      button.setAttribute('aria-pressed', String(!this.options[name]));
-      this.set({ [name]: !this.options[name] });
-    });
+    this.shows.push(() => button.setAttribute('aria-pressed', String(this.options[name])));
+    button.addEventListener('click', () => this.set({ [name]: !this.options[name] }));
     if (name !== 'udim') return;
     button.title += '. Needs a numeric texel density';
     this.udim = button;

@@ -1,26 +1,29 @@
 import { create, element } from '../base/dom';
 import type { FileSource } from '../model/model';
 
-/** The most buttons below the text. */
-const OFFERED = 3;
+/** What may be done with meshes that were chosen at once. */
+export interface TogetherEvents {
+  tabs(sources: FileSource[]): void;
+  oneAtlas(sources: FileSource[]): void;
+}
 
 /**
  * What the user should know about the opened file. If several meshes were chosen at once, there are
- * buttons for the others.
+ * buttons for all of them.
  */
 export class Notice {
   private readonly box = element('notice', HTMLElement);
 
-  constructor(private readonly open: (source: FileSource) => void) {}
+  constructor(private readonly events: TogetherEvents) {}
 
-  /** `compressions`: how the file's triangles were compressed. */
-  show(opened: FileSource, compressions: string[]): void {
-    const others = opened.together.filter((source) => source !== opened);
-    const sentences = [...compressed(opened, compressions), ...oneOfMany(opened, others)];
+  /** `compressions`: how the file's triangles were compressed. `isTab`: those that were chosen with it are open, too. */
+  show(opened: FileSource, compressions: string[], isTab: boolean): void {
+    const together = isTab ? [] : opened.together;
+    const sentences = [...compressed(opened, compressions), ...oneOfMany(opened, together)];
     this.hide();
     if (sentences.length === 0) return;
     const text = create('p', '', sentences.join(' '));
-    this.box.replaceChildren(text, ...this.choices(others), this.closing());
+    this.box.replaceChildren(text, ...this.choices(together), this.closing());
   }
 
   /** Adds what was found out later. */
@@ -42,17 +45,29 @@ export class Notice {
     this.box.replaceChildren();
   }
 
-  private choices(others: FileSource[]): HTMLElement[] {
-    if (others.length === 0) return [];
+  private choices(together: FileSource[]): HTMLElement[] {
+    if (together.length < 2) return [];
     const row = create('div', 'notice-choices');
-    for (const source of others.slice(0, OFFERED)) {
-      const button = create('button', 'tool', `Open ${source.name}`);
-      button.type = 'button';
-      button.title = source.name;
-      button.addEventListener('click', () => this.open(source));
-      row.append(button);
-    }
+    row.append(
+      this.choice('Open as tabs', 'Each with a layout of its own', () =>
+        this.events.tabs(together),
+      ),
+      this.choice('One atlas', 'All as one mesh, in one layout', () =>
+        this.events.oneAtlas(together),
+      ),
+    );
     return [row];
+  }
+
+  private choice(text: string, title: string, chosen: () => void): HTMLElement {
+    const button = create('button', 'tool', text);
+    button.type = 'button';
+    button.title = title;
+    button.addEventListener('click', () => {
+      this.hide();
+      chosen();
+    });
+    return button;
   }
 }
 
@@ -62,9 +77,7 @@ function compressed({ name }: FileSource, compressions: string[]): string[] {
   return [`${name} was compressed with ${by}. The export is uncompressed.`];
 }
 
-function oneOfMany({ name }: FileSource, others: FileSource[]): string[] {
-  if (others.length === 0) return [];
-  const more = others.length - OFFERED;
-  const rest = more > 0 ? `, one of ${others.length + 1} meshes` : '';
-  return [`Opened ${name}${rest}. Only one mesh can be open at a time.`];
+function oneOfMany({ name }: FileSource, together: FileSource[]): string[] {
+  if (together.length < 2) return [];
+  return [`You chose ${together.length} meshes. ${name} is open.`];
 }

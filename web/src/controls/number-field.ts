@@ -33,6 +33,12 @@ export class NumberField<T extends number | 'auto'> {
     });
   }
 
+  /** Shows another value without asking for it. */
+  restore(value: T): void {
+    this.value = value;
+    this.show();
+  }
+
   private get takesAuto(): boolean {
     return this.rule.words?.auto !== undefined;
   }

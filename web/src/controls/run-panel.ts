@@ -63,6 +63,15 @@ export class RunPanel {
     this.text.textContent = `${STAGES[stage]}${step}`;
   }
 
+  /** Work other than a run, which can be cancelled too. */
+  show(fraction: number, text: string): void {
+    this.cancelButton.disabled = false;
+    this.againButton.hidden = true;
+    this.bar.classList.add('active');
+    this.bar.value = fraction;
+    this.text.textContent = text;
+  }
+
   /** Shows a message that does not end a run; a run in flight keeps its line. */
   say(text: string): void {
     this.live.textContent = text;

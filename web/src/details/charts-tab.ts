@@ -9,8 +9,8 @@ import type { Locks } from './locks';
 export interface ChartsTabEvents {
   /** A row was chosen. */
   chosen(chart: number): void;
-  /** A chart was locked or unlocked. */
-  locked(): void;
+  /** A chart was locked or unlocked; `what` says so. */
+  locked(what: string): void;
   packAgain(): void;
 }
 
@@ -37,7 +37,7 @@ export class ChartsTab {
       locked: (chart) => {
         locks.toggle(chart);
         this.showLocks();
-        events.locked();
+        events.locked(`${locks.charts.has(chart) ? 'Locked' : 'Unlocked'} chart ${chart}`);
       },
     });
     this.pack.addEventListener('click', () => events.packAgain());

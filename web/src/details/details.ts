@@ -2,13 +2,13 @@ import { element } from '../base/dom';
 import type { Mode } from '../model/settings';
 
 /** The tabs, as their ids in the page. */
-export type Tab = 'solver' | 'sweep' | 'methods' | 'charts';
+export type Tab = 'solver' | 'sweep' | 'methods' | 'charts' | 'history';
 
-const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts'];
+const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'history'];
 /** The tabs of each kind of layout. */
 const TABS_OF: Record<Mode, Tab[]> = {
-  flatten: ['solver', 'sweep', 'methods'],
-  unwrap: ['charts'],
+  flatten: ['solver', 'sweep', 'methods', 'history'],
+  unwrap: ['charts', 'history'],
 };
 
 /** The pane that opens beside the layout and shows one of its tabs at a time. */

@@ -26,6 +26,11 @@ export class Locks {
     this.wish = undefined;
   }
 
+  /** Takes back or repeats what was locked. */
+  restore(kept: Kept | undefined): void {
+    this.wish = kept;
+  }
+
   show({ result, settings }: Unwrapped): void {
     this.shown = result;
     this.locked = lockedCharts(result, settings.kept);

@@ -1,11 +1,14 @@
 import type { Report } from 'abflat';
 import { element } from '../base/dom';
 import type { Bound } from '../base/format';
+import type { FlattenSettings } from '../model/settings';
 import { Chart } from '../plot/chart';
 import { Job } from '../session/job';
 import { SWEEP_T, type SweepPoint, sweepChart } from './sweep-chart';
 
 const HINT = 'Select a point to use its t.';
+
+type PlottedSettings = Pick<FlattenSettings, 'balance' | 'delaunay'>;
 
 /** Distortion over t, point by point. */
 export class SweepTab {
@@ -17,6 +20,7 @@ export class SweepTab {
     this.button.textContent = isRunning ? 'Stop' : 'Plot against t';
   });
   private points: SweepPoint[] = [];
+  private plotted: PlottedSettings | null = null;
   private current = 2;
 
   /**
@@ -40,6 +44,13 @@ export class SweepTab {
   setCurrent(t: number): void {
     this.current = t;
     this.draw();
+  }
+
+  /** The other settings of points; without points for these, the plot is empty. */
+  use({ balance, delaunay }: PlottedSettings): void {
+    const isSame = balance === this.plotted?.balance && delaunay === this.plotted.delaunay;
+    this.plotted = { balance, delaunay };
+    if (!isSame) this.clear();
   }
 
   /** Resets for another mesh. */

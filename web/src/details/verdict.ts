@@ -54,9 +54,11 @@ function ofAtlas({ result, settings }: Unwrapped): Verdict {
   };
 }
 
-/** Leaves out charts that the user asked to keep. */
+/** Leaves out charts whose shape the user asked to keep. */
 function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
-  return charts.filter((chart) => !chart.fixed && chart.symmetricDirichlet > maxStretch);
+  return charts.filter(
+    (chart) => chart.solver !== 'given' && chart.symmetricDirichlet > maxStretch,
+  );
 }
 
 /** Whether, with this value of `--seams`, charts are cut until they keep within the limit. */

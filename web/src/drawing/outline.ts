@@ -1,3 +1,5 @@
+import { hull } from '../base/hull';
+
 /**
  * Of the points (xyz each) named by `indices`, those that bound the others when seen along any
  * direction in the plane of `front` and `right`, or of `front` and `top`: the corners of the convex
@@ -61,24 +63,4 @@ function usedVertices(count: number, indices: Uint32Array): Uint32Array {
   const used = new Uint32Array(size);
   for (let v = 0, i = 0; v < count; ++v) if (isUsed[v]) used[i++] = v;
   return used;
-}
-
-/** Indices of the corners of the convex hull of points in the plane (Andrew's monotone chain). */
-export function hull(x: Float64Array, y: Float64Array): number[] {
-  const order = Uint32Array.from(x, (_, i) => i).sort((a, b) => x[a] - x[b] || y[a] - y[b]);
-  const turn = (a: number, b: number, c: number) =>
-    (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
-  const half = (sign: number) => {
-    const chain: number[] = [];
-    for (const i of order) {
-      while (
-        chain.length > 1 &&
-        sign * turn(chain[chain.length - 2], chain[chain.length - 1], i) <= 0
-      )
-        chain.pop();
-      chain.push(i);
-    }
-    return chain;
-  };
-  return [...new Set([...half(1), ...half(-1)])];
 }

@@ -44,16 +44,23 @@ export type AtlasArrays = Pick<
   'uv' | 'indices' | 'vertexMap' | 'positions' | 'chartOfTriangle'
 >;
 
+export interface AtlasSize {
+  tiles: number;
+  chartCount: number;
+  /** The number of each chart's colour, if it has one already. */
+  colors?: Float32Array;
+}
+
 export function atlasPicture(
   atlas: AtlasArrays,
-  { tiles, chartCount }: { tiles: number; chartCount: number },
+  { tiles, chartCount, colors }: AtlasSize,
   input: DisplayMesh,
 ): FlatPicture {
   const { uv, indices, vertexMap, chartOfTriangle } = atlas;
   const positions = positionsOf(atlas, input);
   const mesh = { positions, indices, uv };
   const none = new Uint32Array();
-  const edges = edgesOfOne(indices, weld(uv, 2));
+  const edges = edgesOfOne(indices, weldInCharts(atlas));
   const places = weld(positions, 3);
   return {
     mesh,
@@ -66,8 +73,18 @@ export function atlasPicture(
     charts: chartOfTriangle,
     tiles,
     source: meshCorners(input, atlas),
-    chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
+    chartColors: colors ?? chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
   };
+}
+
+/** Vertices at the same point of the same chart count as one; charts may lie on top of each other. */
+function weldInCharts({ uv, indices, chartOfTriangle }: AtlasArrays): Uint32Array {
+  const points = new Float64Array((3 * uv.length) / 2);
+  for (let v = 0; 2 * v < uv.length; ++v) points.set([uv[2 * v], uv[2 * v + 1]], 3 * v);
+  indices.forEach((v, c) => {
+    points[3 * v + 2] = chartOfTriangle[Math.floor(c / 3)];
+  });
+  return weld(points, 3);
 }
 
 /** Boundary edges after merging vertices: `same` names the representative of each. */

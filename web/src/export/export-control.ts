@@ -6,6 +6,8 @@ export interface ExportEvents {
   export(): void;
   /** Another format holds from now on. */
   formatChanged(): void;
+  /** Saves a picture of both views. */
+  picture(): void;
 }
 
 /** The button that exports, and the menu beside it with all formats. A format that was chosen holds as long as the mesh is open. */
@@ -19,6 +21,7 @@ export class ExportControl {
   constructor(events: ExportEvents) {
     this.button.addEventListener('click', () => events.export());
     this.menu = new MenuButton('export-formats', 'export-menu', (value) => {
+      if (value === 'picture') return events.picture();
       this.choose(value as ExportFormat);
       events.formatChanged();
       events.export();

@@ -64,8 +64,6 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['Shift'], gestures: 'Shift-click', does: 'Continue a cut; remove a single edge' },
       { keys: ['Alt'], gestures: 'Alt-click', does: 'Join in place of Cut, Cut in place of Join' },
       { keys: ['Escape'], does: 'Cancel the cut' },
-      { keys: ['Ctrl+Z'], does: 'Undo' },
-      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'Redo' },
     ],
   },
   {
@@ -79,16 +77,38 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['.'], does: 'Frame the selected charts' },
       { keys: ['/'], does: 'Isolate them; again shows all' },
       { keys: ['H', 'Alt+H'], does: 'Hide them, show all' },
+      {
+        keys: ['G', 'R', 'S'],
+        gestures: 'drag moves',
+        does: 'Move, turn, scale them in the layout',
+      },
       { keys: ['Escape'], does: 'Select nothing' },
+    ],
+  },
+  {
+    title: 'Moving charts',
+    where: 'After G, R or S in the layout view, or while a chart is dragged.',
+    controls: [
+      { keys: ['X', 'Y'], does: 'Move along one axis; again frees it' },
+      { keys: ['Ctrl'], does: 'Keep to whole texels, 5°, tenths' },
+      {
+        keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
+        does: 'By a texel, 1°, 1 %; with Shift by ten',
+      },
+      { keys: ['Backspace'], gestures: 'a number', does: 'In UV, degrees or as a factor' },
+      { keys: ['Enter', 'Space'], gestures: 'click', does: 'Place them' },
+      { keys: ['Escape'], gestures: 'right click', does: 'Put them back' },
     ],
   },
   {
     title: 'Page',
     controls: [
       { keys: ['Ctrl+O'], gestures: 'drop a file', does: 'Open a mesh' },
-      { keys: ['Ctrl+V'], does: 'Open a file that was copied' },
+      { keys: ['Ctrl+V'], does: 'Open a copied file, address or text of a mesh' },
       { keys: ['Ctrl+S'], does: 'Export' },
       { keys: ['Ctrl+E'], does: 'Export in another format' },
+      { keys: ['Ctrl+Z'], does: 'Undo' },
+      { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'Redo' },
       { keys: ['Escape'], does: 'Cancel what runs, close what is open' },
       { keys: ['?'], does: 'Show this sheet' },
     ],

@@ -86,6 +86,8 @@ export interface Unwrapped extends Made {
   mode: 'unwrap';
   settings: UnwrapSettings;
   result: UnwrapResult;
+  /** Charts were to stay in place, but left too little room for the others. */
+  isRepacked?: boolean;
 }
 
 export type Outcome = Flattened | Unwrapped;

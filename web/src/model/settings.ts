@@ -34,14 +34,23 @@ export interface UnwrapSettings extends MoreOptions {
   seamEdges?: Uint32Array;
   /** Charts kept where they already are, which is no reason to lay out again. */
   kept?: Kept;
+  /** The layout with charts where the user has moved them. */
+  placed?: UnwrapResult;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;
 
-export function sameSettings(a: Settings, b: Settings): boolean {
+export const sameSettings = (a: Settings, b: Settings): boolean => differsOnlyIn([], a, b);
+
+/** Whether two atlases differ in nothing but their seams, so that the charts that both have can stay. */
+export const sameButSeams = (a: UnwrapSettings, b: UnwrapSettings): boolean =>
+  differsOnlyIn(['seams', 'seamEdges', 'placed'], a, b);
+
+function differsOnlyIn(names: string[], a: Settings, b: Settings): boolean {
   const [x, y] = [a, b].map((settings) => {
-    const values = new Map<string, unknown>(Object.entries(settings));
-    values.delete('kept');
+    // An option that is not there is one that is undefined.
+    const values = new Map(Object.entries(settings).filter(([, value]) => value !== undefined));
+    for (const name of ['kept', ...names]) values.delete(name);
     return values;
   });
   return x.size === y.size && [...x].every(([name, value]) => y.get(name) === value);

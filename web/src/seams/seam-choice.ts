@@ -32,11 +32,27 @@ export function seamWords({ auto, uv, material, sharp }: SeamSources): string {
   return words.join(',') || 'none';
 }
 
-/** As options of `unwrap`. */
-export function seamOptions({ sources, edges, isCutFurther }: SeamChoice): {
+export interface SeamOptions {
   seams: string;
   seamEdges?: Uint32Array;
-} {
+}
+
+/** The choice that has these options. */
+export function choiceOf({ seams, seamEdges }: SeamOptions): SeamChoice {
+  const words = seams.split(',');
+  if (seamEdges) return { ...AUTOMATIC, edges: seamEdges, isCutFurther: words.includes('auto') };
+  const sharp = words.find((word) => word.startsWith('sharp='));
+  const sources = {
+    auto: words.includes('auto'),
+    uv: words.includes('uv'),
+    material: words.includes('material'),
+    sharp: sharp ? Number(sharp.slice('sharp='.length)) : null,
+  };
+  return { sources, edges: null };
+}
+
+/** As options of `unwrap`. */
+export function seamOptions({ sources, edges, isCutFurther }: SeamChoice): SeamOptions {
   if (!edges) return { seams: seamWords(sources) };
   return { seams: isCutFurther ? 'auto' : 'none', seamEdges: edges };
 }

@@ -9,8 +9,8 @@ import type { SeamModel } from './seam-model';
 import { SeamTools, type Tool } from './seam-tools';
 
 export interface SeamEditorEvents {
-  /** The user wants other seams. */
-  changed(): void;
+  /** The user wants other seams; `what` has changed. */
+  changed(what: string): void;
   /** Shows a message to the user. */
   say(text: string): void;
 }
@@ -47,11 +47,7 @@ export class SeamEditor {
     private readonly view: MeshView,
     private readonly events: SeamEditorEvents,
   ) {
-    this.tools = new SeamTools({
-      toolChanged: () => this.clear(),
-      undo: () => this.step('undo'),
-      redo: () => this.step('redo'),
-    });
+    this.tools = new SeamTools(() => this.clear());
     this.aim = new Aim(view.canvas, {
       moved: (at, modifiers) => this.onMove(at, modifiers),
       clicked: (at, modifiers) => this.onClick(at, modifiers),
@@ -77,11 +73,11 @@ export class SeamEditor {
   /** Called when the model or the atlas has changed. */
   update(): void {
     this.targets = null;
-    this.tools.setHistory(this.model?.canUndo ?? false, this.model?.canRedo ?? false);
     this.aim.refresh();
   }
 
-  private clear(): void {
+  /** Forgets a cut that was begun. */
+  clear(): void {
     this.paths = null;
     this.mark(NO_MARKS, '');
     this.aim.refresh();
@@ -168,8 +164,9 @@ export class SeamEditor {
     if (goesOn && !isSame) this.begin(model, place);
     if (isSame) return;
     const count = model.cut(path);
-    this.events.say(count > 0 ? `Cut ${counted(count, 'edge')}` : 'Already cut');
-    if (count > 0) this.events.changed();
+    const what = `Cut ${counted(count, 'edge')}`;
+    this.events.say(count > 0 ? what : 'Already cut');
+    if (count > 0) this.events.changed(what);
   }
 
   private begin(model: SeamModel, place: number): void {
@@ -193,12 +190,9 @@ export class SeamEditor {
     const edges = this.seamAt(model, at, shift);
     if (edges.length === 0) return;
     const count = model.join(edges);
-    this.events.say(
-      count > 0
-        ? `Joined ${counted(count, 'edge')}`
-        : 'This seam is needed to keep its chart a disk',
-    );
-    if (count > 0) this.events.changed();
+    const what = `Joined ${counted(count, 'edge')}`;
+    this.events.say(count > 0 ? what : 'This seam is needed to keep its chart a disk');
+    if (count > 0) this.events.changed(what);
   }
 
   private placeAt(model: SeamModel, at: Pixel | null): number {
@@ -225,13 +219,6 @@ export class SeamEditor {
 
   private pairs({ graph }: SeamModel, edges: number[]): Uint32Array {
     return Uint32Array.from(edges.flatMap((e) => [graph.ends[2 * e], graph.ends[2 * e + 1]]));
-  }
-
-  private step(way: 'undo' | 'redo'): void {
-    if (!this.model?.[way]()) return;
-    this.paths = null;
-    this.events.say(way === 'undo' ? 'Undone' : 'Redone');
-    this.events.changed();
   }
 
   private onEscape(event: KeyboardEvent): void {

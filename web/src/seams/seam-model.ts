@@ -1,7 +1,6 @@
 import type { Solid } from '../surface/solid';
 import type { SurfaceGraph } from '../surface/surface-graph';
-import { History } from './history';
-import { AUTOMATIC, type SeamChoice, type SeamSources } from './seam-choice';
+import { AUTOMATIC, type SeamChoice, type SeamSources, seamWords } from './seam-choice';
 import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
 
 /** What is cut, and where it appears on screen. */
@@ -10,17 +9,17 @@ export interface Surface {
   solid: Solid;
 }
 
-/** The seams of one mesh: what the user wants, with undo, and what the atlas on screen has. */
+/** The seams of one mesh: what the user wants, and what the atlas on screen has. */
 export class SeamModel {
-  private readonly history = new History(AUTOMATIC);
+  private wish: SeamChoice = AUTOMATIC;
   private made: Surface | null = null;
   /** The atlas's seams, two vertices each; null until there is one. */
   private shownPairs: Uint32Array | null = null;
   private shownFlags: EdgeFlags | null = null;
   private wanted: EdgeFlags | null = null;
   private both: EdgeFlags | null = null;
-  /** The seams found for choices without edges, two vertices per seam edge. */
-  private readonly found = new WeakMap<SeamChoice, Uint32Array>();
+  /** The seams found for choices that leave some to find, two vertices per seam edge. */
+  private readonly found = new Map<Uint32Array | string, Uint32Array>();
 
   /** `makeSurface` is called when editing begins. */
   constructor(private readonly makeSurface: () => Surface) {}
@@ -35,25 +34,17 @@ export class SeamModel {
   }
 
   get choice(): SeamChoice {
-    return this.history.current;
-  }
-
-  get canUndo(): boolean {
-    return this.history.canUndo;
-  }
-
-  get canRedo(): boolean {
-    return this.history.canRedo;
+    return this.wish;
   }
 
   /**
    * The seams that editing starts from: those asked for, or else those found for the choice, or
-   * else those on screen. After undo, the atlas on screen does not match the choice yet.
+   * else those on screen, which may be of an earlier choice.
    */
   get own(): EdgeFlags {
     const { edges, isCutFurther } = this.choice;
     const listed = isCutFurther ? null : edges;
-    const pairs = listed ?? this.found.get(this.choice) ?? this.shownPairs;
+    const pairs = listed ?? this.found.get(nameOf(this.choice)) ?? this.shownPairs;
     this.wanted ??= flagsOf(this.graph, pairs ?? new Uint32Array());
     return this.wanted;
   }
@@ -70,7 +61,7 @@ export class SeamModel {
    * of an earlier choice.
    */
   show(pairs: Uint32Array, isOfChoice = true): void {
-    if (isOfChoice) this.found.set(this.choice, pairs);
+    if (isOfChoice) this.found.set(nameOf(this.choice), pairs);
     this.shownPairs = pairs;
     this.shownFlags = null;
     this.forget();
@@ -120,14 +111,9 @@ export class SeamModel {
     );
   }
 
-  undo(): boolean {
-    this.forget();
-    return this.history.undo();
-  }
-
-  redo(): boolean {
-    this.forget();
-    return this.history.redo();
+  /** Takes back or repeats what was chosen. */
+  restore(choice: SeamChoice): void {
+    this.change(choice);
   }
 
   private get shown(): EdgeFlags | null {
@@ -145,7 +131,7 @@ export class SeamModel {
 
   private change(choice: SeamChoice): void {
     this.forget();
-    this.history.change(choice);
+    this.wish = choice;
   }
 
   private forget(): void {
@@ -153,6 +139,9 @@ export class SeamModel {
     this.both = null;
   }
 }
+
+/** What choices with the same seams to find have in common. */
+const nameOf = ({ edges, sources }: SeamChoice) => edges ?? seamWords(sources);
 
 function either(a: EdgeFlags, b: EdgeFlags): EdgeFlags {
   const flags = a.slice();

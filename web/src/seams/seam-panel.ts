@@ -5,9 +5,9 @@ import type { Unwrapped } from '../model/model';
 import { Solid } from '../surface/solid';
 import type { MeshView } from '../view/mesh-view';
 import type { Workshop } from '../workshop/workshop';
-import { AUTOMATIC, type SeamChoice, seamOptions } from './seam-choice';
+import { AUTOMATIC, choiceOf, type SeamChoice, type SeamOptions, seamOptions } from './seam-choice';
 import { pairsOf } from './seam-edges';
-import { SeamEditor, type SeamEditorEvents } from './seam-editor';
+import { SeamEditor } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
 import { SeamModel, type Surface } from './seam-model';
@@ -18,6 +18,13 @@ export interface Editable {
   mesh: DisplayMesh;
   summary: MeshSummary;
   name: string;
+}
+
+export interface SeamPanelEvents {
+  /** The user wants other seams; `what` has changed, if the options do not say so. */
+  changed(what?: string): void;
+  /** Shows a message to the user. */
+  say(text: string): void;
 }
 
 /** Everything on the page about seams: the sources, the editor, and what results from both. */
@@ -35,7 +42,7 @@ export class SeamPanel {
   constructor(
     view: MeshView | null,
     private readonly workshop: Workshop,
-    private readonly events: SeamEditorEvents,
+    private readonly events: SeamPanelEvents,
   ) {
     this.sources = new SourceControl((sources) => {
       this.model?.setSources(sources);
@@ -48,7 +55,7 @@ export class SeamPanel {
       failed: showAlert,
       say: events.say,
     });
-    const editorEvents = { changed: () => this.changed(), say: events.say };
+    const editorEvents = { changed: (what: string) => this.changed(what), say: events.say };
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
   }
 
@@ -67,7 +74,7 @@ export class SeamPanel {
         showAlert(error.message);
         return;
       }
-      this.changed();
+      this.changed(`Seams of ${name}`);
     };
   }
 
@@ -75,7 +82,7 @@ export class SeamPanel {
     return this.model?.choice ?? AUTOMATIC;
   }
 
-  get options(): ReturnType<typeof seamOptions> {
+  get options(): SeamOptions {
     return seamOptions(this.choice);
   }
 
@@ -87,7 +94,15 @@ export class SeamPanel {
   /** Adds automatic seams to those asked for. */
   cutFurther(): void {
     this.model?.cutFurther();
-    this.changed();
+    this.changed('Cut further');
+  }
+
+  /** Shows other seams without asking for them. */
+  restore(options: SeamOptions): void {
+    this.model?.restore(choiceOf(options));
+    this.sources.show(this.choice);
+    this.editor?.clear();
+    this.editor?.update();
   }
 
   /** Opens another mesh, with automatic seams. */
@@ -132,9 +147,9 @@ export class SeamPanel {
     this.files.setEnabled(true);
   }
 
-  private changed(): void {
+  private changed(what?: string): void {
     this.sources.show(this.choice);
     this.editor?.update();
-    this.events.changed();
+    this.events.changed(what);
   }
 }

@@ -1,6 +1,7 @@
 import type { UnwrapReport } from 'abflat';
 import { element } from '../base/dom';
 import { count, counted, measure } from '../base/format';
+import { MenuButton } from '../controls/menu-button';
 import type { ChartStates } from '../view/chart-flags';
 
 export interface SelectionActions {
@@ -9,15 +10,19 @@ export interface SelectionActions {
   hide(): void;
   showAll(): void;
   pickNone(): void;
+  /** An entry of the menu was chosen, by its `data-value`. */
+  arrange(how: string): void;
 }
 
 /** What is selected or hidden, with buttons for it. */
 export class SelectionBar {
   private readonly bar = element('selection', HTMLElement);
   private readonly text = element('selection-text', HTMLElement);
-  private readonly onSelected = (['frame', 'isolate', 'hide', 'none'] as const).map((name) =>
-    element(`selection-${name}`, HTMLButtonElement),
+  private readonly onSelected = (['frame', 'isolate', 'hide', 'none', 'arrange'] as const).map(
+    (name) => element(`selection-${name}`, HTMLButtonElement),
   );
+  /** What a gesture does so far. */
+  private gesture: string | null = null;
   private readonly showAll = element('selection-show-all', HTMLButtonElement);
 
   constructor(actions: SelectionActions) {
@@ -26,6 +31,7 @@ export class SelectionBar {
     isolate.addEventListener('click', () => actions.isolate());
     hide.addEventListener('click', () => actions.hide());
     none.addEventListener('click', () => actions.pickNone());
+    new MenuButton('selection-arrange', 'arrange-menu', (how) => actions.arrange(how));
     this.showAll.addEventListener('click', () => actions.showAll());
   }
 
@@ -33,7 +39,15 @@ export class SelectionBar {
     this.bar.hidden = report === null || (selected.size === 0 && hidden.size === 0);
     for (const button of this.onSelected) button.hidden = selected.size === 0;
     this.showAll.hidden = hidden.size === 0;
-    if (report && !this.bar.hidden) this.text.textContent = selectionText(selected, hidden, report);
+    if (!report || this.bar.hidden) return;
+    this.text.textContent = this.gesture ?? selectionText(selected, hidden, report);
+    this.bar.classList.toggle('busy', this.gesture !== null);
+  }
+
+  /** Shows what a gesture does in place of the buttons; null: the buttons again. */
+  showGesture(text: string | null, states: ChartStates, report: UnwrapReport | null): void {
+    this.gesture = text;
+    this.show(states, report);
   }
 }
 

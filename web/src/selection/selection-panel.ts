@@ -1,7 +1,13 @@
 import type { UnwrapReport } from 'abflat';
+import { middleOf } from '../arrange/charts';
+import type { GestureKind } from '../arrange/gesture';
+import { type Motion, turned } from '../arrange/motion';
 import { Aim, type Modifiers } from '../view/aim';
 import type { Pixel } from '../view/sight';
 import type { ViewName, Views } from '../view/views';
+import type { Arranged } from '../workshop/workshop';
+import { type ArrangeName, isGesture, isName, movedText } from './arrange-words';
+import { ChartMover } from './chart-mover';
 import { ChartSelection } from './chart-selection';
 import { SelectionBar } from './selection-bar';
 
@@ -10,12 +16,20 @@ export interface SelectionEvents {
   isFree(): boolean;
   /** The selection has changed. */
   changed(selected: ReadonlySet<number>): void;
+  /** The locked charts of the atlas on screen. */
+  locked(): ReadonlySet<number>;
+  /** Charts are to be moved; `what` has been done to them. */
+  arranged(arranged: Arranged, what: string): void;
+  say(text: string): void;
 }
 
-/** Lets the user select charts in either view, and frame, isolate and hide them. */
+const QUARTER = Math.PI / 2;
+
+/** Lets the user select charts in either view, and frame, isolate, hide and move them. */
 export class SelectionPanel {
   private readonly selection = new ChartSelection(() => this.show());
   private readonly bar: SelectionBar;
+  private readonly mover: ChartMover;
   private report: UnwrapReport | null = null;
 
   constructor(
@@ -29,6 +43,14 @@ export class SelectionPanel {
       hide: () => this.selection.hide(),
       showAll: () => this.selection.showAll(),
       pickNone,
+      arrange: (how) => isName(how) && this.arrange(how),
+    });
+    this.mover = new ChartMover(views, {
+      movable: () => this.movable,
+      resolution: () => this.report?.atlas.resolution ?? 1,
+      shows: (text) => this.bar.showGesture(text, this.selection, this.report),
+      moved: (charts, motion, kind) =>
+        events.arranged(together(charts, motion), movedText(charts, kind)),
     });
     for (const name of ['mesh', 'layout'] as const) this.bind(name);
     window.addEventListener('keydown', ({ key }) => {
@@ -36,9 +58,15 @@ export class SelectionPanel {
     });
   }
 
-  /** The charts of another atlas; null for a layout in one piece. */
+  /** The charts of another atlas; null for a layout in one piece. The same charts stay selected. */
   open(report: UnwrapReport | null): void {
+    const isSame = hasSameCharts(report, this.report);
     this.report = report;
+    if (isSame) {
+      this.show();
+      return;
+    }
+    this.mover.cancel();
     this.selection.clear();
   }
 
@@ -47,21 +75,33 @@ export class SelectionPanel {
     this.selection.pick(chart, false);
   }
 
+  private get movable(): ReadonlySet<number> {
+    const locked = this.events.locked();
+    return new Set([...this.selection.selected].filter((chart) => !locked.has(chart)));
+  }
+
   private bind(name: ViewName): void {
     const canvas = this.views.canvasOf(name);
-    const isFree = () => this.report !== null && (name === 'layout' || this.events.isFree());
+    const isFree = () =>
+      this.report !== null && !this.mover.isActive && (name === 'layout' || this.events.isFree());
     const chartAt = (at: Pixel | null) => (at && isFree() ? this.views.chartAt(name, at) : null);
     const aim = new Aim(canvas, {
-      moved: (at) => this.selection.hover(chartAt(at)),
+      moved: (at) => this.hover(name, chartAt(at)),
       clicked: (at, { shift }: Modifiers) => {
         if (isFree()) this.selection.pick(chartAt(at), shift);
       },
     });
     this.views.onMoved(name, () => aim.refresh());
-    canvas.addEventListener('keydown', (event) => this.onKey(event));
+    canvas.addEventListener('keydown', (event) => this.onKey(event, name));
   }
 
-  private onKey(event: KeyboardEvent): void {
+  private hover(name: ViewName, chart: number | null): void {
+    this.selection.hover(chart);
+    const isMovable = name === 'layout' && chart !== null && this.movable.has(chart);
+    this.views.canvasOf(name).classList.toggle('movable', isMovable);
+  }
+
+  private onKey(event: KeyboardEvent, view: ViewName): void {
     if (!this.report || event.ctrlKey || event.metaKey) return;
     const { length } = this.report.charts;
     const actions: Record<string, () => void> = {
@@ -72,10 +112,41 @@ export class SelectionPanel {
       a: () => this.selection.pickAll(length),
       'alt a': () => this.selection.pickNone(),
     };
-    const action = actions[nameOf(event)];
+    const gestures: Record<string, () => void> = {
+      g: () => this.arrange('move'),
+      r: () => this.arrange('turn'),
+      s: () => this.arrange('scale'),
+    };
+    const name = nameOf(event);
+    const action = actions[name] ?? (view === 'layout' ? gestures[name] : undefined);
     if (!action) return;
     event.preventDefault();
     action();
+  }
+
+  private arrange(how: ArrangeName): void {
+    const { movable } = this;
+    if (movable.size === 0) {
+      const isLocked = this.selection.selected.size > 0;
+      this.events.say(
+        isLocked ? 'Locked charts stay. Unlock them to move them' : 'Select a chart first',
+      );
+      return;
+    }
+    if (isGesture(how)) {
+      this.views.canvasOf('layout').focus();
+      this.mover.start(how);
+      return;
+    }
+    this.events.arranged(this.arranged(how, movable), movedText(movable, how));
+  }
+
+  private arranged(how: Exclude<ArrangeName, GestureKind>, movable: ReadonlySet<number>): Arranged {
+    const charts = Uint32Array.from(movable);
+    const fixed = [...this.selection.selected].filter((chart) => !movable.has(chart));
+    if (how !== 'left' && how !== 'right') return { how, charts, fixed: Uint32Array.from(fixed) };
+    const middle = middleOf(this.views.boxOf(movable));
+    return together(movable, turned(middle, how === 'left' ? QUARTER : -QUARTER));
   }
 
   private frame(): void {
@@ -94,6 +165,23 @@ export class SelectionPanel {
     this.bar.show(this.selection, this.report);
     this.events.changed(this.selection.selected);
   }
+}
+
+const together = (charts: ReadonlySet<number>, motion: Motion): Arranged => ({
+  charts: Uint32Array.from(charts),
+  motions: Array.from(charts, () => motion),
+});
+
+/** Whether two atlases have the same charts, if perhaps in other places. */
+function hasSameCharts(a: UnwrapReport | null, b: UnwrapReport | null): boolean {
+  return (
+    a !== null &&
+    a.charts.length === b?.charts.length &&
+    a.charts.every(
+      ({ faces, firstFace }, i) =>
+        faces === b.charts[i].faces && firstFace === b.charts[i].firstFace,
+    )
+  );
 }
 
 /** With Alt a Mac's keys write other letters, so the key itself counts. */

@@ -1,4 +1,4 @@
-import type { Abflat } from 'abflat';
+import type { Abflat, AbflatError, UnwrapOptions } from 'abflat';
 import { copied } from '../base/buffers';
 import {
   type AnyProgress,
@@ -8,7 +8,7 @@ import {
   type Outcome,
   type Source,
 } from '../model/model';
-import type { Kept, Settings } from '../model/settings';
+import { type Settings, sameButSeams, type UnwrapSettings } from '../model/settings';
 
 interface Watch {
   signal: AbortSignal;
@@ -17,14 +17,33 @@ interface Watch {
 
 type Input = Pick<Opened, 'source' | 'input' | 'mesh' | 'gltf'>;
 
+type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'seams' | 'seamEdges'>;
+
 /**
- * Charts that an edit leaves unchanged are not flattened again; locked ones stay where they are.
+ * What a run takes over: charts that stay the same are not flattened again, and locked ones stay
+ * where they are. After an edit of seams, or when charts were moved, all that it leaves unchanged
+ * stay where they are.
  */
-function fromEarlier(source: Source, kept: Kept | undefined, earlier: Outcome | null) {
-  if (kept && kept.charts.length > 0) return { known: kept.layout, fixedCharts: kept.charts };
-  const isKnown = earlier?.mode === 'unwrap' && earlier.source === source;
-  return { known: isKnown ? earlier.result : undefined };
+function fromEarlier(source: Source, settings: UnwrapSettings, earlier: Outcome | null): Earlier {
+  const { kept, placed } = settings;
+  const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
+  const isMoved = placed !== undefined && placed !== last?.settings.placed;
+  const keepsPlaces = isMoved || (last !== null && isSeamEdit(last.settings, settings));
+  const layout = (isMoved ? placed : undefined) ?? last?.result;
+  // Moving charts cuts nothing.
+  const seams = isMoved ? { seams: 'none', seamEdges: placed.seams } : {};
+  if (!kept || kept.charts.length === 0) return { known: layout, keepsPlaces, ...seams };
+  // The numbers of locked charts are those of the layout in which they were locked.
+  const isSame = keepsPlaces && (isMoved || kept.layout === last?.result);
+  const known = isSame ? layout : kept.layout;
+  return { known, fixedCharts: kept.charts, keepsPlaces: isSame, ...seams };
 }
+
+/** Whether only seams have changed, and to listed ones: other sources may cut everything anew. */
+const isSeamEdit = (before: UnwrapSettings, after: UnwrapSettings) =>
+  after.seamEdges !== undefined &&
+  (after.seamEdges !== before.seamEdges || after.seams !== before.seams) &&
+  sameButSeams(before, after);
 
 /**
  * One run of abflat with these settings. `earlier`: the last outcome, of any mesh; `format`: that of
@@ -53,14 +72,23 @@ export async function layOut(
     });
     return { mode, source, mesh, gltf, settings, result };
   }
-  const { mode, kept, ...options } = settings;
-  const result = await abflat.unwrap(await copied(input), {
-    ...options,
-    ...fromEarlier(source, kept, earlier),
-    ...file,
-    transfer: true,
-    roundsForGltf,
-    ...watch,
-  });
-  return { mode, source, mesh, gltf, settings, result };
+  const { mode, kept, placed, ...options } = settings;
+  const unwrap = async (known: Earlier) =>
+    abflat.unwrap(await copied(input), {
+      ...options,
+      ...known,
+      ...file,
+      transfer: true,
+      roundsForGltf,
+      ...watch,
+    });
+  const known = fromEarlier(source, settings, earlier);
+  const made = { mode, source, mesh, gltf, settings };
+  try {
+    return { ...made, result: await unwrap(known) };
+  } catch (error) {
+    if (!known.keepsPlaces || (error as AbflatError).code !== 'AtlasTooSmall') throw error;
+    // Beside the charts that stay there is no room for the others at the density asked for.
+    return { ...made, result: await unwrap({ ...known, keepsPlaces: false }), isRepacked: true };
+  }
 }

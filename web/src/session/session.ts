@@ -23,6 +23,8 @@ export interface SessionEvents {
   /** A mesh was read. */
   opened(opened: Opened): void;
   laidOut(outcome: Outcome, drawing: FlatDrawing): void;
+  /** An earlier outcome is there again. */
+  restored(outcome: Outcome, drawing: FlatDrawing): void;
   cancelled(): void;
   /** `settings` is null when the mesh could not be read. */
   failed(source: Source, settings: Settings | null, error: Error): void;
@@ -93,6 +95,20 @@ export class Session {
     this.isWanted = true;
     clearTimeout(this.patience);
     this.patience = setTimeout(() => this.replaceRun(), PATIENCE);
+  }
+
+  /** Takes an earlier outcome of the open mesh as the last one, in place of a run. */
+  async restore(outcome: Outcome): Promise<void> {
+    this.stop();
+    const controller = this.begin();
+    try {
+      const drawing = await this.helpers.outcome(outcome);
+      if (controller === this.running) this.outcome = outcome;
+      this.end(controller, () => this.events.restored(outcome, drawing));
+    } catch (error) {
+      const { source, settings } = outcome;
+      this.end(controller, () => this.events.failed(source, settings, explained(error)));
+    }
   }
 
   get isBusy(): boolean {

@@ -4,7 +4,7 @@ import type { DisplayMesh } from '../mesh/mesh';
 import type { Flattened, Outcome, Source } from '../model/model';
 import { changedOptions } from '../model/more-options';
 import type { Mode, Settings } from '../model/settings';
-import { titleOf } from './open-mesh';
+import { titleOf } from './titles';
 
 interface Words {
   doing: string;
@@ -69,14 +69,19 @@ function boundInfo({ settings, result }: Flattened): string {
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
 }
 
+/** Whether charts were moved and nothing was laid out. */
+export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
+  mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
+
 /**
  * For an edited atlas: the charts that did not change and those that were to stay where they are.
  */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return '';
+  if (outcome.isRepacked) return '; packed again, as there was too little room';
   const { charts } = outcome.result.report;
   const known = charts.filter(({ solver }) => solver === 'known').length;
-  const fixed = charts.filter(({ fixed }) => fixed).length;
+  const fixed = charts.filter(({ solver }) => solver === 'given').length;
   const fixedAs = outcome.settings.fixedFaces ? 'as in the file' : 'locked';
   if (known > 0 && fixed > 0) return `; ${count(known)} kept, ${count(fixed)} ${fixedAs}`;
   const [number, what] = known > 0 ? [known, 'kept'] : [fixed, fixedAs];

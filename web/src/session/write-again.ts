@@ -19,11 +19,12 @@ export async function writeAgain(
   signal: AbortSignal,
 ): Promise<Written> {
   const { result } = outcome;
-  // What is not valid cannot be kept in its place; the same once more gives the same.
-  const written = result.report.valid
-    ? await keepAll(abflat, input, outcome, format, signal)
-    : (await layOut(abflat, { ...outcome, input }, outcome.settings, null, { signal }, format))
-        .result;
+  // A chart that is not valid cannot be kept in its place; the same once more gives the same.
+  const written =
+    result.report.valid || staysInPlace(outcome)
+      ? await keepAll(abflat, input, outcome, format, signal)
+      : (await layOut(abflat, { ...outcome, input }, outcome.settings, null, { signal }, format))
+          .result;
   if (!isSame(written.indices, result.indices) || !isSame(written.uv, result.uv))
     throw new Error('The layout came out differently. Lay it out again, then export it.');
   const { obj, ply, report } = written;
@@ -43,12 +44,19 @@ async function keepAll(
     ...atlasOf(outcome),
     known: knownOf(outcome),
     fixedCharts: Uint32Array.from(charts.keys()),
+    // They may overlap where the user has moved them.
+    keepsPlaces: true,
     seams: 'none',
     ...wanted(format),
     transfer: true,
     signal,
   });
 }
+
+/** Whether it is an earlier atlas with charts that were left where they are, or moved. */
+const staysInPlace = ({ mode, result }: Outcome) =>
+  mode === 'unwrap' &&
+  result.report.charts.some(({ solver, fixed }) => fixed && solver === 'known');
 
 const wanted = (format: ExportFormat) =>
   format === 'glb' ? { roundsForGltf: true } : { [format]: true };

@@ -1,4 +1,5 @@
 import type { Color } from 'three';
+import type { Motion } from '../arrange/motion';
 import type { ChartStates } from './chart-flags';
 import { EdgeLines } from './edge-lines';
 import { edgesOfCharts } from './edges-of-charts';
@@ -14,6 +15,8 @@ export class ChartEdges {
   private charts: Uint32Array = new Uint32Array();
   private hidden: ReadonlySet<number> = new Set();
   private selected: ReadonlySet<number> = new Set();
+  /** Charts that are being moved: only their outlines are drawn. */
+  private moving: ReadonlySet<number> = new Set();
 
   /** `width`: of the boundary, in css pixels. */
   constructor(width: number, depthTest: boolean) {
@@ -39,6 +42,15 @@ export class ChartEdges {
     this.draw();
   }
 
+  /** Moves the outline of these charts; without any, all are drawn where they are. */
+  move(charts: ReadonlySet<number>, { a, b, x, y }: Motion): void {
+    this.outline.object.matrixAutoUpdate = false;
+    this.outline.object.matrix.set(a, -b, 0, x, b, a, 0, y, 0, 0, 1, 0, 0, 0, 0, 1);
+    if (charts === this.moving) return;
+    this.moving = charts;
+    this.draw();
+  }
+
   setOutlineColor(color: Color): void {
     this.outline.setColor(color);
   }
@@ -49,10 +61,12 @@ export class ChartEdges {
   }
 
   private draw(): void {
-    const { ends, charts, hidden, selected } = this;
-    const isShown = (chart: number) => !hidden.has(chart);
-    this.boundary.show(hidden.size > 0 ? edgesOfCharts(ends, charts, isShown) : ends);
-    const isOutlined = (chart: number) => selected.has(chart) && isShown(chart);
+    const { ends, charts, hidden, selected, moving } = this;
+    const isShown = (chart: number) => !hidden.has(chart) && !moving.has(chart);
+    const hasAll = hidden.size === 0 && moving.size === 0;
+    this.boundary.show(hasAll ? ends : edgesOfCharts(ends, charts, isShown));
+    const isOutlined = (chart: number) =>
+      moving.size > 0 ? moving.has(chart) : selected.has(chart) && isShown(chart);
     this.outline.show(edgesOfCharts(ends, charts, isOutlined));
   }
 }

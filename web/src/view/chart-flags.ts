@@ -10,7 +10,7 @@ export interface ChartStates {
   hovered: number | null;
 }
 
-/** A texel for each chart: red if it is hidden, green if it is hovered. */
+/** A texel for each chart: red if it is hidden, green if it is hovered, blue if it is being moved. */
 export class ChartFlags {
   private texture = textureFor(1);
 
@@ -19,13 +19,14 @@ export class ChartFlags {
     this.setUniforms();
   }
 
-  show({ hidden, hovered }: ChartStates): void {
-    const charts = [...hidden, hovered ?? -1];
+  show({ hidden, hovered }: ChartStates, moving: Iterable<number> = []): void {
+    const charts = [...hidden, ...moving, hovered ?? -1];
     this.makeRoom(charts.reduce((most, chart) => Math.max(most, chart + 1), 1));
     const bytes = this.texture.image.data as Uint8Array;
     bytes.fill(0);
     for (const chart of hidden) bytes[4 * chart] = 255;
     if (hovered !== null) bytes[4 * hovered + 1] = 255;
+    for (const chart of moving) bytes[4 * chart + 2] = 255;
     this.texture.needsUpdate = true;
   }
 
@@ -54,10 +55,19 @@ function textureFor(count: number): DataTexture {
 /** `piece` is the number of a chart; charts beyond the texture have no flags. */
 export const FLAGS_GLSL = /* glsl */ `
   uniform sampler2D flags;
-  vec2 flagsOf(float piece) {
+  vec3 flagsOf(float piece) {
     int chart = int(piece + 0.5);
     ivec2 at = ivec2(chart % ${WIDTH}, chart / ${WIDTH});
-    if (at.y >= textureSize(flags, 0).y) return vec2(0.0);
-    return texelFetch(flags, at, 0).rg;
+    if (at.y >= textureSize(flags, 0).y) return vec3(0.0);
+    return texelFetch(flags, at, 0).rgb;
+  }
+`;
+
+/** Needs FLAGS_GLSL. `motion` is a motion's a, b, x and y. */
+export const MOTION_GLSL = /* glsl */ `
+  uniform vec4 motion;
+  vec2 moved(vec2 p, float piece) {
+    if (flagsOf(piece).b < 0.5) return p;
+    return vec2(motion.x * p.x - motion.y * p.y, motion.y * p.x + motion.x * p.y) + motion.zw;
   }
 `;

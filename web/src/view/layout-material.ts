@@ -1,7 +1,7 @@
-import { Color, DoubleSide, ShaderMaterial, Vector2 } from 'three';
+import { Color, DoubleSide, ShaderMaterial, Vector2, Vector4 } from 'three';
 import { CHART_COLORS } from '../colors/chart-colors';
 import type { Palette } from '../colors/palette';
-import { FLAGS_GLSL } from './chart-flags';
+import { FLAGS_GLSL, MOTION_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
 import { LOOK_GLSL, LOOK_VERTEX_GLSL, lookUniforms } from './look-shader';
 import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
@@ -13,6 +13,8 @@ const VERTEX = /* glsl */ `
   ${LOOK_VERTEX_GLSL}
   uniform bool showsMaterials;
   attribute vec3 heat;
+  ${FLAGS_GLSL}
+  ${MOTION_GLSL}
   attribute float chart, piece;
   varying vec3 vCorner;
   varying vec2 vPlace;
@@ -20,12 +22,12 @@ const VERTEX = /* glsl */ `
   flat varying float vChart, vPiece;
   void main() {
     vCorner = cornerOf(gl_VertexID);
-    vPlace = position.xy;
+    vPlace = moved(position.xy, piece);
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
     readLook(showsMaterials);
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 0.0, 1.0);
   }
 `;
 
@@ -47,7 +49,7 @@ const FRAGMENT = /* glsl */ `
   flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
   void main() {
-    vec2 flag = flagsOf(vPiece);
+    vec3 flag = flagsOf(vPiece);
     vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
     if (flag.r > 0.5) discard;
     vec3 base = showsCharts ? chartColor(vChart) : fill;
@@ -102,6 +104,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       uvUnit: { value: 1 },
       flags: { value: null },
       ...lookUniforms(),
+      motion: { value: new Vector4(1, 0, 0, 0) },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

@@ -1,4 +1,5 @@
 import { OrthographicCamera, Scene } from 'three';
+import { inPlane, type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
@@ -52,6 +53,11 @@ export class LayoutView {
   private unit = 1;
   private readonly labels = new TileLabels();
   private moved: () => void = () => undefined;
+  private mayPan: () => boolean = () => true;
+  private states: ChartStates = { selected: new Set(), hidden: new Set(), hovered: null };
+  private moving: ReadonlySet<number> = new Set();
+  /** Whether the next layout has the charts where they were moved to. */
+  private isPlaced = false;
   /** Until the user pans or zooms, the layout stays fitted however it or the pane changes. */
   private isFitted = true;
   private isAtlas = false;
@@ -61,6 +67,7 @@ export class LayoutView {
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.panZoom = new PanZoom(canvas, {
+      isFree: () => this.mayPan(),
       moved: () => {
         this.isFitted = false;
         this.moved();
@@ -104,6 +111,7 @@ export class LayoutView {
   /** Shows everything besides the triangles. */
   private showParts(layout: LayoutDrawing, edgeCharts: Uint32Array, isAtlas: boolean): void {
     this.isAtlas = isAtlas;
+    if (this.isPlaced) this.move(new Set(), STILL);
     this.colorBoundary();
     this.material.uniforms.showsCharts.value = isAtlas;
     this.material.uniforms.uvMiddle.value.set(...layout.middle);
@@ -166,13 +174,65 @@ export class LayoutView {
     this.moved = moved;
   }
 
+  picture(): Promise<HTMLCanvasElement> {
+    return this.stage.picture();
+  }
+
   /** The chart at a pixel; null if there is none. */
   chartAt(at: Pixel): number | null {
     return this.picker.chartAt(at, this.surface.object, this.camera, this.stage);
   }
 
+  /** Shows charts as if they were moved in uv; without charts, all where they are. */
+  move(charts: ReadonlySet<number>, motion: Motion): void {
+    this.isPlaced = false;
+    const { a, b, x, y } = inPlane(motion, this.middle, this.unit);
+    this.material.uniforms.motion.value.set(a, b, x, y);
+    if (charts !== this.moving) this.flags.show(this.states, charts);
+    this.moving = charts;
+    this.edges.move(charts, { a, b, x, y });
+    this.stage.invalidate();
+  }
+
+  /** The next layout to be shown has the charts where they were moved to. */
+  place(): void {
+    this.isPlaced = true;
+  }
+
+  /** The point of uv at a pixel. */
+  uvAt({ x, y }: Pixel): Point {
+    const { x: midX, y: midY, scale } = this.panZoom;
+    const [right, up] = [x - this.stage.width / 2, this.stage.height / 2 - y];
+    const [u, v] = this.middle;
+    return [u + this.unit * (midX + right / scale), v + this.unit * (midY + up / scale)];
+  }
+
+  /** Css pixels per unit of uv. */
+  get pixelsPerUv(): number {
+    return this.panZoom.scale / this.unit;
+  }
+
+  /** The box in uv of some charts. */
+  boxOf(charts: Iterable<number>): { low: Point; high: Point } {
+    const { size, low, high } = FLAT_FRAME;
+    const [u, v] = this.middle;
+    const of = (d: number) => [...charts].map((chart) => this.frames[size * chart + d]);
+    const [left, bottom] = [Math.min(...of(low)), Math.min(...of(low + 1))];
+    const [right, top] = [Math.max(...of(high)), Math.max(...of(high + 1))];
+    return {
+      low: [u + this.unit * left, v + this.unit * bottom],
+      high: [u + this.unit * right, v + this.unit * top],
+    };
+  }
+
+  /** Drags pan only when `mayPan`. */
+  setPanning(mayPan: () => boolean): void {
+    this.mayPan = mayPan;
+  }
+
   showStates(states: ChartStates): void {
-    this.flags.show(states);
+    this.states = states;
+    this.flags.show(states, this.moving);
     this.edges.showStates(states);
     this.stage.invalidate();
   }

@@ -124,6 +124,10 @@ export class MeshView {
     this.reset();
   }
 
+  picture(): Promise<HTMLCanvasElement> {
+    return this.stage.picture();
+  }
+
   /** What the camera sees now. */
   get sight(): Sight {
     return new Sight(this.camera, this.stage.width, this.stage.height);

@@ -1,4 +1,6 @@
 export interface PanZoomEvents {
+  /** Whether a drag is free to pan. */
+  isFree(): boolean;
   moved(): void;
   fit(): void;
 }
@@ -71,7 +73,7 @@ export class PanZoom {
     this.pointers.set(event.pointerId, now);
     const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
     if (!other) {
-      this.pan(now.x - last.x, now.y - last.y);
+      if (this.events.isFree()) this.pan(now.x - last.x, now.y - last.y);
       return;
     }
     // Each finger moves the midpoint by half of its own movement.

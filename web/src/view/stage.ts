@@ -62,6 +62,21 @@ export class Stage {
     });
   }
 
+  /** A copy of what is shown, once everything has arrived and stands still. */
+  async picture(): Promise<HTMLCanvasElement> {
+    this.drawNow();
+    while (this.isStale) {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      this.drawNow();
+    }
+    // In the task that has drawn it: later, the browser has cleared it.
+    const copy = document.createElement('canvas');
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
+    return copy;
+  }
+
   private drawNow(): void {
     this.isStale = false;
     this.draw();

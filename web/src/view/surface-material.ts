@@ -82,7 +82,7 @@ const FRAGMENT = /* glsl */ `
   }
 
   void main() {
-    vec2 flag = flagsOf(vPiece);
+    vec3 flag = flagsOf(vPiece);
     vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
     if (flag.r > 0.5) discard;
     vec3 base = clay;

@@ -1,3 +1,4 @@
+import type { Motion, Point } from '../arrange/motion';
 import { bindToggle, element } from '../base/dom';
 import { readPalette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
@@ -104,6 +105,46 @@ export class Views {
   /** Shows the heat map of a measure, and lights the worst of the surface. */
   showWorst(measure: Measure): void {
     this.shading.showWorst(measure);
+  }
+
+  /** Shows charts of the layout as if they were moved in uv; without charts, all where they are. */
+  moveCharts(charts: ReadonlySet<number>, motion: Motion): void {
+    this.layout.move(charts, motion);
+  }
+
+  /** The next layout to be shown has the charts where they were moved to. */
+  placeCharts(): void {
+    this.layout.place();
+  }
+
+  /** The point of uv at a pixel of the layout. */
+  uvAt(at: Pixel): Point {
+    return this.layout.uvAt(at);
+  }
+
+  /** The box in uv of some charts. */
+  boxOf(charts: Iterable<number>): { low: Point; high: Point } {
+    return this.layout.boxOf(charts);
+  }
+
+  /** Css pixels per unit of uv. */
+  get pixelsPerUv(): number {
+    return this.layout.pixelsPerUv;
+  }
+
+  /** Drags of the layout pan only when `mayPan`. */
+  setPanning(mayPan: () => boolean): void {
+    this.layout.setPanning(mayPan);
+  }
+
+  /** Copies of both views. */
+  async pictures(): Promise<{
+    mesh: HTMLCanvasElement;
+    layout: HTMLCanvasElement;
+    pixelRatio: number;
+  }> {
+    const [mesh, layout] = await Promise.all([this.mesh.picture(), this.layout.picture()]);
+    return { mesh, layout, pixelRatio: layout.width / this.layout.canvas.clientWidth };
   }
 
   canvasOf(view: ViewName): HTMLCanvasElement {

@@ -2,11 +2,17 @@
 // main thread.
 
 import { expose, transfer } from 'comlink';
+import type { ChartArrays } from '../arrange/charts';
+import { evened } from '../arrange/density';
+import { type Motions, movedUv } from '../arrange/move-charts';
+import { stacked } from '../arrange/stack';
+import { straightened } from '../arrange/straighten';
 import { buffersOf } from '../base/buffers';
 import { drawFlat } from '../drawing/draw';
 import { drawMesh } from '../drawing/draw-mesh';
 import {
   type AtlasArrays,
+  type AtlasSize,
   atlasPicture,
   flatPicture,
   type MarkedChart,
@@ -16,6 +22,7 @@ import {
 import type { LookSource } from '../files/appearance';
 import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
 import { hasLook } from '../files/has-look';
+import { joinedObj, type NamedMesh } from '../files/joined-obj';
 import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
 import type { LookMesh } from '../files/stored-look';
@@ -33,11 +40,23 @@ const tasks = {
   layout: (layout: LayoutArrays, input: DisplayMesh, chart: MarkedChart | null): FlatDrawing =>
     handedOver(drawFlat(flatPicture(layout, input, chart), 0)),
 
-  atlas: (
-    atlas: AtlasArrays,
-    size: { tiles: number; chartCount: number },
-    input: DisplayMesh,
-  ): FlatDrawing => handedOver(drawFlat(atlasPicture(atlas, size, input), size.chartCount)),
+  atlas: (atlas: AtlasArrays, size: AtlasSize, input: DisplayMesh): FlatDrawing =>
+    handedOver(drawFlat(atlasPicture(atlas, size, input), size.chartCount)),
+
+  moved: (arrays: ChartArrays, motions: Motions): Float64Array =>
+    handedOver(movedUv(arrays, motions)),
+
+  straightened: (arrays: ChartArrays, charts: Uint32Array): Motions => straightened(arrays, charts),
+
+  stacked: (arrays: ChartArrays, charts: Uint32Array, fixed: Uint32Array): Motions =>
+    stacked(arrays, charts, fixed),
+
+  evened: (
+    arrays: ChartArrays,
+    layout: Parameters<typeof positionsOf>[0],
+    input: Parameters<typeof positionsOf>[1],
+    charts: Uint32Array,
+  ): Motions => evened({ ...arrays, positions: positionsOf(layout, input) }, charts),
 
   surface: (mesh: DisplayMesh, isDisk: boolean): SurfaceArrays =>
     handedOver(makeSurface(mesh, isDisk)),
@@ -78,6 +97,8 @@ const tasks = {
   },
 
   joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
+
+  joinedObj: (meshes: NamedMesh[]): Blob => new Blob(joinedObj(meshes), { type: 'model/obj' }),
 
   svg: (drawing: AtlasDrawing, millimetres: number | 'auto'): Blob =>
     new Blob([atlasSvg(drawing, millimetres)], { type: 'image/svg+xml' }),

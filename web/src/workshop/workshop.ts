@@ -1,6 +1,9 @@
 import { type Remote, transfer, wrap } from 'comlink';
+import type { ChartArrays } from '../arrange/charts';
+import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
 import { NO_WORKER, NOT_LOADED, notLoaded, stopped } from '../base/lost';
+import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { AppearanceRead } from '../model/appearance';
@@ -15,7 +18,14 @@ import type {
   Unwrapped,
 } from '../model/model';
 import type { SurfaceArrays } from '../surface/make-surface';
+import { KeptColors } from './kept-colors';
 import type { Tasks } from './worker';
+
+/** What can be done to some charts at once: an upright box, one on the other, as many texels as the rest. */
+export type Arrangement = 'straightened' | 'stacked' | 'evened';
+
+/** How charts are to be moved: by motions, or so that they are arranged. `fixed`: charts that stay, but count. */
+export type Arranged = Motions | { how: Arrangement; charts: Uint32Array; fixed: Uint32Array };
 
 interface Running {
   tasks: Remote<Tasks>;
@@ -30,6 +40,7 @@ interface Running {
  */
 export class Workshop implements Helpers {
   private running: Running | null = null;
+  private readonly colors = new KeptColors();
   /** Resolves when everything that was sent has been copied. */
   private sent: Promise<void> = Promise.resolve();
 
@@ -52,11 +63,16 @@ export class Workshop implements Helpers {
     const { result, mode, mesh } = outcome;
     if (mode === 'flatten') return this.layout(result, mesh, result.report.charts[0]);
     const { uv, indices, vertexMap, positions, chartOfTriangle, report } = result;
-    const size = { tiles: report.atlas.tiles, chartCount: report.charts.length };
+    const chartCount = report.charts.length;
+    const colors = this.colors.of(chartOfTriangle, chartCount);
+    const size = { tiles: report.atlas.tiles, chartCount, colors };
     return this.send(
       [{ uv, indices, vertexMap, positions, chartOfTriangle }, trianglesOf(mesh)],
       (tasks, atlas, input) => tasks.atlas(atlas, size, input),
-    );
+    ).then((drawing) => {
+      this.colors.keep(chartOfTriangle, drawing.chartColors);
+      return drawing;
+    });
   }
 
   layout(
@@ -69,6 +85,24 @@ export class Workshop implements Helpers {
       [{ uv, indices, vertexMap, positions }, trianglesOf(mesh)],
       (tasks, layout, input) => tasks.layout(layout, input, marked),
     );
+  }
+
+  /** The coordinates of an atlas whose charts are moved. */
+  moved(atlas: ChartArrays, motions: Motions): Promise<Float64Array> {
+    return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.moved(own, motions));
+  }
+
+  /** How to move charts so that they are arranged. */
+  async motions({ result, mesh }: Unwrapped, arranged: Arranged): Promise<Motions> {
+    if ('motions' in arranged) return arranged;
+    const { how, charts, fixed } = arranged;
+    const { positions, vertexMap } = result;
+    const parts = [{ positions, vertexMap }, { positions: mesh.positions }] as const;
+    return this.send([chartArraysOf(result), ...parts], (tasks, own, layout, input) => {
+      if (how === 'straightened') return tasks.straightened(own, charts);
+      if (how === 'stacked') return tasks.stacked(own, charts, fixed);
+      return tasks.evened(own, layout, input, charts);
+    });
   }
 
   /** What is needed to edit seams. */
@@ -127,6 +161,11 @@ export class Workshop implements Helpers {
   /** The mesh with vertices at the same point joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
     return this.send([mesh], (tasks, own) => tasks.joined(own));
+  }
+
+  /** The meshes as one OBJ. */
+  joinedObj(meshes: NamedMesh[]): Promise<Blob> {
+    return this.send(meshes, (tasks, ...own) => tasks.joinedObj(own));
   }
 
   /**
@@ -188,6 +227,12 @@ async function compressed(file: File, others: File[], signal: AbortSignal): Prom
     end();
   }
 }
+
+const chartArraysOf = ({ uv, indices, chartOfTriangle }: ChartArrays): ChartArrays => ({
+  uv,
+  indices,
+  chartOfTriangle,
+});
 
 const trianglesOf = ({ positions, indices, faces }: DisplayMesh): DisplayMesh => ({
   positions,

@@ -1,0 +1,39 @@
+import { element, isTyping } from '../base/dom';
+
+export interface StepButtonEvents {
+  undo(): void;
+  redo(): void;
+}
+
+/** Undo and redo, by buttons and by the usual keys. */
+export class StepButtons {
+  private readonly undo = element('undo', HTMLButtonElement);
+  private readonly redo = element('redo', HTMLButtonElement);
+
+  constructor(events: StepButtonEvents) {
+    this.undo.addEventListener('click', () => events.undo());
+    this.redo.addEventListener('click', () => events.redo());
+    document.addEventListener('keydown', (event) => {
+      // A field being typed in has an undo of its own.
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
+      const action = { Z: events.undo, 'Shift+Z': events.redo, Y: events.redo }[keyOf(event)];
+      if (!action) return;
+      event.preventDefault();
+      action();
+    });
+  }
+
+  /** `undoes`, `redoes`: what would be taken back and done again; null if nothing. */
+  show(undoes: string | null, redoes: string | null): void {
+    name(this.undo, 'Undo', 'Ctrl+Z', undoes);
+    name(this.redo, 'Redo', 'Ctrl+Shift+Z', redoes);
+  }
+}
+
+function name(button: HTMLButtonElement, verb: string, keys: string, what: string | null): void {
+  button.disabled = what === null;
+  button.title = what === null ? `${verb} (${keys})` : `${verb}: ${what} (${keys})`;
+}
+
+const keyOf = ({ key, shiftKey }: KeyboardEvent) =>
+  `${shiftKey ? 'Shift+' : ''}${key.toUpperCase()}`;

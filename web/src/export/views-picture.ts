@@ -1,0 +1,42 @@
+import { download } from '../base/download';
+import { count } from '../base/format';
+import type { Views } from '../view/views';
+import { drawLegend, drawTiles, type Place } from './legend-picture';
+
+/** Saves both views side by side as they are seen, as PNG. Returns what was done, for people. */
+export async function savePicture(views: Views, meshName: string): Promise<string> {
+  const { mesh, layout, pixelRatio } = await views.pictures();
+  const picture = sideBySide(mesh, layout, pixelRatio);
+  const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
+  if (!blob) throw new Error('The browser made no picture of it. Make the window smaller.');
+  const name = `${meshName.replace(/\.[^.]*$/, '')}-views.png`;
+  download(name, blob.type, blob);
+  return `Saved ${name}, ${count(picture.width)}\u202f×\u202f${count(picture.height)}\u202fpx`;
+}
+
+/** With a line between them, and what lies above the layout on the page. */
+function sideBySide(
+  left: HTMLCanvasElement,
+  right: HTMLCanvasElement,
+  pixelRatio: number,
+): HTMLCanvasElement {
+  const picture = document.createElement('canvas');
+  const line = Math.round(pixelRatio);
+  picture.width = left.width + line + right.width;
+  picture.height = Math.max(left.height, right.height);
+  const pen = picture.getContext('2d');
+  if (!pen) throw new Error('The browser has no memory left for a picture. Close other tabs.');
+  const style = getComputedStyle(document.documentElement);
+  const color = (name: string) => style.getPropertyValue(name).trim();
+  pen.fillStyle = color('--view');
+  pen.fillRect(0, 0, picture.width, picture.height);
+  const middle = (height: number) => Math.round((picture.height - height) / 2);
+  const place: Place = { x: left.width + line, y: middle(right.height), pixelRatio };
+  pen.drawImage(left, 0, middle(left.height));
+  pen.drawImage(right, place.x, place.y);
+  pen.fillStyle = color('--line');
+  pen.fillRect(left.width, 0, line, picture.height);
+  drawTiles(pen, place, color);
+  drawLegend(pen, { ...place, right: picture.width, bottom: place.y + right.height }, color);
+  return picture;
+}

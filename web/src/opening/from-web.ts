@@ -1,0 +1,87 @@
+import { type Address, addressOf } from './address';
+import type { Watch } from './fetch-file';
+import { fetchMesh } from './fetch-mesh';
+import type { Gathering } from './gathering';
+
+/** Shown at most this often, in milliseconds. */
+const PAUSE = 100;
+
+/** The sheet is not part of the first load. */
+const loadSheet = () => import('./web-sheet');
+
+/** Opens meshes from the web, each after asking. */
+export class FromWeb {
+  private isAsking = false;
+
+  constructor(
+    private readonly gathering: Gathering,
+    private readonly refused: (reason: string) => void,
+  ) {}
+
+  /** Asks for a mesh from any server. */
+  open(text: string): void {
+    if (this.isAsking) return;
+    let address: Address;
+    try {
+      address = addressOf(text, location.href);
+    } catch (error) {
+      this.refused((error as Error).message);
+      return;
+    }
+    this.isAsking = true;
+    this.agreed(address)
+      .then((isAgreed) => isAgreed && this.fetch(address))
+      .catch(({ message }: Error) => this.refused(message))
+      .finally(() => {
+        this.isAsking = false;
+      });
+  }
+
+  /** Fetches without asking. */
+  fetch(address: Address): void {
+    const { name, host } = address;
+    this.gathering.start({
+      name,
+      doing: `Fetching ${name} from ${host}`,
+      task: (signal) => fetchMesh(address, this.watch(signal)),
+    });
+  }
+
+  private async agreed(address: Address): Promise<boolean> {
+    const { ask, openFrom } = await loadSheet();
+    return ask(openFrom(address, address.isOwn ? await ownSize(address.url) : null));
+  }
+
+  private watch(signal: AbortSignal): Watch {
+    let last = 0;
+    return {
+      signal,
+      progress: (name, received, total) => {
+        const now = performance.now();
+        if (now - last < PAUSE || signal.aborted) return;
+        last = now;
+        const fraction = total ? Math.min(1, received / total) : 0;
+        this.gathering.progress(fraction, progressText(name, received, total));
+      },
+      allow: async (name, bytes) => {
+        const { ask, fetchLarge } = await loadSheet();
+        if (!(await ask(fetchLarge(name, bytes)))) this.gathering.stop();
+        signal.throwIfAborted();
+      },
+    };
+  }
+}
+
+/** A compressed answer holds more than was announced. */
+function progressText(name: string, received: number, total: number | null): string {
+  const size = (bytes: number) => (bytes / 1e6).toFixed(1);
+  const of = total !== null && total >= received ? ` of ${size(total)}` : '';
+  return `Fetching ${name}: ${size(received)}${of}\u202fMB`;
+}
+
+/** The server of the page has been asked for the page itself, so asking it for a size tells it nothing new. */
+async function ownSize(url: URL): Promise<number | null> {
+  const answer = await fetch(url, { method: 'HEAD' }).catch(() => null);
+  const length = answer?.ok ? answer.headers.get('Content-Length') : null;
+  return length ? Number(length) : null;
+}

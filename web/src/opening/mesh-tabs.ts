@@ -1,0 +1,113 @@
+import { create, element } from '../base/dom';
+import type { Source } from '../model/model';
+import { titleOf } from '../session/titles';
+
+/** Meshes that are open side by side, as tabs above the mesh. Only the one that is shown is in memory: another is opened again. */
+export class MeshTabs {
+  private readonly list = element('mesh-tabs', HTMLElement);
+  private readonly panel = element('mesh-stage', HTMLElement);
+  private sources: Source[] = [];
+  private shown: Source | null = null;
+
+  constructor(private readonly open: (source: Source) => void) {
+    this.list.addEventListener('keydown', (event) => this.onKey(event));
+  }
+
+  has(source: Source): boolean {
+    return this.sources.includes(source);
+  }
+
+  /** Makes tabs of meshes that were chosen together. */
+  add(sources: Source[]): void {
+    this.sources.push(...sources.filter((source) => !this.has(source)));
+    this.draw();
+    this.tabOf(this.shown)?.focus();
+  }
+
+  /** A mesh was opened. Where there are tabs it gets one. */
+  show(source: Source): void {
+    if (this.sources.length > 0 && !this.has(source)) this.sources.push(source);
+    this.shown = source;
+    this.draw();
+  }
+
+  /** The last tab is none. */
+  private close(source: Source): void {
+    const at = this.sources.indexOf(source);
+    const left = this.sources.filter((each) => each !== source);
+    const next = left[Math.min(at, left.length - 1)];
+    this.sources = left.length > 1 ? left : [];
+    this.draw();
+    if (source === this.shown) this.open(next);
+    const focused = this.tabOf(source === this.shown ? next : this.shown);
+    (focused ?? element('mesh-canvas', HTMLElement)).focus();
+  }
+
+  private tabOf(source: Source | null): HTMLElement | undefined {
+    if (!source) return undefined;
+    return this.tabs[this.sources.indexOf(source)];
+  }
+
+  private get tabs(): HTMLElement[] {
+    return [...this.list.children] as HTMLElement[];
+  }
+
+  private draw(): void {
+    const focused = this.tabs.indexOf(document.activeElement as HTMLElement);
+    this.list.hidden = this.sources.length === 0;
+    this.list.replaceChildren(...this.sources.map((source) => this.tab(source)));
+    // One that can be reached by Tab, even if none of them is shown.
+    const reached = this.tabOf(this.shown) ?? this.tabs[0];
+    if (reached) reached.tabIndex = 0;
+    this.tabs[focused]?.focus();
+    if (this.list.hidden) {
+      this.panel.removeAttribute('role');
+      this.panel.removeAttribute('aria-label');
+    } else {
+      this.panel.role = 'tabpanel';
+      this.panel.ariaLabel = this.shown && titleOf(this.shown);
+    }
+    this.tabOf(this.shown)?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }
+
+  private tab(source: Source): HTMLElement {
+    const isShown = source === this.shown;
+    const title = titleOf(source);
+    const tab = create('button', 'tab mesh-tab');
+    tab.type = 'button';
+    tab.role = 'tab';
+    tab.title = `${title} (Delete closes it)`;
+    tab.ariaSelected = String(isShown);
+    tab.tabIndex = -1;
+    tab.setAttribute('aria-controls', this.panel.id);
+    tab.setAttribute('aria-keyshortcuts', 'Delete');
+    // A tab has no buttons inside; the keyboard has its own way.
+    const close = create('span', 'mesh-tab-close', '×');
+    close.ariaHidden = 'true';
+    close.addEventListener('click', (event) => {
+      event.stopPropagation();
+      this.close(source);
+    });
+    tab.append(create('span', 'mesh-tab-name', title), close);
+    tab.addEventListener('click', () => {
+      if (source !== this.shown) this.open(source);
+    });
+    return tab;
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const at = this.tabs.indexOf(event.target as HTMLElement);
+    const { tabs } = this;
+    const actions: Record<string, () => void> = {
+      ArrowRight: () => tabs[(at + 1) % tabs.length].focus(),
+      ArrowLeft: () => tabs[(at + tabs.length - 1) % tabs.length].focus(),
+      Home: () => tabs[0].focus(),
+      End: () => tabs[tabs.length - 1].focus(),
+      Delete: () => this.close(this.sources[at]),
+    };
+    const action = actions[event.key];
+    if (!action || at < 0) return;
+    event.preventDefault();
+    action();
+  }
+}

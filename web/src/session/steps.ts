@@ -1,0 +1,113 @@
+import { buffersOf } from '../base/buffers';
+import type { Outcome } from '../model/model';
+import { type Settings, sameSettings } from '../model/settings';
+import { type Change, changeBetween } from './change';
+
+/** One line of the history: what the user asked for, and what came of it. */
+export interface Step {
+  text: string;
+  settings: Settings;
+  /** Null until there is a result, or if it took too much memory to keep. */
+  outcome: Outcome | null;
+}
+
+/** Enough for an afternoon's work. */
+const MOST_STEPS = 200;
+/** Bytes of all results that are kept. */
+const MOST_BYTES = 2 ** 28;
+/** In milliseconds: changes of a stream that follow faster belong together. */
+const TOGETHER = 1000;
+
+/** Everything the user has asked for since the mesh was opened, with undo and redo. */
+export class Steps {
+  private steps: Step[] = [];
+  private at = -1;
+  private stream: string | undefined;
+  private changedAt = 0;
+
+  /** `changed` is called whenever there is something else to show. */
+  constructor(
+    private readonly changed: () => void,
+    private readonly now = () => performance.now(),
+  ) {}
+
+  get all(): readonly Step[] {
+    return this.steps;
+  }
+
+  /** The number of the current step; -1 if there is none. */
+  get current(): number {
+    return this.at;
+  }
+
+  get canUndo(): boolean {
+    return this.at > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.at + 1 < this.steps.length;
+  }
+
+  /** Starts over with another mesh. */
+  begin(text: string, settings: Settings): void {
+    this.steps = [{ text, settings, outcome: null }];
+    this.at = 0;
+    this.stream = undefined;
+    this.changed();
+  }
+
+  /** The user wants something else; steps that were undone are gone. `text`: what, if not in the settings. */
+  change(settings: Settings, text?: string): void {
+    const before = this.steps[this.at];
+    if (!before) return;
+    const change: Change = text ? { text } : changeBetween(before.settings, settings);
+    const isMore = this.at > 0 && change.stream !== undefined && this.goesOn(change.stream);
+    this.stream = change.stream;
+    this.changedAt = this.now();
+    const kept = this.steps.slice(0, isMore ? this.at : this.at + 1);
+    this.steps = [...kept, { text: change.text, settings, outcome: null }].slice(-MOST_STEPS);
+    this.at = this.steps.length - 1;
+    this.changed();
+  }
+
+  private goesOn(stream: string): boolean {
+    const isLast = this.at === this.steps.length - 1;
+    const isSoon = this.now() - this.changedAt < TOGETHER || this.steps[this.at].outcome === null;
+    return isLast && stream === this.stream && isSoon;
+  }
+
+  /** The result of the current step, if these are its settings. */
+  settle(outcome: Outcome): void {
+    const step = this.steps[this.at];
+    if (!step || !sameSettings(step.settings, outcome.settings)) return;
+    step.outcome = outcome;
+    this.forget();
+  }
+
+  /** Makes a step the current one. */
+  go(to: number): Step | null {
+    const step = this.steps[to];
+    if (!step || to === this.at) return null;
+    this.at = to;
+    this.stream = undefined;
+    this.changed();
+    return step;
+  }
+
+  /** Drops the results that are farthest from the current step and do not fit into memory. */
+  private forget(): void {
+    const near = this.steps
+      .map((step, i) => ({ step, distance: Math.abs(i - this.at) }))
+      .sort((a, b) => a.distance - b.distance);
+    const seen = new Set<ArrayBuffer>();
+    let bytes = 0;
+    for (const { step, distance } of near) {
+      if (!step.outcome) continue;
+      for (const buffer of buffersOf(step.outcome.result)) {
+        if (!seen.has(buffer)) bytes += buffer.byteLength;
+        seen.add(buffer);
+      }
+      if (distance > 0 && bytes > MOST_BYTES) step.outcome = null;
+    }
+  }
+}

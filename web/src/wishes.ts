@@ -1,0 +1,119 @@
+import { element } from './base/dom';
+import { AtlasControl } from './controls/atlas-control';
+import { BalanceControl } from './controls/balance-control';
+import { BoundControl } from './controls/bound-control';
+import { ModeSwitch } from './controls/mode-switch';
+import { Locks } from './details/locks';
+import { isAutomatic } from './details/verdict';
+import type { FlattenSettings, Settings, UnwrapSettings } from './model/settings';
+import type { Editable, SeamPanel } from './seams/seam-panel';
+
+export interface WishEvents {
+  /** The user wants something else; `what`, if the settings do not say so. */
+  changed(what?: string): void;
+  modeChanged(): void;
+  say(text: string): void;
+}
+
+/** Everything that the user can ask of a layout, wherever on the page. */
+export class Wishes {
+  readonly bound: BoundControl;
+  readonly mode: ModeSwitch;
+  readonly locks = new Locks();
+  private readonly balance: BalanceControl;
+  private readonly atlas: AtlasControl;
+  private readonly delaunay = element('delaunay', HTMLButtonElement);
+  private placed: UnwrapSettings['placed'];
+
+  constructor(
+    private readonly seams: SeamPanel,
+    private readonly events: WishEvents,
+  ) {
+    const changed = () => this.changed();
+    this.bound = new BoundControl(changed, events.say);
+    this.balance = new BalanceControl('flatten', changed);
+    this.atlas = new AtlasControl(changed, events.say);
+    this.mode = new ModeSwitch(() => {
+      this.placed = undefined;
+      events.modeChanged();
+    });
+    this.delaunay.addEventListener('click', () => {
+      this.setDelaunay(!this.isDelaunay);
+      changed();
+    });
+  }
+
+  get settings(): Settings {
+    if (this.mode.mode === 'flatten') return this.disk;
+    const { placed } = this;
+    const more = placed && { placed };
+    return { ...this.atlas.settings, ...this.seams.options, kept: this.locks.kept, ...more };
+  }
+
+  get disk(): FlattenSettings {
+    const { t } = this.bound;
+    const { balance } = this.balance;
+    return { mode: 'flatten', t, balance, delaunay: this.isDelaunay };
+  }
+
+  /** Another mesh was opened. */
+  open(mesh: Editable): void {
+    this.placed = undefined;
+    this.atlas.open(mesh.summary);
+    this.mode.setDisk(mesh.summary.disk);
+    this.seams.open(mesh);
+    this.showCutting();
+    this.locks.clear();
+  }
+
+  /** Other seams are wanted. Charts that were moved stay where they are. */
+  seamsChanged(what?: string): void {
+    this.showCutting();
+    this.events.changed(what);
+  }
+
+  /** Charts were moved. */
+  place(layout: UnwrapSettings['placed'], what: string): void {
+    this.placed = layout;
+    this.events.changed(what);
+  }
+
+  /** All charts that are not locked are to be packed again. */
+  packAgain(): void {
+    this.placed = undefined;
+    this.events.changed('Packed again');
+  }
+
+  /** Shows other settings without asking for them. */
+  restore(settings: Settings): void {
+    this.mode.restore(settings.mode);
+    if (settings.mode === 'flatten') {
+      this.bound.restore(settings.t);
+      this.balance.restore(settings.balance);
+      this.setDelaunay(settings.delaunay);
+      return;
+    }
+    this.placed = settings.placed;
+    this.atlas.restore(settings);
+    this.seams.restore(settings);
+    this.locks.restore(settings.kept);
+    this.showCutting();
+  }
+
+  private changed(): void {
+    this.placed = undefined;
+    this.events.changed();
+  }
+
+  private showCutting(): void {
+    this.atlas.setCutting(isAutomatic(this.seams.options.seams));
+  }
+
+  private get isDelaunay(): boolean {
+    return this.delaunay.ariaPressed === 'true';
+  }
+
+  private setDelaunay(isOn: boolean): void {
+    this.delaunay.ariaPressed = String(isOn);
+  }
+}
