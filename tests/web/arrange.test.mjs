@@ -72,10 +72,8 @@ function shiftOf(before, after, face) {
 }
 
 async function placed(page) {
-  await page.waitForFunction(() =>
-    /checked in/.test(document.querySelector('#run-text').textContent),
-  );
   await settled(page);
+  assert.match(await textOf(page, '#run-text'), /checked in/);
   await drawn(page);
 }
 
@@ -293,4 +291,34 @@ test('a finger drags a selected chart, two zoom', async (t) => {
   await placed(page);
   const shift = shiftOf(before, await atlas(page), 0);
   assert.ok(Math.abs(shift[0] - 30 / side) < 2e-3, String(shift));
+});
+
+test('moves follow each other without waiting for the checks', async (t) => {
+  const page = await openPage(t, {
+    open: [
+      'rings.obj',
+      objText(
+        together([
+          [torus(160, 80), [0, 0, 0]],
+          [torus(16, 8), [3, 0, 0]],
+        ]),
+      ),
+    ],
+  });
+  const before = await atlas(page);
+  await select(page, before);
+  for (const number of ['.25', '.5', '-.125']) {
+    await page.keyboard.press('g');
+    await page.keyboard.type(number);
+    await page.keyboard.press('Enter');
+    // As soon as the charts are where they were put.
+    await page.waitForFunction(
+      (count) => document.querySelectorAll('#history .step').length === count,
+      2 + ['.25', '.5', '-.125'].indexOf(number),
+    );
+  }
+  await placed(page);
+  const after = await atlas(page);
+  const [u, v] = shiftOf(before, after, 0);
+  assert.ok(Math.abs(u - 0.625) < 1e-6 && Math.abs(v) < 1e-6, `${u}, ${v}`);
 });

@@ -139,8 +139,8 @@ test('only https is fetched, other than from the server of the page', async (t) 
     ['https://', /is not an address/],
   ]) {
     await page.goto(`${page.url().replace(/\?.*/, '')}?url=${encodeURIComponent(address)}`);
-    await refused(page);
-    assert.match(await textOf(page, '#alert'), pattern);
+    await settled(page);
+    assert.match(await textOf(page, '#alert'), pattern, 'also when the sample has been opened');
     assert.equal(await page.locator('.question').count(), 0);
   }
 });
@@ -178,6 +178,38 @@ test('a large file is asked about again, and can be declined', async (t) => {
   await page.locator('.question').getByText('Cancel').click();
   await page.waitForFunction(() => document.querySelector('#run-text').textContent === 'Cancelled');
   assert.equal(await textOf(page, '#alert'), '');
+});
+
+test('the copy of the page for use offline holds nothing from elsewhere', async (t) => {
+  const page = await openPage(t, {
+    serviceWorkers: 'allow',
+    prepare: (page) => play(page, { '/ring.obj': { body: CUBE } }),
+  });
+  await page.evaluate(async () => (await navigator.serviceWorker.ready).active);
+  await follow(page, `${HOST}/ring.obj`);
+  assert.ok(await page.evaluate(() => navigator.serviceWorker.controller !== null));
+  await agree(page);
+  await shows(page, 'ring.obj');
+  const kept = await page.evaluate(async () => {
+    const found = [];
+    for (const name of await caches.keys())
+      for (const { url } of await (await caches.open(name)).keys()) found.push(new URL(url).host);
+    return [...new Set(found)];
+  });
+  assert.deepEqual(kept, [new URL(page.url()).host]);
+});
+
+test('a part of the page that cannot be loaded is named as such', async (t) => {
+  const page = await openPage(t, {
+    expected: /ERR_FAILED/,
+    prepare: (page) => page.route('**/web-sheet-*', (route) => route.abort()),
+  });
+  await page.goto(`${page.url()}?url=${encodeURIComponent(`${HOST}/ring.obj`)}`);
+  await refused(page);
+  assert.match(
+    await textOf(page, '#alert'),
+    /^A part of this page could not be loaded\. Check the/,
+  );
 });
 
 test('fetching shows how far it is and can be cancelled', async (t) => {

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { test } from 'node:test';
 import { objText, together, torus } from '../support/surfaces.mjs';
-import { choose, dropAndWait, openPage, textOf } from './page.mjs';
+import { choose, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
 const RINGS = objText(
@@ -132,7 +132,11 @@ test('another layout, another mesh and one piece have no selection', async (t) =
   await clickChart(page, 'layout');
   await page.click('#selection-hide');
   await page.click('#seams-auto');
-  await page.waitForFunction(() => !document.body.ariaBusy);
+  await settled(page);
+  assert.ok(await page.isVisible('#selection-show-all'), 'each ring is still one chart');
+  await page.click('#seams-sharp');
+  await page.fill('#sharp-degrees', '20');
+  await settled(page);
   assert.ok(await page.isHidden('#selection'));
   await clickChart(page, 'layout');
   await dropAndWait(page, 'ring.obj', objText(torus(12, 8)));

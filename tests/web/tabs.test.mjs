@@ -10,6 +10,7 @@ import { sphere } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
 import { dropFiles, exportMesh, metrics, openPage, openSample, settled, textOf } from './page.mjs';
 
+const { CONTROLS } = await loadModule('help/keys');
 const { joinedObj } = await loadModule('files/joined-obj');
 
 const THREE = { 'one.obj': grid(3), 'two.obj': grid(4), 'three.obj': grid(5) };
@@ -55,7 +56,17 @@ test('meshes become tabs, each of which is the mesh of the page when it is chose
   assert.equal((await exportMesh(page)).name, 'two-uv.obj');
 });
 
-test('tabs work by keyboard', async (t) => {
+test('tabs work by keyboard, as the sheet of keys says', async (t) => {
+  const { controls } = CONTROLS.find(({ title }) => title === 'Meshes in tabs');
+  assert.deepEqual(controls.flatMap(({ keys }) => keys).sort(), [
+    'ArrowLeft',
+    'ArrowRight',
+    'Delete',
+    'End',
+    'Enter',
+    'Home',
+    'Space',
+  ]);
   const page = await openPage(t);
   await openTabs(page);
   assert.equal(await focused(page), 'one.obj×');
@@ -73,6 +84,12 @@ test('tabs work by keyboard', async (t) => {
   await page.keyboard.press('Enter');
   await shows(page, 'three.obj');
   assert.equal(await focused(page), 'three.obj×');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Space');
+  await shows(page, 'two.obj');
+  await page.keyboard.press('End');
+  await page.keyboard.press('Enter');
+  await shows(page, 'three.obj');
   await page.keyboard.press('Home');
   await page.keyboard.press('Delete');
   assert.deepEqual(await names(page), ['two.obj', 'three.obj']);

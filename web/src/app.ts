@@ -2,6 +2,7 @@ import type { Abflat, Comparison, MethodResult } from 'abflat';
 import { hideAlert, showAlert } from './base/alert';
 import { element } from './base/dom';
 import { duration } from './base/format';
+import { loadPart } from './base/load-part';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
@@ -25,7 +26,6 @@ import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
 import { MeshTabs } from './opening/mesh-tabs';
-import { oneFile } from './opening/one-atlas';
 import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { PageHistory } from './page-history';
@@ -124,6 +124,8 @@ export class App implements SessionEvents {
   private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
+  /** Why nothing was opened, if that was said during a run: the run's end hides what was said. */
+  private refusal = '';
   /** What the user has done, where the result does not say it. */
   private said = '';
   /** The drawing of the last result. */
@@ -170,20 +172,26 @@ export class App implements SessionEvents {
     this.placement =
       views &&
       new Placement(this.workshop, views, {
+        placing: () => document.body.setAttribute('aria-busy', 'true'),
         placed: (layout, what) => this.wishes.place(layout, what),
-        failed: ({ message }) => showAlert(`The charts were not moved: ${message}`),
+        notPlaced: (error) => {
+          if (error) showAlert(`The charts were not moved: ${error.message}`);
+          if (!this.session.isBusy) this.finish('Nothing was moved', false);
+        },
       });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     this.opening = new Opening({
-      joined: async (sources, signal) =>
-        oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal),
+      joined: async (sources, signal) => {
+        const { oneFile } = await loadPart(import('./opening/one-atlas'));
+        return oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal);
+      },
       gathering: (fraction, text) => this.run.show(fraction, text),
       gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
-      open: (source) => void this.session.open(source),
-      refused: (reason) => {
-        showAlert(reason, this.stillShown(this.markStale()));
-        this.say('Nothing was opened');
+      open: (source) => {
+        this.refusal = '';
+        void this.session.open(source);
       },
+      refused: (reason) => this.refuse(reason),
     });
     bindShortcuts({
       'Ctrl+O': () => element('open', HTMLButtonElement).click(),
@@ -392,6 +400,13 @@ export class App implements SessionEvents {
   private finish(text: string, canRepeat: boolean): void {
     document.body.removeAttribute('aria-busy');
     this.run.finish(text, canRepeat);
+    if (this.refusal) this.refuse(this.refusal);
+  }
+
+  private refuse(reason: string): void {
+    this.refusal = this.session.isBusy ? reason : '';
+    showAlert(reason, this.stillShown(this.markStale()));
+    this.say('Nothing was opened');
   }
 
   private owner(): string {
@@ -500,7 +515,7 @@ export class App implements SessionEvents {
     const { views, shown, outcome } = this;
     if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
     else
-      import('./export/views-picture')
+      loadPart(import('./export/views-picture'))
         .then(({ savePicture }) => savePicture(views, shown.name))
         .then(this.say, (error: Error) => this.notSaved(outcome, error));
   }

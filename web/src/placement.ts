@@ -1,18 +1,24 @@
 import type { UnwrapResult } from 'abflat';
+import { STILL } from './arrange/motion';
 import type { FlatDrawing } from './model/drawing';
 import type { Unwrapped } from './model/model';
 import type { Views } from './view/views';
 import type { Arranged, Workshop } from './workshop/workshop';
 
 export interface PlacementEvents {
+  /** Charts are about to be in other places. */
+  placing(): void;
   /** Charts are in other places; `what` was done. */
   placed(layout: UnwrapResult, what: string): void;
-  failed(error: Error): void;
+  /** Nothing was moved: it went wrong, or another atlas has come in between. */
+  notPlaced(error: Error | null): void;
 }
 
 /** Moves charts of the atlas on screen. They appear in their new places before abflat has checked them. */
 export class Placement {
   private outcome: Unwrapped | null = null;
+  /** Grows when there is an atlas whose charts are not those of the one before. */
+  private generation = 0;
 
   constructor(
     private readonly workshop: Workshop,
@@ -22,25 +28,36 @@ export class Placement {
 
   /** The atlas on screen; null if there is none. */
   show(outcome: Unwrapped | null): void {
+    const isChecked = outcome !== null && outcome.settings.placed === this.outcome?.result;
+    if (!isChecked) this.generation += 1;
     this.outcome = outcome;
   }
 
   /** Moves charts; `what` is done to them. */
   async place(arranged: Arranged, what: string): Promise<void> {
-    const { outcome } = this;
+    const { outcome, generation } = this;
     if (!outcome) return;
+    this.events.placing();
     try {
       const motions = await this.workshop.motions(outcome, arranged);
       const uv = await this.workshop.moved(outcome.result, motions);
       const placed: Unwrapped = { ...outcome, result: { ...outcome.result, uv } };
       const drawing = await this.workshop.outcome(placed);
-      if (outcome !== this.outcome) return;
+      if (generation !== this.generation) {
+        this.giveUp(null);
+        return;
+      }
       this.outcome = placed;
       this.draw(drawing);
       this.events.placed(placed.result, what);
     } catch (error) {
-      this.events.failed(error as Error);
+      this.giveUp(error as Error);
     }
+  }
+
+  private giveUp(error: Error | null): void {
+    this.views.moveCharts(new Set(), STILL);
+    this.events.notPlaced(error);
   }
 
   private draw(drawing: FlatDrawing): void {

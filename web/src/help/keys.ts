@@ -48,6 +48,15 @@ export const CONTROLS: ControlGroup[] = [
     ],
   },
   {
+    title: 'Meshes in tabs',
+    where: 'Above the mesh, where several are open.',
+    controls: [
+      { keys: ['ArrowLeft', 'ArrowRight', 'Home', 'End'], does: 'Next tab' },
+      { keys: ['Enter', 'Space'], gestures: 'click', does: 'Open its mesh' },
+      { keys: ['Delete'], gestures: '×', does: 'Close it' },
+    ],
+  },
+  {
     title: 'Details and t',
     controls: [
       { keys: ['ArrowLeft', 'ArrowRight', 'Home', 'End'], does: 'Next tab, next point of a plot' },

@@ -1,13 +1,13 @@
+import { loadPart, reasonOf } from '../base/load-part';
 import { type Address, addressOf } from './address';
 import type { Watch } from './fetch-file';
-import { fetchMesh } from './fetch-mesh';
 import type { Gathering } from './gathering';
 
 /** Shown at most this often, in milliseconds. */
 const PAUSE = 100;
 
-/** The sheet is not part of the first load. */
-const loadSheet = () => import('./web-sheet');
+const loadSheet = () => loadPart(import('./web-sheet'));
+const loadFetch = () => loadPart(import('./fetch-mesh'));
 
 /** Opens meshes from the web, each after asking. */
 export class FromWeb {
@@ -31,7 +31,7 @@ export class FromWeb {
     this.isAsking = true;
     this.agreed(address)
       .then((isAgreed) => isAgreed && this.fetch(address))
-      .catch(({ message }: Error) => this.refused(message))
+      .catch((error: Error) => this.refused(reasonOf(error)))
       .finally(() => {
         this.isAsking = false;
       });
@@ -43,7 +43,7 @@ export class FromWeb {
     this.gathering.start({
       name,
       doing: `Fetching ${name} from ${host}`,
-      task: (signal) => fetchMesh(address, this.watch(signal)),
+      task: async (signal) => (await loadFetch()).fetchMesh(address, this.watch(signal)),
     });
   }
 

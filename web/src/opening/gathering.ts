@@ -1,3 +1,4 @@
+import { reasonOf } from '../base/load-part';
 import { Job } from '../session/job';
 
 export interface GatherEvents {
@@ -35,9 +36,9 @@ export class Gathering {
         this.events.gathered(`Got ${name}`);
         this.events.files(files);
       })
-      .catch(({ message }: Error) => {
+      .catch((error: Error) => {
         this.events.gathered(`${name} was not opened`);
-        this.events.refused(message);
+        this.events.refused(reasonOf(error));
       });
   }
 

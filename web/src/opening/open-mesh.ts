@@ -39,7 +39,8 @@ export class Opening {
     bindPaste(openFiles, (text) => this.web.open(text));
     bindLaunch(openFiles, refused);
     const linked = new URLSearchParams(location.search).get('url');
-    if (linked) this.web.open(linked);
+    // Not before the page is complete.
+    if (linked) queueMicrotask(() => this.web.open(linked));
   }
 
   /** Opens several meshes as one, to share an atlas. */
