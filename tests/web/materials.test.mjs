@@ -257,6 +257,17 @@ test('colours of the vertices of a PLY are shown', async (t) => {
   assert.deepEqual(Object.keys(layout).sort(), ['blue', 'red']);
 });
 
+test('on a phone, a mesh with a texture leaves all buttons within reach', async (t) => {
+  const bytes = await io.writeBinary(document(textured('four', fourColors())));
+  const page = await openPage(t, { ...STILL, viewport: { width: 390, height: 844 } });
+  await dropAndWait(page, 'square.glb', bytes);
+  await assertFourColors(page);
+  for (const id of ['#texcoord', '#export', '#help', '#theme', '#shading']) {
+    const { x, width } = await page.locator(id).boundingBox();
+    assert.ok(x >= 0 && x + width <= 390, id);
+  }
+});
+
 /** Counts the textures of both views. */
 function prepareCounting() {
   globalThis.textures = new Set();

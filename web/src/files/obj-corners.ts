@@ -74,12 +74,27 @@ function readLine(line: string, state: State): void {
 }
 
 /** Without the keyword and a comment. */
-const wordsOf = (line: string) => line.split('#', 1)[0].trim().split(/\s+/).slice(1);
+function wordsOf(line: string): string[] {
+  const hash = line.indexOf('#');
+  const words = (hash < 0 ? line : line.slice(0, hash)).split(/\s+/);
+  words.shift();
+  if (words.at(-1) === '') words.pop();
+  return words;
+}
+
+/** "v/vt/vn", as v and vt; vt is 0 if there is none. */
+function cornerOf(word: string): [number, number] {
+  const first = word.indexOf('/');
+  if (first < 0) return [Number(word), 0];
+  const second = word.indexOf('/', first + 1);
+  const texcoord = word.slice(first + 1, second < 0 ? word.length : second);
+  return [Number(word.slice(0, first)), Number(texcoord)];
+}
 
 function readFace(words: string[], state: State): void {
   const texcoordCount = state.texcoords.length / 2;
   for (const word of words) {
-    const [vertex, texcoord] = word.split('/', 2).map(Number);
+    const [vertex, texcoord] = cornerOf(word);
     state.vertices.push(vertex > 0 ? vertex - 1 : state.vertexCount + vertex);
     const t = texcoord > 0 ? texcoord - 1 : texcoordCount + texcoord;
     state.texcoordOf.push(texcoord && t >= 0 ? t : NO_TEXCOORD);

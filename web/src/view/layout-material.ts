@@ -11,6 +11,7 @@ import { GRID_GLSL } from './uv-grid';
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   ${LOOK_VERTEX_GLSL}
+  uniform bool showsMaterials;
   attribute vec3 heat;
   ${FLAGS_GLSL}
   ${MOTION_GLSL}
@@ -25,7 +26,7 @@ const VERTEX = /* glsl */ `
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
-    readLook();
+    readLook(showsMaterials);
     gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 0.0, 1.0);
   }
 `;
@@ -102,8 +103,8 @@ export function createLayoutMaterial(): ShaderMaterial {
       uvMiddle: { value: new Vector2() },
       uvUnit: { value: 1 },
       flags: { value: null },
-      motion: { value: new Vector4(1, 0, 0, 0) },
       ...lookUniforms(),
+      motion: { value: new Vector4(1, 0, 0, 0) },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

@@ -24,8 +24,8 @@ export const lookUniforms = () => ({
 });
 
 /**
- * `readLook` reads how the corner looks in the file: its place in the image, tint and material.
- * `source` is 0 where the triangles are those of the mesh that was opened.
+ * `readLook` reads how the corner looks in the file: its place in the image, tint and material. Not
+ * needed unless `isShown`. `source` is 0 where the triangles are those of the mesh that was opened.
  */
 export const LOOK_VERTEX_GLSL = /* glsl */ `
   uniform highp usampler2D cornerLooks;
@@ -36,7 +36,11 @@ export const LOOK_VERTEX_GLSL = /* glsl */ `
   vec3 linearOf(vec3 c) {
     return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
   }
-  void readLook() {
+  void readLook(bool isShown) {
+    vTexel = vec2(0.0);
+    vTint = vec4(1.0);
+    vMaterial = 0;
+    if (!isShown) return;
     int corner = source > 0.5 ? int(source + 0.5) - 1 : gl_VertexID;
     ivec2 at = ivec2(corner % ${CORNERS_PER_ROW}, corner / ${CORNERS_PER_ROW});
     uvec4 look = uvec4(0);

@@ -11,7 +11,7 @@ import {
   Vector3,
   type WebGLRenderer,
 } from 'three';
-import type { Appearance, MaterialLook } from '../model/appearance';
+import { type Appearance, CORNERS_PER_ROW, type MaterialLook } from '../model/appearance';
 import { cornerTexture, MATERIAL_TEXELS } from './look-shader';
 
 /** Puts how a surface looks on the graphics card of one view. */
@@ -33,9 +33,11 @@ export class LookTextures {
     return this.shown === null;
   }
 
-  /** In place of the last one, which is freed. */
-  show(appearance: Appearance | null): void {
+  /** In place of the last one, which is freed. A mesh with too many corners for a texture has none. */
+  show(wanted: Appearance | null): void {
     for (const texture of this.textures) texture.dispose();
+    const rows = (wanted?.corners.length ?? 0) / (4 * CORNERS_PER_ROW);
+    const appearance = rows <= this.renderer.capabilities.maxTextureSize ? wanted : null;
     this.shown = appearance;
     const { cornerLooks, materialLooks, images } = this.material.uniforms;
     const corners = appearance && cornerTexture(appearance.corners);

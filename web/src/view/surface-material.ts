@@ -24,6 +24,7 @@ export const NONE_LIT = -1;
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   ${LOOK_VERTEX_GLSL}
+  uniform int paint;
   attribute vec3 heat;
   attribute float chart, piece;
   varying vec3 vNormal;
@@ -41,7 +42,7 @@ const VERTEX = /* glsl */ `
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
-    readLook();
+    readLook(paint == 5);
     gl_Position = projectionMatrix * view;
   }
 `;
