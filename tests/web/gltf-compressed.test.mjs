@@ -111,9 +111,11 @@ test('decoders are loaded for compressed files alone, and from where the page is
   await exportMesh(page);
   assert.equal(await textOf(page, '#notice'), '');
   assert.deepEqual(
-    plain.urls.filter((url) => !/^blob:|\/appearance-/.test(url)),
+    plain.urls.filter(
+      (url) => !/^blob:|\/(appearance|gltf-file|gltf-source|document-mesh)-/.test(url),
+    ),
     [],
-    'only what reads materials',
+    'only what reads glTF and materials',
   );
   plain.end();
   const { urls } = listen(page);

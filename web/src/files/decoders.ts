@@ -1,7 +1,7 @@
 // Decoders for compressed glTF files. None of them is loaded with the page.
 
 import dracoWasm from 'draco3d/draco_decoder.wasm?url';
-import { NOT_LOADED } from '../base/lost';
+import { loadInWorker } from '../base/load-part';
 
 export type Compression = 'Draco' | 'meshopt';
 
@@ -12,12 +12,8 @@ const LOADERS: Record<Compression, () => Promise<Record<string, unknown>>> = {
 };
 
 export async function loadDecoders(kinds: Compression[]): Promise<Record<string, unknown>> {
-  try {
-    return Object.assign({}, ...(await Promise.all(kinds.map((kind) => LOADERS[kind]()))));
-  } catch (error) {
-    const { message } = error as Error;
-    throw Object.assign(new Error(message), { name: NOT_LOADED });
-  }
+  const loaded = await loadInWorker(Promise.all(kinds.map((kind) => LOADERS[kind]())));
+  return Object.assign({}, ...loaded);
 }
 
 /**

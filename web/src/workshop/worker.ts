@@ -8,6 +8,7 @@ import { type Motions, movedUv } from '../arrange/move-charts';
 import { stacked } from '../arrange/stack';
 import { straightened } from '../arrange/straighten';
 import { buffersOf } from '../base/buffers';
+import { loadInWorker } from '../base/load-part';
 import { drawFlat } from '../drawing/draw';
 import { drawMesh } from '../drawing/draw-mesh';
 import {
@@ -20,10 +21,8 @@ import {
   positionsOf,
 } from '../drawing/picture';
 import type { LookSource } from '../files/appearance';
-import { readCompressed, readGltf, writeGltf } from '../files/gltf-file';
 import { hasLook } from '../files/has-look';
 import { joinedObj, type NamedMesh } from '../files/joined-obj';
-import { newGlb } from '../files/new-glb';
 import { atlasPng, heatMapPng } from '../files/png-file';
 import type { LookMesh } from '../files/stored-look';
 import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
@@ -33,6 +32,9 @@ import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import { makeSurface, type SurfaceArrays } from '../surface/make-surface';
+
+/** What reads and writes glTF is only loaded for such files. */
+const gltfFile = () => loadInWorker(import('../files/gltf-file'));
 
 const tasks = {
   mesh: (mesh: DisplayMesh): Drawing => handedOver(drawMesh(meshPicture(mesh))),
@@ -70,27 +72,30 @@ const tasks = {
   ): Promise<Blob> => heatMapPng(drawing, positionsOf(layout, input)),
 
   gltf: async (file: File, others: File[]) => {
-    const read = await readGltf(file, others);
+    const read = await (await gltfFile()).readGltf(file, others);
     return read && transfer(read, buffersOf(read.mesh));
   },
 
   compressed: async (file: File, others: File[]) => {
-    const read = await readCompressed(file, others);
+    const read = await (await gltfFile()).readCompressed(file, others);
     return transfer(read, buffersOf(read.mesh));
   },
 
-  glb: (files: GltfFiles, layout: LayoutArrays, texcoord: number): Promise<Blob> =>
-    writeGltf(files, layout, texcoord),
+  glb: async (files: GltfFiles, layout: LayoutArrays, texcoord: number): Promise<Blob> =>
+    (await gltfFile()).writeGltf(files, layout, texcoord),
 
-  newGlb: (
+  newGlb: async (
     name: string,
     layout: LayoutArrays,
     input: Parameters<typeof positionsOf>[1],
-  ): Promise<Blob> => newGlb(name, layout, positionsOf(layout, input)),
+  ): Promise<Blob> => {
+    const { newGlb } = await loadInWorker(import('../files/new-glb'));
+    return newGlb(name, layout, positionsOf(layout, input));
+  },
 
   appearance: async (source: LookSource, mesh: LookMesh): Promise<AppearanceRead> => {
     if (!(await hasLook(source.file, source.gltf))) return { appearance: null, remarks: [] };
-    const { readAppearance } = await import('../files/appearance');
+    const { readAppearance } = await loadInWorker(import('../files/appearance'));
     const read = await readAppearance(source, mesh);
     const { corners, images = [] } = read.appearance ?? {};
     return transfer(read, [...buffersOf(corners), ...images]);

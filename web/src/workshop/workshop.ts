@@ -188,7 +188,7 @@ export class Workshop implements Helpers {
       this.running ??= this.start();
       const { tasks, lost } = this.running;
       const given = own.map((each) => transfer(each, buffersOf(each))) as A;
-      return Promise.race([post(tasks, ...given), lost]);
+      return Promise.race([post(tasks, ...given).catch(explained), lost]);
     });
   }
 }
@@ -221,11 +221,15 @@ async function compressed(file: File, others: File[], signal: AbortSignal): Prom
   try {
     return await Promise.race([tasks.compressed(file, others), lost, aborted]);
   } catch (error) {
-    const { name, message } = error as Error;
-    throw name === NOT_LOADED ? notLoaded(message) : error;
+    return explained(error as Error);
   } finally {
     end();
   }
+}
+
+/** The class of an error does not survive the message. */
+function explained(error: Error): never {
+  throw error.name === NOT_LOADED ? notLoaded(error.message) : error;
 }
 
 const chartArraysOf = ({ uv, indices, chartOfTriangle }: ChartArrays): ChartArrays => ({
