@@ -1,12 +1,14 @@
-import type { ChartStates } from '../view/chart-flags';
+import { type ChartStates, NO_STATES } from '../view/chart-flags';
+
+const NONE = NO_STATES.selected;
 
 /** Which charts of the atlas on screen are selected, hidden and pointed at. */
 export class ChartSelection implements ChartStates {
   /** Sets are replaced, never changed: who shows them sees by that whether there is anything to do. */
-  private picked: ReadonlySet<number> = new Set();
-  private away: ReadonlySet<number> = new Set();
+  private picked = NONE;
+  private away = NONE;
   private pointed: number | null = null;
-  private bad: ReadonlySet<number> = new Set();
+  private bad = NONE;
 
   constructor(private readonly changed: () => void) {}
 
@@ -28,13 +30,13 @@ export class ChartSelection implements ChartStates {
 
   /** Charts that are not valid where they are. */
   setInvalid(charts: ReadonlySet<number>): void {
-    this.bad = charts;
+    this.bad = charts.size > 0 ? charts : NONE;
     this.changed();
   }
 
   clear(): void {
-    this.picked = new Set();
-    this.away = new Set();
+    this.picked = NONE;
+    this.away = NONE;
     this.pointed = null;
     this.changed();
   }

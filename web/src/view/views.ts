@@ -5,7 +5,7 @@ import type { Appearance } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
 import type { Outcome, Source, Unwrapped } from '../model/model';
-import type { ChartStates } from './chart-flags';
+import { type ChartStates, NO_STATES } from './chart-flags';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
@@ -20,6 +20,7 @@ export class Views {
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
   private isDisk = true;
+  private states = NO_STATES;
   /** Of the mesh that was opened last; null if it is not known. */
   private look: { source: Source; appearance: Appearance } | null = null;
   private readonly shading: ShadingControl;
@@ -97,9 +98,13 @@ export class Views {
   }
 
   /** Shows which charts are selected, hidden and pointed at. */
-  showStates(states: ChartStates): void {
-    this.mesh.showStates(states);
-    this.layout.showStates(states);
+  showStates({ selected, hidden, hovered, invalid }: ChartStates): void {
+    const { states } = this;
+    const isSame = selected === states.selected && hidden === states.hidden;
+    if (isSame && hovered === states.hovered && invalid === states.invalid) return;
+    this.states = { selected, hidden, hovered, invalid };
+    this.mesh.showStates(this.states);
+    this.layout.showStates(this.states);
   }
 
   /** Shows the heat map of a measure, and lights the worst of the surface. */
