@@ -159,6 +159,9 @@ test('the theme is there before anything is painted', async (t) => {
 
 test('once loaded the page needs no connection, also after a run was cancelled', async (t) => {
   const page = await openPage(t, { own: true });
+  // What the first layout does not need comes a little later.
+  await page.context().waitForEvent('response', (response) => /\/appearance-/.test(response.url()));
+  await page.waitForLoadState('networkidle');
   await page.context().setOffline(true);
   await doEverything(page);
   // The cancelled worker is replaced.

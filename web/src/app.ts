@@ -304,6 +304,7 @@ export class App implements SessionEvents {
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
     this.show(outcome, drawing);
+    this.workshop.loadRest();
     const { badge } = verdictOf(outcome);
     const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
     const time = duration(report.timings.total);

@@ -33,10 +33,18 @@ import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import { makeSurface, type SurfaceArrays } from '../surface/make-surface';
 
-/** What reads and writes glTF is only loaded for such files. */
+// What reads and writes glTF and materials is not part of the first load.
 const gltfFile = () => loadInWorker(import('../files/gltf-file'));
 
+const newGlbFile = () => loadInWorker(import('../files/new-glb'));
+const appearanceFile = () => loadInWorker(import('../files/appearance'));
+
 const tasks = {
+  /** Loads what has not been needed yet. */
+  rest: async (): Promise<void> => {
+    await Promise.all([gltfFile(), newGlbFile(), appearanceFile()]);
+  },
+
   mesh: (mesh: DisplayMesh): Drawing => handedOver(drawMesh(meshPicture(mesh))),
 
   layout: (layout: LayoutArrays, input: DisplayMesh, chart: MarkedChart | null): FlatDrawing =>
@@ -89,13 +97,13 @@ const tasks = {
     layout: LayoutArrays,
     input: Parameters<typeof positionsOf>[1],
   ): Promise<Blob> => {
-    const { newGlb } = await loadInWorker(import('../files/new-glb'));
+    const { newGlb } = await newGlbFile();
     return newGlb(name, layout, positionsOf(layout, input));
   },
 
   appearance: async (source: LookSource, mesh: LookMesh): Promise<AppearanceRead> => {
     if (!(await hasLook(source.file, source.gltf))) return { appearance: null, remarks: [] };
-    const { readAppearance } = await loadInWorker(import('../files/appearance'));
+    const { readAppearance } = await appearanceFile();
     const read = await readAppearance(source, mesh);
     const { corners, images = [] } = read.appearance ?? {};
     return transfer(read, [...buffersOf(corners), ...images]);
