@@ -33,7 +33,8 @@ function anchorsIn(text) {
 }
 
 function linksIn(text) {
-  const targets = [...withoutCode(text).matchAll(/\]\(([^()\s]+)\)/g)].map(([, target]) => target);
+  const found = withoutCode(text).matchAll(/(?:\]\(|\bsrc(?:set)?=")([^()"\s]+)[)"]/g);
+  const targets = [...found].map(([, target]) => target);
   return targets.filter((target) => !/^[a-z]+:/.test(target));
 }
 
@@ -84,12 +85,14 @@ test('what is packed for npm links to itself and to the web only', () => {
 
 test('a link that leads nowhere is found', () => {
   const folder = mkdtempSync(join(tmpdir(), 'abflat-links-'));
-  const text = '# One `two`\n[a](b.md) [c](#one-two) [d](#two) [e](a.md#one-two) `[f](g.md)`\n';
+  const text =
+    '# One `two`\n[a](b.md) [c](#one-two) [d](#two) [e](a.md#one-two) `[f](g.md)`\n<img src="h.webp">\n';
   try {
     writeFileSync(join(folder, 'a.md'), text);
     assert.deepEqual(faultsBelow(folder), [
       'a.md: b.md: no such file',
       'a.md: #two: no such heading',
+      'a.md: h.webp: no such file',
     ]);
   } finally {
     rmSync(folder, { recursive: true });

@@ -1,0 +1,115 @@
+// The scenes of the gallery: each gets a page that has just been opened, and leaves it as it is to be seen.
+
+import { join } from 'node:path';
+import {
+  choose,
+  clickOn,
+  dragOn,
+  leave,
+  moveOn,
+  openFile,
+  openSample,
+  placeOfUv,
+  settled,
+} from './page.mjs';
+
+const DESKTOP = { viewport: { width: 1200, height: 675 } };
+/** So low that More fills the dock. */
+const LOW = { viewport: { width: 1200, height: 645 } };
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+async function face(page, meshes) {
+  await openFile(page, join(meshes, 'face.obj'));
+}
+
+/** Seen from its other side, which is the better one. */
+async function spot(page, meshes) {
+  await openFile(page, join(meshes, 'spot-uv.obj'));
+  await page.click('#other-side');
+  await leave(page);
+}
+
+async function materials(page) {
+  await openSample(page, 'pumpkin');
+  await page.waitForFunction(() => document.querySelector('#shading').value === 'materials');
+}
+
+async function samples(page) {
+  await openSample(page, 'three-balls');
+  await page.click('#sample');
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('.sample-picture')].every(({ naturalWidth }) => naturalWidth > 0),
+  );
+}
+
+/** One chart of the whole face: some of it has to stretch. */
+async function heat(page, meshes) {
+  await face(page, meshes);
+  await page.click('#seams-auto');
+  await settled(page);
+  await page.selectOption('#shading', 'stretch');
+  // Out from under the legend.
+  await dragOn(page, '#layout-canvas', [0.04, 0.04], [-116, 0]);
+  await leave(page);
+}
+
+async function grid(page, meshes) {
+  await spot(page, meshes);
+  await page.selectOption('#shading', 'grid');
+}
+
+/** The stem of the pumpkin, taken to an empty corner and in the middle of a turn. */
+async function arrange(page) {
+  await materials(page);
+  await page.click('#details-toggle');
+  await page.click('#tab-history');
+  await clickOn(page, '#layout-canvas', await placeOfUv(page, [0.934, 0.426]));
+  // Off the chart, which would be lit.
+  await moveOn(page, '#layout-canvas', [0.97, 0.97]);
+  for (const keys of ['r90', 'gx-0.82', 'gy0.4']) {
+    await page.keyboard.type(keys);
+    await page.keyboard.press('Enter');
+    await settled(page);
+  }
+  await page.keyboard.type('r30');
+}
+
+/** A cut that has been started and follows the pointer. */
+async function seam(page) {
+  await clickOn(page, '#mesh-canvas', [0.42, 0.22]);
+  await moveOn(page, '#mesh-canvas', [0.56, 0.62]);
+}
+
+/** The list of charts with the largest one locked, and all options. */
+async function charts(page, meshes) {
+  await spot(page, meshes);
+  await page.click('#more-toggle');
+  await page.click('#details-toggle');
+  await page.locator('.lock').first().click();
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  await page.locator('#stretch').blur();
+  await page.locator('#more').evaluate((options) => options.scrollIntoView());
+  await leave(page);
+}
+
+/** A sample that crosses itself unless some vertices are tightened. */
+async function details(page) {
+  await openSample(page, 'alpha-band');
+  await choose(page, 'flatten');
+  await page.click('#details-toggle');
+  await page.click('#tab-sweep');
+  await page.click('#sweep');
+  await page.waitForFunction(() => document.querySelector('#sweep').textContent !== 'Stop');
+  await page.locator('#mode-flatten').evaluate((button) => button.scrollIntoView({ block: 'end' }));
+  await leave(page);
+}
+
+const on = (screen, plays) => Object.entries(plays).map(([name, play]) => ({ name, play, screen }));
+
+export const scenes = [
+  ...on(DESKTOP, { face, spot, materials, samples, heat, grid, arrange, seam, details }),
+  ...on(LOW, { charts }),
+  ...on(PHONE, { phone: spot }),
+];
