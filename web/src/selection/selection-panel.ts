@@ -48,7 +48,7 @@ export class SelectionPanel {
     this.mover = new ChartMover(views, {
       movable: () => this.movable,
       resolution: () => this.report?.atlas.resolution ?? 1,
-      shows: (text) => this.bar.showGesture(text, this.selection, this.report),
+      shows: (text) => this.showGesture(text),
       moved: (charts, motion, kind) =>
         events.arranged(together(charts, motion), movedText(charts, kind)),
     });
@@ -146,6 +146,12 @@ export class SelectionPanel {
     if (how !== 'left' && how !== 'right') return { how, charts, fixed: Uint32Array.from(fixed) };
     const middle = middleOf(this.views.boxOf(movable));
     return together(movable, turned(middle, how === 'left' ? QUARTER : -QUARTER));
+  }
+
+  private showGesture(text: string | null): void {
+    // The chart under the pointer shows its own colours while it moves.
+    if (text !== null) this.selection.hover(null);
+    this.bar.showGesture(text, this.selection, this.report);
   }
 
   private frame(): void {
