@@ -48,8 +48,8 @@ async function openOwn(browser, headers, options) {
   return { page, url: server.url, close };
 }
 
-/** Chromium may request the icon of a document without one at any time. */
-export const isOfRest = (message) => message.location().url.endsWith('/favicon.ico');
+/** Chromium may request the icon of a document at any time, and again when its address changes. */
+export const isOfRest = (message) => /\/(favicon\.ico|icon\.svg)$/.test(message.location().url);
 
 /** Leaves nothing of this test to the next one: no document, no storage, nothing pressed. */
 async function leave({ page, url }) {

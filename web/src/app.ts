@@ -18,6 +18,7 @@ import { SweepTab } from './details/sweep-tab';
 import { type Remedy, verdictOf } from './details/verdict';
 import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
+import { LastVisit } from './last-visit';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
@@ -55,6 +56,7 @@ export class App implements SessionEvents {
   private readonly session: Session;
   private readonly say = (text: string) => this.run.say(text);
   private readonly wishes: Wishes;
+  private readonly visit = new LastVisit((settings) => this.follow(settings));
   private readonly history = new PageHistory((step, said) => this.goBack(step, said));
   private readonly details = new Details((tab) => {
     if (tab === 'methods') this.methods.leave();
@@ -186,13 +188,31 @@ export class App implements SessionEvents {
     });
     element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     this.showMode();
-    void this.session.open({ kind: 'sample', name: FIRST_SAMPLE });
+    this.start(abflat);
+  }
+
+  /** Opens the mesh of the last visit, or a sample. */
+  private start(abflat: () => Promise<Abflat>): void {
+    const finding = this.visit.find();
+    if (!finding) {
+      this.openFirst(null);
+      return;
+    }
+    abflat().catch(() => undefined); // starts in the meantime; reading says why it does not
+    void finding.then((source) => {
+      if (!this.session.isBusy && !this.shown) this.openFirst(source);
+    });
+  }
+
+  private openFirst(source: Source | null): void {
+    void this.session.open(source ?? { kind: 'sample', name: FIRST_SAMPLE });
   }
 
   /** The user wants something else. */
   private changed(what?: string): void {
     const { settings } = this.wishes;
     this.said = what ?? '';
+    this.visit.changed();
     this.history.change(settings, what);
     // With another t alone, the plot against t stays as it is.
     if (settings.mode === 'flatten') this.sweep.use(settings);
@@ -231,16 +251,16 @@ export class App implements SessionEvents {
     this.history.change(this.wishes.settings, what);
     // The run in flight would move the chart that was just locked.
     if (this.session.isBusy) this.session.refresh();
-    else if (outcome) this.history.settle(outcome);
+    else if (outcome) {
+      this.history.settle(outcome);
+      this.visit.keep(outcome, this.wishes.locks.kept);
+    }
   }
 
   /** Returns to an earlier step, or to one that was undone. */
   private goBack({ settings, outcome }: Step, said: string): void {
     this.methods.leave();
-    const isOther = settings.mode !== this.wishes.mode.mode;
-    if (isOther) this.leaveMode();
-    this.wishes.restore(settings);
-    if (isOther) this.showMode();
+    this.ask(settings);
     if (settings.mode === 'flatten') this.sweep.use(settings);
     this.said = said;
     this.say(said);
@@ -250,6 +270,21 @@ export class App implements SessionEvents {
     }
     document.body.setAttribute('aria-busy', 'true');
     void this.session.restore(outcome);
+  }
+
+  /** Shows other settings. */
+  private ask(settings: Settings): void {
+    const isOther = settings.mode !== this.wishes.mode.mode;
+    if (isOther) this.leaveMode();
+    this.wishes.restore(settings);
+    if (isOther) this.showMode();
+  }
+
+  /** The address of the page got other settings. */
+  private follow(settings: Settings): void {
+    this.history.change(settings, 'Settings of a link');
+    this.goBack({ text: '', settings, outcome: null }, '');
+    this.visit.takeRemarks().forEach(this.notice.add, this.notice);
   }
 
   started(source: Source, settings: Settings | null): void {
@@ -279,6 +314,8 @@ export class App implements SessionEvents {
     const { source, mesh, summary, drawing, gltf } = opened;
     hideAlert();
     this.wishes.open({ mesh, summary, name: source.name });
+    const asked = this.visit.opened(opened);
+    if (asked) this.ask(asked);
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
     this.saving.open(source);
     this.selection?.open(null);
@@ -289,6 +326,7 @@ export class App implements SessionEvents {
       this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
       this.welcome.done();
     } else this.notice.hide();
+    for (const remark of this.visit.takeRemarks()) this.notice.add(remark);
     if (this.views) void this.look.open(opened, this.views);
     this.views?.showMesh(drawing);
     this.sweep.clear();
@@ -312,7 +350,7 @@ export class App implements SessionEvents {
     const what = isOnlyPlaced(outcome)
       ? `${this.said}, checked in ${time}${but}`
       : `${done} in ${time}${but}${kept(outcome)}`;
-    this.finish(what, false);
+    this.finish(this.visit.takeSaid() || what, false);
   }
 
   restored(outcome: Outcome, drawing: FlatDrawing): void {
@@ -331,6 +369,7 @@ export class App implements SessionEvents {
     this.showDetails(outcome);
     this.saving.show(outcome, drawing);
     this.markStale(outcome.settings);
+    this.visit.keep(outcome, this.wishes.locks.kept);
   }
 
   private showDetails(outcome: Outcome): void {
@@ -350,6 +389,7 @@ export class App implements SessionEvents {
   }
 
   cancelled(): void {
+    this.visit.giveUp();
     this.showOpenSample();
     // Without a mesh there is nothing to do again.
     const isStale = this.markStale();
@@ -360,6 +400,10 @@ export class App implements SessionEvents {
   failed(source: Source, settings: Settings | null, error: Error): void {
     const isStale = this.markStale();
     const isLost = error instanceof Lost;
+    if (!isLost && this.visit.failed(source, error.message)) {
+      this.openFirst(null);
+      return;
+    }
     const details = [isLost ? error.detail : '', this.stillShown(isStale)];
     showAlert(failure(source, settings, error.message), details.filter(Boolean).join(' '));
     this.showOpenSample();

@@ -7,7 +7,7 @@ import { MoreControl } from './more-control';
 import { NumberField } from './number-field';
 
 /** Stops of the slider, from nearly no stretch to hardly any seams. */
-const STRETCHES = [
+export const STRETCHES = [
   1.005, 1.01, 1.015, 1.02, 1.03, 1.04, 1.05, 1.06, 1.08, 1.1, 1.15, 1.2, 1.3, 1.5, 2,
 ];
 /** Labels below the slider; at its ends they say what that end is good for. */
@@ -17,7 +17,7 @@ const TICKS = [
   { stretch: 1.1, name: '' },
   { stretch: 2, name: 'fewer seams' },
 ];
-const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
+export const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
 
 /** Stretch, resolution, padding and the less common options of an atlas. */
 export class AtlasControl {

@@ -2,7 +2,7 @@ import { FLATTEN_DEFAULTS, UNWRAP_DEFAULTS } from 'abflat';
 import { element } from '../base/dom';
 import type { Mode } from '../model/settings';
 
-const STEP = 0.05;
+export const BALANCE_STEP = 0.05;
 const DEFAULTS = { flatten: FLATTEN_DEFAULTS.balance, unwrap: UNWRAP_DEFAULTS.balance };
 
 /** The slider between angles and lengths; each kind of layout has its own. */
@@ -13,7 +13,7 @@ export class BalanceControl {
   constructor(mode: Mode, changed: () => void) {
     this.slider = element(`${mode}-balance`, HTMLInputElement);
     this.output = element(`${mode}-balance-value`, HTMLOutputElement);
-    this.slider.step = String(STEP);
+    this.slider.step = String(BALANCE_STEP);
     this.slider.valueAsNumber = DEFAULTS[mode];
     this.show();
     this.slider.addEventListener('input', () => {

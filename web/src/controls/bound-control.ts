@@ -5,6 +5,8 @@ import { refusal } from './number-field';
 
 const LEAST = 0.9;
 const MOST = 2;
+/** The bounds of one piece that the slider offers. */
+export const BOUND_RULE = { type: 'number', atLeast: LEAST, atMost: MOST };
 const STEP = 0.01;
 const TICKS = [
   { t: 0.9, name: '' },

@@ -1,10 +1,13 @@
-import type { UnwrapResult } from 'abflat';
+import type { KnownLayout, UnwrapResult } from 'abflat';
 import type { Bound } from '../base/format';
 import type { MoreOptions } from './more-options';
 
+/** What a run can take over of an atlas. */
+export type KnownAtlas = KnownLayout & Pick<UnwrapResult, 'uv' | 'seams'>;
+
 /** Charts to keep where they are. */
 export interface Kept {
-  layout: UnwrapResult;
+  layout: KnownAtlas;
   charts: Uint32Array;
 }
 
@@ -35,7 +38,7 @@ export interface UnwrapSettings extends MoreOptions {
   /** Charts kept where they already are, which is no reason to lay out again. */
   kept?: Kept;
   /** The layout with charts where the user has moved them. */
-  placed?: UnwrapResult;
+  placed?: KnownAtlas;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;

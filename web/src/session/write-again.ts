@@ -54,7 +54,7 @@ async function keepAll(
 }
 
 /** Whether it is an earlier atlas with charts that were left where they are, or moved. */
-const staysInPlace = ({ mode, result }: Outcome) =>
+export const staysInPlace = ({ mode, result }: Outcome) =>
   mode === 'unwrap' &&
   result.report.charts.some(({ solver, fixed }) => fixed && solver === 'known');
 

@@ -1,0 +1,188 @@
+import type { MeshSummary } from 'abflat';
+import { forget, remember, remembered } from './base/remember';
+import { forgetStored, readStored, writeStored } from './base/stored';
+import type { Opened, Outcome, Source } from './model/model';
+import type { Kept, Settings } from './model/settings';
+import { FIRST_SAMPLE } from './opening/open-mesh';
+import { titleOf } from './session/titles';
+import { fitting, SettingsLink } from './settings-link';
+import { textOf } from './settings-text';
+import {
+  type Asked,
+  askedOf,
+  bytesOf,
+  meshOf,
+  settingsAskedFor,
+  type Visit,
+  visitOf,
+} from './visit-record';
+
+/** Of localStorage, which tells at once whether anything is kept. */
+const KEY = 'abflat-visit';
+/** In milliseconds: changes that follow faster are kept together. */
+const PAUSE = 400;
+/** Bytes of all files of a mesh. */
+const MOST_BYTES = 3e8;
+
+/** Why nothing is restored, for each mark but `kept`. */
+const REMARKS: Record<string, string> = {
+  restoring:
+    'The mesh of your last visit was not opened again, because the page stopped while opening it.',
+  large: 'The mesh of your last visit was too large to keep. Open it again.',
+};
+const UNREADABLE = 'Your last visit could not be restored.';
+
+/** Keeps the mesh and what was asked for in this browser, and starts with them the next time. */
+export class LastVisit {
+  private readonly link: SettingsLink;
+  /** What is being restored. */
+  private found: Visit | null = null;
+  private readonly remarks: string[] = [];
+  private said = '';
+  private summary: MeshSummary | null = null;
+  /** The mesh that was written last, and its name among those of other pages. */
+  private source: Source | null = null;
+  private id = '';
+  /** What to write, unless something else comes first. */
+  private pending: { source: Source; asked: Asked } | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  /** Whether what is kept is of this visit, or gives way to it: the sample that a visit begins with replaces nothing. */
+  private isKept = false;
+
+  /** `followed`: the user has followed a link to other settings. */
+  constructor(followed: (settings: Settings) => void) {
+    this.link = new SettingsLink(() => {
+      const { linked } = this.link;
+      if (linked && this.summary) followed(fitting(linked, this.summary));
+    });
+    window.addEventListener('pagehide', () => {
+      this.giveUp();
+      void this.write();
+    });
+  }
+
+  /** The mesh of the last visit; null if there is none to open, which is known at once for a first visit. */
+  find(): Promise<Source | null> | null {
+    const mark = remembered(KEY);
+    if (mark === null || new URLSearchParams(location.search).has('url')) return null;
+    return mark === 'kept' ? this.read() : this.drop(REMARKS[mark] ?? UNREADABLE);
+  }
+
+  private async read(): Promise<Source | null> {
+    remember(KEY, 'restoring');
+    try {
+      const [id, mesh, asked] = await readStored(['id', 'mesh', 'asked']);
+      this.found = visitOf(mesh, asked);
+      // It need not be written again.
+      this.id = String(id);
+      this.source = this.found.source;
+      this.isKept = true;
+      return this.found.source;
+    } catch (error) {
+      console.info('The last visit cannot be read:', error);
+      return this.drop(UNREADABLE);
+    }
+  }
+
+  /** What to ask for, now that a mesh was opened; null: what the page does by itself. */
+  opened({ source, summary }: Opened): Settings | null {
+    const { link, found } = this;
+    this.isKept ||= this.summary !== null;
+    this.summary = summary;
+    const { linked } = link;
+    this.said = '';
+    if (found?.source !== source) this.giveUp();
+    else {
+      this.said = `Restored ${titleOf(source)} from your last visit`;
+      if (!linked || textOf(linked) === found.asked.text) {
+        link.linked = null;
+        return settingsAskedFor(found.asked);
+      }
+    }
+    return linked && fitting(linked, summary);
+  }
+
+  /** The user asks for something else. */
+  changed(): void {
+    this.link.linked = null;
+  }
+
+  /** Keeps what is on screen. `kept`: the locked charts. */
+  keep(outcome: Outcome, kept: Kept | undefined): void {
+    const { source } = outcome;
+    this.link.show(outcome.settings);
+    this.giveUp();
+    this.pending = { source, asked: askedOf(outcome, kept) };
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.write(), PAUSE);
+  }
+
+  /** What to say of a mesh that was restored, once; '' of others. */
+  takeSaid(): string {
+    const { said } = this;
+    this.said = '';
+    return said;
+  }
+
+  /** What the user should know of the start, once. */
+  takeRemarks(): string[] {
+    const { link } = this;
+    const remarks = [...this.remarks.splice(0), link.remark].filter(Boolean);
+    link.remark = '';
+    return remarks;
+  }
+
+  /** Nothing is being restored any more; the next visit may try. */
+  giveUp(): void {
+    if (this.found) remember(KEY, 'kept');
+    this.found = null;
+  }
+
+  /** Whether this was the mesh of the last visit, which is then dropped. */
+  failed(source: Source, message: string): boolean {
+    if (this.found?.source !== source) return false;
+    this.found = null;
+    this.said = '';
+    const why = message.replace(/\.$/, '');
+    this.drop(`${titleOf(source)} could not be restored from your last visit: ${why}.`);
+    return true;
+  }
+
+  private drop(remark: string): null {
+    this.remarks.push(remark);
+    void this.clear();
+    return null;
+  }
+
+  private async clear(): Promise<void> {
+    forget(KEY);
+    await forgetStored().catch((error) => console.info('The last visit stays stored:', error));
+  }
+
+  private async write(): Promise<void> {
+    clearTimeout(this.timer);
+    const { pending } = this;
+    this.pending = null;
+    if (!pending) return;
+    const { source, asked } = pending;
+    if (source !== this.source) this.id = `${Date.now()} ${Math.random()}`;
+    this.source = source;
+    const mesh = meshOf(source);
+    const isLarge = bytesOf(mesh) > MOST_BYTES;
+    // A first visit begins with this, too.
+    const isUsual = mesh.kind === 'sample' && mesh.name === FIRST_SAMPLE && isNothing(asked);
+    try {
+      if (isUsual && !this.isKept) return;
+      this.isKept = !isUsual;
+      if (isUsual || isLarge) await this.clear();
+      else await writeStored({ asked }, { id: this.id, values: { mesh } });
+      if (!isUsual) remember(KEY, isLarge ? 'large' : 'kept');
+    } catch (error) {
+      // Storage is off or full, or a file is gone: everything else works, and no earlier mesh comes back in its place.
+      console.info('This visit is not kept:', error);
+      await this.clear();
+    }
+  }
+}
+
+const isNothing = ({ text, edited, atlas }: Asked) => text === '' && !edited && !atlas;

@@ -1,0 +1,59 @@
+import type { MeshSummary } from 'abflat';
+import type { Settings } from './model/settings';
+import { choiceOf, seamWords } from './seams/seam-choice';
+import { settingsOf, textOf } from './settings-text';
+
+/** Of one word that means nothing. */
+const MOST_LETTERS = 40;
+
+/** The settings in the address of the page, so that a link shares them. */
+export class SettingsLink {
+  /** Those of the link that was followed, which hold for each mesh until something else is asked for. */
+  linked: Settings | null = null;
+  /** What the link has that means nothing here, as a sentence; '' if there is nothing. */
+  remark = '';
+
+  /** `followed`: the page is open, and its address got other settings. */
+  constructor(followed: () => void) {
+    this.read();
+    window.addEventListener('hashchange', () => {
+      this.read();
+      followed();
+    });
+  }
+
+  private read(): void {
+    const text = location.hash.slice(1);
+    const { settings, ignored } = settingsOf(text);
+    this.linked = text ? settings : null;
+    const words = ignored.map((word) => word.slice(0, MOST_LETTERS)).join(', ');
+    this.remark = words && `The link asks for ${words}, which this page does not offer.`;
+  }
+
+  /** Puts settings into the address, as the same page: the way back leads where it led before. */
+  show(settings: Settings): void {
+    const text = textOf(settings);
+    if (text === location.hash.slice(1)) return;
+    const { pathname, search } = location;
+    try {
+      history.replaceState(history.state, '', pathname + search + (text && `#${text}`));
+    } catch (error) {
+      // Some browsers allow only so many changes in a while.
+      console.info('The address of the page cannot be changed:', error);
+    }
+  }
+}
+
+/** Without seams and UVs that the mesh does not have. */
+export function fitting(settings: Settings, { texcoords, materials }: MeshSummary): Settings {
+  if (settings.mode === 'flatten') return settings;
+  const { fixedFaces, ...others } = settings;
+  const { sources } = choiceOf(settings);
+  const [uv, material] = [sources.uv && texcoords > 0, sources.material && materials > 1];
+  const left = seamWords({ ...sources, uv, material });
+  return {
+    ...others,
+    ...(fixedFaces && texcoords > 0 && { fixedFaces }),
+    seams: left === 'none' && settings.seams !== left ? 'auto' : left,
+  };
+}

@@ -1,0 +1,79 @@
+// What the browser keeps of a visit: the mesh as it was opened, and what was asked for.
+
+import type { UnwrapResult } from 'abflat';
+import type { FileSource, Outcome, Source } from './model/model';
+import type { Kept, KnownAtlas, Settings } from './model/settings';
+import { staysInPlace } from './session/write-again';
+import { settingsOf, textOf } from './settings-text';
+
+export type KeptMesh =
+  | { kind: 'sample'; name: string }
+  | Pick<FileSource, 'kind' | 'name' | 'file' | 'others'>;
+
+export interface Asked {
+  /** The settings as they are in a link. */
+  text: string;
+  /** Seams that were edited. */
+  edited?: { seams: string; seamEdges: Uint32Array };
+  /** The layout, where the settings alone would not lead to it again. */
+  atlas?: KnownAtlas;
+  /** Charts of it. */
+  locked?: Uint32Array;
+}
+
+export interface Visit {
+  source: Source;
+  asked: Asked;
+}
+
+export function meshOf(source: Source): KeptMesh {
+  if (source.kind === 'sample') return source;
+  const { kind, name, file, others } = source;
+  return { kind, name, file, others };
+}
+
+export const bytesOf = (mesh: KeptMesh): number =>
+  mesh.kind === 'sample' ? 0 : [mesh.file, ...mesh.others].reduce((sum, { size }) => sum + size, 0);
+
+/** `kept`: what is locked now. */
+export function askedOf(outcome: Outcome, kept: Kept | undefined): Asked {
+  const asked: Asked = { text: textOf(outcome.settings) };
+  if (outcome.mode === 'flatten') return asked;
+  const { result, settings } = outcome;
+  const { seams, seamEdges, placed } = settings;
+  if (seamEdges) asked.edited = { seams, seamEdges };
+  const locked = kept?.layout === result ? kept.charts : new Uint32Array();
+  const isOwn = Boolean(seamEdges ?? placed) || locked.length > 0 || staysInPlace(outcome);
+  // A chart that is not valid, and was not moved, cannot be kept in its place.
+  if (!isOwn || !(result.report.valid || staysInPlace(outcome))) return asked;
+  return { ...asked, atlas: atlasOf(result), locked };
+}
+
+function atlasOf(result: UnwrapResult): KnownAtlas {
+  const { uv, unpacked, indices, vertexMap, chartOfTriangle, seams, report } = result;
+  const { t, straightSeams, balance } = report.options;
+  const options = { t, straightSeams, balance };
+  return { uv, unpacked, indices, vertexMap, chartOfTriangle, seams, report: { options } };
+}
+
+/** Throws if these values are not those of a visit. */
+export function visitOf(mesh: unknown, asked: unknown): Visit {
+  if (typeof (asked as Asked | undefined)?.text !== 'string') throw new Error('no settings');
+  return { source: sourceOf(mesh as KeptMesh), asked: asked as Asked };
+}
+
+function sourceOf(mesh: KeptMesh): Source {
+  if (mesh?.kind === 'sample') return { kind: 'sample', name: String(mesh.name) };
+  const { kind, name, file, others } = mesh;
+  if (![file, ...others].every((each) => each instanceof File)) throw new Error('no files');
+  const source: FileSource = { kind, name: String(name), file, others, together: [] };
+  source.together.push(source);
+  return source;
+}
+
+export function settingsAskedFor({ text, edited, atlas, locked }: Asked): Settings {
+  const { settings } = settingsOf(text);
+  if (settings.mode === 'flatten') return settings;
+  const kept = atlas && locked && { kept: { layout: atlas, charts: locked } };
+  return { ...settings, ...edited, ...(atlas && { placed: atlas }), ...kept };
+}
