@@ -23,12 +23,10 @@ std::string problemOf(const ChartDefect& defect, const std::vector<UnwrapChart>&
       charts[defect.chart].fixed ? "" : " after rounding to the precision of the file";
   if (defect.kind == ChartDefect::Flipped)
     return std::to_string(defect.triangles) +
-           (defect.triangles == 1 ? " triangle is" : " triangles are") +
-           " flipped or degenerate" + cause;
-  if (defect.kind == ChartDefect::Outside)
-    return "it extends beyond its tile" + cause;
-  if (defect.other == defect.chart)
-    return "its boundary touches or crosses itself" + cause;
+           (defect.triangles == 1 ? " triangle is" : " triangles are") + " flipped or degenerate" +
+           cause;
+  if (defect.kind == ChartDefect::Outside) return "it extends beyond its tile" + cause;
+  if (defect.other == defect.chart) return "its boundary touches or crosses itself" + cause;
   return "it touches or overlaps the chart containing face " +
          std::to_string(charts[defect.other].firstFace) + " in the atlas";
 }
