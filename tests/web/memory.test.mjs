@@ -5,9 +5,9 @@ import { test } from 'node:test';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { dropAndWait, openPage, settled } from './page.mjs';
 
-const BALL = objText(sphere(24));
+const BALL = objText(sphere(14));
 
-test('ten more meshes, each with a few changes, leave memory as it was', async (t) => {
+test('ten more meshes, each with a change, leave memory as it was', async (t) => {
   const page = await openPage(t, { own: true });
   const client = await page.context().newCDPSession(page);
   const bytes = async () => {
@@ -17,12 +17,10 @@ test('ten more meshes, each with a few changes, leave memory as it was', async (
   };
   const open = async (name) => {
     await dropAndWait(page, name, BALL);
-    for (const id of ['#seams-sharp', '#seams-auto']) {
+    for (const id of ['#seams-auto', '#undo']) {
       await page.click(id);
       await settled(page);
     }
-    await page.click('#undo');
-    await settled(page);
   };
   for (let i = 0; i < 3; ++i) await open(`first-${i}.obj`);
   const before = await bytes();
