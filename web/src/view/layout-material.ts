@@ -28,6 +28,8 @@ const VERTEX = /* glsl */ `
     vPiece = piece;
     readLook(showsMaterials);
     gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 0.0, 1.0);
+    // All in one plane, in their order, but for the charts that are being moved.
+    gl_Position.z = flagsOf(piece).b > 0.5 ? -0.5 : 0.0;
   }
 `;
 
@@ -86,8 +88,6 @@ export function createLayoutMaterial(): ShaderMaterial {
     fragmentShader: FRAGMENT,
     side: DoubleSide,
     transparent: true,
-    depthTest: false,
-    depthWrite: false,
     uniforms: {
       showsHeat: { value: false },
       showsGrid: { value: false },
