@@ -1,3 +1,4 @@
+import { middleOf } from '../arrange/charts';
 import {
   type Gesture,
   type GestureKind,
@@ -6,7 +7,7 @@ import {
   textOf,
   withKey,
 } from '../arrange/gesture';
-import { isStill, type Motion, type Point, STILL } from '../arrange/motion';
+import { isStill, type Motion, STILL } from '../arrange/motion';
 import type { Pixel } from '../view/sight';
 import type { Views } from '../view/views';
 
@@ -82,8 +83,7 @@ export class ChartMover {
 
   private begin(kind: GestureKind, charts: ReadonlySet<number>, at: Pixel): void {
     const from = this.views.uvAt(at);
-    const { low, high } = this.views.boxOf(charts);
-    const middle: Point = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
+    const middle = middleOf(this.views.boxOf(charts));
     const texel = 1 / this.events.resolution();
     const step = stepOf(texel, this.views.pixelsPerUv);
     this.charts = new Set(charts);

@@ -1,4 +1,5 @@
 import { OrthographicCamera, Scene } from 'three';
+import { type Box, middleOf } from '../arrange/charts';
 import { inPlane, type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
@@ -213,16 +214,23 @@ export class LayoutView {
   }
 
   /** The box in uv of some charts. */
-  boxOf(charts: Iterable<number>): { low: Point; high: Point } {
-    const { size, low, high } = FLAT_FRAME;
+  boxOf(charts: Iterable<number>): Box {
     const [u, v] = this.middle;
-    const of = (d: number) => [...charts].map((chart) => this.frames[size * chart + d]);
-    const [left, bottom] = [Math.min(...of(low)), Math.min(...of(low + 1))];
-    const [right, top] = [Math.max(...of(high)), Math.max(...of(high + 1))];
-    return {
-      low: [u + this.unit * left, v + this.unit * bottom],
-      high: [u + this.unit * right, v + this.unit * top],
-    };
+    const inUv = ([x, y]: Point): Point => [u + this.unit * x, v + this.unit * y];
+    const { low, high } = this.boxInPlane(charts);
+    return { low: inUv(low), high: inUv(high) };
+  }
+
+  /** There may be too many charts for the arguments of a call. */
+  private boxInPlane(charts: Iterable<number>): Box {
+    const { size, low, high } = FLAT_FRAME;
+    const box: Box = { low: [Infinity, Infinity], high: [-Infinity, -Infinity] };
+    for (const chart of charts)
+      for (const d of [0, 1] as const) {
+        box.low[d] = Math.min(box.low[d], this.frames[size * chart + low + d]);
+        box.high[d] = Math.max(box.high[d], this.frames[size * chart + high + d]);
+      }
+    return box;
   }
 
   /** Drags pan only when `mayPan`. */
@@ -245,12 +253,9 @@ export class LayoutView {
 
   /** Moves the view to some charts. */
   goTo(charts: number[]): void {
-    const { size, low, high } = FLAT_FRAME;
-    const of = (d: number) => charts.map((chart) => this.frames[size * chart + d]);
-    const [left, bottom] = [Math.min(...of(low)), Math.min(...of(low + 1))];
-    const [right, top] = [Math.max(...of(high)), Math.max(...of(high + 1))];
-    if (!(left <= right)) return;
-    this.look((left + right) / 2, (bottom + top) / 2, [right - left, top - bottom]);
+    const { low, high } = this.boxInPlane(charts);
+    if (!(low[0] <= high[0])) return;
+    this.look(...middleOf({ low, high }), [high[0] - low[0], high[1] - low[1]]);
     this.isFitted = false;
   }
 

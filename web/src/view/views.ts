@@ -1,3 +1,4 @@
+import type { Box } from '../arrange/charts';
 import type { Motion, Point } from '../arrange/motion';
 import { bindToggle, element } from '../base/dom';
 import { readPalette } from '../colors/palette';
@@ -128,7 +129,7 @@ export class Views {
   }
 
   /** The box in uv of some charts. */
-  boxOf(charts: Iterable<number>): { low: Point; high: Point } {
+  boxOf(charts: Iterable<number>): Box {
     return this.layout.boxOf(charts);
   }
 
