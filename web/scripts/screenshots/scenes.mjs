@@ -16,6 +16,13 @@ import {
 const DESKTOP = { viewport: { width: 1200, height: 675 } };
 /** So low that More fills the dock. */
 const LOW = { viewport: { width: 1200, height: 645 } };
+/** In uv, the one to be dragged first. */
+const PINS = [
+  [0.78, 0.86],
+  [0.035, 0.86],
+  [0.02, 0.58],
+  [0.8, 0.58],
+];
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 async function face(page, meshes) {
@@ -74,6 +81,19 @@ async function arrange(page) {
   await page.keyboard.type('r30');
 }
 
+/** One of four pins is dragged. */
+async function pins(page, meshes) {
+  await face(page, meshes);
+  await page.click('#pin');
+  for (const uv of PINS) await clickOn(page, '#layout-canvas', await placeOfUv(page, uv));
+  const [x, y] = await placeOfUv(page, PINS[0]);
+  await moveOn(page, '#layout-canvas', [x, y]);
+  await page.mouse.down();
+  await moveOn(page, '#layout-canvas', [x + 0.09, y + 0.08]);
+  // The first frame of a drag waits for what it needs.
+  await page.waitForTimeout(1000);
+}
+
 /** A cut that has been started and follows the pointer. */
 async function seam(page) {
   await clickOn(page, '#mesh-canvas', [0.42, 0.22]);
@@ -109,7 +129,7 @@ async function details(page) {
 const on = (screen, plays) => Object.entries(plays).map(([name, play]) => ({ name, play, screen }));
 
 export const scenes = [
-  ...on(DESKTOP, { face, spot, materials, samples, heat, grid, arrange, seam, details }),
+  ...on(DESKTOP, { face, spot, materials, samples, heat, grid, arrange, pins, seam, details }),
   ...on(LOW, { charts }),
   ...on(PHONE, { phone: spot }),
 ];
