@@ -1,5 +1,6 @@
 #include "unwrap/known.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/point2.h"
@@ -89,6 +90,16 @@ std::vector<double> knownUv(const Known& known, const ChartTopology& chart) {
   return uv;
 }
 
+/// Whether the chart has no seam that it did not have in the earlier run.
+bool isUncut(const Known& known, const ChartTopology& chart) {
+  std::vector<std::uint32_t> vertices;
+  for (const ChartCorner c : chart.surfaceCorners())
+    vertices.push_back(known.vertex(chart.onSurface(c)));
+  std::sort(vertices.begin(), vertices.end());
+  const auto end = std::unique(vertices.begin(), vertices.end());
+  return static_cast<std::size_t>(end - vertices.begin()) == chart.vertexCount();
+}
+
 /// The outlines that charts had in the earlier run.
 Outlines knownOutlines(const Known& known, const Surface& surface) {
   IdVector<SurfaceCorner, std::uint8_t> isCut(surface.table.twin.size(), 1);
@@ -169,7 +180,10 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
     std::vector<double> inUnits = uv;
     for (double& x : inUnits) x /= chart.unit;
     const bool keepsPlace = options.keepsPlaces && wishes[i].pins.empty();
-    if (!keepsPlace && !checkSeparated(chart, inUnits).valid()) return;
+    if (!checkSeparated(chart, inUnits).valid()) {
+      // What is wrong stays so unless a seam may help.
+      if (!keepsPlace || options.seams.isAuto || !isUncut(known, mesh.set.topology(i))) return;
+    }
     flat[i] = takeOver(chart, wishes[i], std::move(uv), inUnits);
     if (keepsPlace) keepPlace(known, mesh.set.topology(i), chart, flat[i]);
   });

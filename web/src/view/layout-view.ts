@@ -218,8 +218,7 @@ export class LayoutView {
 
   /** Marks pins, and the vertex that a click would hit; in uv. */
   showPins(pins: readonly Point[], aimed: Point | null): void {
-    this.pins.show(pins, aimed);
-    this.stage.invalidate();
+    if (this.pins.show(pins, aimed)) this.stage.invalidate();
   }
 
   /** The next layout to be shown has the charts where they were moved to. */

@@ -26,6 +26,7 @@ export class PinLayer {
   private bending: Bending | null = null;
   private toPlane: (uv: Point) => Point = (uv) => uv;
   private unit = 1;
+  private isEmpty = true;
 
   constructor(
     private readonly surface: { object: Mesh },
@@ -53,12 +54,16 @@ export class PinLayer {
     for (const marks of [this.halos, this.pins, this.aim]) marks.setPixelRatio(ratio);
   }
 
-  /** Points are in uv; `aimed` is what a click would hit. */
-  show(pins: readonly Point[], aimed: Point | null): void {
+  /** Points are in uv; `aimed` is what a click would hit. Returns whether there is anything else to see. */
+  show(pins: readonly Point[], aimed: Point | null): boolean {
+    const isEmpty = pins.length === 0 && !aimed;
+    if (isEmpty && this.isEmpty) return false;
+    this.isEmpty = isEmpty;
     const points = this.pointsOf(pins);
     this.halos.show(points);
     this.pins.show(points);
     this.aim.show(aimed ? this.pointsOf([aimed]) : NO_POINTS);
+    return true;
   }
 
   private pointsOf(points: readonly Point[]): Float32Array {
