@@ -27,6 +27,7 @@ import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { PageHistory } from './page-history';
 import { Placement } from './placement';
+import { Rest } from './rest';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { SelectionPanel } from './selection/selection-panel';
@@ -107,6 +108,7 @@ export class App implements SessionEvents {
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
   private readonly welcome = new Welcome();
+  private readonly rest = new Rest([() => this.workshop.loadRest(), () => this.seams.loadRest()]);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
   /** The last result. */
@@ -295,15 +297,11 @@ export class App implements SessionEvents {
       verb,
     );
     this.again = () => this.session.refresh();
-    if (settings?.mode === 'unwrap') this.prepareSeams();
+    // On a first visit, the layout comes before what its seams are edited with.
+    const isFirst = source.kind === 'sample' && this.outcome === null;
+    if (settings?.mode === 'unwrap' && !isFirst) void this.seams.prepare();
     document.body.setAttribute('aria-busy', 'true');
     this.markStale(settings ?? this.wishes.settings);
-  }
-
-  private prepareSeams(): void {
-    this.seams
-      .prepare()
-      .catch(({ message }: Error) => this.say(`Seams cannot be edited: ${message}`));
   }
 
   progress(progress: AnyProgress): void {
@@ -342,7 +340,7 @@ export class App implements SessionEvents {
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
     this.show(outcome, drawing);
-    this.workshop.loadRest();
+    this.rest.load();
     const { badge } = verdictOf(outcome);
     const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
     const time = duration(report.timings.total);

@@ -13,6 +13,8 @@ export interface SeamEditorEvents {
   changed(what: string): void;
   /** Shows a message to the user. */
   say(text: string): void;
+  /** Resolves once the model is ready, or to false if it cannot be. */
+  ready(): Promise<boolean>;
 }
 
 const NO_POINTS = new Float32Array();
@@ -101,15 +103,27 @@ export class SeamEditor {
     if (!this.model) this.mark(NO_MARKS, '');
     else if (tool === null) this.mark(NO_MARKS, 'Click a chart to select it');
     else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
-    else if (tool === 'cut') this.previewCut(this.model, at);
+    else if (!this.model.isReady) {
+      this.mark(NO_MARKS, INVITATIONS[tool]);
+      void this.events.ready();
+    } else if (tool === 'cut') this.previewCut(this.model, at);
     else this.previewJoin(this.model, at, modifiers);
   }
 
   private onClick(at: Pixel, modifiers: Modifiers): void {
     const tool = this.toolOf(modifiers);
-    if (!this.model || tool === null) return;
-    if (tool === 'cut') this.cut(this.model, at, modifiers.shift);
-    else this.join(this.model, at, modifiers);
+    const { model } = this;
+    if (!model || tool === null) return;
+    if (model.isReady) this.use(tool, model, at, modifiers);
+    else
+      void this.events.ready().then((isReady) => {
+        if (isReady && model === this.model) this.use(tool, model, at, modifiers);
+      });
+  }
+
+  private use(tool: Tool, model: SeamModel, at: Pixel, modifiers: Modifiers): void {
+    if (tool === 'cut') this.cut(model, at, modifiers.shift);
+    else this.join(model, at, modifiers);
     this.aim.refresh();
   }
 
