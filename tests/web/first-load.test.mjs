@@ -6,7 +6,7 @@ import { settled } from './page.mjs';
 import { takePage } from './pages.mjs';
 
 /** In bytes, compressed. What is not needed for a first look is loaded when it is. */
-const MOST = 520_000;
+const MOST = 500_000;
 const LATER = [
   'gltf-file',
   'draco',
@@ -17,6 +17,9 @@ const LATER = [
   'make-surface',
   'arranging',
   'writing',
+  'plots',
+  'method-table',
+  'export-mesh',
 ];
 
 test('a first visit loads little before the first layout', async (t) => {

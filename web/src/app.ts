@@ -11,11 +11,13 @@ import { RunPanel } from './controls/run-panel';
 import { ChartsTab } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
-import { MethodsTab } from './details/methods-tab';
+import { plots } from './details/late-chart';
+import { MethodsTab, methodTables } from './details/methods-tab';
 import { MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
 import { type Remedy, verdictOf } from './details/verdict';
+import { exportMeshes } from './export/exporter';
 import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
 import { LastVisit } from './last-visit';
@@ -108,7 +110,13 @@ export class App implements SessionEvents {
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
   private readonly welcome = new Welcome();
-  private readonly rest = new Rest([() => this.workshop.loadRest(), () => this.seams.loadRest()]);
+  private readonly rest = new Rest([
+    () => this.workshop.loadRest(),
+    () => this.seams.loadRest(),
+    plots,
+    methodTables,
+    exportMeshes,
+  ]);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
   /** The last result. */
@@ -239,6 +247,7 @@ export class App implements SessionEvents {
     const { mode } = this.wishes.mode;
     this.details.setMode(mode);
     this.saving.setMode(mode);
+    if (mode === 'flatten') this.sweep.offer();
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
   }
 
