@@ -15,7 +15,11 @@ export class LateChart {
     private readonly figure: HTMLElement,
     private readonly height: number,
     private readonly read: (text: string | null) => void,
-  ) {}
+  ) {
+    // Its place, so that nothing moves when it comes.
+    figure.classList.add('chart');
+    figure.style.minHeight = `${height}px`;
+  }
 
   show(specOf: (plots: Plots) => ChartSpec): void {
     this.specOf = specOf;

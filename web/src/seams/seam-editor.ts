@@ -13,8 +13,8 @@ export interface SeamEditorEvents {
   changed(what: string): void;
   /** Shows a message to the user. */
   say(text: string): void;
-  /** Resolves once the model is ready, or to false if it cannot be. */
-  ready(): Promise<boolean>;
+  /** Resolves once the model is ready, or cannot be. */
+  ready(): Promise<unknown>;
 }
 
 const NO_POINTS = new Float32Array();
@@ -112,19 +112,23 @@ export class SeamEditor {
 
   private onClick(at: Pixel, modifiers: Modifiers): void {
     const tool = this.toolOf(modifiers);
-    const { model } = this;
-    if (!model || tool === null) return;
-    if (model.isReady) this.use(tool, model, at, modifiers);
-    else
-      void this.events.ready().then((isReady) => {
-        if (isReady && model === this.model) this.use(tool, model, at, modifiers);
-      });
+    if (tool === null) return;
+    this.whenReady((model) => {
+      if (tool === 'cut') this.cut(model, at, modifiers.shift);
+      else this.join(model, at, modifiers);
+      this.aim.refresh();
+    });
   }
 
-  private use(tool: Tool, model: SeamModel, at: Pixel, modifiers: Modifiers): void {
-    if (tool === 'cut') this.cut(model, at, modifiers.shift);
-    else this.join(model, at, modifiers);
-    this.aim.refresh();
+  /** What is done before the seams can be edited waits for that. */
+  private whenReady(act: (model: SeamModel) => void): void {
+    const { model } = this;
+    if (!model) return;
+    if (model.isReady) act(model);
+    else
+      void this.events.ready().then(() => {
+        if (model.isReady && model === this.model) act(model);
+      });
   }
 
   private previewCut(model: SeamModel, at: Pixel | null): void {

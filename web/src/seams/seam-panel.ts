@@ -67,9 +67,15 @@ export class SeamPanel {
   }
 
   private async seamText(): Promise<string | null> {
+    const model = await this.ready();
+    return model && seamText(pairsOf(model.graph, model.all));
+  }
+
+  /** What is edited, as soon as it can be; null if it cannot, or another mesh was opened before. */
+  private async ready(): Promise<SeamModel | null> {
     const { model } = this;
-    if (!model || !(await this.prepare()) || model !== this.model) return null;
-    return seamText(pairsOf(model.graph, model.all));
+    await this.prepare();
+    return model?.isReady && model === this.model ? model : null;
   }
 
   /**
@@ -79,7 +85,7 @@ export class SeamPanel {
   private openFile(name: string): (text: string) => Promise<void> {
     const { model } = this;
     return async (text) => {
-      if (!model || !(await this.prepare()) || model !== this.model) return;
+      if (!model || model !== this.model || !(await this.ready())) return;
       try {
         model.setEdges(readSeams(model.graph, text, name));
       } catch (error) {
@@ -134,26 +140,26 @@ export class SeamPanel {
 
   /**
    * Called before the mesh is unwrapped, so that its seams can be edited as soon as there is an
-   * atlas, or after that; what is done to them in the meantime waits. Returns whether they can be.
+   * atlas, or after that; what is done to them in the meantime waits.
    */
-  async prepare(): Promise<boolean> {
+  async prepare(): Promise<void> {
     const { mesh, prepared } = this;
     try {
       await prepared();
       if (mesh === this.mesh) this.editor?.update();
-      return true;
     } catch (error) {
-      if (mesh !== this.mesh) return false;
+      if (mesh !== this.mesh) return;
       this.hide();
       this.events.say(`Seams cannot be edited: ${(error as Error).message}`);
-      return false;
     }
   }
 
   /** What editing takes is not part of the first load. */
   async loadRest(): Promise<void> {
     await solids();
-    if (this.isUnwrapped) await this.prepare();
+    if (!this.isUnwrapped) return;
+    await this.prepared();
+    this.editor?.update();
   }
 
   private async surfaceOf({ mesh, summary }: Editable): Promise<Surface> {
