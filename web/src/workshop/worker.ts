@@ -6,6 +6,7 @@ import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
 import { loadInWorker } from '../base/load-part';
+import { startOnce } from '../base/start-once';
 import { drawFlat } from '../drawing/draw';
 import { drawMesh } from '../drawing/draw-mesh';
 import {
@@ -28,13 +29,13 @@ import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import type { SurfaceArrays } from '../surface/make-surface';
 
-// All but drawing is not part of the first load.
-const gltfFile = () => loadInWorker(import('../files/gltf-file'));
-const newGlbFile = () => loadInWorker(import('../files/new-glb'));
-const appearanceFile = () => loadInWorker(import('../files/appearance'));
-const arranging = () => loadInWorker(import('./arranging'));
-const writing = () => loadInWorker(import('./writing'));
-const surfaces = () => loadInWorker(import('../surface/make-surface'));
+// All but drawing is not part of the first load. What is loaded keeps the order of requests.
+const gltfFile = startOnce(() => loadInWorker(import('../files/gltf-file')));
+const newGlbFile = startOnce(() => loadInWorker(import('../files/new-glb')));
+const appearanceFile = startOnce(() => loadInWorker(import('../files/appearance')));
+const arranging = startOnce(() => loadInWorker(import('./arranging')));
+const writing = startOnce(() => loadInWorker(import('./writing')));
+const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface')));
 
 const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces];
 
