@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { chartsOf, parseObj } from '../support/atlas.mjs';
 import { boxArray, objText, together, torus } from '../support/surfaces.mjs';
-import { exportMesh, openPage, settled, textOf } from './page.mjs';
+import { drawn, exportMesh, openPage, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
 const RINGS = objText(
@@ -15,15 +15,6 @@ const RINGS = objText(
   ]),
 );
 const SIZE = 1024;
-
-/** Waits until the page has drawn. */
-const drawn = (page) =>
-  page.evaluate(
-    () =>
-      new Promise((done) =>
-        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))),
-      ),
-  );
 
 /** The corners in uv of each exported face, and the chart of each. Then the layout has the focus. */
 async function atlas(page) {
