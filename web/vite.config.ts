@@ -2,7 +2,7 @@ import { defineConfig } from 'vite';
 import headers from './headers.json';
 import { afterBuild } from './scripts/after-build.mjs';
 import { hashedScript } from './scripts/hashed-script.mjs';
-import { usedShaders } from './scripts/used-shaders.mjs';
+import { usedThree } from './scripts/used-three.mjs';
 
 /** Vite's own client, for development, has inline styles. */
 const { 'Content-Security-Policy': _, ...isolation } = headers;
@@ -15,7 +15,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 900,
     reportCompressedSize: false,
   },
-  plugins: [hashedScript('theme.js'), usedShaders(), afterBuild(headers)],
+  plugins: [hashedScript('theme.js'), usedThree(), afterBuild(headers)],
   // With them the browser gives the page threads.
   server: { headers: isolation },
   preview: { headers },
