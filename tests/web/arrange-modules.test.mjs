@@ -230,3 +230,35 @@ test('charts keep their colours as long as they have the same triangles', async 
   assert.equal(kept.of(charts(0, 1), 2), undefined);
   assert.equal(kept.of(charts(0, 1, 1), 3), undefined);
 });
+
+test('a check that ends after the next move does not take that back', async () => {
+  const { Placement } = await load('placement');
+  const wanted = [];
+  const placement = new Placement(
+    { outcome: async () => ({}) },
+    { placeCharts: () => undefined, showFlat: () => undefined, moveCharts: () => undefined },
+    {
+      placing: () => undefined,
+      placed: (layout) => wanted.push(layout),
+      notPlaced: (error) => assert.fail(error),
+    },
+  );
+  const first = { settings: {}, result: { uv: [0] } };
+  const move = (by) => placement.place(async ({ result }) => ({ uv: [result.uv[0] + by] }), '');
+  const checked = (placed) => ({ settings: { placed }, result: { uv: placed.uv } });
+  placement.show(first);
+  await move(1);
+  await move(10);
+  placement.show(checked(wanted[0]), wanted[1]);
+  await move(100);
+  assert.deepEqual(wanted[2].uv, [111]);
+  const last = checked(wanted[2]);
+  placement.show(last, wanted[2]);
+  assert.equal(placement.current, last);
+  // The user goes back.
+  const back = checked(wanted[0]);
+  placement.show(back, wanted[0]);
+  assert.equal(placement.current, back);
+  await move(1000);
+  assert.deepEqual(wanted[3].uv, [1001]);
+});

@@ -390,7 +390,9 @@ export class App implements SessionEvents {
   }
 
   private showDetails(outcome: Outcome): void {
-    this.arranging?.show(outcome.mode === 'unwrap' ? outcome : null, this.wishes.marks.pins);
+    const { settings } = this.wishes;
+    const wanted = settings.mode === 'unwrap' ? settings : {};
+    this.arranging?.show(outcome.mode === 'unwrap' ? outcome : null, wanted);
     if (outcome.mode === 'unwrap') {
       this.wishes.locks.show(outcome);
       this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);

@@ -1,6 +1,7 @@
 import type { UnwrapResult } from 'abflat';
 import type { ChartMesh } from './arrange/chart-mesh';
 import type { Unwrapped } from './model/model';
+import type { UnwrapSettings } from './model/settings';
 import { type Change, Placement, type PlacementEvents } from './placement';
 import { PinTool } from './selection/pin-tool';
 import { SelectionPanel } from './selection/selection-panel';
@@ -44,6 +45,7 @@ export class Arranging {
       layout: () => this.placement.current,
       locked: () => events.locked(),
       hidden: () => this.selection.hidden,
+      chart: (outcome, chart) => workshop.chart(outcome, chart),
       weights: (layout, pins) => events.weights(layout, pins),
       changed: (pins, what) => events.pinned(pins, what),
       bent: (change, what) => place(async ({ result }) => change(result), what),
@@ -62,11 +64,11 @@ export class Arranging {
     });
   }
 
-  /** The atlas on screen; null if there is none. */
-  show(outcome: Unwrapped | null, pins?: Uint32Array): void {
-    this.placement.show(outcome);
+  /** The atlas on screen; null if there is none. `wanted`: what the user asks for now. */
+  show(outcome: Unwrapped | null, wanted: Partial<UnwrapSettings> = {}): void {
+    this.placement.show(outcome, wanted.placed);
     this.selection.open(outcome?.result.report ?? null);
-    this.pins.show(pins ?? new Uint32Array());
+    this.pins.show(wanted.pins ?? new Uint32Array());
   }
 
   /** Selects one chart instead of the others. */

@@ -2,6 +2,7 @@ import type { UnwrapResult } from 'abflat';
 import { STILL } from './arrange/motion';
 import type { FlatDrawing } from './model/drawing';
 import type { Unwrapped } from './model/model';
+import type { KnownAtlas } from './model/settings';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
@@ -36,9 +37,12 @@ export class Placement {
     return this.outcome;
   }
 
-  /** The atlas on screen; null if there is none. */
-  show(outcome: Unwrapped | null): void {
-    const isChecked = outcome !== null && outcome.settings.placed === this.outcome?.result;
+  /** The atlas on screen; null if there is none. `wanted`: the layout that the user has asked for by hand. */
+  show(outcome: Unwrapped | null, wanted?: KnownAtlas): void {
+    const last = this.outcome?.result;
+    const isChecked = outcome !== null && outcome.settings.placed === last;
+    // Charts were moved again during the check, and the next one is still to come.
+    if (outcome && !isChecked && wanted !== undefined && wanted === last) return;
     if (!isChecked) this.generation += 1;
     this.outcome = outcome;
   }

@@ -2,6 +2,7 @@
 // main thread.
 
 import { expose, transfer } from 'comlink';
+import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
@@ -56,6 +57,16 @@ const tasks = {
   moved: async (arrays: ChartArrays, motions: Motions): Promise<Float64Array> => {
     const { movedUv } = await arranging();
     return handedOver(movedUv(arrays, motions));
+  },
+
+  chart: async (
+    arrays: ChartArrays,
+    layout: Parameters<typeof positionsOf>[0],
+    input: Parameters<typeof positionsOf>[1],
+    chart: number,
+  ): Promise<ChartMesh> => {
+    const { chartMesh } = await arranging();
+    return handedOver(chartMesh(arrays, positionsOf(layout, input), chart));
   },
 
   straightened: async (arrays: ChartArrays, charts: Uint32Array): Promise<Motions> =>
