@@ -2,14 +2,20 @@ import { defineConfig } from 'vite';
 import headers from './headers.json';
 import { afterBuild } from './scripts/after-build.mjs';
 import { hashedScript } from './scripts/hashed-script.mjs';
+import { usedThree } from './scripts/used-three.mjs';
 
 /** Vite's own client, for development, has inline styles. */
 const { 'Content-Security-Policy': _, ...isolation } = headers;
 
 export default defineConfig({
   base: './',
-  build: { target: 'es2022', chunkSizeWarningLimit: 900, reportCompressedSize: false },
-  plugins: [hashedScript('theme.js'), afterBuild(headers)],
+  build: {
+    target: 'es2022',
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 900,
+    reportCompressedSize: false,
+  },
+  plugins: [hashedScript('theme.js'), usedThree(), afterBuild(headers)],
   // With them the browser gives the page threads.
   server: { headers: isolation },
   preview: { headers },

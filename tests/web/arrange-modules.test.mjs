@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { randomNumbers } from '../support/disks.mjs';
 import { loadModule as load } from './modules.mjs';
 
 const QUARTER = Math.PI / 2;
@@ -10,18 +11,9 @@ const areNear = (a, b) => {
   for (const [i, x] of a.entries()) isNear(x, b[i]);
 };
 
-/** Reproducible numbers in [0, 1). */
-function random(seed) {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
-
 test('motions keep their middle, follow each other, and are the same in the plane of the view', async () => {
   const { after, inPlane, moved, shifted, turned } = await load('arrange/motion');
-  const next = random(5);
+  const next = randomNumbers(5);
   for (let i = 0; i < 50; ++i) {
     const point = [next(), next()];
     const middle = [next(), next()];
@@ -156,7 +148,7 @@ test('only the charts that are moved change, and they are in single precision', 
 test('straightening makes the smallest box upright, by the least turn', async () => {
   const { moved, turned } = await load('arrange/motion');
   const { straightened } = await load('arrange/straighten');
-  const next = random(9);
+  const next = randomNumbers(9);
   const strip = Array.from({ length: 24 }, () => [0.8 * next(), 0.1 * next()]);
   strip.push([0, 0], [0.8, 0], [0.8, 0.1], [0, 0.1]);
   for (const degrees of [0, 10, 44, 46, 100, -20]) {

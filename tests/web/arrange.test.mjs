@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { boxArray, objText, together, torus } from '../support/surfaces.mjs';
-import { atlas, drawn, middleOf, pixelOf } from './layout.mjs';
-import { openPage, settled, textOf } from './page.mjs';
+import { atlas, middleOf, pixelOf } from './layout.mjs';
+import { drawn, openPage, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
 const RINGS = objText(

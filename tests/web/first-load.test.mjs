@@ -6,7 +6,22 @@ import { settled } from './page.mjs';
 import { takePage } from './pages.mjs';
 
 /** In bytes, compressed. What is not needed for a first look is loaded when it is. */
-const MOST = 570_000;
+const MOST = 500_000;
+/** Loaded when there is a layout. */
+const LATER = [
+  'appearance',
+  'arranging',
+  'export-mesh',
+  'gltf-file',
+  'make-surface',
+  'method-table',
+  'new-glb',
+  'plots',
+  'solid',
+  'writing',
+];
+/** Loaded when they are asked for. */
+const ON_REQUEST = ['draco', 'meshopt', 'samples/'];
 
 test('a first visit loads little before the first layout', async (t) => {
   const { page, url, end } = await takePage({ own: true, webgl: true });
@@ -23,6 +38,15 @@ test('a first visit loads little before the first layout', async (t) => {
   t.diagnostic(`${Math.round(total / 1000)} kB in ${all.length} files`);
   assert.ok(all.some(([name]) => name.endsWith('.wasm')));
   assert.ok(total < MOST, all.map(([name, size]) => `${name} ${size}`).join('\n'));
-  for (const part of ['gltf-file', 'draco', 'meshopt', 'appearance', 'samples/'])
+  for (const part of [...LATER, ...ON_REQUEST])
     assert.ok(!all.some(([name]) => name.includes(part)), part);
+});
+
+test('what was left out comes without being asked for', async (t) => {
+  const { page, url, end } = await takePage({ own: true, webgl: true });
+  t.after(end);
+  const isPart = (part) => (response) => response.url().includes(`/assets/${part}-`);
+  const parts = LATER.map((part) => page.context().waitForEvent('response', isPart(part)));
+  await page.goto(url);
+  for (const response of await Promise.all(parts)) assert.equal(response.status(), 200);
 });

@@ -5,7 +5,16 @@ import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
-import { choose, drop, dropAndWait, openPage, openSample, settled, textOf } from './page.mjs';
+import {
+  choose,
+  drawn,
+  drop,
+  dropAndWait,
+  openPage,
+  openSample,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const { CONTROLS } = await loadModule('help/keys');
 
@@ -18,11 +27,6 @@ const keysOf = (title) =>
 
 /** As the keyboard of playwright has it. */
 const pressed = (key) => key.replace('Ctrl+', 'Control+');
-
-const drawn = (page) =>
-  page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-  );
 
 const isOpen = (page) => page.locator('#help-sheet').evaluate((sheet) => sheet.open);
 

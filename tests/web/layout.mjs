@@ -4,15 +4,6 @@ import { readFileSync } from 'node:fs';
 import { chartsOf, parseObj } from '../support/atlas.mjs';
 import { exportMesh } from './page.mjs';
 
-/** Waits until the page has drawn. */
-export const drawn = (page) =>
-  page.evaluate(
-    () =>
-      new Promise((done) =>
-        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))),
-      ),
-  );
-
 /** The corners in uv of each exported face, and the chart of each. Then the layout has the focus. */
 export async function atlas(page) {
   const { path } = await exportMesh(page);

@@ -73,6 +73,15 @@ export async function settled(page) {
   );
 }
 
+/** Waits until the page has drawn what was done to it. */
+export const drawn = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((done) =>
+        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))),
+      ),
+  );
+
 /** Drops a file on the page as a file manager does. */
 export async function drop(page, name, content) {
   await dropFiles(page, { [name]: content });

@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { objText, torus } from '../support/surfaces.mjs';
-import { atlas, drawn, middleOf, pixelOf } from './layout.mjs';
-import { exportAs, exportMesh, openPage, settled, textOf } from './page.mjs';
+import { atlas, middleOf, pixelOf } from './layout.mjs';
+import { drawn, exportAs, exportMesh, openPage, settled, textOf } from './page.mjs';
 
 const RING = objText(torus(24, 12));
 

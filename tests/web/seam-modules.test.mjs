@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { PerspectiveCamera, Ray, Vector3 } from 'three';
+import { randomNumbers } from '../support/disks.mjs';
 import { loadModule as load } from './modules.mjs';
 
 /**
@@ -33,15 +34,6 @@ const identity = ({ positions }) => Uint32Array.from({ length: positions.length 
 async function graphOf(mesh, faces = mesh.faces ?? null, places = identity(mesh)) {
   const { surfaceGraph } = await load('surface/surface-graph');
   return surfaceGraph(mesh, places, faces ?? undefined);
-}
-
-/** Reproducible numbers in [0, 1). */
-function random(seed) {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
 }
 
 test('the edges are those of faces: no diagonals, each once, inner ones told apart', async () => {
@@ -78,7 +70,7 @@ test('vertices at one place are one, in triangles without area as well', async (
 test('shortest paths are as short as Bellman and Ford find, and lead where they should', async () => {
   const { ShortestPaths } = await load('surface/shortest-paths');
   const { otherEnd } = await load('surface/surface-graph');
-  const next = random(7);
+  const next = randomNumbers(7);
   const mesh = plane(7);
   for (let i = 0; i < mesh.positions.length; ++i) mesh.positions[i] += 0.6 * next();
   const graph = await graphOf(mesh, null);
@@ -109,7 +101,7 @@ test('shortest paths are as short as Bellman and Ford find, and lead where they 
 
 test('paths that are found part by part are those that are found at once', async () => {
   const { ShortestPaths } = await load('surface/shortest-paths');
-  const next = random(3);
+  const next = randomNumbers(3);
   const mesh = plane(9);
   for (let i = 0; i < mesh.positions.length; ++i) mesh.positions[i] += 0.6 * next();
   const graph = await graphOf(mesh, null);
@@ -132,7 +124,7 @@ test('paths that are found part by part are those that are found at once', async
 
 test('a ray meets the triangle that is first of all, from either side', async () => {
   const { Solid, withTree } = await load('surface/solid');
-  const next = random(11);
+  const next = randomNumbers(11);
   const vector = () => new Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
   const count = 300;
   const points = Float32Array.from({ length: 9 * count }, () => 2 * next() - 1);

@@ -13,11 +13,13 @@ import { RunPanel } from './controls/run-panel';
 import { ChartsTab } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
-import { MethodsTab } from './details/methods-tab';
+import { plots } from './details/late-chart';
+import { MethodsTab, methodTables } from './details/methods-tab';
 import { MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
 import { type Remedy, verdictOf } from './details/verdict';
+import { exportMeshes } from './export/exporter';
 import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
 import { LastVisit } from './last-visit';
@@ -28,6 +30,7 @@ import { MeshTabs } from './opening/mesh-tabs';
 import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { PageHistory } from './page-history';
+import { Rest } from './rest';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { Session, type SessionEvents } from './session/session';
@@ -106,6 +109,13 @@ export class App implements SessionEvents {
   private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
   private readonly welcome = new Welcome();
+  private readonly rest = new Rest([
+    () => this.workshop.loadRest(),
+    () => this.seams.loadRest(),
+    plots,
+    methodTables,
+    exportMeshes,
+  ]);
   /** The mesh in the 3D view. */
   private shown: Source | null = null;
   /** The last result. */
@@ -236,6 +246,7 @@ export class App implements SessionEvents {
     const { mode } = this.wishes.mode;
     this.details.setMode(mode);
     this.saving.setMode(mode);
+    if (mode === 'flatten') this.sweep.offer();
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
   }
 
@@ -306,15 +317,11 @@ export class App implements SessionEvents {
       verb,
     );
     this.again = () => this.session.refresh();
-    if (settings?.mode === 'unwrap') this.prepareSeams();
+    // On a first visit, the layout comes before what its seams are edited with.
+    const isFirst = source.kind === 'sample' && this.outcome === null;
+    if (settings?.mode === 'unwrap' && !isFirst) void this.seams.prepare();
     document.body.setAttribute('aria-busy', 'true');
     this.markStale(settings ?? this.wishes.settings);
-  }
-
-  private prepareSeams(): void {
-    this.seams
-      .prepare()
-      .catch(({ message }: Error) => this.say(`Seams cannot be edited: ${message}`));
   }
 
   progress(progress: AnyProgress): void {
@@ -352,7 +359,7 @@ export class App implements SessionEvents {
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
     this.show(outcome, drawing);
-    this.workshop.loadRest();
+    this.rest.load();
     const { badge } = verdictOf(outcome);
     const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
     const time = duration(report.timings.total);

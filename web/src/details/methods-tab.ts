@@ -1,7 +1,9 @@
 import type { CompareProgress, Comparison, MethodResult } from 'abflat';
 import { element } from '../base/dom';
+import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
-import { methodTable } from './method-table';
+
+export const methodTables = () => loadPart(import('./method-table'));
 
 export type Compare = (
   signal: AbortSignal,
@@ -43,7 +45,8 @@ export class MethodsTab {
     this.comparison = null;
     this.selected = null;
     this.text.textContent = '';
-    this.draw();
+    this.problem.textContent = '';
+    this.results.replaceChildren();
   }
 
   /** Returns whether there was anything to stop. */
@@ -62,10 +65,15 @@ export class MethodsTab {
         const comparison = await this.compare(signal, ({ fraction }) => {
           if (!signal.aborted) this.text.textContent = `${Math.round(100 * fraction)}\u202f%`;
         });
+        const { methodTable } = await methodTables();
         signal.throwIfAborted();
         this.comparison = comparison;
         this.text.textContent = '';
-        this.draw();
+        this.problem.textContent = '';
+        const table = methodTable(comparison.methods, (method) =>
+          this.select(method === this.selected ? null : method),
+        );
+        this.results.replaceChildren(table);
       });
     } catch (error) {
       this.text.textContent = error instanceof Error ? error.message : String(error);
@@ -80,18 +88,5 @@ export class MethodsTab {
     });
     this.problem.textContent = method?.problem ?? '';
     this.show(method, this.comparison);
-  }
-
-  private draw(): void {
-    this.problem.textContent = '';
-    if (!this.comparison) {
-      this.results.replaceChildren();
-      return;
-    }
-    const { methods } = this.comparison;
-    const table = methodTable(methods, (method) =>
-      this.select(method === this.selected ? null : method),
-    );
-    this.results.replaceChildren(table);
   }
 }

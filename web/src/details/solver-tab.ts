@@ -1,8 +1,7 @@
 import type { ChartReport } from 'abflat';
 import { create, element } from '../base/dom';
 import { counted, measure } from '../base/format';
-import { Chart } from '../plot/chart';
-import { activeSetChart, residualChart } from './convergence';
+import { LateChart } from './late-chart';
 import { notes } from './notes';
 
 const SOLVERS: Record<string, string> = {
@@ -17,16 +16,16 @@ export class SolverTab {
   private readonly summary = element('solver-summary', HTMLElement);
   private readonly plots = element('solver-plots', HTMLElement);
   private readonly readout = element('solver-readout', HTMLElement);
-  private readonly residuals: Chart;
-  private readonly activeSet: Chart;
+  private readonly residuals: LateChart;
+  private readonly activeSet: LateChart;
 
   constructor() {
     const read = (text: string | null) => {
       this.readout.textContent = text ?? 'Point at a step to see its numbers.';
     };
     read(null);
-    this.residuals = new Chart(element('residual-chart', HTMLElement), 132, read);
-    this.activeSet = new Chart(element('active-chart', HTMLElement), 92, read);
+    this.residuals = new LateChart(element('residual-chart', HTMLElement), 132, read);
+    this.activeSet = new LateChart(element('active-chart', HTMLElement), 92, read);
   }
 
   show(chart: ChartReport): void {
@@ -36,8 +35,8 @@ export class SolverTab {
     this.summary.textContent = summary(chart);
     this.plots.hidden = history.length === 0;
     if (history.length === 0) return;
-    this.residuals.show(residualChart(history));
-    this.activeSet.show(activeSetChart(history));
+    this.residuals.show(({ residualChart }) => residualChart(history));
+    this.activeSet.show(({ activeSetChart }) => activeSetChart(history));
   }
 }
 

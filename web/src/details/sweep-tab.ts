@@ -2,9 +2,9 @@ import type { Report } from 'abflat';
 import { element } from '../base/dom';
 import type { Bound } from '../base/format';
 import type { FlattenSettings } from '../model/settings';
-import { Chart } from '../plot/chart';
 import { Job } from '../session/job';
-import { SWEEP_T, type SweepPoint, sweepChart } from './sweep-chart';
+import { LateChart, plots } from './late-chart';
+import type { SweepPoint } from './sweep-chart';
 
 const HINT = 'Select a point to use its t.';
 
@@ -15,7 +15,8 @@ export class SweepTab {
   private readonly button = element('sweep', HTMLButtonElement);
   private readonly text = element('sweep-text', HTMLElement);
   private readonly readout = element('sweep-readout', HTMLElement);
-  private readonly chart: Chart;
+  private readonly chart: LateChart;
+  private isOffered = false;
   private readonly job = new Job((isRunning) => {
     this.button.textContent = isRunning ? 'Stop' : 'Plot against t';
   });
@@ -31,12 +32,18 @@ export class SweepTab {
     private readonly measure: (t: Bound, signal: AbortSignal) => Promise<Report | null>,
     private readonly choose: (t: Bound) => void,
   ) {
-    this.chart = new Chart(element('sweep-chart', HTMLElement), 212, (text) => {
+    this.chart = new LateChart(element('sweep-chart', HTMLElement), 212, (text) => {
       this.readout.textContent = text ?? (this.points.length > 0 ? HINT : '');
     });
     this.button.addEventListener('click', () => {
       if (!this.stop()) void this.run();
     });
+  }
+
+  /** The tab can be chosen from now on; before that, nothing is drawn. */
+  offer(): void {
+    if (this.isOffered) return;
+    this.isOffered = true;
     this.draw();
   }
 
@@ -80,6 +87,8 @@ export class SweepTab {
   }
 
   private async sweep(signal: AbortSignal): Promise<void> {
+    const { SWEEP_T } = await plots();
+    signal.throwIfAborted();
     for (const [i, t] of SWEEP_T.entries()) {
       this.text.textContent = `${i + 1} of ${SWEEP_T.length}`;
       const report = await this.measure(t, signal);
@@ -95,6 +104,8 @@ export class SweepTab {
   private draw(): void {
     if (!this.readout.textContent && this.points.length > 0) this.readout.textContent = HINT;
     if (this.points.length === 0) this.readout.textContent = '';
-    this.chart.show(sweepChart(this.points, this.current, this.choose));
+    if (!this.isOffered) return;
+    const { points, current } = this;
+    this.chart.show(({ sweepChart }) => sweepChart(points, current, this.choose));
   }
 }

@@ -1,8 +1,11 @@
+import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
 import type { Session } from '../session/session';
 import { writeAgain } from '../session/write-again';
 import type { Workshop } from '../workshop/workshop';
-import { exportMesh, type Wish } from './export-mesh';
+import type { Wish } from './export-mesh';
+
+export const exportMeshes = () => loadPart(import('./export-mesh'));
 
 export interface ExporterEvents {
   say(text: string): void;
@@ -23,6 +26,7 @@ export class Exporter {
   export(wish: Wish, remark: string): void {
     this.job
       .start(async (signal) => {
+        const { exportMesh } = await exportMeshes();
         const done = await exportMesh(wish, {
           workshop: this.workshop,
           again: (outcome, format) => {

@@ -13,6 +13,8 @@ export interface SeamEditorEvents {
   changed(what: string): void;
   /** Shows a message to the user. */
   say(text: string): void;
+  /** Resolves once the model is ready, or cannot be. */
+  ready(): Promise<unknown>;
 }
 
 const NO_POINTS = new Float32Array();
@@ -101,16 +103,32 @@ export class SeamEditor {
     if (!this.model) this.mark(NO_MARKS, '');
     else if (tool === null) this.mark(NO_MARKS, 'Click a chart to select it');
     else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
-    else if (tool === 'cut') this.previewCut(this.model, at);
+    else if (!this.model.isReady) {
+      this.mark(NO_MARKS, INVITATIONS[tool]);
+      void this.events.ready();
+    } else if (tool === 'cut') this.previewCut(this.model, at);
     else this.previewJoin(this.model, at, modifiers);
   }
 
   private onClick(at: Pixel, modifiers: Modifiers): void {
     const tool = this.toolOf(modifiers);
-    if (!this.model || tool === null) return;
-    if (tool === 'cut') this.cut(this.model, at, modifiers.shift);
-    else this.join(this.model, at, modifiers);
-    this.aim.refresh();
+    if (tool === null) return;
+    this.whenReady((model) => {
+      if (tool === 'cut') this.cut(model, at, modifiers.shift);
+      else this.join(model, at, modifiers);
+      this.aim.refresh();
+    });
+  }
+
+  /** What is done before the seams can be edited waits for that. */
+  private whenReady(act: (model: SeamModel) => void): void {
+    const { model } = this;
+    if (!model) return;
+    if (model.isReady) act(model);
+    else
+      void this.events.ready().then(() => {
+        if (model.isReady && model === this.model) act(model);
+      });
   }
 
   private previewCut(model: SeamModel, at: Pixel | null): void {

@@ -2,8 +2,8 @@ import { element } from '../base/dom';
 import { download } from '../base/download';
 
 export interface SeamFileEvents {
-  /** The text to save. */
-  text(): string;
+  /** The text to save; null if there is none, which has been said. */
+  text(): Promise<string | null>;
   /** The name of the mesh that it belongs to. */
   meshName(): string;
   /** A file was chosen; the returned function takes its text. */
@@ -22,9 +22,11 @@ export class SeamFiles {
   constructor(events: SeamFileEvents) {
     const [save, open] = this.buttons;
     const input = element('seams-file', HTMLInputElement);
-    save.addEventListener('click', () => {
+    save.addEventListener('click', async () => {
       const name = `${events.meshName().replace(/\.[^.]*$/, '')}-seams.txt`;
-      download(name, 'text/plain', events.text());
+      const text = await events.text();
+      if (text === null) return;
+      download(name, 'text/plain', text);
       events.say(`Saved ${name}`);
     });
     open.addEventListener('click', () => input.click());

@@ -21,11 +21,18 @@ export class SeamModel {
   /** The seams found for choices that leave some to find, two vertices per seam edge. */
   private readonly found = new Map<Uint32Array | string, Uint32Array>();
 
-  /** `makeSurface` is called when editing begins. */
-  constructor(private readonly makeSurface: () => Surface) {}
+  /** `findSurface` is called when editing begins; null: there is none yet. */
+  constructor(private readonly findSurface: () => Surface | null) {}
+
+  /** Whether its seams can be edited. */
+  get isReady(): boolean {
+    this.made ??= this.findSurface();
+    return this.made !== null;
+  }
 
   get surface(): Surface {
-    this.made ??= this.makeSurface();
+    this.made ??= this.findSurface();
+    if (!this.made) throw new Error('Seams are edited before there is a surface.');
     return this.made;
   }
 

@@ -1,8 +1,9 @@
 import type { MeshSummary } from 'abflat';
 import { showAlert } from '../base/alert';
+import { loadPart } from '../base/load-part';
+import { startOnce } from '../base/start-once';
 import type { DisplayMesh } from '../mesh/mesh';
 import type { Unwrapped } from '../model/model';
-import { Solid } from '../surface/solid';
 import type { MeshView } from '../view/mesh-view';
 import type { Workshop } from '../workshop/workshop';
 import { AUTOMATIC, choiceOf, type SeamChoice, type SeamOptions, seamOptions } from './seam-choice';
@@ -12,6 +13,8 @@ import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
 import { SeamModel, type Surface } from './seam-model';
 import { SourceControl } from './source-control';
+
+const solids = () => loadPart(import('../surface/solid'));
 
 /** A mesh whose seams can be edited. */
 export interface Editable {
@@ -35,8 +38,8 @@ export class SeamPanel {
   private isUnwrapped = false;
   private readonly files: SeamFiles;
   private mesh: Editable | null = null;
-  /** The surface of the mesh, made when it is first needed. */
-  private surface: Surface | null = null;
+  /** Makes the surface of the mesh when it is first needed. */
+  private prepared: () => Promise<void> = () => Promise.resolve();
 
   /** Without a `view` there are only the sources. */
   constructor(
@@ -49,24 +52,40 @@ export class SeamPanel {
       this.changed();
     }, events.say);
     this.files = new SeamFiles({
-      text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
+      text: () => this.seamText(),
       meshName: () => this.mesh?.name ?? '',
       chosen: (name) => this.openFile(name),
       failed: showAlert,
       say: events.say,
     });
-    const editorEvents = { changed: (what: string) => this.changed(what), say: events.say };
+    const editorEvents = {
+      changed: (what: string) => this.changed(what),
+      say: events.say,
+      ready: () => this.prepare(),
+    };
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
+  }
+
+  private async seamText(): Promise<string | null> {
+    const model = await this.ready();
+    return model && seamText(pairsOf(model.graph, model.all));
+  }
+
+  /** What is edited, as soon as it can be; null if it cannot, or another mesh was opened before. */
+  private async ready(): Promise<SeamModel | null> {
+    const { model } = this;
+    await this.prepare();
+    return model?.isReady && model === this.model ? model : null;
   }
 
   /**
    * Takes the seams listed in a file, or reports where the file is wrong. Does nothing if another
    * mesh was opened while it was read.
    */
-  private openFile(name: string): (text: string) => void {
+  private openFile(name: string): (text: string) => Promise<void> {
     const { model } = this;
-    return (text) => {
-      if (!model || model !== this.model) return;
+    return async (text) => {
+      if (!model || model !== this.model || !(await this.ready())) return;
       try {
         model.setEdges(readSeams(model.graph, text, name));
       } catch (error) {
@@ -108,12 +127,12 @@ export class SeamPanel {
   /** Opens another mesh, with automatic seams. */
   open(mesh: Editable): void {
     const { summary } = mesh;
+    let surface: Surface | null = null;
     this.mesh = mesh;
-    this.surface = null;
-    this.model = new SeamModel(() => {
-      if (!this.surface) throw new Error('Seams are edited before prepare().');
-      return this.surface;
+    this.prepared = startOnce(async () => {
+      surface = await this.surfaceOf(mesh);
     });
+    this.model = new SeamModel(() => surface);
     this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
     this.sources.show(this.choice);
     this.hide();
@@ -121,13 +140,32 @@ export class SeamPanel {
 
   /**
    * Called before the mesh is unwrapped, so that its seams can be edited as soon as there is an
-   * atlas.
+   * atlas, or after that; what is done to them in the meantime waits.
    */
   async prepare(): Promise<void> {
-    const { mesh } = this;
-    if (!mesh || this.surface) return;
-    const { graph, solid } = await this.workshop.surface(mesh.mesh, mesh.summary.disk.ok);
-    if (mesh === this.mesh) this.surface ??= { graph, solid: new Solid(solid) };
+    const { mesh, prepared } = this;
+    try {
+      await prepared();
+      if (mesh === this.mesh) this.editor?.update();
+    } catch (error) {
+      if (mesh !== this.mesh) return;
+      this.hide();
+      this.events.say(`Seams cannot be edited: ${(error as Error).message}`);
+    }
+  }
+
+  /** What editing takes is not part of the first load. */
+  async loadRest(): Promise<void> {
+    await solids();
+    if (!this.isUnwrapped) return;
+    await this.prepared();
+    this.editor?.update();
+  }
+
+  private async surfaceOf({ mesh, summary }: Editable): Promise<Surface> {
+    const made = this.workshop.surface(mesh, summary.disk.ok);
+    const [{ graph, solid }, { Solid }] = await Promise.all([made, solids()]);
+    return { graph, solid: new Solid(solid) };
   }
 
   /** Hides the editor: there is nothing to edit until the open mesh has an atlas. */
@@ -138,7 +176,7 @@ export class SeamPanel {
   }
 
   show({ result, settings }: Unwrapped): void {
-    if (!this.model || !this.surface) return;
+    if (!this.model) return;
     const { seams, seamEdges } = this.options;
     this.model.show(result.seams, settings.seams === seams && settings.seamEdges === seamEdges);
     if (this.isUnwrapped) this.editor?.update();

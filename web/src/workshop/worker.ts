@@ -2,14 +2,12 @@
 // main thread.
 
 import { expose, transfer } from 'comlink';
-import { type ChartMesh, chartMesh } from '../arrange/chart-mesh';
+import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
-import { evened } from '../arrange/density';
-import { type Motions, movedUv } from '../arrange/move-charts';
-import { stacked } from '../arrange/stack';
-import { straightened } from '../arrange/straighten';
+import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
 import { loadInWorker } from '../base/load-part';
+import { startOnce } from '../base/start-once';
 import { drawFlat } from '../drawing/draw';
 import { drawMesh } from '../drawing/draw-mesh';
 import {
@@ -23,27 +21,29 @@ import {
 } from '../drawing/picture';
 import type { LookSource } from '../files/appearance';
 import { hasLook } from '../files/has-look';
-import { joinedObj, type NamedMesh } from '../files/joined-obj';
-import { atlasPng, heatMapPng } from '../files/png-file';
+import type { NamedMesh } from '../files/joined-obj';
 import type { LookMesh } from '../files/stored-look';
-import { type AtlasDrawing, atlasSvg } from '../files/svg-text';
+import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
-import { joined } from '../mesh/weld';
 import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { GltfFiles, LayoutArrays } from '../model/model';
-import { makeSurface, type SurfaceArrays } from '../surface/make-surface';
+import type { SurfaceArrays } from '../surface/make-surface';
 
-// What reads and writes glTF and materials is not part of the first load.
-const gltfFile = () => loadInWorker(import('../files/gltf-file'));
+// All but drawing is not part of the first load. What is loaded keeps the order of requests.
+const gltfFile = startOnce(() => loadInWorker(import('../files/gltf-file')));
+const newGlbFile = startOnce(() => loadInWorker(import('../files/new-glb')));
+const appearanceFile = startOnce(() => loadInWorker(import('../files/appearance')));
+const arranging = startOnce(() => loadInWorker(import('./arranging')));
+const writing = startOnce(() => loadInWorker(import('./writing')));
+const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface')));
 
-const newGlbFile = () => loadInWorker(import('../files/new-glb'));
-const appearanceFile = () => loadInWorker(import('../files/appearance'));
+const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces];
 
 const tasks = {
   /** Loads what has not been needed yet. */
   rest: async (): Promise<void> => {
-    await Promise.all([gltfFile(), newGlbFile(), appearanceFile()]);
+    await Promise.all(LATER.map((load) => load()));
   },
 
   mesh: (mesh: DisplayMesh): Drawing => handedOver(drawMesh(meshPicture(mesh))),
@@ -54,38 +54,52 @@ const tasks = {
   atlas: (atlas: AtlasArrays, size: AtlasSize, input: DisplayMesh): FlatDrawing =>
     handedOver(drawFlat(atlasPicture(atlas, size, input), size.chartCount)),
 
-  moved: (arrays: ChartArrays, motions: Motions): Float64Array =>
-    handedOver(movedUv(arrays, motions)),
+  moved: async (arrays: ChartArrays, motions: Motions): Promise<Float64Array> => {
+    const { movedUv } = await arranging();
+    return handedOver(movedUv(arrays, motions));
+  },
 
-  chart: (
+  chart: async (
     arrays: ChartArrays,
     layout: Parameters<typeof positionsOf>[0],
     input: Parameters<typeof positionsOf>[1],
     chart: number,
-  ): ChartMesh => handedOver(chartMesh(arrays, positionsOf(layout, input), chart)),
+  ): Promise<ChartMesh> => {
+    const { chartMesh } = await arranging();
+    return handedOver(chartMesh(arrays, positionsOf(layout, input), chart));
+  },
 
-  straightened: (arrays: ChartArrays, charts: Uint32Array): Motions => straightened(arrays, charts),
+  straightened: async (arrays: ChartArrays, charts: Uint32Array): Promise<Motions> =>
+    (await arranging()).straightened(arrays, charts),
 
-  stacked: (arrays: ChartArrays, charts: Uint32Array, fixed: Uint32Array): Motions =>
-    stacked(arrays, charts, fixed),
+  stacked: async (arrays: ChartArrays, charts: Uint32Array, fixed: Uint32Array): Promise<Motions> =>
+    (await arranging()).stacked(arrays, charts, fixed),
 
-  evened: (
+  evened: async (
     arrays: ChartArrays,
     layout: Parameters<typeof positionsOf>[0],
     input: Parameters<typeof positionsOf>[1],
     charts: Uint32Array,
-  ): Motions => evened({ ...arrays, positions: positionsOf(layout, input) }, charts),
+  ): Promise<Motions> => {
+    const { evened } = await arranging();
+    return evened({ ...arrays, positions: positionsOf(layout, input) }, charts);
+  },
 
-  surface: (mesh: DisplayMesh, isDisk: boolean): SurfaceArrays =>
-    handedOver(makeSurface(mesh, isDisk)),
+  surface: async (mesh: DisplayMesh, isDisk: boolean): Promise<SurfaceArrays> => {
+    const { makeSurface } = await surfaces();
+    return handedOver(makeSurface(mesh, isDisk));
+  },
 
-  png: (drawing: AtlasDrawing): Promise<Blob> => atlasPng(drawing),
+  png: async (drawing: AtlasDrawing): Promise<Blob> => (await writing()).atlasPng(drawing),
 
-  heatMap: (
+  heatMap: async (
     drawing: AtlasDrawing,
     layout: Parameters<typeof positionsOf>[0],
     input: Parameters<typeof positionsOf>[1],
-  ): Promise<Blob> => heatMapPng(drawing, positionsOf(layout, input)),
+  ): Promise<Blob> => {
+    const { heatMapPng } = await writing();
+    return heatMapPng(drawing, positionsOf(layout, input));
+  },
 
   gltf: async (file: File, others: File[]) => {
     const read = await (await gltfFile()).readGltf(file, others);
@@ -117,12 +131,20 @@ const tasks = {
     return transfer(read, [...buffersOf(corners), ...images]);
   },
 
-  joined: (mesh: ArrayMesh): ArrayMesh => handedOver(joined(mesh)),
+  joined: async (mesh: ArrayMesh): Promise<ArrayMesh> => {
+    const { joined } = await writing();
+    return handedOver(joined(mesh));
+  },
 
-  joinedObj: (meshes: NamedMesh[]): Blob => new Blob(joinedObj(meshes), { type: 'model/obj' }),
+  joinedObj: async (meshes: NamedMesh[]): Promise<Blob> => {
+    const { joinedObj } = await writing();
+    return new Blob(joinedObj(meshes), { type: 'model/obj' });
+  },
 
-  svg: (drawing: AtlasDrawing, millimetres: number | 'auto'): Blob =>
-    new Blob([atlasSvg(drawing, millimetres)], { type: 'image/svg+xml' }),
+  svg: async (drawing: AtlasDrawing, millimetres: number | 'auto'): Promise<Blob> => {
+    const { atlasSvg } = await writing();
+    return new Blob([atlasSvg(drawing, millimetres)], { type: 'image/svg+xml' });
+  },
 };
 
 export type Tasks = typeof tasks;

@@ -22,9 +22,6 @@ import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
 import type { Tasks } from './worker';
 
-/** In milliseconds: the user looks at the first layout. */
-const REST_DELAY = 2000;
-
 /** What can be done to some charts at once: an upright box, one on the other, as many texels as the rest. */
 export type Arrangement = 'straightened' | 'stacked' | 'evened';
 
@@ -45,7 +42,6 @@ interface Running {
 export class Workshop implements Helpers {
   private running: Running | null = null;
   private readonly colors = new KeptColors();
-  private hasRest = false;
   /** Resolves when everything that was sent has been copied. */
   private sent: Promise<void> = Promise.resolve();
 
@@ -59,14 +55,9 @@ export class Workshop implements Helpers {
     });
   }
 
-  /** Loads what a first layout does not need, once there is one: later the page needs no connection. */
-  loadRest(): void {
-    if (this.hasRest) return;
-    this.hasRest = true;
-    setTimeout(() => {
-      // What is missing then is reported when it is needed.
-      this.send([], (tasks) => tasks.rest()).catch(() => undefined);
-    }, REST_DELAY);
+  /** Loads what a first layout does not need. */
+  loadRest(): Promise<void> {
+    return this.send([], (tasks) => tasks.rest());
   }
 
   /** Draws a mesh that is not flattened yet. */
