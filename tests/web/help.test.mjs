@@ -128,6 +128,19 @@ test('Seams: each key does what the sheet says', async (t) => {
     Enter: () => start('Enter'),
     Space: () => start('Space'),
     Escape: () => start('Enter'),
+    L: async () => {
+      // Turned until an edge is in the middle.
+      for (let i = 0; i < 40 && !/Double-click/.test(await hint()); ++i) {
+        await page.keyboard.press(i % 2 ? 'ArrowLeft' : '+');
+        await drawn(page);
+      }
+      await page.keyboard.press('l');
+      await settled(page);
+      assert.match(
+        await page.locator('#history').evaluate((list) => list.textContent),
+        /Cut a loop of \d+ edge/,
+      );
+    },
     Alt: async () => {
       const before = await hint();
       await page.keyboard.down('Alt');

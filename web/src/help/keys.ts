@@ -69,6 +69,7 @@ export const CONTROLS: ControlGroup[] = [
     where: 'In the mesh view, with Cut or Join pressed.',
     controls: [
       { keys: [], gestures: 'click, tap', does: 'Start or end a cut; remove a seam' },
+      { keys: ['L'], gestures: 'double-click, double-tap', does: 'Cut the loop of an edge' },
       { keys: ['Enter', 'Space'], does: 'Click in the middle of the view' },
       { keys: ['Shift'], gestures: 'Shift-click', does: 'Continue a cut; remove a single edge' },
       { keys: ['Alt'], gestures: 'Alt-click', does: 'Join in place of Cut, Cut in place of Join' },

@@ -1,5 +1,6 @@
 import type { MeshSummary } from 'abflat';
 import { showAlert } from '../base/alert';
+import { counted } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import type { Unwrapped } from '../model/model';
 import { Solid } from '../surface/solid';
@@ -11,6 +12,7 @@ import { SeamEditor } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
 import { SeamModel, type Surface } from './seam-model';
+import { SharpControl } from './sharp-control';
 import { SourceControl } from './source-control';
 
 /** A mesh whose seams can be edited. */
@@ -30,6 +32,7 @@ export interface SeamPanelEvents {
 /** Everything on the page about seams: the sources, the editor, and what results from both. */
 export class SeamPanel {
   private readonly sources: SourceControl;
+  private readonly sharp: SharpControl;
   private readonly editor: SeamEditor | null;
   private model: SeamModel | null = null;
   private isUnwrapped = false;
@@ -48,6 +51,11 @@ export class SeamPanel {
       this.model?.setSources(sources);
       this.changed();
     }, events.say);
+    this.sharp = new SharpControl({
+      aimed: (degrees) => this.aimAtSharp(degrees),
+      marked: (degrees) => this.markSharp(degrees),
+      say: events.say,
+    });
     this.files = new SeamFiles({
       text: () => (this.model ? seamText(pairsOf(this.model.graph, this.model.all)) : ''),
       meshName: () => this.mesh?.name ?? '',
@@ -57,6 +65,24 @@ export class SeamPanel {
     });
     const editorEvents = { changed: (what: string) => this.changed(what), say: events.say };
     this.editor = view ? new SeamEditor(view, editorEvents) : null;
+  }
+
+  /** Shows which edges would be marked. */
+  private aimAtSharp(degrees: number | null): void {
+    const edges = degrees === null ? [] : (this.model?.sharpEdges(degrees) ?? []);
+    const offer = degrees === null ? null : { edges, text: sharpText(edges.length, degrees) };
+    this.editor?.show(offer);
+  }
+
+  /** Adds the edges that bend by more than this to the user's seams. */
+  private markSharp(degrees: number): void {
+    const { model } = this;
+    if (!model) return;
+    const count = model.cut(model.sharpEdges(degrees));
+    const what = `Marked ${counted(count, 'sharp edge')}`;
+    this.events.say(count > 0 ? what : sharpText(0, degrees));
+    if (count > 0) this.changed(what);
+    this.editor?.show(null);
   }
 
   /**
@@ -149,7 +175,14 @@ export class SeamPanel {
 
   private changed(what?: string): void {
     this.sources.show(this.choice);
+    const { sharp } = this.choice.sources;
+    if (sharp !== null) this.sharp.use(sharp);
     this.editor?.update();
     this.events.changed(what);
   }
+}
+
+function sharpText(count: number, degrees: number): string {
+  if (count === 0) return `No other edge bends by more than ${degrees}°`;
+  return `${counted(count, 'edge')} ${count === 1 ? 'bends' : 'bend'} by more than ${degrees}°`;
 }
