@@ -164,6 +164,45 @@ test('Seams: each key does what the sheet says', async (t) => {
   for (const effect of Object.values(effects)) await effect();
 });
 
+test('Bounds: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, mode: 'flatten', open: ['grid.obj', grid(4)] });
+  const says = async (pattern) => assert.match(await textOf(page, '#run-text'), pattern);
+  // Once the brush is there.
+  const painting = async () => {
+    await page.waitForFunction(() => {
+      const canvas = document.querySelector('#mesh-canvas');
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      const how = { pointerType: 'mouse', isPrimary: true, bubbles: true };
+      for (let i = 0; i < 40; ++i) {
+        const [clientX, clientY] = [left + width / 2, top + (height * i) / 40];
+        canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, clientX, clientY }));
+        if (/vert/.test(document.querySelector('#bound-hint').textContent)) return true;
+      }
+      return false;
+    });
+  };
+  const effects = {
+    B: async () => {
+      await page.keyboard.press('b');
+      assert.equal(await page.getAttribute('#bound-paint', 'aria-pressed'), 'true');
+      await painting();
+    },
+    Enter: async () => {
+      await page.keyboard.press('Enter');
+      await says(/^There is no boundary here$/);
+    },
+    Space: async () => {
+      await page.keyboard.press('Space');
+      await says(/^There is no boundary here$/);
+    },
+    // Painted and erased in bounds.test.mjs.
+    Alt: async () => undefined,
+  };
+  await page.focus('#mesh-canvas');
+  assert.deepEqual(keysOf('Bounds').sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
 test('Charts: each key does what the sheet says', async (t) => {
   const page = await openPage(t, { ...STILL, open: BALL });
   const press = (key) => page.keyboard.press(key);
@@ -465,6 +504,8 @@ test('no key is missing from the sheet', async (t) => {
   await page.click('#details-toggle');
   await page.locator('#residual-chart .chart-column').first().waitFor({ state: 'attached' });
   await check({
+    '#mesh-canvas': ['Mesh view', 'Bounds'],
+    '#layout-canvas': ['Layout view', 'Bounds'],
     '#t-number': ['Details and t'],
     '#residual-chart .chart-column': ['Details and t'],
     '#tab-solver': ['Details and t'],

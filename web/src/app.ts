@@ -6,6 +6,7 @@ import { loadPart } from './base/load-part';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
+import { BoundPainting } from './bound-painting';
 import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
 import { ChartsTab } from './details/charts-tab';
@@ -20,6 +21,7 @@ import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
 import { LastVisit } from './last-visit';
 import type { FlatDrawing } from './model/drawing';
+import { foundChart } from './model/found-chart';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
 import { MeshTabs } from './opening/mesh-tabs';
@@ -68,6 +70,7 @@ export class App implements SessionEvents {
   private readonly seams: SeamPanel;
   private readonly selection: SelectionPanel | null;
   private readonly placement: Placement | null;
+  private readonly painting: BoundPainting | null;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
@@ -166,6 +169,13 @@ export class App implements SessionEvents {
           if (!this.session.isBusy) this.finish('Nothing was moved', false);
         },
       });
+    this.painting =
+      views &&
+      new BoundPainting(views, this.workshop, {
+        bounds: () => this.wishes.disk.bounds ?? [],
+        changed: (bounds, what) => this.wishes.paint(bounds, what),
+        say: this.say,
+      });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     this.opening = new Opening({
       joined: async (sources, signal) => {
@@ -216,6 +226,7 @@ export class App implements SessionEvents {
     this.history.change(settings, what);
     // With another t alone, the plot against t stays as it is.
     if (settings.mode === 'flatten') this.sweep.use(settings);
+    this.painting?.update();
     this.session.refresh();
   }
 
@@ -231,6 +242,7 @@ export class App implements SessionEvents {
     this.methods.stop();
     this.sweep.stop();
     this.seams.hide();
+    this.painting?.show(null);
   }
 
   private showMode(): void {
@@ -278,6 +290,7 @@ export class App implements SessionEvents {
     if (isOther) this.leaveMode();
     this.wishes.restore(settings);
     if (isOther) this.showMode();
+    this.painting?.update();
   }
 
   /** The address of the page got other settings. */
@@ -320,6 +333,7 @@ export class App implements SessionEvents {
     this.saving.open(source);
     this.selection?.open(null);
     this.placement?.show(null);
+    this.painting?.show(null);
     this.shown = source;
     this.tabs.show(source);
     if (source.kind === 'file') {
@@ -374,6 +388,7 @@ export class App implements SessionEvents {
 
   private showDetails(outcome: Outcome): void {
     this.placement?.show(outcome.mode === 'unwrap' ? outcome : null);
+    this.painting?.show(outcome);
     this.selection?.open(outcome.mode === 'unwrap' ? outcome.result.report : null);
     if (outcome.mode === 'unwrap') {
       this.wishes.locks.show(outcome);
@@ -381,7 +396,7 @@ export class App implements SessionEvents {
       this.seams.show(outcome);
       return;
     }
-    const [chart] = outcome.result.report.charts;
+    const chart = foundChart(outcome);
     this.solver.show(chart);
     this.sweep.setCurrent(chart.t);
     this.wishes.bound.setBoundaryVertices(chart.boundaryVertices);

@@ -1,3 +1,4 @@
+import type { VertexBound } from 'abflat';
 import { element } from './base/dom';
 import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
@@ -24,6 +25,7 @@ export class Wishes {
   private readonly atlas: AtlasControl;
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
+  private ownBounds: FlattenSettings['bounds'];
 
   constructor(
     private readonly seams: SeamPanel,
@@ -53,12 +55,20 @@ export class Wishes {
   get disk(): FlattenSettings {
     const { t } = this.bound;
     const { balance } = this.balance;
-    return { mode: 'flatten', t, balance, delaunay: this.isDelaunay };
+    const own = this.ownBounds && { bounds: this.ownBounds };
+    return { mode: 'flatten', t, balance, delaunay: this.isDelaunay, ...own };
+  }
+
+  /** Vertices of the boundary are to have these bounds. */
+  paint(bounds: VertexBound[], what: string): void {
+    this.ownBounds = bounds.length > 0 ? bounds : undefined;
+    this.events.changed(what);
   }
 
   /** Another mesh was opened. */
   open(mesh: Editable): void {
     this.placed = undefined;
+    this.ownBounds = undefined;
     this.atlas.open(mesh.summary);
     this.mode.setDisk(mesh.summary.disk);
     this.seams.open(mesh);
@@ -91,6 +101,7 @@ export class Wishes {
       this.bound.restore(settings.t);
       this.balance.restore(settings.balance);
       this.setDelaunay(settings.delaunay);
+      this.ownBounds = settings.bounds;
       return;
     }
     this.placed = settings.placed;

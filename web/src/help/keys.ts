@@ -77,6 +77,16 @@ export const CONTROLS: ControlGroup[] = [
     ],
   },
   {
+    title: 'Bounds',
+    where: 'In both views of a mesh in one piece.',
+    controls: [
+      { keys: ['B'], does: 'Paint bounds, or stop painting' },
+      { keys: [], gestures: 'drag along the boundary', does: 'Paint the bound beside the button' },
+      { keys: ['Alt'], gestures: 'Alt-drag', does: 'Erase bounds' },
+      { keys: ['Enter', 'Space'], does: 'Paint in the middle of the view' },
+    ],
+  },
+  {
     title: 'Charts',
     where: 'In the layout view, or in the mesh view with Select pressed.',
     controls: [

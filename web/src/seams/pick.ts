@@ -39,6 +39,23 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
 }
 
+/** Those of some points (xyz each) that are within a radius around a pixel, and visible. */
+export function pointsAround(
+  solid: Solid,
+  sight: Sight,
+  at: Pixel,
+  points: Float32Array,
+  radius: number,
+): number[] {
+  const found: number[] = [];
+  for (let i = 0; 3 * i < points.length; ++i) {
+    const pixel = sight.pixel(points, i);
+    if (!pixel || distance(pixel, at) > radius) continue;
+    if (isInSight(solid, sight, new Vector3().fromArray(points, 3 * i))) found.push(i);
+  }
+  return found;
+}
+
 /**
  * The edge of `edges` (two vertices each in `ends`) that is nearest to a pixel, in reach and
  * visible; -1 if there is none.
