@@ -140,7 +140,7 @@ test('Alt and Erase take bounds away, Clear all of them', async (t) => {
   await stroke(page, 'layout');
   await page.click('#bound-clear');
   await settled(page);
-  assert.ok(await page.isDisabled('#bound-clear'));
+  assert.ok(await page.isHidden('#bound-clear'));
   assert.match(await history(page), /Cleared all own bounds/);
   for (const erase of [
     async () => {

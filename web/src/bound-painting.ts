@@ -67,7 +67,7 @@ export class BoundPainting {
   update(): void {
     const bounds = this.outcome ? this.events.bounds() : [];
     this.views.markBounds(bounds);
-    this.clear.disabled = bounds.length === 0;
+    this.clear.hidden = bounds.length === 0;
     this.hint.textContent = this.isOn ? INVITATION : '';
     if (!this.isOn && bounds.length > 0) this.hint.textContent = ownBoundsText(bounds.length);
   }

@@ -15,6 +15,8 @@ export interface SurfaceGraph {
   lengths: Float64Array;
   /** Per edge: whether it has faces on both sides, so that it can be cut. */
   isInner: Uint8Array;
+  /** Whether all faces are triangles. */
+  isTriangular: boolean;
   /** The two faces of each edge; none if there are more. */
   sides: Uint32Array;
   /** The angle between the normals of its two triangles, in degrees; 0 if there are not two. */
@@ -61,7 +63,11 @@ export function surfaceGraph(
     // Neighbours that face opposite ways run along their edge in the same direction.
     bends[e] = degreesBetween(areas, 3 * s, 3 * t, runs(s) === runs(t) ? -1 : 1);
   }
-  return { places, ends, lengths, isInner, sides, bends, ...around(ends, places.length) };
+  const isTriangular = faces === undefined;
+  return {
+    ...{ places, ends, lengths, isInner, isTriangular, sides, bends },
+    ...around(ends, places.length),
+  };
 }
 
 export function otherEnd({ ends }: SurfaceGraph, edge: number, place: number): number {

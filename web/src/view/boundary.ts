@@ -27,6 +27,12 @@ export interface BoundMarks {
   tints: Float32Array;
 }
 
+export const NO_BOUND_MARKS: BoundMarks = {
+  mesh: new Float32Array(),
+  layout: new Float32Array(),
+  tints: new Float32Array(),
+};
+
 /** The vertices that have a bound of their own, in its colour. */
 export function boundMarks(
   { vertices, mesh, layout }: Boundary,

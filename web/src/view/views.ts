@@ -8,7 +8,7 @@ import type { Drawing, FlatDrawing } from '../model/drawing';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
-import { type Boundary, boundaryOf, boundMarks } from './boundary';
+import { type Boundary, boundaryOf, boundMarks, NO_BOUND_MARKS } from './boundary';
 import { type ChartStates, NO_STATES } from './chart-flags';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
@@ -30,6 +30,7 @@ export class Views {
   private readonly shading: ShadingControl;
   private palette: Palette | null = null;
   private bounds: VertexBounds = [];
+  private isMarked = false;
   /** Of the disk on screen, if it is a result. */
   private shownBoundary: Boundary | null = null;
 
@@ -98,11 +99,15 @@ export class Views {
   }
 
   private drawBounds(): void {
-    if (!this.palette) return;
-    const none = new Float32Array();
-    const { mesh, layout, tints } = this.shownBoundary
-      ? boundMarks(this.shownBoundary, this.bounds, this.palette)
-      : { mesh: none, layout: none, tints: none };
+    const { palette, shownBoundary } = this;
+    if (!palette) return;
+    const isMarked = shownBoundary !== null && this.bounds.length > 0;
+    // Nothing is drawn again for nothing.
+    if (!isMarked && !this.isMarked) return;
+    this.isMarked = isMarked;
+    const { mesh, layout, tints } = isMarked
+      ? boundMarks(shownBoundary, this.bounds, palette)
+      : NO_BOUND_MARKS;
     this.mesh.markBounds(mesh, tints);
     this.layout.markBounds(layout, tints);
   }
