@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { chartsOf, parseObj } from '../support/atlas.mjs';
 import { boxArray, objText, together, torus } from '../support/surfaces.mjs';
-import { exportMesh, openPage, settled, textOf } from './page.mjs';
+import { atlas, drawn, middleOf, pixelOf } from './layout.mjs';
+import { openPage, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
 const RINGS = objText(
@@ -15,35 +15,6 @@ const RINGS = objText(
   ]),
 );
 const SIZE = 1024;
-
-/** Waits until the page has drawn. */
-const drawn = (page) =>
-  page.evaluate(
-    () =>
-      new Promise((done) =>
-        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))),
-      ),
-  );
-
-/** The corners in uv of each exported face, and the chart of each. Then the layout has the focus. */
-async function atlas(page) {
-  const { path } = await exportMesh(page);
-  await page.focus('#layout-canvas');
-  const obj = parseObj(readFileSync(path, 'utf8'));
-  const { ofFace } = chartsOf(obj);
-  return { ofFace, uv: obj.faces.map((face) => face.map(([, t]) => obj.texcoords[t])) };
-}
-
-/** Where the layout shows a point of the unit square, once it is fitted. */
-async function pixelOf(page, [u, v]) {
-  const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
-  const margin = Math.min(28, width / 14, height / 14);
-  const side = Math.min(width - 2 * margin, height - 2 * margin);
-  return [x + width / 2 + (u - 0.5) * side, y + height / 2 - (v - 0.5) * side, side];
-}
-
-const middleOf = (corners) =>
-  [0, 1].map((d) => corners.reduce((sum, corner) => sum + corner[d], 0) / corners.length);
 
 /** Selects the chart of a face by a click; returns where. */
 async function select(page, { uv }, face = 0) {

@@ -1,7 +1,6 @@
 // The button that exports, its menu of formats, and the statistics on the clipboard.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { complaints, parseObj } from '../support/atlas.mjs';
 import {
@@ -17,18 +16,18 @@ import {
 import { parsePly, plyToObj } from '../support/ply.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { choose, dropAndWait, exportMesh, openPage, openSample, settled, textOf } from './page.mjs';
+import {
+  choose,
+  dropAndWait,
+  exportAs,
+  exportMesh,
+  openPage,
+  openSample,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const BALL = ['ball.obj', objText(sphere(8))];
-
-/** Exports through the menu. */
-async function exportAs(page, format) {
-  await page.click('#export-formats');
-  const item = page.getByRole('menuitemradio', { name: format.toUpperCase() });
-  const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
-  assert.equal(await textOf(page, '#alert'), '');
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-}
 
 const focused = (page) => page.evaluate(() => document.activeElement.textContent.trim());
 

@@ -494,7 +494,7 @@ test('no key is missing from the sheet', async (t) => {
   await check({
     body: [],
     '#mesh-canvas': ['Mesh view', 'Charts'],
-    '#layout-canvas': ['Layout view', 'Charts', 'Moving charts'],
+    '#layout-canvas': ['Layout view', 'Charts', 'Pins', 'Moving charts'],
     '#stretch': [],
     '#padding': [],
     '#open': [],

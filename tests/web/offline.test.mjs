@@ -131,10 +131,11 @@ const lookForUpdate = (page) =>
   page.evaluate(async () => {
     const registration = await navigator.serviceWorker.ready;
     await registration.update();
-    const worker = registration.installing;
-    if (!worker) return worker;
+    // Loading the page has the browser look as well, so that it may have been kept before.
+    const worker = registration.installing ?? registration.waiting;
     await new Promise((resolve) => {
-      worker.onstatechange = () => worker.state !== 'installing' && resolve();
+      worker.onstatechange = resolve;
+      if (worker.state !== 'installing') resolve();
     });
     return worker.state;
   });

@@ -1,6 +1,7 @@
 // The built page in a real browser, for the tests in this folder.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { isOfRest, takePage } from './pages.mjs';
 
 /**
@@ -126,4 +127,13 @@ export function metrics(page) {
 export async function exportMesh(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export')]);
   return { name: download.suggestedFilename(), path: await download.path() };
+}
+
+/** Chooses a format of export; returns the file. */
+export async function exportAs(page, format) {
+  await page.click('#export-formats');
+  const item = page.getByRole('menuitemradio', { name: format.toUpperCase() });
+  const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
+  assert.equal(await textOf(page, '#alert'), '');
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }

@@ -190,6 +190,9 @@ EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {
   return finish(*job, compareJob(*job, reportProgress));
 }
 
+/// How the layout in the mesh's texcoords follows the first pin.
+EMSCRIPTEN_KEEPALIVE int abflatPinWeights(Job* job) { return finish(*job, pinWeightsJob(*job)); }
+
 EMSCRIPTEN_KEEPALIVE int abflatInspect(Job* job) { return finish(*job, inspectJob(*job)); }
 
 EMSCRIPTEN_KEEPALIVE int abflatLoad(Job* job) { return finish(*job, loadJob(*job)); }

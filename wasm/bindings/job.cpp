@@ -7,6 +7,7 @@
 #include "abflat/inspect.h"
 #include "abflat/io.h"
 #include "abflat/peak_memory.h"
+#include "abflat/pin_weights.h"
 #include "abflat/samples.h"
 #include "abflat/texcoord_faces.h"
 #include "abflat/unit_square.h"
@@ -226,6 +227,15 @@ Status inspectJob(Job& job) {
   if (Status s = readInput(job); !s.ok()) return s;
   job.text = inspectJson(inspect(job.mesh), job.name);
   return {};
+}
+
+Status pinWeightsJob(Job& job) {
+  PinnedMesh layout{std::move(job.mesh), {}, {}};
+  layout.uv.swap(layout.mesh.texcoords);
+  for (const Pin& pin : job.options.pins) layout.pins.push_back(pin.vertex);
+  Result<std::vector<double>> weights = pinWeights(layout);
+  job.layout.uv = std::move(weights.value);
+  return weights.status;
 }
 
 Status loadJob(Job& job) {

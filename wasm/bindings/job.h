@@ -84,6 +84,10 @@ Status compareJob(Job& job, const ProgressCallback& progress);
 
 Status inspectJob(Job& job);
 
+/// Returns the weights of the vertices as uv. The mesh comes as arrays, with the layout as
+/// texcoords; only the vertices of the pins count.
+Status pinWeightsJob(Job& job);
+
 /// Returns the triangles of the input, whatever its topology.
 Status loadJob(Job& job);
 

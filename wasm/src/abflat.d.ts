@@ -28,6 +28,7 @@ export interface NativeModule {
   _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
   _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;
   _abflatCompare(job: number): number;
+  _abflatPinWeights(job: number): number;
   _abflatInspect(job: number): number;
   _abflatLoad(job: number): number;
   _abflatSample(job: number, detail: number): number;

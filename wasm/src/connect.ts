@@ -4,7 +4,7 @@ import { AbflatError, messageOf } from './base/errors.js';
 import { STATUS_NAMES } from './base/generated.js';
 import { MAX_MEMORY } from './base/memory.js';
 import { Client } from './client.js';
-import { takeFile, takeMesh } from './messages/input.js';
+import { takeArrays, takeFile, takeMesh } from './messages/input.js';
 import type { Description, LayoutRequest, Request } from './messages/protocol.js';
 import {
   boundNumbers,
@@ -23,6 +23,7 @@ import {
   keptFaces,
   knownArrays,
   pinNumbers,
+  pinnedVertices,
   seamVertices,
   straightNumbers,
   unwrapNumbers,
@@ -37,9 +38,11 @@ import type {
   FlattenOptions,
   FlattenResult,
   LoadedMesh,
+  MeshArrays,
   MeshFile,
   MeshInput,
   MeshSummary,
+  PinWeights,
   SampleOptions,
   TriangleMesh,
   UnwrapOptions,
@@ -66,6 +69,7 @@ export async function connect(platform: Platform, options: CreateOptions = {}): 
     unwrap: async (mesh, settings = {}) => unwrap(client, mesh, settings),
     compare: async (mesh, settings = {}) => compare(client, mesh, settings),
     inspect: async (mesh, settings = {}) => inspect(client, mesh, settings),
+    pinWeights: async (mesh, pins, settings = {}) => pinWeights(client, mesh, pins, settings),
     load: async (file, settings = {}) => load(client, file, settings),
     sample: async (name, settings = {}) => sample(client, name, settings),
     terminate: () => client.terminate(),
@@ -222,6 +226,19 @@ function inspect(client: Client, mesh: MeshInput, options: CallOptions): Promise
   const owned = takeMesh(mesh, transfer);
   const request = { kind: 'inspect', mesh: owned.mesh } as const;
   return client.call<MeshSummary>(request, { transfer: owned.buffers, signal });
+}
+
+function pinWeights(
+  client: Client,
+  mesh: MeshArrays,
+  pins: readonly number[],
+  options: CallOptions,
+): Promise<PinWeights> {
+  const { signal, transfer } = checkCall(client, options);
+  const vertices = pinnedVertices(pins);
+  const owned = takeArrays(mesh, transfer);
+  const request = { kind: 'pinWeights', mesh: owned.mesh, pins: vertices } as const;
+  return client.call<PinWeights>(request, { transfer: owned.buffers, signal });
 }
 
 function load(client: Client, file: MeshFile, options: CallOptions): Promise<LoadedMesh> {

@@ -25,6 +25,7 @@ import type {
   LayoutTimings,
   LoadedMesh,
   MeshSummary,
+  PinWeights,
   Report,
   TriangleMesh,
   UnwrapReport,
@@ -129,6 +130,8 @@ export class Engine {
         return this.#withJob((job) => this.#compare(job, request.mesh));
       case 'inspect':
         return this.#withJob((job) => this.#inspect(job, request.mesh));
+      case 'pinWeights':
+        return this.#withJob((job) => this.#pinWeights(job, request.mesh, request.pins));
       case 'load':
         return this.#withJob((job) => this.#load(job, request.mesh));
       case 'sample':
@@ -249,6 +252,13 @@ export class Engine {
     this.#heap.writeMesh(job, mesh);
     this.#check(job, this.#native._abflatInspect(job));
     return JSON.parse(this.#heap.readText(job)) as MeshSummary;
+  }
+
+  #pinWeights(job: number, mesh: OwnedMesh, pins: number[]): PinWeights {
+    this.#heap.writeMesh(job, mesh);
+    for (const vertex of pins) this.#native._abflatAddPin(job, vertex, 0, 0, 0);
+    this.#check(job, this.#native._abflatPinWeights(job));
+    return { weights: this.#heap.read(job, 'uv') };
   }
 
   #load(job: number, file: OwnedMesh): LoadedMesh {

@@ -1,4 +1,6 @@
 import type { Abflat, Comparison, MethodResult } from 'abflat';
+import type { ChartMesh } from './arrange/chart-mesh';
+import { Arranging } from './arranging';
 import { hideAlert, showAlert } from './base/alert';
 import { element } from './base/dom';
 import { duration } from './base/format';
@@ -28,10 +30,8 @@ import { MeshTabs } from './opening/mesh-tabs';
 import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { PageHistory } from './page-history';
-import { Placement } from './placement';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
-import { SelectionPanel } from './selection/selection-panel';
 import { Session, type SessionEvents } from './session/session';
 import type { Step } from './session/steps';
 import { flattenIfPossible } from './session/sweep';
@@ -68,8 +68,7 @@ export class App implements SessionEvents {
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
   private readonly seams: SeamPanel;
-  private readonly selection: SelectionPanel | null;
-  private readonly placement: Placement | null;
+  private readonly arranging: Arranging | null;
   private readonly painting: BoundPainting | null;
   private readonly sweep = new SweepTab(
     (t, signal) =>
@@ -146,22 +145,22 @@ export class App implements SessionEvents {
     this.saving = new Saving(this.session, this.workshop, views, this.say);
     this.shownMethod = new ShownMethod(this.workshop, this.metrics, views);
     this.charts = new ChartsTab(views, this.wishes.locks, {
-      chosen: (chart) => this.selection?.pick(chart),
+      chosen: (chart) => this.arranging?.pick(chart),
       locked: (what) => this.locked(what),
       packAgain: () => this.wishes.packAgain(),
     });
-    this.selection =
+    this.arranging =
       views &&
-      new SelectionPanel(views, {
+      new Arranging(views, this.workshop, {
         isFree: () => this.seams.isIdle,
-        changed: (selected) => this.charts.showSelected(selected),
+        selected: (charts) => this.charts.showSelected(charts),
         locked: () => this.wishes.locks.charts,
-        arranged: (arranged, what) => void this.placement?.place(arranged, what),
+        weights: (layout, pins) => this.weights(layout, pins),
+        pinned: (pins, what) => {
+          this.wishes.pin(pins);
+          this.marked(what);
+        },
         say: this.say,
-      });
-    this.placement =
-      views &&
-      new Placement(this.workshop, views, {
         placing: () => document.body.setAttribute('aria-busy', 'true'),
         placed: (layout, what) => this.wishes.place(layout, what),
         notPlaced: (error) => {
@@ -257,16 +256,28 @@ export class App implements SessionEvents {
     else this.seams.cutFurther();
   }
 
-  /** Locking changes nothing on screen. */
   private locked(what: string): void {
-    const { outcome } = this;
-    this.history.change(this.wishes.settings, what);
+    this.marked(what);
     // The run in flight would move the chart that was just locked.
     if (this.session.isBusy) this.session.refresh();
-    else if (outcome) {
-      this.history.settle(outcome);
-      this.visit.keep(outcome, this.wishes.locks.kept);
-    }
+  }
+
+  /** Locking and pinning change nothing on screen. */
+  private marked(what: string): void {
+    const { outcome } = this;
+    this.history.change(this.wishes.settings, what);
+    if (this.session.isBusy || !outcome) return;
+    this.history.settle(outcome);
+    this.visit.keep(outcome, this.wishes.marks);
+  }
+
+  /** How a chart follows a pin. */
+  private weights({ positions, indices, texcoords }: ChartMesh, pins: number[]) {
+    const layout = { positions, indices, texcoords };
+    return this.session.aside(
+      async (abflat, _, signal) => (await abflat.pinWeights(layout, pins, { signal })).weights,
+      new AbortController().signal,
+    );
   }
 
   /** Returns to an earlier step, or to one that was undone. */
@@ -331,8 +342,7 @@ export class App implements SessionEvents {
     if (asked) this.ask(asked);
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
     this.saving.open(source);
-    this.selection?.open(null);
-    this.placement?.show(null);
+    this.arranging?.show(null);
     this.painting?.show(null);
     this.shown = source;
     this.tabs.show(source);
@@ -383,13 +393,12 @@ export class App implements SessionEvents {
     this.showDetails(outcome);
     this.saving.show(outcome, drawing);
     this.markStale(outcome.settings);
-    this.visit.keep(outcome, this.wishes.locks.kept);
+    this.visit.keep(outcome, this.wishes.marks);
   }
 
   private showDetails(outcome: Outcome): void {
-    this.placement?.show(outcome.mode === 'unwrap' ? outcome : null);
+    this.arranging?.show(outcome.mode === 'unwrap' ? outcome : null, this.wishes.marks.pins);
     this.painting?.show(outcome);
-    this.selection?.open(outcome.mode === 'unwrap' ? outcome.result.report : null);
     if (outcome.mode === 'unwrap') {
       this.wishes.locks.show(outcome);
       this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);

@@ -2,7 +2,7 @@ import type { MeshSummary } from 'abflat';
 import { forget, remember, remembered } from './base/remember';
 import { forgetStored, readStored, writeStored } from './base/stored';
 import type { Opened, Outcome, Source } from './model/model';
-import type { Kept, Settings } from './model/settings';
+import type { Marks, Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
 import { titleOf } from './session/titles';
 import { fitting, SettingsLink } from './settings-link';
@@ -107,12 +107,12 @@ export class LastVisit {
     this.link.linked = null;
   }
 
-  /** Keeps what is on screen. `kept`: the locked charts. */
-  keep(outcome: Outcome, kept: Kept | undefined): void {
+  /** Keeps what is on screen, with what is marked there. */
+  keep(outcome: Outcome, marks: Marks): void {
     const { source } = outcome;
     this.link.show(outcome.settings);
     this.giveUp();
-    this.pending = { source, asked: askedOf(outcome, kept) };
+    this.pending = { source, asked: askedOf(outcome, marks) };
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.write(), PAUSE);
   }
@@ -185,4 +185,5 @@ export class LastVisit {
   }
 }
 
-const isNothing = ({ text, edited, atlas }: Asked) => text === '' && !edited && !atlas;
+const isNothing = ({ text, edited, atlas, pins }: Asked) =>
+  text === '' && !edited && !atlas && !pins;

@@ -3,7 +3,12 @@ import { STILL } from './arrange/motion';
 import type { FlatDrawing } from './model/drawing';
 import type { Unwrapped } from './model/model';
 import type { Views } from './view/views';
-import type { Arranged, Workshop } from './workshop/workshop';
+import type { Workshop } from './workshop/workshop';
+
+/** The coordinates of an atlas whose charts are in other places, or bent. */
+export type Change = (
+  outcome: Unwrapped,
+) => Promise<Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>>>;
 
 export interface PlacementEvents {
   /** Charts are about to be in other places. */
@@ -14,7 +19,7 @@ export interface PlacementEvents {
   notPlaced(error: Error | null): void;
 }
 
-/** Moves charts of the atlas on screen. They appear in their new places before abflat has checked them. */
+/** Changes charts of the atlas on screen. They appear in their new places before abflat has checked them. */
 export class Placement {
   private outcome: Unwrapped | null = null;
   /** Grows when there is an atlas whose charts are not those of the one before. */
@@ -26,6 +31,11 @@ export class Placement {
     private readonly events: PlacementEvents,
   ) {}
 
+  /** The atlas on screen with charts where they are now, whether they have been checked there or not. */
+  get current(): Unwrapped | null {
+    return this.outcome;
+  }
+
   /** The atlas on screen; null if there is none. */
   show(outcome: Unwrapped | null): void {
     const isChecked = outcome !== null && outcome.settings.placed === this.outcome?.result;
@@ -33,15 +43,14 @@ export class Placement {
     this.outcome = outcome;
   }
 
-  /** Moves charts; `what` is done to them. */
-  async place(arranged: Arranged, what: string): Promise<void> {
+  /** Changes charts; `what` is done to them. */
+  async place(change: Change, what: string): Promise<void> {
     const { outcome, generation } = this;
     if (!outcome) return;
     this.events.placing();
     try {
-      const motions = await this.workshop.motions(outcome, arranged);
-      const uv = await this.workshop.moved(outcome.result, motions);
-      const placed: Unwrapped = { ...outcome, result: { ...outcome.result, uv } };
+      const changed = await change(outcome);
+      const placed: Unwrapped = { ...outcome, result: { ...outcome.result, ...changed } };
       const drawing = await this.workshop.outcome(placed);
       if (generation !== this.generation) {
         this.giveUp(null);

@@ -2,7 +2,7 @@
 
 import type { UnwrapResult, VertexBound } from 'abflat';
 import type { FileSource, Outcome, Source } from './model/model';
-import type { Kept, KnownAtlas, Settings } from './model/settings';
+import type { KnownAtlas, Marks, Settings } from './model/settings';
 import { staysInPlace } from './session/write-again';
 import { settingsOf, textOf } from './settings-text';
 
@@ -21,6 +21,8 @@ export interface Asked {
   atlas?: KnownAtlas;
   /** Charts of it. */
   locked?: Uint32Array;
+  /** Pinned corners. */
+  pins?: Uint32Array;
 }
 
 export interface Visit {
@@ -37,13 +39,14 @@ export function meshOf(source: Source): KeptMesh {
 export const bytesOf = (mesh: KeptMesh): number =>
   mesh.kind === 'sample' ? 0 : [mesh.file, ...mesh.others].reduce((sum, { size }) => sum + size, 0);
 
-/** `kept`: what is locked now. */
-export function askedOf(outcome: Outcome, kept: Kept | undefined): Asked {
+/** `marks`: what is locked and pinned now. */
+export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
   const asked: Asked = { text: textOf(outcome.settings) };
   if (outcome.mode === 'flatten') {
     const { bounds } = outcome.settings;
     return bounds ? { ...asked, bounds } : asked;
   }
+  if (pins) asked.pins = pins;
   const { result, settings } = outcome;
   const { seams, seamEdges, placed } = settings;
   if (seamEdges) asked.edited = { seams, seamEdges };
@@ -76,9 +79,10 @@ function sourceOf(mesh: KeptMesh): Source {
   return source;
 }
 
-export function settingsAskedFor({ text, edited, bounds, atlas, locked }: Asked): Settings {
+export function settingsAskedFor({ text, edited, bounds, atlas, locked, pins }: Asked): Settings {
   const { settings } = settingsOf(text);
   if (settings.mode === 'flatten') return bounds ? { ...settings, bounds } : settings;
   const kept = atlas && locked && { kept: { layout: atlas, charts: locked } };
-  return { ...settings, ...edited, ...(atlas && { placed: atlas }), ...kept };
+  const placed = atlas && { placed: atlas };
+  return { ...settings, ...edited, ...placed, ...kept, ...(pins && { pins }) };
 }

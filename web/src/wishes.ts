@@ -6,7 +6,7 @@ import { BoundControl } from './controls/bound-control';
 import { ModeSwitch } from './controls/mode-switch';
 import { Locks } from './details/locks';
 import { isAutomatic } from './details/verdict';
-import type { FlattenSettings, Settings, UnwrapSettings } from './model/settings';
+import type { FlattenSettings, Marks, Settings, UnwrapSettings } from './model/settings';
 import type { Editable, SeamPanel } from './seams/seam-panel';
 
 export interface WishEvents {
@@ -26,6 +26,7 @@ export class Wishes {
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
   private ownBounds: FlattenSettings['bounds'];
+  private pins: UnwrapSettings['pins'];
 
   constructor(
     private readonly seams: SeamPanel,
@@ -49,7 +50,18 @@ export class Wishes {
     if (this.mode.mode === 'flatten') return this.disk;
     const { placed } = this;
     const more = placed && { placed };
-    return { ...this.atlas.settings, ...this.seams.options, kept: this.locks.kept, ...more };
+    return { ...this.atlas.settings, ...this.seams.options, ...this.marks, ...more };
+  }
+
+  /** What is marked in an atlas. */
+  get marks(): Marks {
+    const { pins } = this;
+    return { kept: this.locks.kept, ...(pins && { pins }) };
+  }
+
+  /** Vertices of the layout are pinned. */
+  pin(pins: Uint32Array): void {
+    this.pins = pins.length > 0 ? pins : undefined;
   }
 
   get disk(): FlattenSettings {
@@ -69,6 +81,7 @@ export class Wishes {
   open(mesh: Editable): void {
     this.placed = undefined;
     this.ownBounds = undefined;
+    this.pins = undefined;
     this.atlas.open(mesh.summary);
     this.mode.setDisk(mesh.summary.disk);
     this.seams.open(mesh);
@@ -105,6 +118,7 @@ export class Wishes {
       return;
     }
     this.placed = settings.placed;
+    this.pins = settings.pins;
     this.atlas.restore(settings);
     this.seams.restore(settings);
     this.locks.restore(settings.kept);

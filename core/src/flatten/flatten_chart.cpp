@@ -72,7 +72,8 @@ void pin(ChartFlattener& flattener, const std::vector<ChartPin>& pins, const Pin
   for (ChartPin& p : inUnits)
     for (double& x : p.uv) x /= chart.unit;
   flattener.endSolving();  // so that one factor is held at a time
-  PinnedLayout layout = pinLayout(chart, flatAngles(chart, attempt), attempt.uv, inUnits, options);
+  PinnedLayout layout = pinLayout({chart.vertexOfCorner, chart.boundary},
+                                  flatAngles(chart, attempt), attempt.uv, inUnits, options);
   if (const std::string note = withoutFactorNote(layout.memory); !note.empty())
     attempt.fallbacks.push_back("pins: " + note);
   if (!layout.isSolved)

@@ -44,15 +44,16 @@ Reduced withoutPins(const Matrix& energy, const std::vector<int>& unknown, int c
 
 }  // namespace
 
-Matrix conformalEnergy(const DiskChart& chart, const std::vector<double>& angles) {
-  const auto n = static_cast<int>(chart.vertexCount());
+Matrix conformalEnergy(const FlatRegion& region, std::size_t vertices,
+                       const std::vector<double>& angles) {
+  const auto n = static_cast<int>(vertices);
   const auto endsOf = [&](ChartCorner h) {
-    return std::array<int, 2>{static_cast<int>(chart.vertexOfCorner[h]),
-                              static_cast<int>(chart.vertexOfCorner[nextCorner(h)])};
+    return std::array<int, 2>{static_cast<int>(region.vertexOfCorner[h]),
+                              static_cast<int>(region.vertexOfCorner[nextCorner(h)])};
   };
   SparseEntries entries;
-  entries.reserve(8 * angles.size() + 4 * chart.boundary.size());
-  for (const ChartCorner h : chart.corners()) {
+  entries.reserve(8 * angles.size() + 4 * region.boundary.size());
+  for (const ChartCorner h : region.vertexOfCorner.ids()) {
     const auto [a, b] = endsOf(h);
     const double w = cotangent(angles[prevCorner(h)]) / 2;
     for (const int offset : {0, n}) {
@@ -63,7 +64,7 @@ Matrix conformalEnergy(const DiskChart& chart, const std::vector<double>& angles
     }
   }
   // Twice the area, sum of u_a v_b - u_b v_a over the boundary, as a symmetric matrix.
-  for (const ChartCorner h : chart.boundary) {
+  for (const ChartCorner h : region.boundary) {
     const auto [a, b] = endsOf(h);
     for (const auto& [row, column, value] :
          {std::tuple{a, b + n, -0.5}, std::tuple{b, a + n, 0.5}}) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "mesh/triangle_geometry.h"
-#include "pin/conformal_energy.h"
 
 namespace abflat {
 namespace {
@@ -47,14 +46,14 @@ Similarity bestSimilarity(const std::vector<double>& uv, const std::vector<Chart
 
 }  // namespace
 
-PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles,
+PinnedLayout pinLayout(const FlatRegion& region, const std::vector<double>& angles,
                        const std::vector<double>& uv, const std::vector<ChartPin>& pins,
                        const PinOptions& options) {
   PinnedLayout out;
   out.uv = uv;
   out.memory.allowed = options.allowedBytes;
   const Similarity similarity = bestSimilarity(uv, pins);
-  for (const ChartVertex v : chart.vertices()) setPoint(out.uv, v, similarity(pointAt(uv, v)));
+  for (std::size_t v = 0; v < uv.size() / 2; ++v) setPoint(out.uv, v, similarity(pointAt(uv, v)));
   if (pins.size() > 2) {
     std::vector<double> correction(uv.size(), 0);
     std::vector<ChartVertex> pinned;
@@ -65,8 +64,8 @@ PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles
       pinned.push_back(p.vertex);
       out.deviation = std::max(out.deviation, norm(by[0], by[1]));
     }
-    out.isSolved = relaxConformally(conformalEnergy(chart, angles), pinned, correction, out.memory,
-                                    options.pool);
+    out.isSolved = relaxConformally(conformalEnergy(region, uv.size() / 2, angles), pinned,
+                                    correction, out.memory, options.pool);
     if (out.isSolved)
       for (std::size_t i = 0; i < uv.size(); ++i) out.uv[i] += correction[i];
   }

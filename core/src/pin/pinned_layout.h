@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/point2.h"
 #include "chart/disk_chart.h"
+#include "pin/conformal_energy.h"
 #include "solve/factor_memory.h"
 
 namespace abflat {
@@ -29,13 +30,14 @@ struct PinOptions {
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
-/// Fits a layout with the given angles (radians, size 3F) to two or more pins at different places.
+/// Fits a layout with the given angles (radians, size 3F) to pins at different places.
 ///
 /// It starts with the best similarity in the least-squares sense, which never mirrors; it meets
-/// two pins exactly. With more pins, what is left is distributed by minimising the conformal energy
-/// with respect to the flat triangles, as a correction. So a layout that already meets its pins
-/// stays as it is, digit for digit apart from the similarity's rounding.
-PinnedLayout pinLayout(const DiskChart& chart, const std::vector<double>& angles,
+/// two pins exactly, and merely moves the layout to a single one. With more pins, what is left is
+/// distributed by minimising the conformal energy with respect to the flat triangles, as a
+/// correction. So a layout that already meets its pins stays as it is, digit for digit apart from
+/// the similarity's rounding.
+PinnedLayout pinLayout(const FlatRegion& region, const std::vector<double>& angles,
                        const std::vector<double>& uv, const std::vector<ChartPin>& pins,
                        const PinOptions& options = {});
 

@@ -51,8 +51,9 @@ Embedding embedLscm(const DiskChart& chart) {
   }
   setPoint(out.uv, right, {1, 0});
   FactorMemory unlimited;
-  if (!relaxConformally(conformalEnergy(chart, drawableAngles(chart).raw()), {left, right}, out.uv,
-                        unlimited))
+  if (!relaxConformally(conformalEnergy({chart.vertexOfCorner, chart.boundary}, chart.vertexCount(),
+                                        drawableAngles(chart).raw()),
+                        {left, right}, out.uv, unlimited))
     out.problem =
         "the linear system of the conformal energy cannot be solved: it is "
         "numerically singular";

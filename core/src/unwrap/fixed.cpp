@@ -196,7 +196,10 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
     const FixedChart c{chart, out.uv,
                        [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); }};
     if (Status s = options.keepsPlaces ? Status() : checkTile(c, options.udim); !s.ok()) return s;
-    if (Status s = checkTriangles(c); !s.ok()) return s;
+    if (Status s = checkTriangles(c); !s.ok()) {
+      if (!options.keepsPlaces) return s;
+      out.problem = kWrongInPlace;
+    }
     out.solver = Solver::Given;
     out.area = areaOf(chart);
     out.distortion = ChartDistortion(measureDistortion(chart, out.uv));

@@ -19,8 +19,8 @@ struct FixedTriangles {
 /// naming a face or chart that does not exist, or a face that has no texcoords.
 Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options);
 
-/// Sets the layouts of fixed charts. Errors: InvalidOption, naming a face that is flipped or,
-/// unless `options` allow it, overlaps another one or is not inside a tile.
+/// Sets the layouts of fixed charts. Errors, unless `options` keep places whatever is there:
+/// InvalidOption, naming a face that is flipped, overlaps another one or is not inside a tile.
 Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const UnwrapOptions& options,
                    FlatCharts& flat);
 

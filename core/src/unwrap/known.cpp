@@ -100,14 +100,11 @@ Outlines knownOutlines(const Known& known, const Surface& surface) {
   return findOutlines(surface, isCut);
 }
 
-/// The layout checked and measured as if it had just been solved.
-FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes,
-                   std::vector<double> unpacked) {
+/// The layout measured as if it had just been solved.
+FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes, std::vector<double> unpacked,
+                   const std::vector<double>& uv) {
   FlatChart out;
   out.solver = Solver::Known;
-  std::vector<double> uv = unpacked;
-  for (double& x : uv) x /= chart.unit;
-  if (!checkSeparated(chart, uv).valid()) return {};
   out.area = areaOf(chart);
   out.distortion = ChartDistortion(measureDistortion(chart, uv));
   if (!wishes.straight.empty()) {
@@ -128,8 +125,7 @@ void keepPlace(const Known& known, const ChartTopology& topology, const DiskChar
   for (const ChartCorner c : topology.surfaceCorners())
     setPoint(flat.uv, topology.vertexOfCorner[c],
              pointAt(known.layout.uv, known.vertex(topology.onSurface(c))));
-  if (!checkValidity(chart, flat.uv).valid())
-    flat.problem = "where it stays, triangles are flipped or its boundary crosses itself";
+  if (!checkValidity(chart, flat.uv).valid()) flat.problem = kWrongInPlace;
 }
 
 }  // namespace
@@ -170,9 +166,12 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
     if (uv.empty()) return;
     if (options.straightSeams && !hasSameEnds(mesh, i, before, now)) return;
     const DiskChart chart = mesh.set.chart(i);
-    flat[i] = takeOver(chart, wishes[i], std::move(uv));
-    if (options.keepsPlaces && wishes[i].pins.empty() && !flat[i].unpacked.empty())
-      keepPlace(known, mesh.set.topology(i), chart, flat[i]);
+    std::vector<double> inUnits = uv;
+    for (double& x : inUnits) x /= chart.unit;
+    const bool keepsPlace = options.keepsPlaces && wishes[i].pins.empty();
+    if (!keepsPlace && !checkSeparated(chart, inUnits).valid()) return;
+    flat[i] = takeOver(chart, wishes[i], std::move(uv), inUnits);
+    if (keepsPlace) keepPlace(known, mesh.set.topology(i), chart, flat[i]);
   });
   return {};
 }

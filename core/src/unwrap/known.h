@@ -10,6 +10,10 @@
 
 namespace abflat {
 
+/// The problem of a chart that stays where it is and is not valid there.
+constexpr const char* kWrongInPlace =
+    "where it stays, triangles are flipped or its boundary crosses itself";
+
 /// Where the triangles of the surface are among the known ones. Errors: InvalidOption if the known
 /// layout is of another mesh.
 Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap& map);

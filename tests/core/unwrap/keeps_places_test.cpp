@@ -143,6 +143,30 @@ TEST_CASE("a mirrored chart stays, and the report says what is wrong", "[fixed]"
   CHECK(mirrored == 1);
 }
 
+TEST_CASE("a chart whose shape was changed stays, even if it is folded now", "[fixed]") {
+  const PolygonMesh mesh = torus(24, 16);
+  const UnwrapResult first = unwrapped(mesh, severalCharts());
+  UnwrapOptions options = again(first);
+  // A vertex is dragged far across its chart.
+  const std::size_t dragged = options.known.triangles.front();
+  const std::uint32_t chart = options.known.chartOfTriangle.front();
+  options.known.uv[2 * dragged] += 0.5;
+  options.known.unpacked[2 * dragged] += 5;
+  const Result<UnwrapResult> run = unwrap(mesh, options);
+  REQUIRE(run.ok());
+  const UnwrapResult& second = run.value;
+  CHECK_FALSE(second.report.valid);
+  for (std::size_t h = 0; h < second.triangles.size(); ++h) {
+    const auto& now = second.report.charts[second.chartOfTriangle[h / 3]];
+    CHECK(now.fixed);
+    CHECK(now.valid == (options.known.chartOfTriangle[h / 3] != chart));
+    CHECK(uvOf(second, h)[0] == options.known.uv[2 * std::size_t{options.known.triangles[h]}]);
+  }
+  // Packed again, it is laid out again.
+  options.keepsPlaces = false;
+  CHECK(unwrapped(mesh, options).report.valid);
+}
+
 TEST_CASE("a known layout without usable uv cannot keep places", "[fixed]") {
   const PolygonMesh mesh = torus(12, 8);
   const UnwrapResult first = unwrapped(mesh, severalCharts());

@@ -28,6 +28,13 @@ export function takeMesh(mesh: unknown, transfer: unknown): Owned<OwnedMesh> {
   return take(checkMesh(mesh), transfer);
 }
 
+/** A layout, which a file may not be. */
+export function takeArrays(mesh: unknown, transfer: unknown): Owned<OwnedArrays> {
+  if (tagOf(mesh) !== 'Object' || 'bytes' in (mesh as object))
+    throw invalid('The layout must be { positions, indices, texcoords }.');
+  return take(checkArrays(mesh as object), transfer);
+}
+
 export function takeFile(file: unknown, transfer: unknown): Owned<OwnedFile> {
   if (tagOf(file) !== 'Object' || !('bytes' in (file as object)))
     throw invalid('The file must be { bytes, name }.');

@@ -7,6 +7,7 @@ import type {
   Comparison,
   FlattenResult,
   MeshSummary,
+  PinWeights,
   Progress,
   TriangleMesh,
   UnwrapProgress,
@@ -85,6 +86,7 @@ export type Request =
   | UnwrapRequest
   | { kind: 'compare'; mesh: OwnedMesh; wantsProgress: boolean }
   | { kind: 'inspect'; mesh: OwnedMesh }
+  | { kind: 'pinWeights'; mesh: OwnedArrays; pins: number[] }
   | { kind: 'load'; mesh: OwnedFile }
   | { kind: 'sample'; name: string; detail: number };
 
@@ -101,7 +103,8 @@ export type Answer =
   | UnwrapResult
   | Comparison
   | MeshSummary
-  | TriangleMesh;
+  | TriangleMesh
+  | PinWeights;
 
 export type AnyProgress = Progress | UnwrapProgress | CompareProgress;
 

@@ -299,6 +299,14 @@ export function straightNumbers(runs: unknown = []): [number, number][] {
   });
 }
 
+export function pinnedVertices(pins: unknown): number[] {
+  checkArray('pins', pins, 'vertex numbers');
+  return each(pins as unknown[], (pin, i) => {
+    checkIndex(`pins[${i}]`, 'vertex', pin);
+    return pin as number;
+  });
+}
+
 /** The face of a pin without one: kAnyFace of the module. */
 const ANY_FACE = 2 ** 32 - 1;
 

@@ -36,6 +36,15 @@ export interface Pin {
   face?: number;
 }
 
+/** How a layout follows a pin that is dragged. */
+export interface PinWeights {
+  /**
+   * a and b of each vertex in turn: when the pin moves by (du, dv), the vertex moves by
+   * (a du - b dv, b du + a dv).
+   */
+  weights: Float64Array;
+}
+
 export interface LayoutOptions extends CallOptions {
   /**
    * None, or at least two; in an atlas, per chart, and a pinned chart stays where its pins are. Two

@@ -106,8 +106,19 @@ export const CONTROLS: ControlGroup[] = [
     ],
   },
   {
+    title: 'Pins',
+    where: 'In the layout view. P, or Pin above it, begins and ends it.',
+    controls: [
+      { keys: ['P'], does: 'Pin vertices; again ends it' },
+      { keys: [], gestures: 'click, tap', does: 'Pin a vertex; remove a pin' },
+      { keys: ['Enter', 'Space'], does: 'The same in the middle of the view' },
+      { keys: ['G'], gestures: 'drag', does: 'Move a pin: its chart follows, its other pins stay' },
+      { keys: ['Escape'], does: 'End it' },
+    ],
+  },
+  {
     title: 'Moving charts',
-    where: 'After G, R or S in the layout view, or while a chart is dragged.',
+    where: 'After G, R or S in the layout view, or while a chart or a pin is dragged.',
     controls: [
       { keys: ['X', 'Y'], does: 'Move along one axis; again frees it' },
       { keys: ['Ctrl'], does: 'Keep to whole texels, 5°, tenths' },

@@ -24,8 +24,16 @@ export interface FlattenSettings {
   bounds?: VertexBound[];
 }
 
+/** What is marked in an atlas, which is no reason to lay out again. */
+export interface Marks {
+  /** Charts kept where they already are. */
+  kept?: Kept;
+  /** Corners of the atlas's triangles whose vertices are pinned. */
+  pins?: Uint32Array;
+}
+
 /** What the user can ask of an atlas. */
-export interface UnwrapSettings extends MoreOptions {
+export interface UnwrapSettings extends MoreOptions, Marks {
   mode: 'unwrap';
   maxStretch: number;
   balance: number;
@@ -37,8 +45,6 @@ export interface UnwrapSettings extends MoreOptions {
   seams: string;
   /** Edges to cut in addition, two vertices each. */
   seamEdges?: Uint32Array;
-  /** Charts kept where they already are, which is no reason to lay out again. */
-  kept?: Kept;
   /** The layout with charts where the user has moved them. */
   placed?: KnownAtlas;
 }
@@ -55,7 +61,7 @@ function differsOnlyIn(names: string[], a: Settings, b: Settings): boolean {
   const [x, y] = [a, b].map((settings) => {
     // An option that is not there is one that is undefined.
     const values = new Map(Object.entries(settings).filter(([, value]) => value !== undefined));
-    for (const name of ['kept', ...names]) values.delete(name);
+    for (const name of ['kept', 'pins', ...names]) values.delete(name);
     return values;
   });
   return x.size === y.size && [...x].every(([name, value]) => y.get(name) === value);

@@ -1,14 +1,15 @@
 import type { UnwrapReport } from 'abflat';
 import { middleOf } from '../arrange/charts';
 import type { GestureKind } from '../arrange/gesture';
-import { type Motion, turned } from '../arrange/motion';
+import { type Motion, STILL, turned } from '../arrange/motion';
 import { Aim, type Modifiers } from '../view/aim';
 import type { Pixel } from '../view/sight';
 import type { ViewName, Views } from '../view/views';
 import type { Arranged } from '../workshop/workshop';
 import { type ArrangeName, isGesture, isName, movedText } from './arrange-words';
-import { ChartMover } from './chart-mover';
 import { ChartSelection } from './chart-selection';
+import { type Movable, Mover } from './mover';
+import type { PinTool } from './pin-tool';
 import { SelectionBar } from './selection-bar';
 
 export interface SelectionEvents {
@@ -24,16 +25,18 @@ export interface SelectionEvents {
 }
 
 const QUARTER = Math.PI / 2;
+const NO_CHARTS: ReadonlySet<number> = new Set();
 
 /** Lets the user select charts in either view, and frame, isolate, hide and move them. */
 export class SelectionPanel {
   private readonly selection = new ChartSelection(() => this.show());
   private readonly bar: SelectionBar;
-  private readonly mover: ChartMover;
+  private readonly mover: Mover;
   private report: UnwrapReport | null = null;
 
   constructor(
     private readonly views: Views,
+    private readonly pins: PinTool,
     private readonly events: SelectionEvents,
   ) {
     const pickNone = () => this.selection.pickNone();
@@ -45,12 +48,10 @@ export class SelectionPanel {
       pickNone,
       arrange: (how) => isName(how) && this.arrange(how),
     });
-    this.mover = new ChartMover(views, {
-      movable: () => this.movable,
+    this.mover = new Mover(views, {
+      movableAt: (at) => (pins.isActive ? pins.movableAt(at) : this.chartsAt(at)),
       resolution: () => this.report?.atlas.resolution ?? 1,
       shows: (text) => this.showGesture(text),
-      moved: (charts, motion, kind) =>
-        events.arranged(together(charts, motion), movedText(charts, kind)),
     });
     for (const name of ['mesh', 'layout'] as const) this.bind(name);
     window.addEventListener('keydown', ({ key }) => {
@@ -69,6 +70,11 @@ export class SelectionPanel {
     this.selection.setInvalid(invalidCharts(report));
   }
 
+  /** The charts that are not shown. */
+  get hidden(): ReadonlySet<number> {
+    return this.selection.hidden;
+  }
+
   /** Selects one chart instead of the others. */
   pick(chart: number): void {
     this.selection.pick(chart, false);
@@ -79,10 +85,31 @@ export class SelectionPanel {
     return new Set([...this.selection.selected].filter((chart) => !locked.has(chart)));
   }
 
+  /** All that a drag of the chart at a pixel moves. */
+  private chartsAt(at: Pixel): Movable | null {
+    const chart = this.views.chartAt('layout', at);
+    const { movable } = this;
+    return chart !== null && movable.has(chart) ? this.together(movable) : null;
+  }
+
+  private together(charts: ReadonlySet<number>): Movable {
+    const show = (shown: ReadonlySet<number>, motion: Motion) => {
+      this.views.moveCharts(shown, motion);
+      this.pins.follow(shown, motion);
+    };
+    return {
+      middle: middleOf(this.views.boxOf(charts)),
+      show: (motion) => show(charts, motion),
+      putBack: () => show(NO_CHARTS, STILL),
+      moved: (motion, kind) =>
+        this.events.arranged(together(charts, motion), movedText(charts, kind)),
+    };
+  }
+
   private bind(name: ViewName): void {
     const canvas = this.views.canvasOf(name);
-    const isFree = () =>
-      this.report !== null && !this.mover.isActive && (name === 'layout' || this.events.isFree());
+    const takesClicks = () => (name === 'layout' ? !this.pins.isActive : this.events.isFree());
+    const isFree = () => this.report !== null && !this.mover.isActive && takesClicks();
     const chartAt = (at: Pixel | null) => (at && isFree() ? this.views.chartAt(name, at) : null);
     const aim = new Aim(canvas, {
       moved: (at) => this.hover(name, chartAt(at)),
@@ -96,6 +123,7 @@ export class SelectionPanel {
 
   private hover(name: ViewName, chart: number | null): void {
     this.selection.hover(chart);
+    if (name === 'layout' && this.pins.isActive) return; // which has a pointer of its own
     const isMovable = name === 'layout' && chart !== null && this.movable.has(chart);
     this.views.canvasOf(name).classList.toggle('movable', isMovable);
   }
@@ -117,6 +145,8 @@ export class SelectionPanel {
       s: () => this.arrange('scale'),
     };
     const name = nameOf(event);
+    const pin = view === 'layout' && this.pins.isActive && this.pins.aimedMovable;
+    if (pin) gestures.g = () => this.mover.start('move', pin);
     const action = actions[name] ?? (view === 'layout' ? gestures[name] : undefined);
     if (!action) return;
     event.preventDefault();
@@ -134,7 +164,7 @@ export class SelectionPanel {
     }
     if (isGesture(how)) {
       this.views.canvasOf('layout').focus();
-      this.mover.start(how);
+      this.mover.start(how, this.together(movable));
       return;
     }
     this.events.arranged(this.arranged(how, movable), movedText(movable, how));
@@ -151,7 +181,8 @@ export class SelectionPanel {
   private showGesture(text: string | null): void {
     // The chart under the pointer shows its own colours while it moves.
     if (text !== null) this.selection.hover(null);
-    this.bar.showGesture(text, this.selection, this.report);
+    if (this.pins.isActive) this.pins.showGesture(text);
+    else this.bar.showGesture(text, this.selection, this.report);
   }
 
   private frame(): void {

@@ -72,7 +72,7 @@ export async function layOut(
     });
     return { mode, source, mesh, gltf, settings, result };
   }
-  const { mode, kept, placed, ...options } = settings;
+  const { mode, kept, placed, pins, ...options } = settings;
   const unwrap = async (known: Earlier) =>
     abflat.unwrap(await copied(input), {
       ...options,

@@ -53,6 +53,17 @@ export class ChartEdges {
     this.draw();
   }
 
+  /** Draws these edges in place of those of some charts, until `move` ends it. */
+  replace(charts: ReadonlySet<number>, ends: Float32Array): void {
+    this.outline.object.matrixAutoUpdate = false;
+    this.outline.object.matrix.identity();
+    if (charts !== this.moving) {
+      this.moving = charts;
+      this.draw();
+    }
+    this.outline.show(ends);
+  }
+
   /** Of the outlines of selected and of invalid charts. */
   setColors(selected: Color, invalid: Color): void {
     this.outline.setColor(selected);

@@ -1,6 +1,7 @@
 import { Color, DoubleSide, ShaderMaterial, Vector2, Vector4 } from 'three';
 import { CHART_COLORS } from '../colors/chart-colors';
 import type { Palette } from '../colors/palette';
+import { BEND_GLSL } from './bending';
 import { FLAGS_GLSL, MOTION_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
 import { LOOK_GLSL, LOOK_VERTEX_GLSL, lookUniforms } from './look-shader';
@@ -15,6 +16,7 @@ const VERTEX = /* glsl */ `
   attribute vec3 heat;
   ${FLAGS_GLSL}
   ${MOTION_GLSL}
+  ${BEND_GLSL}
   attribute float chart, piece;
   varying vec3 vCorner;
   varying vec2 vPlace;
@@ -22,7 +24,7 @@ const VERTEX = /* glsl */ `
   flat varying float vChart, vPiece;
   void main() {
     vCorner = cornerOf(gl_VertexID);
-    vPlace = moved(position.xy, piece);
+    vPlace = moved(position.xy, piece) + bent();
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
@@ -79,8 +81,8 @@ const FRAGMENT = /* glsl */ `
 
 /**
  * Material of the uv layout. Its geometry has no index and has the attributes heat (a place on
- * the ramp for each measure), chart (number of its colour), piece (number of the chart itself) and
- * source (see look-shader.ts).
+ * the ramp for each measure), chart (number of its colour), piece (number of the chart itself),
+ * source (see look-shader.ts) and, while a pin is dragged, weight (see bending.ts).
  */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -105,6 +107,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       flags: { value: null },
       ...lookUniforms(),
       motion: { value: new Vector4(1, 0, 0, 0) },
+      bend: { value: new Vector2() },
       charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
     },
   });

@@ -4,6 +4,7 @@ import { inPlane, type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
 import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
+import type { Bending } from './bending';
 import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates, NO_STATES } from './chart-flags';
 import { ChartPicker } from './chart-picker';
@@ -12,6 +13,7 @@ import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { LookTextures } from './look-textures';
 import { PanZoom } from './pan-zoom';
+import { PinLayer } from './pin-layer';
 import { DOT, OWN_BOUND, PointMarks, RING } from './point-marks';
 import { isMeasure, type Shading } from './shading';
 import type { Pixel } from './sight';
@@ -44,6 +46,7 @@ export class LayoutView {
   private readonly edges = new ChartEdges(OUTLINE, false);
   private readonly frame = new EdgeLines(1.5, false);
   private readonly resisting = new EdgeLines(2.5, false);
+  private readonly pins: PinLayer;
   private readonly dots = new PointMarks({ ...DOT, depthTest: false });
   private readonly bounds = new PointMarks({ ...OWN_BOUND, depthTest: false });
   private readonly rings = new PointMarks({ ...RING, depthTest: false });
@@ -86,6 +89,7 @@ export class LayoutView {
     this.flags = new ChartFlags([this.material, this.picker.material]);
     this.textures = new LookTextures(this.stage.renderer, this.material);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
+    this.pins = new PinLayer(this.surface, this.material, this.edges);
     this.scene.add(
       this.frame.object,
       this.surface.object,
@@ -94,6 +98,7 @@ export class LayoutView {
       this.dots.object,
       this.bounds.object,
       this.rings.object,
+      ...this.pins.objects,
     );
     this.ready = this.stage.start(this.scene, this.camera);
   }
@@ -114,6 +119,7 @@ export class LayoutView {
   /** Shows everything besides the triangles. */
   private showParts(layout: LayoutDrawing, edgeCharts: Uint32Array, isAtlas: boolean): void {
     this.isAtlas = isAtlas;
+    this.pins.setPlane(layout.middle, layout.unit);
     if (this.isPlaced) this.move(new Set(), STILL);
     this.colorBoundary();
     this.material.uniforms.showsCharts.value = isAtlas;
@@ -143,6 +149,7 @@ export class LayoutView {
     this.colorBoundary();
     this.edges.setColors(palette.boundary, palette.flipped);
     this.resisting.setColor(palette.flipped);
+    this.pins.setPalette(palette);
     this.dots.setColor(palette.tightened);
     this.rings.setColor(palette.flipped);
     this.stage.invalidate();
@@ -201,12 +208,32 @@ export class LayoutView {
 
   /** Shows charts as if they were moved in uv; without charts, all where they are. */
   move(charts: ReadonlySet<number>, motion: Motion): void {
-    this.isPlaced = false;
     const { a, b, x, y } = inPlane(motion, this.middle, this.unit);
     this.material.uniforms.motion.value.set(a, b, x, y);
+    this.lift(charts);
+    this.pins.bend(null, [0, 0]);
+    this.edges.move(charts, { a, b, x, y });
+  }
+
+  /** Shows a chart as a pin bends it that is dragged `by` in uv. `move` ends it. */
+  bend(bending: Bending, by: Point): void {
+    this.material.uniforms.motion.value.set(1, 0, 0, 0);
+    if (!this.moving.has(bending.chart)) this.lift(new Set([bending.chart]));
+    this.pins.bend(bending, by, this.moving);
+    this.stage.invalidate();
+  }
+
+  /** Draws charts above the others. */
+  private lift(charts: ReadonlySet<number>): void {
+    this.isPlaced = false;
     if (charts !== this.moving) this.flags.show(this.states, charts);
     this.moving = charts;
-    this.edges.move(charts, { a, b, x, y });
+    this.stage.invalidate();
+  }
+
+  /** Marks pins, and the vertex that a click would hit; in uv. */
+  showPins(pins: readonly Point[], aimed: Point | null): void {
+    this.pins.show(pins, aimed);
     this.stage.invalidate();
   }
 
@@ -289,7 +316,7 @@ export class LayoutView {
 
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
-    for (const marks of [this.dots, this.bounds, this.rings])
+    for (const marks of [this.dots, this.bounds, this.rings, this.pins])
       marks.setPixelRatio(this.stage.pixelRatio);
     for (const lines of [this.frame, this.edges, this.resisting])
       lines.setResolution(this.stage.width, this.stage.height);

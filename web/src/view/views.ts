@@ -8,6 +8,7 @@ import type { Drawing, FlatDrawing } from '../model/drawing';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
+import type { Bending } from './bending';
 import { type Boundary, boundaryOf, boundMarks, NO_BOUND_MARKS } from './boundary';
 import { type ChartStates, NO_STATES } from './chart-flags';
 import { LayoutView } from './layout-view';
@@ -161,6 +162,16 @@ export class Views {
   /** Shows charts of the layout as if they were moved in uv; without charts, all where they are. */
   moveCharts(charts: ReadonlySet<number>, motion: Motion): void {
     this.layout.move(charts, motion);
+  }
+
+  /** Shows a chart of the layout as a pin bends it that is dragged `by` in uv; moving no charts ends it. */
+  bendChart(bending: Bending, by: Point): void {
+    this.layout.bend(bending, by);
+  }
+
+  /** Marks pins of the layout, and the vertex that a click would hit; in uv. */
+  showPins(pins: readonly Point[], aimed: Point | null): void {
+    this.layout.showPins(pins, aimed);
   }
 
   /** The next layout to be shown has the charts where they were moved to. */

@@ -1,4 +1,3 @@
-import { middleOf } from '../arrange/charts';
 import {
   type Gesture,
   type GestureKind,
@@ -7,35 +6,44 @@ import {
   textOf,
   withKey,
 } from '../arrange/gesture';
-import { isStill, type Motion, STILL } from '../arrange/motion';
+import { isStill, type Motion, type Point } from '../arrange/motion';
 import type { Pixel } from '../view/sight';
 import type { Views } from '../view/views';
 
+/** What a gesture moves in the layout. */
+export interface Movable {
+  /** It turns about this point of uv, and grows from it. */
+  middle: Point;
+  /** Shows it as if it was moved. */
+  show(motion: Motion): void;
+  /** Shows it where it is. */
+  putBack(): void;
+  /** The gesture has ended. */
+  moved(motion: Motion, kind: GestureKind): void;
+}
+
 export interface MoverEvents {
-  /** The selected charts that are not locked. */
-  movable(): ReadonlySet<number>;
+  /** What a drag from here moves; null if nothing. */
+  movableAt(at: Pixel): Movable | null;
   /** Texels along a side of the atlas. */
   resolution(): number;
   /** What a gesture does so far; null when it has ended. */
   shows(text: string | null): void;
-  /** A gesture has ended; `kind` is what it did. */
-  moved(charts: ReadonlySet<number>, motion: Motion, kind: GestureKind): void;
 }
 
 /** Css pixels that the pointer must move before a press becomes a drag. */
 const STEADY = 5;
-const NO_CHARTS: ReadonlySet<number> = new Set();
 
 /**
- * Moves, turns and scales the selected charts in the layout: by dragging one of them, or from a key
- * on until a click or Enter, as in Blender.
+ * Moves, turns and scales what is in the layout: by dragging it, or from a key on until a click or
+ * Enter, as in Blender.
  */
-export class ChartMover {
+export class Mover {
   private readonly canvas: HTMLCanvasElement;
   private gesture: Gesture | null = null;
-  private charts: ReadonlySet<number> = NO_CHARTS;
-  /** A press on a selected chart that may become a drag. */
-  private pressed: { id: number; at: Pixel } | null = null;
+  private movable: Movable | null = null;
+  /** A press that may become a drag. */
+  private pressed: { id: number; at: Pixel; movable: Movable } | null = null;
   /** The gesture goes on while this pointer is down; null: until a click. */
   private dragging: number | null = null;
   private pointer: Pixel | null = null;
@@ -66,27 +74,24 @@ export class ChartMover {
   }
 
   /** Begins a gesture that the pointer continues from where it is. */
-  start(kind: GestureKind): void {
-    const charts = this.events.movable();
-    if (charts.size === 0 || this.gesture) return;
+  start(kind: GestureKind, movable: Movable): void {
+    if (this.gesture) return;
     const { clientWidth, clientHeight } = this.canvas;
-    this.begin(kind, charts, this.pointer ?? { x: clientWidth / 2, y: clientHeight / 2 });
+    this.begin(kind, movable, this.pointer ?? { x: clientWidth / 2, y: clientHeight / 2 });
   }
 
   /** Puts everything back where it was. */
   cancel(): void {
     this.pressed = null;
-    if (!this.gesture) return;
-    this.end();
-    this.views.moveCharts(NO_CHARTS, STILL);
+    if (this.gesture) this.end()?.putBack();
   }
 
-  private begin(kind: GestureKind, charts: ReadonlySet<number>, at: Pixel): void {
+  private begin(kind: GestureKind, movable: Movable, at: Pixel): void {
     const from = this.views.uvAt(at);
-    const middle = middleOf(this.views.boxOf(charts));
+    const { middle } = movable;
     const texel = 1 / this.events.resolution();
     const step = stepOf(texel, this.views.pixelsPerUv);
-    this.charts = new Set(charts);
+    this.movable = movable;
     this.change({
       ...{ kind, middle, from, to: from, axis: null, nudge: [0, 0], typed: '' },
       ...{ snaps: false, texel, step },
@@ -95,26 +100,26 @@ export class ChartMover {
 
   private change(gesture: Gesture): void {
     this.gesture = gesture;
-    this.views.moveCharts(this.charts, motionOf(gesture));
+    this.movable?.show(motionOf(gesture));
     this.events.shows(textOf(gesture));
   }
 
-  private end(): void {
+  /** Returns what was moved. */
+  private end(): Movable | null {
+    const { movable } = this;
     this.gesture = null;
+    this.movable = null;
     this.dragging = null;
     this.events.shows(null);
+    return movable;
   }
 
   private confirm(): void {
-    const { gesture, charts } = this;
+    const { gesture } = this;
     if (!gesture) return;
     const motion = motionOf(gesture);
-    if (isStill(motion)) {
-      this.cancel();
-      return;
-    }
-    this.end();
-    this.events.moved(charts, motion, gesture.kind);
+    if (isStill(motion)) this.cancel();
+    else this.end()?.moved(motion, gesture.kind);
   }
 
   private onDown(event: PointerEvent): void {
@@ -133,9 +138,8 @@ export class ChartMover {
       return;
     }
     if (event.button !== 0 || event.shiftKey) return;
-    const chart = this.views.chartAt('layout', at);
-    if (chart !== null && this.events.movable().has(chart))
-      this.pressed = { id: event.pointerId, at };
+    const movable = this.events.movableAt(at);
+    if (movable) this.pressed = { id: event.pointerId, at, movable };
   }
 
   /** The gesture goes on with this finger. */
@@ -154,7 +158,7 @@ export class ChartMover {
       if (Math.hypot(at.x - pressed.at.x, at.y - pressed.at.y) <= STEADY) return;
       this.pressed = null;
       this.dragging = event.pointerId;
-      this.begin('move', this.events.movable(), pressed.at);
+      this.begin('move', pressed.movable, pressed.at);
     }
     const isOther = this.dragging !== null && this.dragging !== event.pointerId;
     const hovers = event.pointerType !== 'touch' || this.dragging !== null;

@@ -1,0 +1,76 @@
+import type { UnwrapResult } from 'abflat';
+import type { ChartMesh } from './arrange/chart-mesh';
+import type { Unwrapped } from './model/model';
+import { type Change, Placement, type PlacementEvents } from './placement';
+import { PinTool } from './selection/pin-tool';
+import { SelectionPanel } from './selection/selection-panel';
+import type { Views } from './view/views';
+import type { Workshop } from './workshop/workshop';
+
+export interface ArrangingEvents extends PlacementEvents {
+  /** Whether a click on the mesh is free to select: no seam tool takes it. */
+  isFree(): boolean;
+  /** Other charts are selected. */
+  selected(charts: ReadonlySet<number>): void;
+  /** The locked charts of the atlas on screen. */
+  locked(): ReadonlySet<number>;
+  /** How a layout follows the first of some pinned vertices. */
+  weights(layout: ChartMesh, pins: number[]): Promise<Float64Array>;
+  /** Other vertices are pinned; `what` was done. */
+  pinned(pins: Uint32Array, what: string): void;
+  say(text: string): void;
+}
+
+/** All that is done to charts of the layout by hand: they are selected, moved, and bent by their pins. */
+export class Arranging {
+  private readonly placement: Placement;
+  private readonly pins: PinTool;
+  private readonly selection: SelectionPanel;
+
+  constructor(views: Views, workshop: Workshop, events: ArrangingEvents) {
+    const place = (change: Change, what: string) => void this.placement.place(change, what);
+    this.placement = new Placement(workshop, views, {
+      placing: () => events.placing(),
+      placed: (layout: UnwrapResult, what: string) => {
+        this.pins.show();
+        events.placed(layout, what);
+      },
+      notPlaced: (error) => {
+        this.pins.show();
+        events.notPlaced(error);
+      },
+    });
+    this.pins = new PinTool(views, {
+      layout: () => this.placement.current,
+      locked: () => events.locked(),
+      hidden: () => this.selection.hidden,
+      weights: (layout, pins) => events.weights(layout, pins),
+      changed: (pins, what) => events.pinned(pins, what),
+      bent: (change, what) => place(async ({ result }) => change(result), what),
+      say: (text) => events.say(text),
+    });
+    this.selection = new SelectionPanel(views, this.pins, {
+      isFree: () => events.isFree(),
+      changed: (selected) => events.selected(selected),
+      locked: () => events.locked(),
+      arranged: (arranged, what) =>
+        place(async (outcome) => {
+          const motions = await workshop.motions(outcome, arranged);
+          return { uv: await workshop.moved(outcome.result, motions) };
+        }, what),
+      say: (text) => events.say(text),
+    });
+  }
+
+  /** The atlas on screen; null if there is none. */
+  show(outcome: Unwrapped | null, pins?: Uint32Array): void {
+    this.placement.show(outcome);
+    this.selection.open(outcome?.result.report ?? null);
+    this.pins.show(pins ?? new Uint32Array());
+  }
+
+  /** Selects one chart instead of the others. */
+  pick(chart: number): void {
+    this.selection.pick(chart);
+  }
+}

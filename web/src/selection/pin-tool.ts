@@ -1,0 +1,270 @@
+import { bent, type ChartMesh, type Coordinates, chartMesh } from '../arrange/chart-mesh';
+import { type Motion, moved, type Point } from '../arrange/motion';
+import { counted } from '../base/format';
+import { positionsOf } from '../drawing/picture';
+import type { Unwrapped } from '../model/model';
+import { Aim } from '../view/aim';
+import type { Bending } from '../view/bending';
+import type { Pixel } from '../view/sight';
+import type { Views } from '../view/views';
+import type { Movable } from './mover';
+import { PinBar } from './pin-bar';
+import {
+  chartOfCorner,
+  othersInChart,
+  type Pins,
+  pinNear,
+  pointOfCorner,
+  toggled,
+  vertexNear,
+} from './pin-set';
+
+export interface PinEvents {
+  /** The atlas on screen, with charts where they are now; null if there is none. */
+  layout(): Unwrapped | null;
+  /** Charts that must not change. */
+  locked(): ReadonlySet<number>;
+  hidden(): ReadonlySet<number>;
+  /** How a layout follows the first of some pinned vertices. */
+  weights(layout: ChartMesh, pins: number[]): Promise<Float64Array>;
+  /** Other vertices are pinned; `what` was done. */
+  changed(pins: Pins, what: string): void;
+  /** A chart was bent. */
+  bent(change: (before: Coordinates) => Coordinates, what: string): void;
+  say(text: string): void;
+}
+
+/** Css pixels. */
+const REACH = { pin: 12, vertex: 16 };
+const NO_PINS: Pins = new Uint32Array();
+const STAYS: Point = [0, 0];
+
+/** Lets the user pin vertices of the layout, and bend charts by dragging the pins. */
+export class PinTool {
+  private isOn = false;
+  private pins: Pins = NO_PINS;
+  /** The vertex that a click would hit. */
+  private aimed: number | null = null;
+  /** The pin that is being dragged, and how far in uv. */
+  private dragged: { corner: number; by: Point } | null = null;
+  private gesture: string | null = null;
+  /** What the last drag has asked for: the next one may need the same. */
+  private prepared: { name: unknown[]; bending: Promise<Bending> } | null = null;
+  private readonly bar: PinBar;
+
+  constructor(
+    private readonly views: Views,
+    private readonly events: PinEvents,
+  ) {
+    this.bar = new PinBar({ toggle: () => this.toggle(), removeAll: () => this.removeAll() });
+    const canvas = views.canvasOf('layout');
+    const aim = new Aim(canvas, {
+      moved: (at) => this.aimAt(at),
+      clicked: (at) => this.click(at),
+    });
+    views.onMoved('layout', () => aim.refresh());
+    canvas.addEventListener('keydown', (event) => this.onKey(event));
+  }
+
+  get isActive(): boolean {
+    return this.isOn;
+  }
+
+  /** Shows the pins of another atlas, or of the same one with charts in other places. */
+  show(pins: Pins = this.pins): void {
+    const corners = this.layout?.indices.length ?? 0;
+    this.pins = pins.filter((corner) => corner < corners);
+    this.aimed = null;
+    this.dragged = null;
+    this.draw();
+  }
+
+  /** Shows the pins of some charts as if those were moved. */
+  follow(charts: ReadonlySet<number>, motion: Motion): void {
+    this.draw((corner, at) =>
+      this.layout && charts.has(chartOfCorner(this.layout, corner)) ? moved(motion, at) : at,
+    );
+  }
+
+  /** What a drag from here moves. */
+  movableAt(at: Pixel): Movable | null {
+    const { layout } = this;
+    const pin = layout && !this.dragged ? this.pinAt(at) : null;
+    if (layout === null || pin === null) return null;
+    if (this.events.locked().has(chartOfCorner(layout, pin))) {
+      this.events.say('This chart is locked. Unlock it to drag its pins');
+      return null;
+    }
+    return this.movable(pin);
+  }
+
+  /** The pin that the user aims at, to be moved by keys. */
+  get aimedMovable(): Movable | null {
+    const { layout, aimed } = this;
+    const pin = this.pins.find((corner) => layout?.indices[corner] === aimed);
+    return pin === undefined || this.dragged ? null : this.movable(pin);
+  }
+
+  /** Shows what a gesture does so far; null: it has ended. */
+  showGesture(text: string | null): void {
+    this.gesture = text;
+    this.showBar();
+  }
+
+  private get layout() {
+    return this.events.layout()?.result ?? null;
+  }
+
+  private movable(corner: number): Movable {
+    const { layout } = this;
+    const middle: Point = layout ? pointOfCorner(layout, corner) : STAYS;
+    const bending = this.bending(corner);
+    let ready: Bending | null = null;
+    const show = (by: Point) => {
+      this.dragged = { corner, by };
+      if (ready) this.views.bendChart(ready, by);
+      this.draw();
+    };
+    bending.then(
+      (made) => {
+        ready = made;
+        if (this.dragged?.corner === corner) show(this.dragged.by);
+      },
+      () => undefined, // said when the drag has ended
+    );
+    return {
+      middle,
+      show: ({ x, y }) => show([x, y]),
+      putBack: () => this.putBack(),
+      moved: ({ x, y }) => void this.place(bending, [x, y]),
+    };
+  }
+
+  private async place(bending: Promise<Bending>, by: Point): Promise<void> {
+    try {
+      const { mesh, weights, chart } = await bending;
+      this.events.bent(
+        (before) => bent(before, mesh, weights, by),
+        `Moved a pin of chart ${chart}`,
+      );
+    } catch (error) {
+      this.putBack();
+      this.events.say(`The pin was not moved: ${(error as Error).message}`);
+    }
+  }
+
+  private putBack(): void {
+    this.dragged = null;
+    this.views.moveCharts(new Set(), { a: 1, b: 0, x: 0, y: 0 });
+    this.draw();
+  }
+
+  /** How the chart of a pin follows it. */
+  private bending(corner: number): Promise<Bending> {
+    const { pins } = this;
+    const outcome = this.events.layout();
+    const name = [outcome?.result, pins, corner];
+    if (this.prepared?.name.every((each, i) => each === name[i])) return this.prepared.bending;
+    const bending = outcome ? this.makeBending(outcome, corner) : Promise.reject(new Error('gone'));
+    this.prepared = { name, bending };
+    bending.catch(() => {
+      if (this.prepared?.bending === bending) this.prepared = null;
+    });
+    return bending;
+  }
+
+  private async makeBending({ result, mesh }: Unwrapped, corner: number): Promise<Bending> {
+    const chart = chartOfCorner(result, corner);
+    const own = chartMesh(result, positionsOf(result, mesh), chart);
+    const corners = [corner, ...othersInChart(this.pins, result, corner)];
+    const numbers = corners.map((each) => own.vertices.indexOf(result.indices[each]));
+    return { chart, mesh: own, weights: await this.events.weights(own, numbers) };
+  }
+
+  private toggle(): void {
+    this.isOn = !this.isOn;
+    this.aimed = null;
+    this.draw();
+    if (this.isOn) this.views.canvasOf('layout').focus();
+  }
+
+  private removeAll(): void {
+    const { length } = this.pins;
+    this.change(NO_PINS, `Removed ${counted(length, 'pin')}`);
+  }
+
+  private change(pins: Pins, what: string): void {
+    this.pins = pins;
+    this.draw();
+    this.events.changed(pins, what);
+  }
+
+  private aimAt(at: Pixel | null): void {
+    const { layout } = this;
+    if (!this.isOn || this.dragged) return;
+    const pin = at && this.pinAt(at);
+    const vertex = at ? this.vertexAt(at) : -1;
+    const onPin = pin !== null && layout !== null;
+    const aimed = onPin ? layout.indices[pin] : vertex < 0 ? null : vertex;
+    this.views.canvasOf('layout').classList.toggle('movable', onPin);
+    if (aimed === this.aimed) return;
+    this.aimed = aimed;
+    this.draw();
+  }
+
+  private click(at: Pixel): void {
+    const { layout } = this;
+    if (!this.isOn || !layout || this.dragged) return;
+    const pin = this.pinAt(at);
+    const vertex = pin === null ? this.vertexAt(at) : layout.indices[pin];
+    if (vertex < 0) return;
+    const corner = pin ?? layout.indices.indexOf(vertex);
+    this.aimed = vertex; // keys aim at nothing before
+    const what = pin === null ? 'Pinned a vertex' : 'Removed a pin';
+    const chart = chartOfCorner(layout, corner);
+    this.change(toggled(this.pins, layout, vertex), `${what} of chart ${chart}`);
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey || !this.layout) return;
+    const isToggle = event.key.toLowerCase() === 'p' || (this.isOn && event.key === 'Escape');
+    if (!isToggle) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.toggle();
+  }
+
+  private pinAt(at: Pixel): number | null {
+    const reach = REACH.pin / this.views.pixelsPerUv;
+    const { layout } = this;
+    return layout && pinNear(this.pins, layout, this.events.hidden(), this.views.uvAt(at), reach);
+  }
+
+  private vertexAt(at: Pixel): number {
+    const reach = REACH.vertex / this.views.pixelsPerUv;
+    const { layout } = this;
+    return layout ? vertexNear(layout, this.events.hidden(), this.views.uvAt(at), reach) : -1;
+  }
+
+  private draw(placed = (_: number, at: Point): Point => at): void {
+    const { layout, dragged, aimed } = this;
+    this.showBar();
+    if (!layout) {
+      this.views.showPins([], null);
+      return;
+    }
+    const points = [...this.pins].map((corner) => {
+      const [u, v] = pointOfCorner(layout, corner);
+      const [x, y] = corner === dragged?.corner ? dragged.by : STAYS;
+      return placed(corner, [u + x, v + y]);
+    });
+    const corner = aimed === null || dragged || !this.isOn ? null : aimed;
+    const at: Point | null =
+      corner === null ? null : [layout.uv[2 * corner], layout.uv[2 * corner + 1]];
+    this.views.showPins(points, at);
+  }
+
+  private showBar(): void {
+    this.bar.show(this.isOn, this.layout !== null, this.pins.length, this.gesture);
+  }
+}
