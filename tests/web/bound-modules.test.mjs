@@ -44,10 +44,10 @@ test('settings with other bounds are others, and the history names them', () => 
 test('a visit keeps bounds, a link does not', () => {
   const bounds = withBound([], [1, 2], 1);
   const settings = { ...DISK, bounds };
-  const asked = askedOf({ mode: 'flatten', settings }, undefined);
+  const asked = askedOf({ mode: 'flatten', settings }, {});
   assert.deepEqual(settingsAskedFor(asked), settings);
   assert.equal(textOf(settings), textOf(DISK));
-  assert.deepEqual(settingsAskedFor(askedOf({ mode: 'flatten', settings: DISK })), DISK);
+  assert.deepEqual(settingsAskedFor(askedOf({ mode: 'flatten', settings: DISK }, {})), DISK);
 });
 
 test('bounds that were asked for are not among those that were found', () => {

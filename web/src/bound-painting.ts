@@ -18,7 +18,7 @@ export interface PaintingEvents {
   say(text: string): void;
 }
 
-const INVITATION = 'Drag along the boundary; Alt erases';
+const INVITATION = 'Drag along the boundary';
 const vertices = (n: number) => counted(n, 'vertex', 'vertices');
 
 /** The bar below a disk with which bounds are painted on its boundary. */
