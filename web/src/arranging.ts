@@ -44,6 +44,7 @@ export class Arranging {
       layout: () => this.placement.current,
       locked: () => events.locked(),
       hidden: () => this.selection.hidden,
+      chart: (outcome, chart) => workshop.chart(outcome, chart),
       weights: (layout, pins) => events.weights(layout, pins),
       changed: (pins, what) => events.pinned(pins, what),
       bent: (change, what) => place(async ({ result }) => change(result), what),

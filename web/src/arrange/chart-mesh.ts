@@ -22,14 +22,15 @@ export function chartMesh(arrays: ChartArrays, positions: Float64Array, chart: n
   chartOfTriangle.forEach((each, f) => {
     if (each === chart) corners.push(3 * f, 3 * f + 1, 3 * f + 2);
   });
-  const numbers = new Map<number, number>();
+  /** From 1; 0 for vertices that have not been seen. */
+  const numbers = new Uint32Array(uv.length / 2);
+  const found: number[] = [];
   const own = Uint32Array.from(corners, (corner) => {
     const v = indices[corner];
-    const number = numbers.get(v) ?? numbers.size;
-    numbers.set(v, number);
-    return number;
+    numbers[v] ||= found.push(v);
+    return numbers[v] - 1;
   });
-  const vertices = Uint32Array.from(numbers.keys());
+  const vertices = Uint32Array.from(found);
   const texcoords = new Float64Array(2 * vertices.length);
   const places = new Float64Array(3 * vertices.length);
   vertices.forEach((v, i) => {

@@ -1,7 +1,6 @@
-import { bent, type ChartMesh, type Coordinates, chartMesh } from '../arrange/chart-mesh';
+import { bent, type ChartMesh, type Coordinates } from '../arrange/chart-mesh';
 import { type Motion, moved, type Point } from '../arrange/motion';
 import { counted } from '../base/format';
-import { positionsOf } from '../drawing/picture';
 import type { Unwrapped } from '../model/model';
 import { Aim } from '../view/aim';
 import type { Bending } from '../view/bending';
@@ -25,6 +24,8 @@ export interface PinEvents {
   /** Charts that must not change. */
   locked(): ReadonlySet<number>;
   hidden(): ReadonlySet<number>;
+  /** A chart as a mesh of its own. */
+  chart(outcome: Unwrapped, chart: number): Promise<ChartMesh>;
   /** How a layout follows the first of some pinned vertices. */
   weights(layout: ChartMesh, pins: number[]): Promise<Float64Array>;
   /** Other vertices are pinned; `what` was done. */
@@ -173,12 +174,13 @@ export class PinTool {
     return bending;
   }
 
-  private async makeBending({ result, mesh }: Unwrapped, corner: number): Promise<Bending> {
+  private async makeBending(outcome: Unwrapped, corner: number): Promise<Bending> {
+    const { result } = outcome;
     const chart = chartOfCorner(result, corner);
-    const own = chartMesh(result, positionsOf(result, mesh), chart);
     const corners = [corner, ...othersInChart(this.pins, result, corner)];
-    const numbers = corners.map((each) => own.vertices.indexOf(result.indices[each]));
-    return { chart, mesh: own, weights: await this.events.weights(own, numbers) };
+    const mesh = await this.events.chart(outcome, chart);
+    const numbers = corners.map((each) => mesh.vertices.indexOf(result.indices[each]));
+    return { chart, mesh, weights: await this.events.weights(mesh, numbers) };
   }
 
   private toggle(): void {
@@ -207,6 +209,8 @@ export class PinTool {
     const onPin = pin !== null && layout !== null;
     const aimed = onPin ? layout.indices[pin] : vertex < 0 ? null : vertex;
     this.views.canvasOf('layout').classList.toggle('movable', onPin);
+    // So that it follows at once when it is dragged.
+    if (onPin && !this.events.locked().has(chartOfCorner(layout, pin))) void this.bending(pin);
     if (aimed === this.aimed) return;
     this.aimed = aimed;
     this.draw();

@@ -2,6 +2,7 @@
 // main thread.
 
 import { expose, transfer } from 'comlink';
+import { type ChartMesh, chartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import { evened } from '../arrange/density';
 import { type Motions, movedUv } from '../arrange/move-charts';
@@ -55,6 +56,13 @@ const tasks = {
 
   moved: (arrays: ChartArrays, motions: Motions): Float64Array =>
     handedOver(movedUv(arrays, motions)),
+
+  chart: (
+    arrays: ChartArrays,
+    layout: Parameters<typeof positionsOf>[0],
+    input: Parameters<typeof positionsOf>[1],
+    chart: number,
+  ): ChartMesh => handedOver(chartMesh(arrays, positionsOf(layout, input), chart)),
 
   straightened: (arrays: ChartArrays, charts: Uint32Array): Motions => straightened(arrays, charts),
 

@@ -1,4 +1,5 @@
 import { type Remote, transfer, wrap } from 'comlink';
+import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
@@ -117,6 +118,15 @@ export class Workshop implements Helpers {
       if (how === 'stacked') return tasks.stacked(own, charts, fixed);
       return tasks.evened(own, layout, input, charts);
     });
+  }
+
+  /** A chart as a mesh of its own. */
+  chart({ result, mesh }: Unwrapped, chart: number): Promise<ChartMesh> {
+    const { positions, vertexMap } = result;
+    return this.send(
+      [chartArraysOf(result), { positions, vertexMap }, { positions: mesh.positions }],
+      (tasks, own, layout, input) => tasks.chart(own, layout, input, chart),
+    );
   }
 
   /** What is needed to edit seams. */
