@@ -132,6 +132,19 @@ test('Seams: each key does what the sheet says', async (t) => {
     Enter: () => start('Enter'),
     Space: () => start('Space'),
     Escape: () => start('Enter'),
+    L: async () => {
+      // Turned until an edge is in the middle.
+      for (let i = 0; i < 40 && !/Double-click/.test(await hint()); ++i) {
+        await page.keyboard.press(i % 2 ? 'ArrowLeft' : '+');
+        await drawn(page);
+      }
+      await page.keyboard.press('l');
+      await settled(page);
+      assert.match(
+        await page.locator('#history').evaluate((list) => list.textContent),
+        /Cut a loop of \d+ edge/,
+      );
+    },
     Alt: async () => {
       const before = await hint();
       await page.keyboard.down('Alt');
@@ -152,6 +165,45 @@ test('Seams: each key does what the sheet says', async (t) => {
   await drawn(page);
   const keys = keysOf('Seams');
   assert.deepEqual([...keys].sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
+test('Bounds: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...STILL, mode: 'flatten', open: ['grid.obj', grid(4)] });
+  const says = async (pattern) => assert.match(await textOf(page, '#run-text'), pattern);
+  // Once the brush is there.
+  const painting = async () => {
+    await page.waitForFunction(() => {
+      const canvas = document.querySelector('#mesh-canvas');
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      const how = { pointerType: 'mouse', isPrimary: true, bubbles: true };
+      for (let i = 0; i < 40; ++i) {
+        const [clientX, clientY] = [left + width / 2, top + (height * i) / 40];
+        canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, clientX, clientY }));
+        if (/vert/.test(document.querySelector('#bound-hint').textContent)) return true;
+      }
+      return false;
+    });
+  };
+  const effects = {
+    B: async () => {
+      await page.keyboard.press('b');
+      assert.equal(await page.getAttribute('#bound-paint', 'aria-pressed'), 'true');
+      await painting();
+    },
+    Enter: async () => {
+      await page.keyboard.press('Enter');
+      await says(/^There is no boundary here$/);
+    },
+    Space: async () => {
+      await page.keyboard.press('Space');
+      await says(/^There is no boundary here$/);
+    },
+    // Painted and erased in bounds.test.mjs.
+    Alt: async () => undefined,
+  };
+  await page.focus('#mesh-canvas');
+  assert.deepEqual(keysOf('Bounds').sort(), Object.keys(effects).sort());
   for (const effect of Object.values(effects)) await effect();
 });
 
@@ -456,6 +508,8 @@ test('no key is missing from the sheet', async (t) => {
   await page.click('#details-toggle');
   await page.locator('#residual-chart .chart-column').first().waitFor({ state: 'attached' });
   await check({
+    '#mesh-canvas': ['Mesh view', 'Bounds'],
+    '#layout-canvas': ['Layout view', 'Bounds'],
     '#t-number': ['Details and t'],
     '#residual-chart .chart-column': ['Details and t'],
     '#tab-solver': ['Details and t'],

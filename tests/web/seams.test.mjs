@@ -6,52 +6,17 @@ import { test } from 'node:test';
 import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
-
-const CANVAS = '#mesh-canvas';
-/** Without damping the view stands still; a small view is drawn quickly. */
-const STILL = { reducedMotion: 'reduce', viewport: { width: 1040, height: 620 } };
-
-const twoFrames = () =>
-  new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-/** Waits until the effect of the pointer is on screen. */
-const drawn = (page) => page.evaluate(twoFrames);
-
-const hint = (page) => page.evaluate(() => document.querySelector('#seam-hint').textContent);
-
-/** Moves the pointer to a place on the canvas, in fractions of its size; returns the hint. */
-async function point(page, x, y) {
-  const box = await page.locator(CANVAS).boundingBox();
-  await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
-  await drawn(page);
-  return hint(page);
-}
-
-/**
- * Where the mesh's vertices appear, as a Map from vertex to [x, y]. Found by pointing at the whole
- * canvas from inside the page, without a round trip to the browser per point.
- */
-async function vertices(page, steps = 12) {
-  const found = await page.evaluate(async (steps) => {
-    const canvas = document.querySelector('#mesh-canvas');
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    const found = [];
-    for (let i = 1; i < steps; ++i)
-      for (let j = 1; j < steps; ++j) {
-        const [x, y] = [i / steps, j / steps];
-        const [clientX, clientY] = [left + x * width, top + y * height];
-        const how = { clientX, clientY, pointerType: 'mouse', isPrimary: true };
-        canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, bubbles: true }));
-        // The page responds earlier in the same frame.
-        await new Promise((done) => requestAnimationFrame(done));
-        const vertex = /^Vertex (\d+): start/.exec(
-          document.querySelector('#seam-hint').textContent,
-        );
-        if (vertex) found.push([Number(vertex[1]), [x, y]]);
-      }
-    return found;
-  }, steps);
-  return new Map(found);
-}
+import {
+  CANVAS,
+  click,
+  clickAt,
+  drawn,
+  edited,
+  hint,
+  point,
+  STILL,
+  vertices,
+} from './seam-page.mjs';
 
 /** Moves the pointer to a seam between two vertices that were seen near these places. */
 async function pointAtSeam(page, [a, b], [c, d]) {
@@ -61,22 +26,6 @@ async function pointAtSeam(page, [a, b], [c, d]) {
   assert.fail('there is no seam near');
 }
 
-/** Clicks where the pointer is. */
-async function click(page) {
-  await page.mouse.down();
-  await page.mouse.up();
-  await drawn(page);
-}
-
-async function clickAt(page, [x, y]) {
-  await point(page, x, y);
-  await click(page);
-}
-
-const edited = async (page) =>
-  Number(
-    /^edited: ([\d,]+) edge/.exec(await textOf(page, '#seams-state'))?.[1].replace(',', '') ?? -1,
-  );
 const charts = async (page) => Number((await metrics(page)).Charts);
 
 /** The grid in the plane of the screen, unwrapped. */
@@ -235,7 +184,7 @@ test('Escape lets go, a drag turns the view, Alt does the other thing, Shift goe
   assert.match(await point(page, ...seen.get(7)), /^Vertex 6 to 7/);
   await page.keyboard.press('Escape');
   await drawn(page);
-  assert.match(await hint(page), /^Vertex 7: start a cut$/);
+  assert.match(await hint(page), /^Vertex 7: start a cut/);
   assert.equal(await textOf(page, '#run-text'), 'Cut cancelled');
 
   // From 6 to 8 and on to 18.

@@ -8,6 +8,7 @@ import { loadPart } from './base/load-part';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
+import { BoundPainting } from './bound-painting';
 import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
 import { ChartsTab } from './details/charts-tab';
@@ -24,6 +25,7 @@ import { HelpSheet } from './help/help-sheet';
 import { Welcome } from './help/welcome';
 import { LastVisit } from './last-visit';
 import type { FlatDrawing } from './model/drawing';
+import { foundChart } from './model/found-chart';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
 import { MeshTabs } from './opening/mesh-tabs';
@@ -70,6 +72,7 @@ export class App implements SessionEvents {
   private readonly charts: ChartsTab;
   private readonly seams: SeamPanel;
   private readonly arranging: Arranging | null;
+  private readonly painting: BoundPainting | null;
   private readonly sweep = new SweepTab(
     (t, signal) =>
       this.session.aside(
@@ -175,6 +178,13 @@ export class App implements SessionEvents {
           if (!this.session.isBusy) this.finish('Nothing was moved', false);
         },
       });
+    this.painting =
+      views &&
+      new BoundPainting(views, this.workshop, {
+        bounds: () => this.wishes.disk.bounds ?? [],
+        changed: (bounds, what) => this.wishes.paint(bounds, what),
+        say: this.say,
+      });
     bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
     this.opening = new Opening({
       joined: async (sources, signal) => {
@@ -225,6 +235,7 @@ export class App implements SessionEvents {
     this.history.change(settings, what);
     // With another t alone, the plot against t stays as it is.
     if (settings.mode === 'flatten') this.sweep.use(settings);
+    this.painting?.update();
     this.session.refresh();
   }
 
@@ -240,6 +251,7 @@ export class App implements SessionEvents {
     this.methods.stop();
     this.sweep.stop();
     this.seams.hide();
+    this.painting?.show(null);
   }
 
   private showMode(): void {
@@ -300,6 +312,7 @@ export class App implements SessionEvents {
     if (isOther) this.leaveMode();
     this.wishes.restore(settings);
     if (isOther) this.showMode();
+    this.painting?.update();
   }
 
   /** The address of the page got other settings. */
@@ -337,6 +350,7 @@ export class App implements SessionEvents {
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
     this.saving.open(source);
     this.arranging?.show(null);
+    this.painting?.show(null);
     this.shown = source;
     this.tabs.show(source);
     if (source.kind === 'file') {
@@ -393,13 +407,14 @@ export class App implements SessionEvents {
     const { settings } = this.wishes;
     const wanted = settings.mode === 'unwrap' ? settings : {};
     this.arranging?.show(outcome.mode === 'unwrap' ? outcome : null, wanted);
+    this.painting?.show(outcome);
     if (outcome.mode === 'unwrap') {
       this.wishes.locks.show(outcome);
       this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);
       this.seams.show(outcome);
       return;
     }
-    const [chart] = outcome.result.report.charts;
+    const chart = foundChart(outcome);
     this.solver.show(chart);
     this.sweep.setCurrent(chart.t);
     this.wishes.bound.setBoundaryVertices(chart.boundaryVertices);

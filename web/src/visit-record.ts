@@ -1,6 +1,6 @@
 // What the browser keeps of a visit: the mesh as it was opened, and what was asked for.
 
-import type { UnwrapResult } from 'abflat';
+import type { UnwrapResult, VertexBound } from 'abflat';
 import type { FileSource, Outcome, Source } from './model/model';
 import type { KnownAtlas, Marks, Settings } from './model/settings';
 import { staysInPlace } from './session/write-again';
@@ -15,6 +15,8 @@ export interface Asked {
   text: string;
   /** Seams that were edited. */
   edited?: { seams: string; seamEdges: Uint32Array };
+  /** Of vertices of a boundary. */
+  bounds?: VertexBound[];
   /** The layout, where the settings alone would not lead to it again. */
   atlas?: KnownAtlas;
   /** Charts of it. */
@@ -40,7 +42,10 @@ export const bytesOf = (mesh: KeptMesh): number =>
 /** `marks`: what is locked and pinned now. */
 export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
   const asked: Asked = { text: textOf(outcome.settings) };
-  if (outcome.mode === 'flatten') return asked;
+  if (outcome.mode === 'flatten') {
+    const { bounds } = outcome.settings;
+    return bounds ? { ...asked, bounds } : asked;
+  }
   if (pins) asked.pins = pins;
   const { result, settings } = outcome;
   const { seams, seamEdges, placed } = settings;
@@ -74,9 +79,9 @@ function sourceOf(mesh: KeptMesh): Source {
   return source;
 }
 
-export function settingsAskedFor({ text, edited, atlas, locked, pins }: Asked): Settings {
+export function settingsAskedFor({ text, edited, bounds, atlas, locked, pins }: Asked): Settings {
   const { settings } = settingsOf(text);
-  if (settings.mode === 'flatten') return settings;
+  if (settings.mode === 'flatten') return bounds ? { ...settings, bounds } : settings;
   const kept = atlas && locked && { kept: { layout: atlas, charts: locked } };
   const placed = atlas && { placed: atlas };
   return { ...settings, ...edited, ...placed, ...kept, ...(pins && { pins }) };

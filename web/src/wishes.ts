@@ -1,3 +1,4 @@
+import type { VertexBound } from 'abflat';
 import { element } from './base/dom';
 import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
@@ -24,6 +25,7 @@ export class Wishes {
   private readonly atlas: AtlasControl;
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
+  private ownBounds: FlattenSettings['bounds'];
   private pins: UnwrapSettings['pins'];
 
   constructor(
@@ -65,12 +67,20 @@ export class Wishes {
   get disk(): FlattenSettings {
     const { t } = this.bound;
     const { balance } = this.balance;
-    return { mode: 'flatten', t, balance, delaunay: this.isDelaunay };
+    const own = this.ownBounds && { bounds: this.ownBounds };
+    return { mode: 'flatten', t, balance, delaunay: this.isDelaunay, ...own };
+  }
+
+  /** Vertices of the boundary are to have these bounds. */
+  paint(bounds: VertexBound[], what: string): void {
+    this.ownBounds = bounds.length > 0 ? bounds : undefined;
+    this.events.changed(what);
   }
 
   /** Another mesh was opened. */
   open(mesh: Editable): void {
     this.placed = undefined;
+    this.ownBounds = undefined;
     this.pins = undefined;
     this.atlas.open(mesh.summary);
     this.mode.setDisk(mesh.summary.disk);
@@ -104,6 +114,7 @@ export class Wishes {
       this.bound.restore(settings.t);
       this.balance.restore(settings.balance);
       this.setDelaunay(settings.delaunay);
+      this.ownBounds = settings.bounds;
       return;
     }
     this.placed = settings.placed;

@@ -52,3 +52,7 @@ export type Bound = number | 'auto';
 export function bound(t: Bound): string {
   return t === 'auto' ? t : String(Math.round(t * 1000) / 1000);
 }
+
+/** "12 vertices have their own bound" */
+export const ownBoundsText = (n: number): string =>
+  n === 1 ? '1 vertex has its own bound' : `${count(n)} vertices have their own bound`;

@@ -3,11 +3,11 @@ import { create, element } from '../base/dom';
 import { type Bound, bound } from '../base/format';
 import { refusal } from './number-field';
 
-const LEAST = 0.9;
-const MOST = 2;
+export const LEAST = 0.9;
+export const MOST = 2;
 /** The bounds of one piece that the slider offers. */
 export const BOUND_RULE = { type: 'number', atLeast: LEAST, atMost: MOST };
-const STEP = 0.01;
+export const STEP = 0.01;
 const TICKS = [
   { t: 0.9, name: '' },
   { t: 1, name: 'convex' },
@@ -163,7 +163,7 @@ export class BoundControl {
 }
 
 /** What t means for the boundary's interior angles. */
-function meaning(t: number): string {
+export function meaning(t: number): string {
   if (t >= MOST) return 'free';
   if (t === 1) return 'convex';
   return `up to ${Math.round(180 * t * 10) / 10}°`;

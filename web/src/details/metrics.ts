@@ -1,6 +1,7 @@
 import type { Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
 import { count, counted, distortion, duration, measure } from '../base/format';
+import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
 import { atlasNotes } from './atlas-notes';
@@ -257,7 +258,5 @@ function linked(text: string, title: string, measure: Measure): HTMLElement {
 }
 
 function notesOf(outcome: Outcome): string[] {
-  return outcome.mode === 'unwrap'
-    ? atlasNotes(outcome.result.report)
-    : notes(outcome.result.report.charts[0]);
+  return outcome.mode === 'unwrap' ? atlasNotes(outcome.result.report) : notes(foundChart(outcome));
 }

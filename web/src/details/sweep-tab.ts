@@ -8,7 +8,7 @@ import type { SweepPoint } from './sweep-chart';
 
 const HINT = 'Select a point to use its t.';
 
-type PlottedSettings = Pick<FlattenSettings, 'balance' | 'delaunay'>;
+type PlottedSettings = Pick<FlattenSettings, 'balance' | 'delaunay' | 'bounds'>;
 
 /** Distortion over t, point by point. */
 export class SweepTab {
@@ -54,10 +54,11 @@ export class SweepTab {
   }
 
   /** The other settings of points; without points for these, the plot is empty. */
-  use({ balance, delaunay }: PlottedSettings): void {
-    const isSame = balance === this.plotted?.balance && delaunay === this.plotted.delaunay;
-    this.plotted = { balance, delaunay };
-    if (!isSame) this.clear();
+  use({ balance, delaunay, bounds }: PlottedSettings): void {
+    const { plotted } = this;
+    const isSame = balance === plotted?.balance && delaunay === plotted.delaunay;
+    this.plotted = { balance, delaunay, bounds };
+    if (!isSame || bounds !== plotted?.bounds) this.clear();
   }
 
   /** Resets for another mesh. */

@@ -10,6 +10,7 @@ export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing 
     layout: drawLayout(picture, chartCount),
     marks: drawMarks(picture),
     edgeCharts: edgeCharts(picture),
+    boundary: picture.boundary ?? new Uint32Array(),
     spreads: picture.heat.spreads,
     chartColors: picture.chartColors ?? null,
   };

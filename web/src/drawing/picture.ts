@@ -21,6 +21,8 @@ export interface FlatPicture extends Picture {
   heat: Heat;
   /** Vertices with a tightened bound. */
   tightened: Uint32Array;
+  /** The vertex of the input at the beginning of each boundary edge; only for a disk. */
+  boundary?: Uint32Array;
   /** Edges that cannot be made Delaunay, as pairs of vertices. */
   resisting: Uint32Array;
   /** For an atlas of charts in the unit square, the number of each chart's colour. */
@@ -114,12 +116,16 @@ export function flatPicture(
   const positions = positionsOf(layout, input);
   const mesh = { positions, indices, uv };
   const edges = boundaryEdges(indices);
+  const boundary = Uint32Array.from(
+    { length: edges.length / 2 },
+    (_, e) => vertexMap[edges[2 * e]],
+  );
   const bounded = new Set(chart?.bounds.map(({ vertex }) => vertex));
   // Each boundary vertex begins one boundary edge.
   const tightened = edges.filter((v, i) => i % 2 === 0 && bounded.has(vertexMap[v]));
   const resisting = edgesOf(layout, chart?.delaunay?.resisting ?? []);
   const source = meshCorners(input, layout);
-  return { mesh, edges, heat: heatOf(mesh), tightened, resisting, source };
+  return { mesh, edges, heat: heatOf(mesh), tightened, boundary, resisting, source };
 }
 
 /**

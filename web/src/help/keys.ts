@@ -69,10 +69,21 @@ export const CONTROLS: ControlGroup[] = [
     where: 'In the mesh view, with Cut or Join pressed.',
     controls: [
       { keys: [], gestures: 'click, tap', does: 'Start or end a cut; remove a seam' },
+      { keys: ['L'], gestures: 'double-click, double-tap', does: 'Cut the loop of an edge' },
       { keys: ['Enter', 'Space'], does: 'Click in the middle of the view' },
       { keys: ['Shift'], gestures: 'Shift-click', does: 'Continue a cut; remove a single edge' },
       { keys: ['Alt'], gestures: 'Alt-click', does: 'Join in place of Cut, Cut in place of Join' },
       { keys: ['Escape'], does: 'Cancel the cut' },
+    ],
+  },
+  {
+    title: 'Bounds',
+    where: 'In both views of a mesh in one piece.',
+    controls: [
+      { keys: ['B'], does: 'Paint bounds, or stop painting' },
+      { keys: [], gestures: 'drag along the boundary', does: 'Paint the bound beside the button' },
+      { keys: ['Alt'], gestures: 'Alt-drag', does: 'Erase bounds' },
+      { keys: ['Enter', 'Space'], does: 'Paint in the middle of the view' },
     ],
   },
   {

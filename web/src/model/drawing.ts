@@ -84,6 +84,8 @@ export interface FlatDrawing extends Drawing {
   marks: TriangleMarks;
   /** The chart of each boundary edge of an atlas, in the order of `edges`. */
   edgeCharts: Uint32Array;
+  /** The vertex of the mesh at the beginning of each boundary edge of a disk, in the order of `edges`. */
+  boundary: Uint32Array;
   /** How each measure is spread over the surface. */
   spreads: Record<Measure, Spread>;
   /** The number of each chart's colour; null for a disk. */

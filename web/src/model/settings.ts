@@ -1,4 +1,4 @@
-import type { KnownLayout, UnwrapResult } from 'abflat';
+import type { KnownLayout, UnwrapResult, VertexBound } from 'abflat';
 import type { Bound } from '../base/format';
 import type { MoreOptions } from './more-options';
 
@@ -20,6 +20,8 @@ export interface FlattenSettings {
   t: Bound;
   balance: number;
   delaunay: boolean;
+  /** For vertices of the boundary, in place of t. */
+  bounds?: VertexBound[];
 }
 
 /** What is marked in an atlas, which is no reason to lay out again. */

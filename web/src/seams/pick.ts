@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 import type { Solid } from '../surface/solid';
+import { edgeBetween, type SurfaceGraph } from '../surface/surface-graph';
 import type { Pixel, Sight } from '../view/sight';
 
 /** The farthest a target may be from the pointer, in css pixels. */
@@ -38,6 +39,23 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
 }
 
+/** Those of some points (xyz each) that are within a radius around a pixel, and visible. */
+export function pointsAround(
+  solid: Solid,
+  sight: Sight,
+  at: Pixel,
+  points: Float32Array,
+  radius: number,
+): number[] {
+  const found: number[] = [];
+  for (let i = 0; 3 * i < points.length; ++i) {
+    const pixel = sight.pixel(points, i);
+    if (!pixel || distance(pixel, at) > radius) continue;
+    if (isInSight(solid, sight, new Vector3().fromArray(points, 3 * i))) found.push(i);
+  }
+  return found;
+}
+
 /**
  * The edge of `edges` (two vertices each in `ends`) that is nearest to a pixel, in reach and
  * visible; -1 if there is none.
@@ -55,12 +73,38 @@ export function edgeAt(
     const [from, to] = [sight.pixel(solid.points, a), sight.pixel(solid.points, b)];
     if (!from || !to) continue;
     const share = nearestShare(from, to, at);
-    const pixel = { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
-    const pixels = distance(pixel, at);
+    const pixels = distance(between(from, to, share), at);
     if (pixels > REACH) continue;
     near.push({ index, pixels, point: pointOf(solid, a).lerp(pointOf(solid, b), share) });
   }
   return nearestInSight(solid, sight, near);
+}
+
+/** The edge near a pixel that is not near either of its ends; -1 if there is none. */
+export function edgeAwayFromEnds(
+  solid: Solid,
+  graph: SurfaceGraph,
+  sight: Sight,
+  at: Pixel,
+): number {
+  const hit = solid.firstHit(sight.ray(at));
+  if (!hit) return -1;
+  const corners = solid.indices.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
+  let [nearest, least] = [-1, REACH];
+  corners.forEach((a, i) => {
+    const b = corners[(i + 1) % 3];
+    const [from, to] = [sight.pixel(solid.points, a), sight.pixel(solid.points, b)];
+    const edge = edgeBetween(graph, a, b);
+    if (!from || !to || edge < 0) return;
+    const share = nearestShare(from, to, at);
+    const pixels = distance(between(from, to, share), at);
+    const length = distance(from, to);
+    const isNearEnd = length * Math.min(share, 1 - share) < Math.min(REACH, length / 4);
+    if (pixels > least) return;
+    least = pixels;
+    nearest = isNearEnd ? -1 : edge;
+  });
+  return nearest;
 }
 
 function nearestInSight(solid: Solid, sight: Sight, candidates: Candidate[]): number {
@@ -84,6 +128,11 @@ function pointOf({ points }: Solid, v: number): Vector3 {
 function distance(a: Pixel, b: Pixel): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
+
+const between = (from: Pixel, to: Pixel, share: number): Pixel => ({
+  x: from.x + share * (to.x - from.x),
+  y: from.y + share * (to.y - from.y),
+});
 
 /** How far along the line between two pixels it comes nearest to a third, 0 to 1. */
 function nearestShare(from: Pixel, to: Pixel, at: Pixel): number {

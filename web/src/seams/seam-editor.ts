@@ -4,7 +4,7 @@ import { Aim, type Modifiers } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel } from '../view/sight';
-import { edgeAt, vertexAt } from './pick';
+import { edgeAt, edgeAwayFromEnds, vertexAt } from './pick';
 import type { SeamModel } from './seam-model';
 import { SeamTools, type Tool } from './seam-tools';
 
@@ -22,8 +22,11 @@ const NO_POINTS = new Float32Array();
 /** So many take only a few milliseconds. */
 const PLACES_PER_FRAME = 1 << 14;
 
+/** Css pixels between the clicks of a double-click; fingers are not precise. */
+const DOUBLE_CLICK = 20;
+
 const INVITATIONS: Record<Tool, string> = {
-  cut: 'Click a vertex to start a cut',
+  cut: 'Click a vertex to start a cut, double-click an edge to cut its loop',
   join: 'Click a seam to join its sides',
 };
 
@@ -42,6 +45,10 @@ export class SeamEditor {
   private model: SeamModel | null = null;
   private paths: ShortestPaths | null = null;
   private isGrowing = false;
+  /** Edges that a button would cut, and what they are; null: none. */
+  private offer: { edges: number[]; text: string } | null = null;
+  /** Where a cut was begun by a click on the middle of an edge, which may become a double-click. */
+  private begunOnEdge: Pixel | null = null;
   /** Null until needed. */
   private targets: Targets | null = null;
 
@@ -53,8 +60,12 @@ export class SeamEditor {
     this.aim = new Aim(view.canvas, {
       moved: (at, modifiers) => this.onMove(at, modifiers),
       clicked: (at, modifiers) => this.onClick(at, modifiers),
+      doubleClicked: (at, modifiers) => this.onDoubleClick(at, modifiers),
     });
-    view.onTurn(() => this.aim.refresh());
+    view.onTurn(() => {
+      this.begunOnEdge = null;
+      this.aim.refresh();
+    });
     // In the capture phase, before the page uses Escape to cancel the run in flight.
     window.addEventListener('keydown', (event) => this.onEscape(event), { capture: true });
   }
@@ -66,7 +77,10 @@ export class SeamEditor {
 
   /** Sets the seams to edit; null for none. */
   edit(model: SeamModel | null): void {
-    if (model !== this.model) this.paths = null;
+    if (model !== this.model) {
+      this.paths = null;
+      this.offer = null;
+    }
     this.model = model;
     this.tools.setVisible(model !== null);
     this.update();
@@ -82,6 +96,12 @@ export class SeamEditor {
   clear(): void {
     this.paths = null;
     this.mark(NO_MARKS, '');
+    this.aim.refresh();
+  }
+
+  /** Shows edges that a button would cut, and says what they are; null: none. */
+  show(offer: { edges: number[]; text: string } | null): void {
+    this.offer = offer;
     this.aim.refresh();
   }
 
@@ -101,6 +121,11 @@ export class SeamEditor {
   private onMove(at: Pixel | null, modifiers: Modifiers): void {
     const tool = this.toolOf(modifiers);
     if (!this.model) this.mark(NO_MARKS, '');
+    else if (this.offer)
+      this.mark(
+        { ...NO_MARKS, offered: this.pairs(this.model, this.offer.edges) },
+        this.offer.text,
+      );
     else if (tool === null) this.mark(NO_MARKS, 'Click a chart to select it');
     else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
     else if (!this.model.isReady) {
@@ -131,12 +156,29 @@ export class SeamEditor {
       });
   }
 
+  /** The first click has begun a cut, and the second one has taken it back. */
+  private onDoubleClick(at: Pixel, modifiers: Modifiers): void {
+    if (this.toolOf(modifiers) !== 'cut' || modifiers.shift) return;
+    this.whenReady((model) => {
+      if (this.paths) this.clear();
+      else this.cutLoop(model, this.loopAt(model, at));
+      this.aim.refresh();
+    });
+  }
+
+  private cutLoop(model: SeamModel, loop: number[]): void {
+    const count = model.cut(loop);
+    if (count === 0) return;
+    const what = `Cut a loop of ${counted(count, 'edge')}`;
+    this.events.say(what);
+    this.events.changed(what);
+  }
+
   private previewCut(model: SeamModel, at: Pixel | null): void {
     const place = this.placeAt(model, at);
     const { paths } = this;
     if (!paths) {
-      const text = place < 0 ? INVITATIONS.cut : `Vertex ${place}: start a cut`;
-      this.mark({ ...NO_MARKS, vertices: listed(place) }, text);
+      this.previewStart(model, place, at ? this.loopAt(model, at) : []);
       return;
     }
     const isKnown = place >= 0 && paths.hasReached(place);
@@ -148,6 +190,15 @@ export class SeamEditor {
         ? `Vertex ${paths.start} to ${place}: cut ${counted(path.length, 'edge')}, ${length} long`
         : `From vertex ${paths.start}: click the end of the cut, Esc cancels`;
     this.mark({ ...NO_MARKS, cut: this.pairs(model, path), vertices }, text);
+  }
+
+  private previewStart(model: SeamModel, place: number, loop: number[]): void {
+    const start = place < 0 ? INVITATIONS.cut : `Vertex ${place}: start a cut`;
+    const text =
+      loop.length > 0
+        ? `${start}. Double-click: cut a loop of ${counted(loop.length, 'edge')}`
+        : start;
+    this.mark({ ...NO_MARKS, offered: this.pairs(model, loop), vertices: listed(place) }, text);
   }
 
   private previewJoin(model: SeamModel, at: Pixel | null, { shift }: Modifiers): void {
@@ -169,7 +220,12 @@ export class SeamEditor {
     if (place < 0) return;
     if (!this.paths) {
       this.begin(model, place);
+      this.begunOnEdge = this.loopAt(model, at).length > 0 ? at : null;
       this.events.say(`Cut started at vertex ${place}`);
+      return;
+    }
+    if (this.isSecondClick(at)) {
+      this.clear();
       return;
     }
     const path = this.paths.to(place);
@@ -187,7 +243,14 @@ export class SeamEditor {
     if (count > 0) this.events.changed(what);
   }
 
+  /** The nearest vertex may not be that of the first click. */
+  private isSecondClick({ x, y }: Pixel): boolean {
+    const first = this.begunOnEdge;
+    return first !== null && Math.hypot(x - first.x, y - first.y) <= DOUBLE_CLICK;
+  }
+
   private begin(model: SeamModel, place: number): void {
+    this.begunOnEdge = null;
     this.paths = new ShortestPaths(model.graph, place);
     this.grow();
   }
@@ -218,6 +281,12 @@ export class SeamEditor {
     this.targets ??= targetsOf(model);
     const vertex = vertexAt(model.surface.solid, this.view.sight, at, this.targets.places);
     return vertex < 0 ? vertex : model.graph.places[vertex];
+  }
+
+  /** The edges that a double-click would cut. */
+  private loopAt(model: SeamModel, at: Pixel): number[] {
+    const edge = edgeAwayFromEnds(model.surface.solid, model.graph, this.view.sight, at);
+    return edge < 0 ? [] : model.loop(edge);
   }
 
   /** The edges of the seam that is aimed at, or with `isOne` only the edge itself. */

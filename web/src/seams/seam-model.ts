@@ -1,3 +1,4 @@
+import { edgeLoop } from '../surface/edge-loop';
 import type { Solid } from '../surface/solid';
 import type { SurfaceGraph } from '../surface/surface-graph';
 import { AUTOMATIC, type SeamChoice, type SeamSources, seamWords } from './seam-choice';
@@ -98,6 +99,22 @@ export class SeamModel {
    */
   run(edge: number): number[] {
     return seamRun(this.graph, this.own[edge] ? this.own : this.all, edge);
+  }
+
+  /** The edges of the loop through an edge that are not cut yet. */
+  loop(edge: number): number[] {
+    const { graph, own } = this;
+    return edgeLoop(graph, edge).filter((e) => !own[e]);
+  }
+
+  /** The edges that bend by more than this and are not cut yet. */
+  sharpEdges(degrees: number): number[] {
+    const { graph, own } = this;
+    const edges: number[] = [];
+    graph.bends.forEach((bend, edge) => {
+      if (bend > degrees && !own[edge]) edges.push(edge);
+    });
+    return edges;
   }
 
   setSources(sources: SeamSources): void {

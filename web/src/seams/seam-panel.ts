@@ -1,5 +1,6 @@
 import type { MeshSummary } from 'abflat';
 import { showAlert } from '../base/alert';
+import { counted } from '../base/format';
 import { loadPart } from '../base/load-part';
 import { startOnce } from '../base/start-once';
 import type { DisplayMesh } from '../mesh/mesh';
@@ -12,6 +13,7 @@ import { SeamEditor } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
 import { SeamFiles } from './seam-files';
 import { SeamModel, type Surface } from './seam-model';
+import { SharpControl } from './sharp-control';
 import { SourceControl } from './source-control';
 
 const solids = () => loadPart(import('../surface/solid'));
@@ -33,11 +35,14 @@ export interface SeamPanelEvents {
 /** Everything on the page about seams: the sources, the editor, and what results from both. */
 export class SeamPanel {
   private readonly sources: SourceControl;
+  private readonly sharp: SharpControl;
   private readonly editor: SeamEditor | null;
   private model: SeamModel | null = null;
   private isUnwrapped = false;
   private readonly files: SeamFiles;
   private mesh: Editable | null = null;
+  /** The angle whose edges are to be shown. */
+  private sharpAimed: number | null = null;
   /** Makes the surface of the mesh when it is first needed. */
   private prepared: () => Promise<void> = () => Promise.resolve();
 
@@ -51,6 +56,11 @@ export class SeamPanel {
       this.model?.setSources(sources);
       this.changed();
     }, events.say);
+    this.sharp = new SharpControl({
+      aimed: (degrees) => void this.aimAtSharp(degrees),
+      marked: (degrees) => void this.markSharp(degrees),
+      say: events.say,
+    });
     this.files = new SeamFiles({
       text: () => this.seamText(),
       meshName: () => this.mesh?.name ?? '',
@@ -76,6 +86,30 @@ export class SeamPanel {
     const { model } = this;
     await this.prepare();
     return model?.isReady && model === this.model ? model : null;
+  }
+
+  /** Shows which edges would be marked. */
+  private async aimAtSharp(degrees: number | null): Promise<void> {
+    this.sharpAimed = degrees;
+    const model = degrees === null ? null : await this.ready();
+    if (degrees !== this.sharpAimed) return;
+    if (!model || degrees === null) {
+      this.editor?.show(null);
+      return;
+    }
+    const edges = model.sharpEdges(degrees);
+    this.editor?.show({ edges, text: sharpText(edges.length, degrees) });
+  }
+
+  /** Adds the edges that bend by more than this to the user's seams. */
+  private async markSharp(degrees: number): Promise<void> {
+    const model = await this.ready();
+    if (!model) return;
+    const count = model.cut(model.sharpEdges(degrees));
+    const what = `Marked ${counted(count, 'sharp edge')}`;
+    this.events.say(count > 0 ? what : sharpText(0, degrees));
+    if (count > 0) this.changed(what);
+    this.editor?.show(null);
   }
 
   /**
@@ -187,7 +221,14 @@ export class SeamPanel {
 
   private changed(what?: string): void {
     this.sources.show(this.choice);
+    const { sharp } = this.choice.sources;
+    if (sharp !== null) this.sharp.use(sharp);
     this.editor?.update();
     this.events.changed(what);
   }
+}
+
+function sharpText(count: number, degrees: number): string {
+  if (count === 0) return `No other edge bends by more than ${degrees}°`;
+  return `${counted(count, 'edge')} ${count === 1 ? 'bends' : 'bend'} by more than ${degrees}°`;
 }

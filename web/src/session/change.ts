@@ -18,6 +18,9 @@ const NAMES: Record<string, (value: never) => Change> = {
   t: (t: number | 'auto') => ({ text: `Boundary t ${bound(t)}`, stream: 't' }),
   balance: (balance: number) => ({ text: `Balance ${balance}`, stream: 'balance' }),
   delaunay: (isOn: boolean) => ({ text: isOn ? 'Delaunay' : 'Delaunay off' }),
+  bounds: (bounds: unknown[] | undefined) => ({
+    text: bounds ? `Bounds of ${counted(bounds.length, 'vertex', 'vertices')}` : 'No own bounds',
+  }),
   maxStretch: (most: number) => ({ text: `Max stretch ${most}`, stream: 'maxStretch' }),
   resolution: (texels: number) => ({ text: `Resolution ${texels}\u202fpx` }),
   padding: (texels: number) => ({ text: `Padding ${texels}`, stream: 'padding' }),

@@ -5,11 +5,11 @@ import type { FlattenSettings } from '../model/settings';
 export async function flattenIfPossible(
   abflat: Abflat,
   input: MeshInput,
-  { t, balance, delaunay }: Omit<FlattenSettings, 'mode'>,
+  { t, balance, delaunay, bounds }: Omit<FlattenSettings, 'mode'>,
   signal: AbortSignal,
 ): Promise<Report | null> {
   try {
-    return (await abflat.flatten(input, { t, balance, delaunay, signal })).report;
+    return (await abflat.flatten(input, { t, balance, delaunay, bounds, signal })).report;
   } catch (error) {
     if (error instanceof AbflatError && error.code === 'InfeasibleBound') return null;
     throw error;

@@ -1,6 +1,7 @@
 import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
 import { bound, count, counted, inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
+import { foundChart } from '../model/found-chart';
 import type { Flattened, Outcome, Source } from '../model/model';
 import { changedOptions } from '../model/more-options';
 import type { Mode, Settings } from '../model/settings';
@@ -30,7 +31,9 @@ export function settingsText(settings: Settings): string {
   }
   const delaunay = settings.delaunay ? ['Delaunay'] : [];
   const lengths = balanceText(settings.balance, FLATTEN_DEFAULTS.balance);
-  return [`t = ${bound(settings.t)}`, ...lengths, ...delaunay].join(', ');
+  const count = settings.bounds?.length ?? 0;
+  const own = count > 0 ? [`own bounds of ${counted(count, 'vertex', 'vertices')}`] : [];
+  return [`t = ${bound(settings.t)}`, ...own, ...lengths, ...delaunay].join(', ');
 }
 
 const balanceText = (balance: number, usual: number) =>
@@ -61,9 +64,10 @@ export function layoutInfo(outcome: Outcome): string {
   return counted(charts.length, 'chart') + tiles;
 }
 
-function boundInfo({ settings, result }: Flattened): string {
-  if (settings.t !== 'auto') return `t = ${bound(settings.t)}`;
-  const [chart] = result.report.charts;
+function boundInfo(outcome: Flattened): string {
+  const { t } = outcome.settings;
+  if (t !== 'auto') return `t = ${bound(t)}`;
+  const chart = foundChart(outcome);
   const tightened = chart.bounds.length;
   const but = tightened > 0 ? ` except at ${counted(tightened, 'vertex', 'vertices')}` : '';
   return `t = auto: ${chart.t >= 2 ? 'free' : bound(chart.t)}${but}`;
@@ -74,10 +78,13 @@ export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
   mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
 
 /**
- * For an edited atlas: the charts that did not change and those that were to stay where they are.
+ * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that did not change and those that were to stay where they are.
  */
 export function kept(outcome: Outcome): string {
-  if (outcome.mode === 'flatten') return '';
+  if (outcome.mode === 'flatten') {
+    const own = outcome.settings.bounds?.length ?? 0;
+    return own > 0 ? `; ${counted(own, 'own bound')}` : '';
+  }
   if (outcome.isRepacked) return '; packed again, as there was too little room';
   const { charts } = outcome.result.report;
   const known = charts.filter(({ solver }) => solver === 'known').length;

@@ -1,4 +1,7 @@
-import type { DisplayMesh } from '../mesh/mesh';
+import { areaVectors, type DisplayMesh } from '../mesh/mesh';
+
+/** In place of a face, where an edge has none. */
+export const NO_FACE = 0xffffffff;
 
 /**
  * The edges of a surface, between its places: vertices at the same point share a place, which is
@@ -12,6 +15,12 @@ export interface SurfaceGraph {
   lengths: Float64Array;
   /** Per edge: whether it has faces on both sides, so that it can be cut. */
   isInner: Uint8Array;
+  /** Whether all faces are triangles. */
+  isTriangular: boolean;
+  /** The two faces of each edge; none if there are more. */
+  sides: Uint32Array;
+  /** The angle between the normals of its two triangles, in degrees; 0 if there are not two. */
+  bends: Float32Array;
   /** The edges around place v are edgesAt[firstAt[v]] to edgesAt[firstAt[v + 1] - 1]. */
   firstAt: Uint32Array;
   edgesAt: Uint32Array;
@@ -21,7 +30,7 @@ export interface SurfaceGraph {
 interface Sides {
   low: Uint32Array;
   high: Uint32Array;
-  face: Uint32Array;
+  triangle: Uint32Array;
 }
 
 /** `faces`: the face of each triangle. Edges inside a face only triangulate it and are left out. */
@@ -30,7 +39,10 @@ export function surfaceGraph(
   places: Uint32Array,
   faces: Uint32Array | undefined,
 ): SurfaceGraph {
-  const { ends, uses } = uniqueEdges(sortedSides(indices, places, faces));
+  const { ends, uses, triangles } = uniqueEdges(sortedSides(indices, places), faces);
+  const areas = areaVectors({ positions, indices });
+  const sides = new Uint32Array(2 * uses.length).fill(NO_FACE);
+  const bends = new Float32Array(uses.length);
   const lengths = new Float64Array(uses.length);
   const isInner = new Uint8Array(uses.length);
   for (let e = 0; e < uses.length; ++e) {
@@ -41,8 +53,21 @@ export function surfaceGraph(
       positions[a + 1] - positions[b + 1],
       positions[a + 2] - positions[b + 2],
     );
+    if (uses[e] > 2) continue;
+    const [s, t] = triangles.subarray(2 * e, 2 * e + uses[e]);
+    sides[2 * e] = faces ? faces[s] : s;
+    if (t === undefined) continue;
+    sides[2 * e + 1] = faces ? faces[t] : t;
+    const runs = (triangle: number) =>
+      runsAlong(indices, places, triangle, ends[2 * e], ends[2 * e + 1]);
+    // Neighbours that face opposite ways run along their edge in the same direction.
+    bends[e] = degreesBetween(areas, 3 * s, 3 * t, runs(s) === runs(t) ? -1 : 1);
   }
-  return { places, ends, lengths, isInner, ...around(ends, places.length) };
+  const isTriangular = faces === undefined;
+  return {
+    ...{ places, ends, lengths, isInner, isTriangular, sides, bends },
+    ...around(ends, places.length),
+  };
 }
 
 export function otherEnd({ ends }: SurfaceGraph, edge: number, place: number): number {
@@ -57,19 +82,40 @@ export function edgeBetween(graph: SurfaceGraph, a: number, b: number): number {
   return -1;
 }
 
-function sortedSides(
+/** Whether a triangle goes from one place to the other along its border. */
+function runsAlong(
   indices: Uint32Array,
   places: Uint32Array,
-  faces: Uint32Array | undefined,
-): Sides {
+  triangle: number,
+  from: number,
+  to: number,
+): boolean {
+  const at = (k: number) => places[indices[3 * triangle + (k % 3)]];
+  return [0, 1, 2].some((k) => at(k) === from && at(k + 1) === to);
+}
+
+/**
+ * The angle between two vectors in an array, the second one times a sign; 0 if one of them has no
+ * length.
+ */
+function degreesBetween(v: ArrayLike<number>, i: number, j: number, sign: 1 | -1): number {
+  const x = v[i + 1] * v[j + 2] - v[i + 2] * v[j + 1];
+  const y = v[i + 2] * v[j] - v[i] * v[j + 2];
+  const z = v[i] * v[j + 1] - v[i + 1] * v[j];
+  const along = v[i] * v[j] + v[i + 1] * v[j + 1] + v[i + 2] * v[j + 2];
+  // Not -0, whose angle is 180 degrees.
+  return (Math.atan2(Math.hypot(x, y, z), sign * along || 0) * 180) / Math.PI;
+}
+
+function sortedSides(indices: Uint32Array, places: Uint32Array): Sides {
   const low = new Uint32Array(indices.length);
   const high = new Uint32Array(indices.length);
-  const face = new Uint32Array(indices.length);
+  const triangle = new Uint32Array(indices.length);
   let size = 0;
-  const add = (a: number, b: number, triangle: number) => {
+  const add = (a: number, b: number, t: number) => {
     low[size] = a < b ? a : b;
     high[size] = a < b ? b : a;
-    face[size++] = faces ? faces[triangle] : triangle;
+    triangle[size++] = t;
   };
   for (let c = 0; c < indices.length; c += 3) {
     const [i, j, k] = [places[indices[c]], places[indices[c + 1]], places[indices[c + 2]]];
@@ -81,7 +127,7 @@ function sortedSides(
   const byHigh = ordered(high.subarray(0, size), places.length);
   const byBoth = ordered(pick(low, byHigh), places.length);
   const order = pick(byHigh, byBoth);
-  return { low: pick(low, order), high: pick(high, order), face: pick(face, order) };
+  return { low: pick(low, order), high: pick(high, order), triangle: pick(triangle, order) };
 }
 
 /** The indices of keys below `most`, smallest key first, equal ones in their order. */
@@ -102,34 +148,54 @@ function pick(values: Uint32Array, rows: Uint32Array): Uint32Array {
   return picked;
 }
 
-/** Each edge of a face once, with its number of faces. */
-function uniqueEdges({ low, high, face }: Sides): { ends: Uint32Array; uses: Uint32Array } {
+interface UniqueEdges {
+  ends: Uint32Array;
+  /** The number of faces of each edge. */
+  uses: Uint32Array;
+  /** The first two triangles of each edge. */
+  triangles: Uint32Array;
+}
+
+/** Each edge of a face once. */
+function uniqueEdges({ low, high, triangle }: Sides, faces: Uint32Array | undefined): UniqueEdges {
   const ends = new Uint32Array(2 * low.length);
+  const triangles = new Uint32Array(2 * low.length);
   const uses = new Uint32Array(low.length);
   let size = 0;
   for (let from = 0, to = 0; from < low.length; from = to) {
     while (to < low.length && low[to] === low[from] && high[to] === high[from]) ++to;
-    const sides = sidesOfFaces(face, from, to);
-    if (sides === 0) continue;
+    let found = 0;
+    for (let i = from; i < to; ++i) {
+      if (faces && isInside(triangle, from, to, i, faces)) continue;
+      if (found < 2) triangles[2 * size + found] = triangle[i];
+      ++found;
+    }
+    if (found === 0) continue;
     ends[2 * size] = low[from];
     ends[2 * size + 1] = high[from];
-    uses[size++] = sides;
+    uses[size++] = found;
   }
-  return { ends: ends.slice(0, 2 * size), uses: uses.slice(0, size) };
+  return {
+    ends: ends.slice(0, 2 * size),
+    uses: uses.slice(0, size),
+    triangles: triangles.slice(0, 2 * size),
+  };
 }
 
 /**
- * How many of the sides `from` to `to` are not diagonals: inside a face, an edge has two triangles
- * of that face.
+ * Whether side `i`, one of the sides `from` to `to` of an edge, is inside a face: there, an edge has
+ * two triangles of that face.
  */
-function sidesOfFaces(face: Uint32Array, from: number, to: number): number {
-  let sides = 0;
-  for (let i = from; i < to; ++i) {
-    let isDiagonal = false;
-    for (let j = from; j < to; ++j) if (j !== i && face[j] === face[i]) isDiagonal = true;
-    if (!isDiagonal) ++sides;
-  }
-  return sides;
+function isInside(
+  triangle: Uint32Array,
+  from: number,
+  to: number,
+  i: number,
+  faces: Uint32Array,
+): boolean {
+  for (let j = from; j < to; ++j)
+    if (j !== i && faces[triangle[j]] === faces[triangle[i]]) return true;
+  return false;
 }
 
 function around(ends: Uint32Array, placeCount: number) {

@@ -10,6 +10,8 @@ export interface AimEvents {
   /** Aims at a pixel of the canvas, or with null at nothing. */
   moved(at: Pixel | null, modifiers: Modifiers): void;
   clicked(at: Pixel, modifiers: Modifiers): void;
+  /** The last two clicks were a double-click, or L was pressed. */
+  doubleClicked?(at: Pixel, modifiers: Modifiers): void;
 }
 
 /** Css pixels that the pointer may move during a click; beyond that, it turns the view. */
@@ -50,6 +52,9 @@ export class Aim {
     canvas.addEventListener('pointercancel', () => {
       this.pressed = null;
     });
+    canvas.addEventListener('dblclick', (event) =>
+      this.events.doubleClicked?.(this.pixelOf(event), modifiersOf(event)),
+    );
     canvas.addEventListener('keydown', (event) => this.onKey(event));
     canvas.addEventListener('blur', () => {
       if (this.isByKeys) this.leave();
@@ -110,6 +115,9 @@ export class Aim {
       event.preventDefault();
       this.isByKeys = true;
       this.events.clicked(this.middle, modifiersOf(event));
+    } else if (event.key.toUpperCase() === 'L' && !event.altKey && this.events.doubleClicked) {
+      event.preventDefault();
+      this.events.doubleClicked(this.at ?? this.middle, modifiersOf(event));
     } else if (VIEW_KEYS.includes(event.key)) {
       this.isByKeys = true;
       this.refresh();
@@ -123,7 +131,7 @@ export class Aim {
     if (this.at) this.refresh();
   }
 
-  private pixelOf({ clientX, clientY }: PointerEvent): Pixel {
+  private pixelOf({ clientX, clientY }: MouseEvent): Pixel {
     const { left, top } = this.canvas.getBoundingClientRect();
     return { x: clientX - left, y: clientY - top };
   }

@@ -14,7 +14,7 @@ import { createLayoutMaterial, paintLayout } from './layout-material';
 import { LookTextures } from './look-textures';
 import { PanZoom } from './pan-zoom';
 import { PinLayer } from './pin-layer';
-import { DOT, PointMarks, RING } from './point-marks';
+import { DOT, OWN_BOUND, PointMarks, RING } from './point-marks';
 import { isMeasure, type Shading } from './shading';
 import type { Pixel } from './sight';
 import { SlicedSurface } from './sliced-surface';
@@ -48,6 +48,7 @@ export class LayoutView {
   private readonly resisting = new EdgeLines(2.5, false);
   private readonly pins: PinLayer;
   private readonly dots = new PointMarks({ ...DOT, depthTest: false });
+  private readonly bounds = new PointMarks({ ...OWN_BOUND, depthTest: false });
   private readonly rings = new PointMarks({ ...RING, depthTest: false });
   private readonly panZoom: PanZoom;
   /** Size of the shown layout, which is centred on 0 and whose longer side is 1. */
@@ -95,6 +96,7 @@ export class LayoutView {
       ...this.edges.objects,
       this.resisting.object,
       this.dots.object,
+      this.bounds.object,
       this.rings.object,
       ...this.pins.objects,
     );
@@ -180,6 +182,19 @@ export class LayoutView {
   /** `moved` is called when another part of the layout is shown. */
   onMove(moved: () => void): void {
     this.moved = moved;
+  }
+
+  /** xyz in the plane and rgb per vertex. */
+  markBounds(points: Float32Array, tints: Float32Array): void {
+    this.bounds.show(points, tints);
+    this.stage.invalidate();
+  }
+
+  /** Where a point of the plane appears. */
+  pixelOf(x: number, y: number): Pixel {
+    const { x: midX, y: midY, scale } = this.panZoom;
+    const { width, height } = this.stage;
+    return { x: width / 2 + (x - midX) * scale, y: height / 2 - (y - midY) * scale };
   }
 
   picture(): Promise<HTMLCanvasElement> {
@@ -300,7 +315,7 @@ export class LayoutView {
 
   private resized(): void {
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
-    for (const marks of [this.dots, this.rings, this.pins])
+    for (const marks of [this.dots, this.bounds, this.rings, this.pins])
       marks.setPixelRatio(this.stage.pixelRatio);
     for (const lines of [this.frame, this.edges, this.resisting])
       lines.setResolution(this.stage.width, this.stage.height);

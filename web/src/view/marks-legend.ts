@@ -1,10 +1,12 @@
 import type { DelaunayReport, VertexBound } from 'abflat';
 import { create, element } from '../base/dom';
-import { counted, measure } from '../base/format';
+import { counted, measure, ownBoundsText } from '../base/format';
 
 /** The part of a report that is shown beside the layout. */
 export interface Marked {
   bounds: VertexBound[];
+  /** Vertices whose bound the user has chosen. */
+  ownBounds?: number;
   boundaryCrossings: number;
   delaunay: DelaunayReport | null;
   angularDistortion: number | null;
@@ -30,9 +32,10 @@ export function showMarksLegend(marked: Marked | null): void {
 function linesOf(marked: Marked): [string, string][] {
   const { bounds, boundaryCrossings, delaunay } = marked;
   const lines: [string, string][] = [];
-  const { invalidCharts = 0 } = marked;
+  const { invalidCharts = 0, ownBounds = 0 } = marked;
   if (invalidCharts > 0)
     lines.push(['line', counted(invalidCharts, 'chart is not valid', 'charts are not valid')]);
+  if (ownBounds > 0) lines.push(['own', ownBoundsText(ownBounds)]);
   if (bounds.length > 0)
     lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
   if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);

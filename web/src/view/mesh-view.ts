@@ -11,7 +11,7 @@ import { ChartPicker } from './chart-picker';
 import { fitInView } from './fit-in-view';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { LookTextures } from './look-textures';
-import { DOT, PointMarks } from './point-marks';
+import { DOT, OWN_BOUND, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seam-overlay';
 import { isMeasure, type Shading } from './shading';
 import { type Pixel, Sight } from './sight';
@@ -50,6 +50,7 @@ export class MeshView {
   private readonly textures: LookTextures;
   private readonly edges = new ChartEdges(1.75, true);
   private readonly dots = new PointMarks({ ...DOT, depthTest: true });
+  private readonly bounds = new PointMarks({ ...OWN_BOUND, depthTest: true });
   private readonly seams = new SeamOverlay();
   /** `FRAME` of each shown chart. */
   private frames: Float32Array = new Float32Array();
@@ -83,7 +84,13 @@ export class MeshView {
     this.flags = new ChartFlags([this.material, this.picker.material]);
     this.textures = new LookTextures(this.stage.renderer, this.material);
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
-    this.scene.add(this.surface.object, ...this.edges.objects, this.dots.object, this.seams.object);
+    this.scene.add(
+      this.surface.object,
+      ...this.edges.objects,
+      this.dots.object,
+      this.bounds.object,
+      this.seams.object,
+    );
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
@@ -141,6 +148,12 @@ export class MeshView {
   /** `points` has xyz per vertex, in the unit sphere. */
   markSeams(points: Float32Array, marks: SeamMarks): void {
     if (this.seams.show(points, marks)) this.stage.invalidate();
+  }
+
+  /** xyz and rgb per vertex. */
+  markBounds(points: Float32Array, tints: Float32Array): void {
+    this.bounds.show(points, tints);
+    this.stage.invalidate();
   }
 
   private colorBoundary(): void {
@@ -279,7 +292,7 @@ export class MeshView {
     this.camera.aspect = this.stage.width / this.stage.height;
     this.camera.updateProjectionMatrix();
     this.material.uniforms.pixelRatio.value = this.stage.pixelRatio;
-    this.dots.setPixelRatio(this.stage.pixelRatio);
+    for (const marks of [this.dots, this.bounds]) marks.setPixelRatio(this.stage.pixelRatio);
     this.edges.setResolution(this.stage.width, this.stage.height);
     this.seams.setSize(this.stage.width, this.stage.height, this.stage.pixelRatio);
     if (this.isFitted) this.fit(this.from);

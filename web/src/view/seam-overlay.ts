@@ -9,26 +9,31 @@ export interface SeamMarks {
   /** Pairs of vertices. */
   cut: Uint32Array;
   joined: Uint32Array;
+  /** Edges that could be cut instead. */
+  offered: Uint32Array;
   vertices: Uint32Array;
 }
 
 export const NO_MARKS: SeamMarks = {
   cut: new Uint32Array(),
   joined: new Uint32Array(),
+  offered: new Uint32Array(),
   vertices: new Uint32Array(),
 };
 
 const sameArray = (a: Uint32Array, b: Uint32Array) =>
   a.length === b.length && a.every((x, i) => x === b[i]);
 
-const sameMarks = (a: SeamMarks, b: SeamMarks) =>
-  sameArray(a.cut, b.cut) && sameArray(a.joined, b.joined) && sameArray(a.vertices, b.vertices);
+const KINDS = ['cut', 'joined', 'offered', 'vertices'] as const;
 
-const isEmpty = ({ cut, joined, vertices }: SeamMarks) =>
-  cut.length + joined.length + vertices.length === 0;
+const sameMarks = (a: SeamMarks, b: SeamMarks) =>
+  KINDS.every((kind) => sameArray(a[kind], b[kind]));
+
+const isEmpty = (marks: SeamMarks) => KINDS.every((kind) => marks[kind].length === 0);
 
 /** Css pixels. */
 const WIDTH = 4;
+const THIN = 2;
 const VERTEX = { ...DOT, size: 11 };
 
 /** The marks in the 3D view. */
@@ -36,13 +41,16 @@ export class SeamOverlay {
   readonly object = new Group();
   private readonly cut = new EdgeLines(WIDTH, true);
   private readonly joined = new EdgeLines(WIDTH, true);
+  private readonly offered = new EdgeLines(THIN, true);
   private readonly vertices = new PointMarks({ ...VERTEX, depthTest: true });
+  private readonly lines: EdgeLines[];
   private points: Float32Array = new Float32Array();
   private marks: SeamMarks = NO_MARKS;
 
   constructor() {
-    this.object.add(this.cut.object, this.joined.object, this.vertices.object);
-    for (const { object } of [this.cut, this.joined]) object.renderOrder = 2;
+    this.lines = [this.cut, this.joined, this.offered];
+    this.object.add(...this.lines.map(({ object }) => object), this.vertices.object);
+    for (const { object } of this.lines) object.renderOrder = 2;
     this.vertices.object.renderOrder = 3;
   }
 
@@ -52,9 +60,10 @@ export class SeamOverlay {
     if (isSame) return false;
     this.points = points;
     this.marks = marks;
-    const { cut, joined, vertices } = marks;
+    const { cut, joined, offered, vertices } = marks;
     this.cut.show(perCorner(points, 3, cut));
     this.joined.show(perCorner(points, 3, joined));
+    this.offered.show(perCorner(points, 3, offered));
     this.vertices.show(perCorner(points, 3, vertices));
     return true;
   }
@@ -62,11 +71,12 @@ export class SeamOverlay {
   setPalette({ cut, flipped }: Palette): void {
     this.cut.setColor(cut);
     this.joined.setColor(flipped);
+    this.offered.setColor(cut);
     this.vertices.setColor(cut);
   }
 
   setSize(width: number, height: number, pixelRatio: number): void {
-    for (const lines of [this.cut, this.joined]) lines.setResolution(width, height);
+    for (const lines of this.lines) lines.setResolution(width, height);
     this.vertices.setPixelRatio(pixelRatio);
   }
 }

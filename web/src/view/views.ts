@@ -1,12 +1,15 @@
 import type { Box } from '../arrange/charts';
 import type { Motion, Point } from '../arrange/motion';
 import { bindToggle, element } from '../base/dom';
-import { readPalette } from '../colors/palette';
+import { type Palette, readPalette } from '../colors/palette';
+import type { VertexBounds } from '../mesh/vertex-bounds';
 import type { Appearance } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
+import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
-import type { Outcome, Source, Unwrapped } from '../model/model';
+import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import type { Bending } from './bending';
+import { type Boundary, boundaryOf, boundMarks, NO_BOUND_MARKS } from './boundary';
 import { type ChartStates, NO_STATES } from './chart-flags';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
@@ -26,6 +29,11 @@ export class Views {
   /** Of the mesh that was opened last; null if it is not known. */
   private look: { source: Source; appearance: Appearance } | null = null;
   private readonly shading: ShadingControl;
+  private palette: Palette | null = null;
+  private bounds: VertexBounds = [];
+  private isMarked = false;
+  /** Of the disk on screen, if it is a result. */
+  private shownBoundary: Boundary | null = null;
 
   /** Throws NoWebGl if the browser offers no WebGL 2. */
   constructor() {
@@ -64,13 +72,50 @@ export class Views {
 
   updateTheme(): void {
     const palette = readPalette();
+    this.palette = palette;
     this.mesh.setPalette(palette);
     this.layout.setPalette(palette);
+    this.drawBounds();
   }
 
   /** Shows a mesh that is not flattened (yet); the layout of the previous mesh stays. */
   showMesh(drawing: Drawing): void {
     this.mesh.show(drawing);
+    this.showBoundary(null);
+  }
+
+  get boundary(): Boundary | null {
+    return this.shownBoundary;
+  }
+
+  /** Marks the vertices that have a bound of their own. */
+  markBounds(bounds: VertexBounds): void {
+    this.bounds = bounds;
+    this.drawBounds();
+  }
+
+  private showBoundary(boundary: Boundary | null): void {
+    this.shownBoundary = boundary;
+    this.drawBounds();
+  }
+
+  private drawBounds(): void {
+    const { palette, shownBoundary } = this;
+    if (!palette) return;
+    const isMarked = shownBoundary !== null && this.bounds.length > 0;
+    // Nothing is drawn again for nothing.
+    if (!isMarked && !this.isMarked) return;
+    this.isMarked = isMarked;
+    const { mesh, layout, tints } = isMarked
+      ? boundMarks(shownBoundary, this.bounds, palette)
+      : NO_BOUND_MARKS;
+    this.mesh.markBounds(mesh, tints);
+    this.layout.markBounds(layout, tints);
+  }
+
+  /** Where a vertex of the boundary appears in the layout. */
+  layoutPixel({ layout }: Boundary, i: number): Pixel {
+    return this.layout.pixelOf(layout[3 * i], layout[3 * i + 1]);
   }
 
   /** How a mesh looks in its file; null while that is not known. Images of the last one are freed. */
@@ -185,7 +230,9 @@ export class Views {
     const isDisk = outcome.mode === 'flatten';
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;
-    this.showFlat(drawing, isDisk ? outcome.result.report.charts[0] : markedIn(outcome), isNew);
+    const marked = outcome.mode === 'flatten' ? markedInDisk(outcome) : markedIn(outcome);
+    this.showFlat(drawing, marked, isNew);
+    if (isDisk) this.showBoundary(boundaryOf(drawing));
   }
 
   /** Shows another layout of the current mesh; `marked` is null if nothing is marked. */
@@ -194,10 +241,16 @@ export class Views {
     // The point of view was chosen when the mesh was opened.
     this.mesh.show(drawing);
     this.layout.show(drawing, isNew);
+    this.showBoundary(null);
     this.shading.show(drawing);
     showMarksLegend(marked);
   }
 }
+
+const markedInDisk = (outcome: Flattened): Marked => ({
+  ...foundChart(outcome),
+  ownBounds: outcome.settings.bounds?.length,
+});
 
 /** What is marked in an atlas; nothing if it is valid. */
 function markedIn({ result: { report } }: Unwrapped): Marked | null {

@@ -1,0 +1,164 @@
+import type { VertexBound } from 'abflat';
+import { showAlert } from './base/alert';
+import { element } from './base/dom';
+import { bound, counted, ownBoundsText } from './base/format';
+import { loadPart, reasonOf } from './base/load-part';
+import type { BoundBrush } from './bound-brush';
+import { LEAST, MOST, meaning, STEP } from './controls/bound-control';
+import { differences, type VertexBounds, withBound, withoutBound } from './mesh/vertex-bounds';
+import type { Outcome } from './model/model';
+import type { Solid } from './surface/solid';
+import type { Views } from './view/views';
+import type { Workshop } from './workshop/workshop';
+
+export interface PaintingEvents {
+  /** What is asked for now. */
+  bounds(): VertexBounds;
+  changed(bounds: VertexBound[], what: string): void;
+  say(text: string): void;
+}
+
+const INVITATION = 'Drag along the boundary';
+const vertices = (n: number) => counted(n, 'vertex', 'vertices');
+
+/** The bar below a disk with which bounds are painted on its boundary. */
+export class BoundPainting {
+  private readonly bar = element('bound-tools', HTMLElement);
+  private readonly options = element('bound-options', HTMLElement);
+  private readonly paint = element('bound-paint', HTMLButtonElement);
+  private readonly erase = element('bound-erase', HTMLButtonElement);
+  private readonly clear = element('bound-clear', HTMLButtonElement);
+  private readonly slider = element('bound-t', HTMLInputElement);
+  private readonly value = element('bound-t-value', HTMLOutputElement);
+  private readonly hint = element('bound-hint', HTMLElement);
+  private brush: BoundBrush | null = null;
+  private outcome: Outcome | null = null;
+  /** The mesh on screen, once the brush has asked for it. */
+  private solid: { mesh: unknown; solid: Solid } | null = null;
+
+  constructor(
+    private readonly views: Views,
+    private readonly workshop: Workshop,
+    private readonly events: PaintingEvents,
+  ) {
+    this.slider.min = String(LEAST);
+    this.slider.max = String(MOST);
+    this.slider.step = String(STEP);
+    this.slider.value = '1';
+    this.slider.addEventListener('input', () => this.showValue());
+    this.paint.addEventListener('click', () => this.toggle());
+    this.erase.addEventListener('click', () => press(this.erase, !isPressed(this.erase)));
+    this.clear.addEventListener('click', () => this.events.changed([], 'Cleared all own bounds'));
+    for (const view of ['mesh', 'layout'] as const)
+      views.canvasOf(view).addEventListener('keydown', (event) => this.onKey(event));
+    this.showValue();
+  }
+
+  /** Shows the tools for a disk; null: there is none. */
+  show(outcome: Outcome | null): void {
+    this.outcome = outcome?.mode === 'flatten' ? outcome : null;
+    this.bar.hidden = this.outcome === null;
+    if (this.bar.hidden) this.turn(false);
+    if (this.isOn) this.prepare();
+    this.update();
+  }
+
+  /** Other bounds are asked for. */
+  update(): void {
+    const bounds = this.outcome ? this.events.bounds() : [];
+    this.views.markBounds(bounds);
+    this.clear.hidden = bounds.length === 0;
+    this.hint.textContent = this.isOn ? INVITATION : '';
+    if (!this.isOn && bounds.length > 0) this.hint.textContent = ownBoundsText(bounds.length);
+  }
+
+  private get isOn(): boolean {
+    return isPressed(this.paint);
+  }
+
+  private get t(): number {
+    return this.slider.valueAsNumber;
+  }
+
+  private showValue(): void {
+    this.value.textContent = `${bound(this.t)}, ${meaning(this.t)}`;
+    this.slider.setAttribute('aria-valuetext', this.value.textContent);
+    this.slider.style.setProperty('--value', String((this.t - LEAST) / (MOST - LEAST)));
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.key.toUpperCase() !== 'B' || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.bar.hidden) return;
+    event.preventDefault();
+    this.toggle();
+  }
+
+  private toggle(): void {
+    this.turn(!this.isOn);
+    if (this.isOn) this.prepare();
+    this.update();
+  }
+
+  private turn(isOn: boolean): void {
+    press(this.paint, isOn);
+    this.options.hidden = !isOn;
+  }
+
+  private prepare(): void {
+    this.load().catch((error: Error) => {
+      this.turn(false);
+      showAlert(`Bounds cannot be painted: ${reasonOf(error)}`);
+    });
+  }
+
+  private async load(): Promise<void> {
+    const mesh = this.outcome?.mesh;
+    if (!mesh) return;
+    const [{ BoundBrush }, { Solid }] = await Promise.all([
+      loadPart(import('./bound-brush')),
+      loadPart(import('./surface/solid')),
+    ]);
+    this.brush ??= new BoundBrush(
+      this.views,
+      () => (this.solid?.mesh === this.outcome?.mesh ? (this.solid?.solid ?? null) : null),
+      {
+        isOn: () => this.isOn,
+        erases: (isAlt) => isAlt !== isPressed(this.erase),
+        aimed: (aimed, erases) => this.preview(aimed, erases),
+        painted: (painted, erases) => this.finish(painted, erases),
+      },
+    );
+    if (this.solid?.mesh === mesh) return;
+    const { solid } = await this.workshop.surface(mesh, true);
+    if (mesh === this.outcome?.mesh) this.solid = { mesh, solid: new Solid(solid) };
+  }
+
+  private after(painted: ReadonlySet<number>, erases: boolean): VertexBound[] {
+    const bounds = this.events.bounds();
+    return erases ? withoutBound(bounds, painted) : withBound(bounds, painted, this.t);
+  }
+
+  private preview(aimed: ReadonlySet<number>, erases: boolean): void {
+    const bounds = this.after(aimed, erases);
+    this.views.markBounds(bounds);
+    const what = erases ? 'erase' : `paint ${this.value.textContent}`;
+    this.hint.textContent = aimed.size > 0 ? `${vertices(aimed.size)}: ${what}` : INVITATION;
+  }
+
+  private finish(painted: ReadonlySet<number>, erases: boolean): void {
+    const bounds = this.after(painted, erases);
+    const count = differences(this.events.bounds(), bounds);
+    if (count === 0) {
+      this.update();
+      this.events.say(painted.size > 0 ? 'No bound has changed' : 'There is no boundary here');
+      return;
+    }
+    this.events.changed(bounds, `${erases ? 'Erased' : 'Painted'} bounds of ${vertices(count)}`);
+  }
+}
+
+const isPressed = (button: HTMLButtonElement) => button.ariaPressed === 'true';
+
+function press(button: HTMLButtonElement, isOn: boolean): void {
+  button.ariaPressed = String(isOn);
+}
