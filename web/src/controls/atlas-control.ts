@@ -1,6 +1,6 @@
 import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from '../base/dom';
-import { count } from '../base/format';
+import { STRETCH_LIMIT } from '../base/english';
 import type { UnwrapSettings } from '../model/settings';
 import { BalanceControl } from './balance-control';
 import { MoreControl } from './more-control';
@@ -12,10 +12,10 @@ export const STRETCHES = [
 ];
 /** Labels below the slider; at its ends they say what that end is good for. */
 const TICKS = [
-  { stretch: 1.005, name: 'more seams' },
+  { stretch: 1.005, name: STRETCH_LIMIT.more },
   { stretch: UNWRAP_DEFAULTS.maxStretch, name: '' },
   { stretch: 1.1, name: '' },
-  { stretch: 2, name: 'fewer seams' },
+  { stretch: 2, name: STRETCH_LIMIT.fewer },
 ];
 export const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
 
@@ -39,7 +39,7 @@ export class AtlasControl {
     this.slider.max = String(STRETCHES.length - 1);
     this.slider.valueAsNumber = STRETCHES.indexOf(UNWRAP_DEFAULTS.maxStretch);
     this.resolution.append(
-      ...RESOLUTIONS.map((texels) => new Option(`${count(texels)}\u202fpx`, String(texels))),
+      ...RESOLUTIONS.map((texels) => new Option(STRETCH_LIMIT.pixels(texels), String(texels))),
     );
     this.resolution.value = String(UNWRAP_DEFAULTS.resolution);
     this.padding = new NumberField<number>(
@@ -97,14 +97,14 @@ export class AtlasControl {
 
   private showStretch(): void {
     const { maxStretch } = this.settings;
-    const lengths = `lengths \u00b1${lengthChange(maxStretch)}\u202f%`;
-    const hint = this.isCutting ? lengths : 'not enforced';
+    const lengths = STRETCH_LIMIT.lengths(lengthChange(maxStretch));
+    const hint = this.isCutting ? lengths : STRETCH_LIMIT.notEnforced;
     this.value.value = String(maxStretch);
     this.hint.textContent = hint;
     this.hint.title = this.isCutting
-      ? 'Limit for the average stretch of each chart. A lower limit gives more seams and charts'
-      : `Auto is off, so no cuts enforce ${lengths}. Press Auto, or Cut further next to the result`;
-    this.slider.setAttribute('aria-valuetext', `${maxStretch}: ${hint}`);
+      ? STRETCH_LIMIT.about
+      : STRETCH_LIMIT.aboutNotEnforced(lengths);
+    this.slider.setAttribute('aria-valuetext', STRETCH_LIMIT.readOut(maxStretch, hint));
     this.slider.style.setProperty('--value', String(share(maxStretch)));
   }
 

@@ -1,5 +1,6 @@
 import { FLATTEN_DEFAULTS, UNWRAP_DEFAULTS } from 'abflat';
 import { element } from '../base/dom';
+import { BALANCE } from '../base/english';
 import type { Mode } from '../model/settings';
 
 export const BALANCE_STEP = 0.05;
@@ -35,13 +36,13 @@ export class BalanceControl {
   private show(): void {
     const { balance } = this;
     this.output.value = String(balance);
-    this.slider.setAttribute('aria-valuetext', `${balance}: ${meaning(balance)}`);
+    this.slider.setAttribute('aria-valuetext', BALANCE.readOut(balance, meaning(balance)));
     this.slider.style.setProperty('--value', String(balance));
   }
 }
 
 function meaning(balance: number): string {
-  if (balance === 0) return 'angles as flattened';
-  if (balance === 1) return 'lengths and areas as well as possible';
-  return 'angles traded for lengths';
+  if (balance === 0) return BALANCE.angles;
+  if (balance === 1) return BALANCE.lengths;
+  return BALANCE.between;
 }

@@ -1,7 +1,7 @@
 import { type ChartReport, FLATTEN_DEFAULTS } from 'abflat';
 import { create, element } from '../base/dom';
+import { BOUND, NUMBERS } from '../base/english';
 import { type Bound, bound } from '../base/format';
-import { refusal } from './number-field';
 
 export const LEAST = 0.9;
 export const MOST = 2;
@@ -10,11 +10,11 @@ export const BOUND_RULE = { type: 'number', atLeast: LEAST, atMost: MOST };
 export const STEP = 0.01;
 const TICKS = [
   { t: 0.9, name: '' },
-  { t: 1, name: 'convex' },
+  { t: 1, name: BOUND.convex },
   { t: 1.25, name: '' },
   { t: 1.5, name: '' },
   { t: 1.75, name: '' },
-  { t: 2, name: 'free' },
+  { t: 2, name: BOUND.free },
 ];
 
 /** Slider and number field for t. */
@@ -108,7 +108,7 @@ export class BoundControl {
     const isUsable = t >= LEAST && t <= MOST;
     this.field.setAttribute('aria-invalid', String(!isUsable));
     if (!isUsable) {
-      this.hint.textContent = `from ${LEAST} to ${MOST}`;
+      this.hint.textContent = NUMBERS.range(BOUND_RULE);
       return;
     }
     if (t === this.current && !this.isAuto) return;
@@ -119,8 +119,7 @@ export class BoundControl {
   }
 
   private refuse(): void {
-    const kept = this.isAuto ? 'auto' : bound(this.current);
-    this.say(refusal('t', this.field.value, `from ${LEAST} to ${MOST}`, kept));
+    this.say(NUMBERS.refused('t', this.field.value, NUMBERS.range(BOUND_RULE), bound(this.t)));
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -139,8 +138,9 @@ export class BoundControl {
 
   private showSlider(): void {
     this.slider.valueAsNumber = this.current;
-    const hint = `${this.isAuto ? 'auto: ' : ''}${meaning(this.current)}`;
-    this.slider.setAttribute('aria-valuetext', `${bound(this.current)}, ${hint}`);
+    const angles = meaning(this.current);
+    const hint = this.isAuto ? BOUND.found(angles) : angles;
+    this.slider.setAttribute('aria-valuetext', BOUND.readOut(this.current, hint));
     this.slider.style.setProperty('--value', String((this.current - LEAST) / (MOST - LEAST)));
     this.hint.textContent = hint;
   }
@@ -153,7 +153,7 @@ export class BoundControl {
       tick.append(create('span', 'tick-value', bound(t)));
       if (tick instanceof HTMLButtonElement) {
         tick.type = 'button';
-        tick.prepend(create('span', 'visually-hidden', 't = '));
+        tick.prepend(create('span', 'visually-hidden', BOUND.beforeTick));
         tick.append(' ', create('span', 'tick-name', name));
         tick.addEventListener('click', () => this.set(t));
       }
@@ -164,7 +164,7 @@ export class BoundControl {
 
 /** What t means for the boundary's interior angles. */
 export function meaning(t: number): string {
-  if (t >= MOST) return 'free';
-  if (t === 1) return 'convex';
-  return `up to ${Math.round(180 * t * 10) / 10}°`;
+  if (t >= MOST) return BOUND.free;
+  if (t === 1) return BOUND.convex;
+  return BOUND.upTo(Math.round(180 * t * 10) / 10);
 }

@@ -1,25 +1,12 @@
 import type { MeshSummary, StatusName } from 'abflat';
 import { element } from '../base/dom';
+import { DISK_PROBLEMS, MODE_HINTS, NO_DISK } from '../base/english';
 import { sentence } from '../base/format';
 import type { Mode } from '../model/settings';
 
 const MODES: Mode[] = ['flatten', 'unwrap'];
 
-const HINTS: Record<Mode, string> = {
-  flatten: 'one chart',
-  unwrap: 'charts in a square',
-};
-
-/** Why a mesh cannot be flattened, in two words. */
-const NO_DISK: Partial<Record<StatusName, string>> = {
-  DegenerateFace: 'Degenerate faces',
-  NonManifoldEdge: 'Non-manifold edges',
-  InconsistentOrientation: 'Flipped faces',
-  MultipleComponents: 'Several components',
-  ClosedSurface: 'Closed surface',
-  MultipleBoundaryLoops: 'Several boundaries',
-  HasHandles: 'Handles',
-};
+const PROBLEMS: Partial<Record<StatusName, string>> = DISK_PROBLEMS;
 
 /** Unwrap, or for disks flatten if the user prefers that; the choice stays for later disks. */
 export class ModeSwitch {
@@ -68,8 +55,8 @@ export class ModeSwitch {
     });
     const { ok, code, message } = this.disk;
     this.buttons[0].disabled = !ok;
-    const reason = NO_DISK[code as StatusName];
-    this.hint.textContent = ok ? HINTS[this.mode] : `${reason ?? 'Not a disk'}: use Unwrap`;
+    const problem = PROBLEMS[code as StatusName];
+    this.hint.textContent = ok ? MODE_HINTS[this.mode] : NO_DISK.useUnwrap(problem);
     this.hint.title = ok ? '' : `${sentence(message)}.`;
     document.body.dataset.mode = this.mode;
   }

@@ -1,5 +1,6 @@
 import { UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from '../base/dom';
+import { OPTIONS } from '../base/english';
 import { sentence } from '../base/format';
 import {
   canHaveTiles,
@@ -12,9 +13,6 @@ import {
   usedOptions,
 } from '../model/more-options';
 import { NumberField } from './number-field';
-
-const KEEP_UV =
-  'Faces with UVs in the file keep them exactly; all others are unwrapped and packed around them';
 
 /**
  * Further options of an atlas. They open with a button, which names the options that differ from
@@ -36,7 +34,7 @@ export class MoreControl {
     private readonly say: (text: string) => void,
   ) {
     for (const name of MORE) this.add(name);
-    this.keepUv = this.switchOf('more-keep-uv', 'Keep UVs of the file', KEEP_UV);
+    this.keepUv = this.switchOf('more-keep-uv', OPTIONS.keepUvs, OPTIONS.aboutKeepUvs);
     this.keepUv.hidden = true;
     this.keepUv.addEventListener('click', () => {
       const { fixedFaces, ...others } = this.options;
@@ -129,7 +127,7 @@ export class MoreControl {
     this.shows.push(() => button.setAttribute('aria-pressed', String(this.options[name])));
     button.addEventListener('click', () => this.set({ [name]: !this.options[name] }));
     if (name !== 'udim') return;
-    button.title += '. Needs a numeric texel density';
+    button.title += OPTIONS.tilesNeedDensity;
     this.udim = button;
   }
 

@@ -1,4 +1,5 @@
 import { create, element } from '../base/dom';
+import { OPENED_NOTICE } from '../base/english';
 import type { FileSource } from '../model/model';
 
 /** What may be done with meshes that were chosen at once. */
@@ -36,7 +37,7 @@ export class Notice {
   private closing(): HTMLElement {
     const close = create('button', 'alert-close', '×');
     close.type = 'button';
-    close.ariaLabel = 'Close this notice';
+    close.ariaLabel = OPENED_NOTICE.close;
     close.addEventListener('click', () => this.hide());
     return close;
   }
@@ -49,10 +50,8 @@ export class Notice {
     if (together.length < 2) return [];
     const row = create('div', 'notice-choices');
     row.append(
-      this.choice('Open as tabs', 'Each with a layout of its own', () =>
-        this.events.tabs(together),
-      ),
-      this.choice('One atlas', 'All as one mesh, in one layout', () =>
+      this.choice(OPENED_NOTICE.tabs, OPENED_NOTICE.aboutTabs, () => this.events.tabs(together)),
+      this.choice(OPENED_NOTICE.oneAtlas, OPENED_NOTICE.aboutOneAtlas, () =>
         this.events.oneAtlas(together),
       ),
     );
@@ -73,11 +72,10 @@ export class Notice {
 
 function compressed({ name }: FileSource, compressions: string[]): string[] {
   if (compressions.length === 0) return [];
-  const by = compressions.join(' and ');
-  return [`${name} was compressed with ${by}. The export is uncompressed.`];
+  return [OPENED_NOTICE.compressed(name, compressions)];
 }
 
 function oneOfMany({ name }: FileSource, together: FileSource[]): string[] {
   if (together.length < 2) return [];
-  return [`You chose ${together.length} meshes. ${name} is open.`];
+  return [OPENED_NOTICE.oneOfMany(name, together.length)];
 }

@@ -1,3 +1,5 @@
+import { NUMBERS } from '../base/english';
+
 /** The values that an option of abflat allows. */
 export interface NumberRule {
   readonly type: string;
@@ -24,7 +26,7 @@ export class NumberField<T extends number | 'auto'> {
     input.inputMode = rule.type === 'integer' ? 'numeric' : 'decimal';
     if (rule.atLeast !== undefined) input.min = String(rule.atLeast);
     if (rule.atMost !== undefined) input.max = String(rule.atMost);
-    if (this.takesAuto) input.placeholder = 'auto';
+    if (this.takesAuto) input.placeholder = NUMBERS.auto;
     this.show();
     input.addEventListener('input', () => this.read());
     input.addEventListener('change', () => {
@@ -44,8 +46,8 @@ export class NumberField<T extends number | 'auto'> {
   }
 
   private get refusal(): string {
-    const name = this.input.labels?.[0]?.textContent ?? 'The number';
-    return refusal(name, this.input.value, rangeText(this.rule), String(this.value));
+    const name = this.input.labels?.[0]?.textContent ?? NUMBERS.unnamed;
+    return refusal(name, this.input.value, NUMBERS.range(this.rule), String(this.value));
   }
 
   private show(): void {
@@ -75,15 +77,5 @@ export function fits(value: number, rule: NumberRule): boolean {
   );
 }
 
-/** "a whole number from 0 to 256" */
-function rangeText({ above, atLeast = 0, atMost, type }: NumberRule): string {
-  const low = above === undefined ? `from ${atLeast}` : `above ${above}`;
-  const high = atMost === undefined ? '' : ` to ${atMost}`;
-  return `${type === 'integer' ? 'a whole number ' : ''}${low}${high}`;
-}
-
-/** Why the typed value was not taken; `kept` stays in use. */
-export function refusal(name: string, typed: string, range: string, kept: string): string {
-  const unused = typed === '' ? '' : `${typed} was ignored: `;
-  return `${unused}${name} must be ${range}. It is still ${kept}.`;
-}
+/** Why the typed value was not taken. */
+export const refusal = NUMBERS.refused;

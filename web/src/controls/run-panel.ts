@@ -1,18 +1,6 @@
 import { element } from '../base/dom';
+import { SOLVER_PROGRESS, STAGES } from '../base/english';
 import type { AnyProgress } from '../model/model';
-
-const STAGES: Record<AnyProgress['stage'], string> = {
-  read: 'Reading',
-  connectivity: 'Analysing the surface',
-  surface: 'Analysing the surface',
-  seams: 'Finding seams',
-  solve: 'Solving',
-  layout: 'Laying out',
-  refine: 'Refining',
-  pack: 'Packing charts',
-  check: 'Checking',
-  write: 'Writing',
-};
 
 /** In milliseconds: showing the progress of faster runs would only flicker. */
 const QUIET = 120;
@@ -58,9 +46,9 @@ export class RunPanel {
   progress({ stage, newtonStep, constraintResidual, fraction }: AnyProgress): void {
     this.bar.value = fraction;
     if (!this.bar.classList.contains('active')) return;
-    const step =
-      newtonStep > 0 ? `, step ${newtonStep}, residual ${constraintResidual.toExponential(0)}` : '';
-    this.text.textContent = `${STAGES[stage]}${step}`;
+    const name = STAGES[stage];
+    this.text.textContent =
+      newtonStep > 0 ? SOLVER_PROGRESS.atStep(name, newtonStep, constraintResidual) : name;
   }
 
   /** Work other than a run, which can be cancelled too. */

@@ -1,4 +1,5 @@
 import { element, isTyping } from '../base/dom';
+import { STEP_BUTTONS } from '../base/english';
 
 export interface StepButtonEvents {
   undo(): void;
@@ -25,14 +26,11 @@ export class StepButtons {
 
   /** `undoes`, `redoes`: what would be taken back and done again; null if nothing. */
   show(undoes: string | null, redoes: string | null): void {
-    name(this.undo, 'Undo', 'Ctrl+Z', undoes);
-    name(this.redo, 'Redo', 'Ctrl+Shift+Z', redoes);
+    this.undo.disabled = undoes === null;
+    this.undo.title = STEP_BUTTONS.undo(undoes);
+    this.redo.disabled = redoes === null;
+    this.redo.title = STEP_BUTTONS.redo(redoes);
   }
-}
-
-function name(button: HTMLButtonElement, verb: string, keys: string, what: string | null): void {
-  button.disabled = what === null;
-  button.title = what === null ? `${verb} (${keys})` : `${verb}: ${what} (${keys})`;
 }
 
 const keyOf = ({ key, shiftKey }: KeyboardEvent) =>

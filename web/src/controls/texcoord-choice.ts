@@ -1,4 +1,5 @@
 import { element } from '../base/dom';
+import { UV_SETS } from '../base/english';
 import type { Outcome } from '../model/model';
 
 /** Which texcoord set of a textured glTF gets the new coordinates; only shown for such files. */
@@ -23,8 +24,8 @@ export class TexcoordChoice {
     this.select.hidden = free === 0;
     if (!outcome || free === 0) return;
     this.select.replaceChildren(
-      new Option(`UV ${free}, new`, String(free)),
-      new Option('UV 0, replaced', '0'),
+      new Option(UV_SETS.added(free), String(free)),
+      new Option(UV_SETS.replaced(0), '0'),
     );
     this.select.value = String(this.chosen ?? usual(outcome, free));
   }

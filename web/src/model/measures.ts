@@ -1,5 +1,7 @@
 // What the heat maps show, and where on the colour ramp a value lies.
 
+import { HEAT_MAPS } from '../base/english';
+
 /** In the order of the numbers in `TriangleMarks.heat`. */
 export const MEASURES = ['angle', 'area', 'stretch'] as const;
 export type Measure = (typeof MEASURES)[number];
@@ -24,25 +26,21 @@ const MOST_STRETCH = 1.3;
 
 export const SCALES: Record<Measure, Scale> = {
   angle: {
-    title: 'Angle error',
-    explanation: 'Relative change of a triangle’s angles',
+    ...HEAT_MAPS.angle,
     place: (value) => value / MOST_ANGLE,
     value: (place) => place * MOST_ANGLE,
     text: percent,
     isTwoSided: false,
   },
   area: {
-    title: 'Area',
-    explanation:
-      'Area in uv divided by area in 3D: below 1 a place has fewer texels than the average',
+    ...HEAT_MAPS.area,
     place: (value) => (Math.log2(value) + 1) / 2,
     value: (place) => 2 ** (2 * place - 1),
     text: (value) => `\u00d7${value.toFixed(2)}`,
     isTwoSided: true,
   },
   stretch: {
-    title: 'Stretch',
-    explanation: 'Symmetric Dirichlet energy / 4 of each triangle; 1 keeps all lengths',
+    ...HEAT_MAPS.stretch,
     place: (value) => (value - 1) / (MOST_STRETCH - 1),
     value: (place) => 1 + place * (MOST_STRETCH - 1),
     text: (value) => value.toFixed(2),

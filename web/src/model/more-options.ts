@@ -1,4 +1,5 @@
 import { UNWRAP_DEFAULTS, type UnwrapOptionValues } from 'abflat';
+import { OPTION_LABELS, OPTIONS } from '../base/english';
 
 /** Less common options of an atlas, in the order in which they are shown. */
 export const MORE = [
@@ -17,15 +18,7 @@ export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
   fixedFaces?: 'uv';
 }
 
-export const MORE_LABELS: Record<MoreName, string> = {
-  fillHoles: 'Fill holes',
-  symmetricSeams: 'Symmetric seams',
-  t: 'Boundary t',
-  texelDensity: 'Texel density',
-  straightSeams: 'Straight seams',
-  rotate: 'Rotation',
-  udim: 'UDIM tiles',
-};
+export const MORE_LABELS: Record<MoreName, string> = OPTION_LABELS;
 
 export function defaultOptions(): MoreOptions {
   const { fillHoles, symmetricSeams, t, texelDensity, straightSeams, rotate, udim } =
@@ -46,10 +39,10 @@ export function changedOptions(options: MoreOptions): string[] {
   const changed = MORE.filter((name) => options[name] !== UNWRAP_DEFAULTS[name]).map((name) => {
     const value = options[name];
     const label = inSentence(MORE_LABELS[name]);
-    if (typeof value === 'boolean') return value ? label : `no ${label}`;
-    return `${label} ${value}`;
+    if (typeof value === 'boolean') return value ? label : OPTIONS.off(label);
+    return OPTIONS.setTo(label, value);
   });
-  return options.fixedFaces ? ['UVs of the file kept', ...changed] : changed;
+  return options.fixedFaces ? [OPTIONS.uvsKept, ...changed] : changed;
 }
 
 /** Without its capital letter, unless it begins with an acronym. */
