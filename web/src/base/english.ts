@@ -337,11 +337,15 @@ export const LOCKS = {
   summary: (n: number) => (n > 0 ? `${counted(n, 'chart')} locked` : 'Locked charts stay in place'),
 };
 
-/** How the solver found a layout. */
-export const SOLVER = {
+/** By abflat's names. */
+export const SOLVERS = {
   activeSet: 'Active set',
   interiorPoint: 'Interior point',
   tutte: "Tutte's embedding",
+};
+
+/** How the solver found a layout. */
+export const SOLVER = {
   hint: 'Point at a step to see its numbers.',
   summary: (solver: string, steps: number, converged: boolean, residual: number) => {
     const end = converged

@@ -1,4 +1,5 @@
 import type { UnwrapChart, UnwrapReport } from 'abflat';
+import { CHART_COLUMNS } from '../base/english';
 import { brief, count, distortion, measure } from '../base/format';
 
 /** A chart as a row of a table. */
@@ -26,39 +27,33 @@ export interface Order {
 
 export const COLUMNS: ChartColumn[] = [
   {
-    name: 'Chart',
-    title: 'Sort by number. Charts of the same colour never touch',
+    ...CHART_COLUMNS.chart,
     key: ({ index }) => index,
     text: ({ index }) => count(index),
   },
   {
-    name: 'Faces',
-    title: 'Number of triangles',
+    ...CHART_COLUMNS.faces,
     key: ({ chart }) => chart.faces,
     text: ({ chart }) => count(chart.faces),
   },
   {
-    name: 'Area',
-    title: "Share of the surface's area",
+    ...CHART_COLUMNS.area,
     key: ({ share }) => share,
     text: ({ share }) =>
       `${share < 0.0995 ? (100 * share).toPrecision(2) : (100 * share).toFixed(1)}\u202f%`,
   },
   {
-    name: 'Stretch',
-    title: 'Mean symmetric Dirichlet energy / 4: 1 keeps all lengths',
+    ...CHART_COLUMNS.stretch,
     key: ({ chart }) => chart.symmetricDirichlet,
     text: ({ chart }) => fixed(chart.symmetricDirichlet),
   },
   {
-    name: 'Angle',
-    title: 'Angular distortion: mean over corners of ((x - α)/α)²',
+    ...CHART_COLUMNS.angle,
     key: ({ chart }) => chart.angularDistortion,
     text: ({ chart }) => distortion(chart.angularDistortion, brief),
   },
   {
-    name: 'Valid',
-    title: 'No flipped triangles, no crossings',
+    ...CHART_COLUMNS.valid,
     key: ({ chart }) => Number(!chart.valid),
     text: ({ chart }) => (chart.valid ? '\u2713' : '\u2717'),
   },

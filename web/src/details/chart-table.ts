@@ -1,6 +1,7 @@
 import type { UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { count, counted } from '../base/format';
+import { CHART_LIST, LOCKS, VALIDITY } from '../base/english';
+import { count } from '../base/format';
 import { svg } from '../plot/svg';
 import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
 
@@ -35,7 +36,7 @@ export class ChartTable {
     const table = create('table', 'data-table chart-table');
     const head = create('thead', '');
     head.append(this.headRow());
-    table.append(create('caption', 'visually-hidden', 'Charts'), head, this.body);
+    table.append(create('caption', 'visually-hidden', CHART_LIST.caption), head, this.body);
     this.place.append(table);
     for (const type of ['mouseleave', 'focusout'] as const)
       this.body.addEventListener(type, () => events.pointed(null));
@@ -68,7 +69,7 @@ export class ChartTable {
     });
     const left = sorted.length - MOST_ROWS;
     this.more.hidden = left <= 0;
-    this.more.textContent = `${counted(left, 'more chart')}: sort by another column to see others.`;
+    this.more.textContent = CHART_LIST.more(left);
   }
 
   private headRow(): HTMLTableRowElement {
@@ -86,7 +87,7 @@ export class ChartTable {
     });
     const lock = create('th', '');
     lock.scope = 'col';
-    lock.append(create('span', 'visually-hidden', 'Locked'));
+    lock.append(create('span', 'visually-hidden', LOCKS.column));
     row.append(lock);
     return row;
   }
@@ -109,7 +110,7 @@ export class ChartTable {
     });
     const verdict = made.lastElementChild as HTMLElement;
     verdict.className = chart.valid ? 'good' : 'bad';
-    verdict.ariaLabel = chart.valid ? 'valid' : 'not valid';
+    verdict.ariaLabel = chart.valid ? VALIDITY.valid : VALIDITY.notValid;
     verdict.title = chart.problem;
     made.append(this.lockCell(index));
     made.addEventListener('mouseenter', () => this.events.pointed(index));
@@ -123,9 +124,9 @@ export class ChartTable {
     const button = create('button', 'lock');
     button.type = 'button';
     button.dataset.chart = String(index);
-    button.ariaLabel = `Lock chart ${index}`;
+    button.ariaLabel = LOCKS.lock(index);
     button.ariaPressed = String(this.locks.has(index));
-    button.title = 'Locked: the chart keeps its shape and place, whatever else changes';
+    button.title = LOCKS.about;
     const icon = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
     icon.append(
       svg('path', { class: 'lock-body', d: 'M3.500 7.500h9v6h-9z' }),
@@ -146,7 +147,7 @@ export class ChartTable {
     cell.scope = 'row';
     const button = create('button', 'chart-name');
     button.type = 'button';
-    button.setAttribute('aria-label', `Show chart ${index}`);
+    button.setAttribute('aria-label', CHART_LIST.show(index));
     if (this.colors) {
       const swatch = create('span', 'swatch');
       swatch.style.background = `var(--chart-${this.colors[index]})`;

@@ -1,6 +1,6 @@
 import type { UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { counted, measure } from '../base/format';
+import { CHART_LIST, LOCKS } from '../base/english';
 import type { Views } from '../view/views';
 import { atlasNotes } from './atlas-notes';
 import { ChartTable } from './chart-table';
@@ -37,7 +37,7 @@ export class ChartsTab {
       locked: (chart) => {
         locks.toggle(chart);
         this.showLocks();
-        events.locked(`${locks.charts.has(chart) ? 'Locked' : 'Unlocked'} chart ${chart}`);
+        events.locked(locks.charts.has(chart) ? LOCKS.locked(chart) : LOCKS.unlocked(chart));
       },
     });
     this.pack.addEventListener('click', () => events.packAgain());
@@ -60,15 +60,11 @@ export class ChartsTab {
   private showLocks(): void {
     const { charts } = this.locks;
     this.table.showLocks(charts);
-    this.lockSummary.textContent =
-      charts.size > 0 ? `${counted(charts.size, 'chart')} locked` : 'Locked charts stay in place';
+    this.lockSummary.textContent = LOCKS.summary(charts.size);
   }
 }
 
 function summary({ charts, seams, quasiConformalMean }: UnwrapReport): string {
   const largest = charts.reduce((most, { faces }) => Math.max(most, faces), 0);
-  const which = charts.length > 1 ? ', the largest' : '';
-  const sizes = `${counted(charts.length, 'chart')}${which} of ${counted(largest, 'triangle')}`;
-  const cuts = seams.edges > 0 ? `cut along ${counted(seams.edges, 'edge')}` : 'nothing was cut';
-  return `${sizes}; ${cuts}; average stretch ratio ${measure(quasiConformalMean)}`;
+  return CHART_LIST.summary(charts.length, largest, seams.edges, quasiConformalMean);
 }

@@ -1,4 +1,5 @@
 import type { NewtonStep } from 'abflat';
+import { CONVERGENCE } from '../base/english';
 import { count, measure } from '../base/format';
 import type { ChartSpec, Column, Series } from '../plot/chart-spec';
 import { fixedScale, linearScale, logScale, type Scale } from '../plot/scale';
@@ -6,13 +7,12 @@ import { fixedScale, linearScale, logScale, type Scale } from '../plot/scale';
 /** Residuals by step, on a logarithmic scale as both go to 0. */
 export function residualChart(history: NewtonStep[]): ChartSpec {
   const series = [
-    line('Constraint', 'first', history, (step) => step.constraint),
-    line('Gradient', 'second', history, (step) => step.gradient),
+    line(CONVERGENCE.constraint, 'first', history, (step) => step.constraint),
+    line(CONVERGENCE.gradient, 'second', history, (step) => step.gradient),
   ];
   return {
-    title: 'Residual',
-    description:
-      'How far each solver step is from meeting the constraints and from the least distortion.',
+    title: CONVERGENCE.residual,
+    description: CONVERGENCE.aboutResidual,
     xName: '',
     x: stepScale(history.length),
     y: logScale(
@@ -22,7 +22,7 @@ export function residualChart(history: NewtonStep[]): ChartSpec {
     series,
     columns: columns(history),
     table: {
-      head: ['Step', 'Constraint residual', 'Gradient residual'],
+      head: [CONVERGENCE.step, CONVERGENCE.constraintResidual, CONVERGENCE.gradientResidual],
       rows: history.map((s, i) => [String(i + 1), measure(s.constraint), measure(s.gradient)]),
     },
   };
@@ -33,21 +33,21 @@ export function residualChart(history: NewtonStep[]): ChartSpec {
  * their bound in each step.
  */
 export function activeSetChart(history: NewtonStep[]): ChartSpec {
-  const series = [line('Boundary vertices', 'first', history, ({ active }) => active)];
+  const series = [line(CONVERGENCE.vertices, 'first', history, ({ active }) => active)];
   if (history.some(({ activeEdges }) => activeEdges > 0))
-    series.push(line('Interior edges', 'second', history, ({ activeEdges }) => activeEdges));
+    series.push(line(CONVERGENCE.edges, 'second', history, ({ activeEdges }) => activeEdges));
   const values = series.map(({ marks }) => marks.map(({ y }) => y));
   const most = values.flat().reduce((high, value) => Math.max(high, value), 2);
   return {
-    title: 'Active set',
-    description: 'How many boundary vertices and interior edges each step holds at their bounds.',
-    xName: 'Step',
+    title: CONVERGENCE.activeSet,
+    description: CONVERGENCE.aboutActiveSet,
+    xName: CONVERGENCE.step,
     x: stepScale(history.length),
     y: linearScale(most, 2),
     series,
     columns: columns(history),
     table: {
-      head: ['Step', ...series.map(({ name }) => name)],
+      head: [CONVERGENCE.step, ...series.map(({ name }) => name)],
       rows: history.map((_, i) => [String(i + 1), ...values.map((each) => count(each[i]))]),
     },
   };
@@ -66,9 +66,7 @@ function line(
 function columns(history: NewtonStep[]): Column[] {
   return history.map(({ constraint, gradient, active, activeEdges }, i) => ({
     x: i + 1,
-    text: `Step ${i + 1}: constraint ${measure(constraint)}, gradient ${measure(gradient)}, ${count(active)}${
-      activeEdges > 0 ? ` + ${count(activeEdges)}` : ''
-    } at their bound`,
+    text: CONVERGENCE.atStep(i + 1, constraint, gradient, active, activeEdges),
   }));
 }
 

@@ -1,5 +1,6 @@
 import { showAlert } from '../base/alert';
 import { element } from '../base/dom';
+import { REPORT } from '../base/english';
 import type { Outcome } from '../model/model';
 
 /** The button that copies all numbers of a result. */
@@ -20,13 +21,10 @@ export class CopyReport {
     if (!this.outcome) return;
     try {
       await navigator.clipboard.writeText(JSON.stringify(this.outcome.result.report, null, 2));
-      this.say('Statistics copied as JSON');
+      this.say(REPORT.copied);
     } catch (error) {
       console.info('The clipboard cannot be written:', error);
-      showAlert(
-        'Nothing was copied: the browser keeps this page from the clipboard.',
-        'Allow it in the settings beside the address. If there is no such setting, open the page over https or from localhost.',
-      );
+      showAlert(REPORT.notCopied, REPORT.allow);
     }
   }
 }

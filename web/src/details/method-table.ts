@@ -1,5 +1,6 @@
 import type { MethodResult } from 'abflat';
 import { create } from '../base/dom';
+import { METHOD_COLUMNS, METHODS, VALIDITY } from '../base/english';
 import { brief, count, duration, sentence } from '../base/format';
 
 interface ColumnOf {
@@ -10,31 +11,26 @@ interface ColumnOf {
 }
 
 const COLUMNS: ColumnOf[] = [
-  { name: 'Time', title: 'Time for the layout only', value: ({ seconds }) => duration(seconds) },
+  { ...METHOD_COLUMNS.time, value: ({ seconds }) => duration(seconds) },
   {
-    name: 'Angle',
-    title: 'Angular distortion: mean over corners of ((x - α)/α)²',
+    ...METHOD_COLUMNS.angle,
     value: ({ angularDistortion }) => orDash(angularDistortion),
   },
   {
-    name: 'Length',
-    title: 'Length distortion: mean over edges of (sL/l - 1)²',
+    ...METHOD_COLUMNS.length,
     value: ({ lengthDistortion }) => orDash(lengthDistortion),
   },
   {
-    name: 'Area',
-    title: 'Area distortion: mean by 3D area of |log(area in the layout / area in 3D)|',
+    ...METHOD_COLUMNS.area,
     value: ({ areaDistortion }) => orDash(areaDistortion),
   },
   {
-    name: 'Flips',
-    title: 'Flipped triangles',
+    ...METHOD_COLUMNS.flips,
     value: ({ flippedTriangles }) => count(flippedTriangles),
     isBad: ({ flippedTriangles }) => flippedTriangles > 0,
   },
   {
-    name: 'Cross.',
-    title: 'Pairs of boundary edges that cross or touch',
+    ...METHOD_COLUMNS.crossings,
     value: ({ boundaryCrossings }) => count(boundaryCrossings),
     isBad: ({ boundaryCrossings }) => boundaryCrossings > 0,
   },
@@ -50,13 +46,13 @@ export function methodTable(
   head.append(headRow());
   const body = create('tbody', '');
   body.append(...methods.map((method) => methodRow(method, select)));
-  table.append(create('caption', 'visually-hidden', 'Methods'), head, body);
+  table.append(create('caption', 'visually-hidden', METHODS.caption), head, body);
   return table;
 }
 
 function headRow(): HTMLTableRowElement {
   const row = create('tr', '');
-  for (const { name, title } of [{ name: 'Method', title: '' }, ...COLUMNS]) {
+  for (const { name, title } of [{ name: METHODS.method, title: '' }, ...COLUMNS]) {
     const cell = create('th', '', name);
     cell.scope = 'col';
     cell.title = title;
@@ -64,7 +60,7 @@ function headRow(): HTMLTableRowElement {
   }
   const valid = create('th', '');
   valid.scope = 'col';
-  valid.append(create('span', 'visually-hidden', 'Valid'));
+  valid.append(create('span', 'visually-hidden', VALIDITY.column));
   row.append(valid);
   return row;
 }
@@ -88,7 +84,7 @@ function methodRow(method: MethodResult, select: (method: MethodResult) => void)
   for (const { value, isBad } of COLUMNS)
     row.append(create('td', isBad?.(method) ? 'bad' : '', value(method)));
   const verdict = create('td', method.valid ? 'good' : 'bad', method.valid ? '\u2713' : '\u2717');
-  verdict.ariaLabel = method.valid ? 'valid' : 'not valid';
+  verdict.ariaLabel = method.valid ? VALIDITY.valid : VALIDITY.notValid;
   verdict.title = method.problem;
   row.append(verdict);
   row.addEventListener('click', () => {

@@ -1,5 +1,6 @@
 import type { CompareProgress, Comparison, MethodResult } from 'abflat';
 import { element } from '../base/dom';
+import { METHODS, TAB_JOBS } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
 
@@ -17,7 +18,7 @@ export class MethodsTab {
   private readonly results = element('methods', HTMLElement);
   private readonly problem = element('method-problem', HTMLElement);
   private readonly job = new Job((isRunning) => {
-    this.button.textContent = isRunning ? 'Stop' : 'Compare methods';
+    this.button.textContent = isRunning ? TAB_JOBS.stop : METHODS.start;
   });
   private comparison: Comparison | null = null;
   private selected: MethodResult | null = null;
@@ -53,17 +54,17 @@ export class MethodsTab {
   stop(): boolean {
     if (!this.job.isRunning) return false;
     this.job.stop();
-    this.text.textContent = 'Stopped';
+    this.text.textContent = TAB_JOBS.stopped;
     return true;
   }
 
   private async run(): Promise<void> {
     this.leave();
-    this.text.textContent = 'Starting';
+    this.text.textContent = TAB_JOBS.starting;
     try {
       await this.job.start(async (signal) => {
         const comparison = await this.compare(signal, ({ fraction }) => {
-          if (!signal.aborted) this.text.textContent = `${Math.round(100 * fraction)}\u202f%`;
+          if (!signal.aborted) this.text.textContent = METHODS.progress(fraction);
         });
         const { methodTable } = await methodTables();
         signal.throwIfAborted();

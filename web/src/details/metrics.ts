@@ -1,6 +1,7 @@
 import type { Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { count, counted, distortion, duration, measure } from '../base/format';
+import { ATLAS_METRICS, BADGES, DISK_METRICS, METRICS, REMEDIES } from '../base/english';
+import { count, distortion, duration, measure } from '../base/format';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
@@ -18,122 +19,90 @@ interface Metric<S> {
   measure?: Measure;
 }
 
-const STRETCH = 'Symmetric Dirichlet energy / 4, mean over the surface; 1 keeps all lengths';
-
-const AS_IN_FILE = 'Faces of the input: triangles, quads and larger polygons';
-
 const OF_DISK: Metric<Report>[] = [
   {
-    label: 'Angular distortion',
-    title: 'Mean over all corners of ((x - α)/α)², x in the layout, α in 3D',
+    ...DISK_METRICS.angle,
     value: ({ charts: [chart] }) => distortion(chart.angularDistortion),
     measure: 'angle',
   },
   {
-    label: 'Length distortion',
-    title:
-      'Mean over all edges of (sL/l - 1)², L in the layout, l in 3D, s the ratio of their sums',
+    ...DISK_METRICS.length,
     value: ({ charts: [chart] }) => distortion(chart.lengthDistortion),
   },
   {
-    label: 'Stretch',
-    title: STRETCH,
+    ...DISK_METRICS.stretch,
     value: ({ charts: [chart] }) => stretch(chart.symmetricDirichlet),
     measure: 'stretch',
   },
   {
-    label: 'Crossings',
-    title: 'Pairs of boundary edges that cross or touch',
+    ...DISK_METRICS.crossings,
     value: ({ charts: [chart] }) => count(chart.boundaryCrossings),
     isBad: ({ charts: [chart] }) => chart.boundaryCrossings > 0,
   },
   {
-    label: 'Flipped',
-    title: 'Triangles of the layout that are not positively oriented',
+    ...DISK_METRICS.flipped,
     value: ({ charts: [chart] }) => count(chart.flippedTriangles),
     isBad: ({ charts: [chart] }) => chart.flippedTriangles > 0,
   },
   {
-    label: 'Faces',
-    title: AS_IN_FILE,
+    ...METRICS.faces,
     value: ({ input }) => count(input.faces),
   },
   {
-    label: 'Newton steps',
-    title: 'Steps of the solver',
+    ...DISK_METRICS.steps,
     value: ({ charts: [chart] }) => count(chart.iterations),
   },
 ];
 
 const OF_ATLAS: Metric<UnwrapReport>[] = [
   {
-    label: 'Charts',
-    title: 'Charts in the atlas; red if one is not valid',
+    ...ATLAS_METRICS.charts,
     value: ({ charts }) => count(charts.length),
     isBad: ({ valid }) => !valid,
   },
   {
-    label: 'Seam length',
-    title:
-      'Divided by the square root of the surface area, so it does not depend on the size of the mesh',
+    ...ATLAS_METRICS.seamLength,
     value: ({ seams }) => measure(seams.relativeLength),
   },
   {
-    label: 'Stretch',
-    title:
-      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths',
+    ...ATLAS_METRICS.stretch,
     value: ({ symmetricDirichlet }) => stretch(symmetricDirichlet),
     measure: 'stretch',
   },
   {
-    label: 'Angular distortion',
-    title: 'Mean over the surface of ((x - α)/α)², x in the layout, α in 3D',
+    ...ATLAS_METRICS.angle,
     value: ({ angularDistortion }) => distortion(angularDistortion),
     measure: 'angle',
   },
   {
-    label: 'Utilisation',
-    title: 'Share of the square, or of all tiles, that the charts cover',
+    ...ATLAS_METRICS.utilization,
     value: ({ atlas }) => `${(100 * atlas.utilization).toFixed(1)}\u202f%`,
   },
   {
-    label: 'Texel density',
-    title: 'Texels per mesh unit at this resolution',
+    ...ATLAS_METRICS.texelDensity,
     value: ({ atlas }) => measure(atlas.texelDensity),
   },
   {
-    label: 'Faces',
-    title: AS_IN_FILE,
+    ...METRICS.faces,
     value: ({ input }) => count(input.faces),
   },
 ];
 
 /** What refining gained, if it did anything. */
 const REFINED: Metric<{ refined: Energies }> = {
-  label: 'Energy',
-  title:
-    'Energy minimised for the balance b, averaged over the refined surface, before and after: (1 - b)·(σ₁/σ₂ + σ₂/σ₁)/2 + b·(σ₁² + σ₂² + 1/σ₁² + 1/σ₂²)/4',
+  ...METRICS.energy,
   value: ({ refined: { before, after } }) => `${stretch(before)} \u2192 ${stretch(after)}`,
 };
 
 const TIME: Metric<{ timings: { total: number } }> = {
-  label: 'Time',
-  title: 'Total time in the worker, including reading and writing',
+  ...METRICS.time,
   value: ({ timings }) => duration(timings.total),
 };
 
 const GRADES: Record<Verdict['badge'], string> = {
-  Valid: 'good',
-  Stretched: 'warn',
-  'Not valid': 'bad',
-};
-
-const REMEDIES: Record<Remedy, { label: string; title: string }> = {
-  cut: {
-    label: 'Cut further',
-    title: 'Keep these seams and add automatic ones until every chart is within the limit',
-  },
-  unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
+  [BADGES.valid]: 'good',
+  [BADGES.stretched]: 'warn',
+  [BADGES.notValid]: 'bad',
 };
 
 export interface MetricsEvents {
@@ -180,7 +149,7 @@ export class MetricsPanel {
     this.badge.textContent = this.verdict.badge;
     this.badge.className = `badge ${GRADES[this.verdict.badge]}`;
     const noteCount = notesOf(outcome).length;
-    this.notesButton.textContent = counted(noteCount, 'note');
+    this.notesButton.textContent = METRICS.notes(noteCount);
     this.notesButton.hidden = noteCount === 0;
     this.markStale(null);
   }
@@ -190,7 +159,7 @@ export class MetricsPanel {
    */
   markStale(owner: string | null): void {
     this.panel.classList.toggle('stale', owner !== null);
-    this.setReason(owner === null ? (this.verdict?.reason ?? '') : `Numbers of ${owner}`);
+    this.setReason(owner === null ? (this.verdict?.reason ?? '') : METRICS.of(owner));
     this.showRemedy(owner === null ? (this.verdict?.remedy ?? null) : null);
   }
 
@@ -253,7 +222,7 @@ function linked(text: string, title: string, measure: Measure): HTMLElement {
   const button = create('button', 'metric-button', text);
   button.type = 'button';
   button.dataset.measure = measure;
-  button.title = `${title}. Click to see where it is worst`;
+  button.title = METRICS.toWorst(title);
   return button;
 }
 

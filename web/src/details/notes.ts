@@ -1,5 +1,6 @@
 import type { ChartReport, DelaunayReport } from 'abflat';
-import { bound, count, counted, measure, sentence } from '../base/format';
+import { DISK_NOTES } from '../base/english';
+import { sentence } from '../base/format';
 
 /**
  * What is worth knowing about a result beyond its numbers, one sentence each: why it is not valid,
@@ -16,13 +17,14 @@ function delaunayNote(
   { angularDistortion }: ChartReport,
   { edges, violated, violatedBefore, angularDistortionBefore }: DelaunayReport,
 ): string {
-  const before = `${count(violatedBefore)} of ${counted(edges, 'interior edge')} before`;
-  const change = `angular distortion ${measure(angularDistortionBefore)} before, ${measure(angularDistortion)} now`;
-  return `edges that are not Delaunay: ${before}, ${count(violated)} now; ${change}`;
+  return DISK_NOTES.delaunay(
+    edges,
+    [violatedBefore, violated],
+    [angularDistortionBefore, angularDistortion],
+  );
 }
 
 function tightening({ bounds }: ChartReport): string {
   const least = bounds.reduce((low, { t }) => Math.min(low, t), Infinity);
-  const vertices = counted(bounds.length, 'boundary vertex was', 'boundary vertices were');
-  return `${vertices} tightened, ${bounds.length === 1 ? '' : 'down '}to t\u00a0=\u00a0${bound(least)}`;
+  return DISK_NOTES.tightened(bounds.length, least);
 }

@@ -1,14 +1,10 @@
 import type { ChartReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { counted, measure } from '../base/format';
+import { SOLVER, SOLVERS } from '../base/english';
 import { LateChart } from './late-chart';
 import { notes } from './notes';
 
-const SOLVERS: Record<string, string> = {
-  activeSet: 'Active set',
-  interiorPoint: 'Interior point',
-  tutte: "Tutte's embedding",
-};
+const NAMES: Record<string, string> = SOLVERS;
 
 /** How the layout was found: notes and the solver's convergence. */
 export class SolverTab {
@@ -21,7 +17,7 @@ export class SolverTab {
 
   constructor() {
     const read = (text: string | null) => {
-      this.readout.textContent = text ?? 'Point at a step to see its numbers.';
+      this.readout.textContent = text ?? SOLVER.hint;
     };
     read(null);
     this.residuals = new LateChart(element('residual-chart', HTMLElement), 132, read);
@@ -41,10 +37,7 @@ export class SolverTab {
 }
 
 function summary({ solver, iterations, converged, constraintResidual }: ChartReport): string {
-  const name = SOLVERS[solver] ?? solver;
+  const name = NAMES[solver] ?? solver;
   if (iterations === 0) return name;
-  const end = converged
-    ? `converged to ${measure(constraintResidual)}`
-    : `not converged (${measure(constraintResidual)})`;
-  return `${name}, ${counted(iterations, 'step')}, ${end}`;
+  return SOLVER.summary(name, iterations, converged, constraintResidual);
 }

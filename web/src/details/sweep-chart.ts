@@ -1,4 +1,5 @@
 import type { ChartReport } from 'abflat';
+import { SWEEP_CHART, VALIDITY } from '../base/english';
 import { type Bound, bound, measure } from '../base/format';
 import type { ChartSpec, Column, Mark, Series } from '../plot/chart-spec';
 import { fixedScale, linearScale } from '../plot/scale';
@@ -34,10 +35,9 @@ export function sweepChart(
   const shown = drawn.sort((a, b) => placeOf(a) - placeOf(b));
   const most = shown.reduce((high, { chart }) => Math.max(high, finite(chart)), 0);
   return {
-    title: 'Angular distortion',
-    description:
-      'Angular distortion of layouts with several t. Layouts that are not valid are drawn as circles.',
-    xName: 't',
+    title: SWEEP_CHART.title,
+    description: SWEEP_CHART.about,
+    xName: SWEEP_CHART.t,
     x: fixedScale(
       LEAST,
       MOST,
@@ -48,11 +48,11 @@ export function sweepChart(
     columns: columnsOf(shown, choose),
     current: Math.min(MOST, Math.max(LEAST, current)),
     table: {
-      head: ['t', 'Angular distortion', 'Valid'],
+      head: [SWEEP_CHART.t, SWEEP_CHART.title, VALIDITY.column],
       rows: points.map(({ t, chart }) => [
         bound(t),
-        chart ? measure(chart.angularDistortion) : 'not possible',
-        chart?.valid ? 'yes' : 'no',
+        chart ? measure(chart.angularDistortion) : SWEEP_CHART.notPossible,
+        chart?.valid ? SWEEP_CHART.yes : SWEEP_CHART.no,
       ]),
     },
   };
@@ -69,19 +69,19 @@ function seriesOf(shown: Drawn[]): Series[] {
   ): Series => ({ name, color, shape, hasLine: false, marks: points.map(markOf) });
   return [
     series(
-      'valid',
+      VALIDITY.valid,
       'first',
       'filled',
       numbers.filter(({ chart }) => chart.valid),
     ),
     series(
-      'not valid',
+      VALIDITY.notValid,
       'second',
       'hollow',
       numbers.filter(({ chart }) => !chart.valid),
     ),
     series(
-      'auto',
+      SWEEP_CHART.auto,
       'third',
       'diamond',
       shown.filter(({ t }) => t === 'auto'),
@@ -102,8 +102,8 @@ function markOf({ t, chart }: Drawn): Mark {
 }
 
 function textOf({ t, chart }: Drawn): string {
-  const verdict = chart.valid ? 'valid' : chart.problem.replace(/[.;].*$/, '');
-  return `t = ${bound(t)}: ${measure(chart.angularDistortion)}, ${verdict}.`;
+  const verdict = chart.valid ? VALIDITY.valid : chart.problem.replace(/[.;].*$/, '');
+  return SWEEP_CHART.point(t, chart.angularDistortion, verdict);
 }
 
 /** Values of 2 and above all mean free. */

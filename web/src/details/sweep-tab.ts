@@ -1,12 +1,11 @@
 import type { Report } from 'abflat';
 import { element } from '../base/dom';
+import { SWEEP, TAB_JOBS } from '../base/english';
 import type { Bound } from '../base/format';
 import type { FlattenSettings } from '../model/settings';
 import { Job } from '../session/job';
 import { LateChart, plots } from './late-chart';
 import type { SweepPoint } from './sweep-chart';
-
-const HINT = 'Select a point to use its t.';
 
 type PlottedSettings = Pick<FlattenSettings, 'balance' | 'delaunay' | 'bounds'>;
 
@@ -18,7 +17,7 @@ export class SweepTab {
   private readonly chart: LateChart;
   private isOffered = false;
   private readonly job = new Job((isRunning) => {
-    this.button.textContent = isRunning ? 'Stop' : 'Plot against t';
+    this.button.textContent = isRunning ? TAB_JOBS.stop : SWEEP.start;
   });
   private points: SweepPoint[] = [];
   private plotted: PlottedSettings | null = null;
@@ -33,7 +32,7 @@ export class SweepTab {
     private readonly choose: (t: Bound) => void,
   ) {
     this.chart = new LateChart(element('sweep-chart', HTMLElement), 212, (text) => {
-      this.readout.textContent = text ?? (this.points.length > 0 ? HINT : '');
+      this.readout.textContent = text ?? (this.points.length > 0 ? SWEEP.hint : '');
     });
     this.button.addEventListener('click', () => {
       if (!this.stop()) void this.run();
@@ -73,7 +72,7 @@ export class SweepTab {
   stop(): boolean {
     if (!this.job.isRunning) return false;
     this.job.stop();
-    this.text.textContent = 'Stopped';
+    this.text.textContent = TAB_JOBS.stopped;
     return true;
   }
 
@@ -91,19 +90,18 @@ export class SweepTab {
     const { SWEEP_T } = await plots();
     signal.throwIfAborted();
     for (const [i, t] of SWEEP_T.entries()) {
-      this.text.textContent = `${i + 1} of ${SWEEP_T.length}`;
+      this.text.textContent = SWEEP.progress(i + 1, SWEEP_T.length);
       const report = await this.measure(t, signal);
       signal.throwIfAborted();
       this.points.push({ t, chart: report?.charts[0] ?? null });
       this.draw();
     }
     const skipped = this.points.filter(({ chart }) => !chart).map(({ t }) => t);
-    this.text.textContent =
-      skipped.length > 0 ? `${skipped.join(', ')}: not possible for this mesh` : '';
+    this.text.textContent = skipped.length > 0 ? SWEEP.skipped(skipped) : '';
   }
 
   private draw(): void {
-    if (!this.readout.textContent && this.points.length > 0) this.readout.textContent = HINT;
+    if (!this.readout.textContent && this.points.length > 0) this.readout.textContent = SWEEP.hint;
     if (this.points.length === 0) this.readout.textContent = '';
     if (!this.isOffered) return;
     const { points, current } = this;

@@ -1,12 +1,13 @@
 import type { Report, UnwrapReport } from 'abflat';
-import { count, counted, sentence } from '../base/format';
+import { BADGES, VERDICT } from '../base/english';
+import { sentence } from '../base/format';
 import type { Outcome, Unwrapped } from '../model/model';
 
 /** What would reduce stretch: more seams, or seams at all. */
 export type Remedy = 'cut' | 'unwrap';
 
 export interface Verdict {
-  badge: 'Valid' | 'Stretched' | 'Not valid';
+  badge: (typeof BADGES)[keyof typeof BADGES];
   /** One sentence on why. */
   reason: string;
   /** What the user can do about it; null if no single click helps. */
@@ -28,28 +29,24 @@ export function verdictOf(outcome: Outcome): Verdict {
 }
 
 function ofDisk({ charts: [chart], valid }: Report): Verdict {
-  if (!valid) return { badge: 'Not valid', reason: sentence(chart.problem), remedy: null };
+  if (!valid) return { badge: BADGES.notValid, reason: sentence(chart.problem), remedy: null };
   const change = Math.sqrt(chart.lengthDistortion);
   if (!(change > MOST_CHANGE))
-    return { badge: 'Valid', reason: 'No flipped triangles, no crossings', remedy: null };
-  const percent = `${count(100 * change)}\u202f%`;
-  const reason = `Lengths change by ${percent} on average: seams would help`;
-  return { badge: 'Stretched', reason, remedy: 'unwrap' };
+    return { badge: BADGES.valid, reason: VERDICT.noCrossings, remedy: null };
+  return { badge: BADGES.stretched, reason: VERDICT.lengthsChange(change), remedy: 'unwrap' };
 }
 
 function ofAtlas({ result, settings }: Unwrapped): Verdict {
   const { charts, valid } = result.report;
-  if (!valid) return { badge: 'Not valid', reason: defects(result.report), remedy: null };
+  if (!valid) return { badge: BADGES.notValid, reason: defects(result.report), remedy: null };
   const stretched = stretchedCharts(result.report, settings.maxStretch);
   if (stretched.length === 0)
-    return { badge: 'Valid', reason: 'No flipped triangles, no overlaps', remedy: null };
+    return { badge: BADGES.valid, reason: VERDICT.noOverlaps, remedy: null };
   const most = Math.max(...stretched.map(({ symmetricDirichlet }) => symmetricDirichlet));
-  const where =
-    charts.length > 1 ? ` in ${count(stretched.length)} of ${count(charts.length)} charts` : '';
-  const upTo = stretched.length > 1 ? 'up to ' : '';
+  const limit = settings.maxStretch;
   return {
-    badge: 'Stretched',
-    reason: `Stretch ${upTo}${above(most, settings.maxStretch)}${where}; the limit is ${settings.maxStretch}`,
+    badge: BADGES.stretched,
+    reason: VERDICT.stretched(above(most, limit), limit, stretched.length, charts.length),
     remedy: isAutomatic(settings.seams) ? null : 'cut',
   };
 }
@@ -72,5 +69,5 @@ function above(stretch: number, limit: number): string {
 
 function defects({ charts }: UnwrapReport): string {
   const bad = charts.filter((chart) => !chart.valid);
-  return `${count(bad.length)} of ${counted(charts.length, 'chart')}: ${bad[0].problem}`;
+  return VERDICT.defects(bad.length, charts.length, bad[0].problem);
 }
