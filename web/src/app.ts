@@ -3,6 +3,7 @@ import type { ChartMesh } from './arrange/chart-mesh';
 import { Arranging } from './arranging';
 import { hideAlert, showAlert } from './base/alert';
 import { element } from './base/dom';
+import { CHANGES, LAYING_OUT, MOVING, RUN } from './base/english';
 import { duration } from './base/format';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
@@ -28,7 +29,7 @@ import { SeamPanel } from './seams/seam-panel';
 import { Session, type SessionEvents } from './session/session';
 import type { Step } from './session/steps';
 import { titleOf } from './session/titles';
-import { failure, isOnlyPlaced, kept, settingsText, WORDS } from './session/words';
+import { failure, isOnlyPlaced, kept, settingsText } from './session/words';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
 import { Workshop } from './workshop/workshop';
@@ -102,8 +103,8 @@ export class App implements SessionEvents {
         placing: () => document.body.setAttribute('aria-busy', 'true'),
         placed: (layout, what) => this.wishes.place(layout, what),
         notPlaced: (error) => {
-          if (error) showAlert(`The charts were not moved: ${error.message}`);
-          if (!this.session.isBusy) this.finish('Nothing was moved', false);
+          if (error) showAlert(MOVING.failed(error.message));
+          if (!this.session.isBusy) this.finish(MOVING.nothingMoved, false);
         },
       });
     this.painting =
@@ -237,16 +238,16 @@ export class App implements SessionEvents {
 
   /** The address of the page got other settings. */
   private follow(settings: Settings): void {
-    this.history.change(settings, 'Settings of a link');
+    this.history.change(settings, CHANGES.followedLink);
     this.goBack({ text: '', settings, outcome: null }, '');
     this.meshes.remark(this.visit.takeRemarks());
   }
 
   started(source: Source, settings: Settings | null): void {
     this.result.leaveMethod();
-    const { doing, verb } = WORDS[this.wishes.mode.mode];
+    const { doing, verb } = LAYING_OUT[this.wishes.mode.mode];
     this.run.start(
-      settings ? `${doing} with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
+      settings ? RUN.layingOut(doing, settingsText(settings)) : RUN.reading(titleOf(source)),
       verb,
     );
     this.again = () => this.session.refresh();
@@ -267,7 +268,7 @@ export class App implements SessionEvents {
     this.wishes.open({ mesh, summary, name: source.name });
     const asked = this.visit.opened(opened);
     if (asked) this.ask(asked);
-    this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
+    this.history.begin(CHANGES.opened(titleOf(source)), this.wishes.settings);
     this.saving.open(source);
     this.arranging?.show(null);
     this.painting?.show(null);
@@ -281,12 +282,12 @@ export class App implements SessionEvents {
     this.show(outcome, drawing);
     this.rest.load();
     const { badge } = verdictOf(outcome);
-    const but = badge === 'Valid' ? '' : `, ${badge.toLowerCase()}`;
+    const but = badge === 'Valid' ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
-    const { done } = WORDS[outcome.mode];
+    const { done } = LAYING_OUT[outcome.mode];
     const what = isOnlyPlaced(outcome)
-      ? `${this.said}, checked in ${time}${but}`
-      : `${done} in ${time}${but}${kept(outcome)}`;
+      ? RUN.checked(this.said, time) + but
+      : RUN.laidOut(done, time) + but + kept(outcome);
     this.finish(this.visit.takeSaid() || what, false);
   }
 
@@ -319,7 +320,7 @@ export class App implements SessionEvents {
     // Without a mesh there is nothing to do again.
     const isStale = this.result.markStale();
     this.finish(
-      'Cancelled',
+      RUN.cancelled,
       this.meshes.shown !== null && (isStale || this.result.outcome === null),
     );
     this.saving.name(isStale);
@@ -335,8 +336,8 @@ export class App implements SessionEvents {
     const details = [isLost ? error.detail : '', this.result.stillShown(isStale)];
     showAlert(failure(source, settings, error.message), details.filter(Boolean).join(' '));
     this.meshes.showOpenSample();
-    if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
-    else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
+    if (settings === null) this.finish(RUN.notOpened(titleOf(source)), isStale);
+    else this.finish(RUN.notLaidOut(LAYING_OUT[settings.mode].done), false);
     if (isLost) this.offer(source, settings);
     this.saving.name(isStale);
   }
@@ -344,7 +345,7 @@ export class App implements SessionEvents {
   /** Offers to repeat what failed through no fault of the mesh. */
   private offer(source: Source, settings: Settings | null): void {
     this.again = () => (settings ? this.session.refresh() : void this.session.open(source));
-    this.run.offer('Try again');
+    this.run.offer(RUN.tryAgain);
   }
 
   private finish(text: string, canRepeat: boolean): void {
@@ -356,6 +357,6 @@ export class App implements SessionEvents {
   private refuse(reason: string): void {
     this.refusal = this.session.isBusy ? reason : '';
     showAlert(reason, this.result.stillShown(this.result.markStale()));
-    this.say('Nothing was opened');
+    this.say(RUN.nothingOpened);
   }
 }

@@ -1,7 +1,8 @@
 import type { VertexBound } from 'abflat';
 import { showAlert } from './base/alert';
 import { element } from './base/dom';
-import { bound, counted, ownBoundsText } from './base/format';
+import { BOUNDS } from './base/english';
+import { ownBoundsText } from './base/format';
 import { loadPart, reasonOf } from './base/load-part';
 import type { BoundBrush } from './bound-brush';
 import { LEAST, MOST, meaning, STEP } from './controls/bound-control';
@@ -17,9 +18,6 @@ export interface PaintingEvents {
   changed(bounds: VertexBound[], what: string): void;
   say(text: string): void;
 }
-
-const INVITATION = 'Drag along the boundary';
-const vertices = (n: number) => counted(n, 'vertex', 'vertices');
 
 /** The bar below a disk with which bounds are painted on its boundary. */
 export class BoundPainting {
@@ -48,7 +46,7 @@ export class BoundPainting {
     this.slider.addEventListener('input', () => this.showValue());
     this.paint.addEventListener('click', () => this.toggle());
     this.erase.addEventListener('click', () => press(this.erase, !isPressed(this.erase)));
-    this.clear.addEventListener('click', () => this.events.changed([], 'Cleared all own bounds'));
+    this.clear.addEventListener('click', () => this.events.changed([], BOUNDS.cleared));
     for (const view of ['mesh', 'layout'] as const)
       views.canvasOf(view).addEventListener('keydown', (event) => this.onKey(event));
     this.showValue();
@@ -68,7 +66,7 @@ export class BoundPainting {
     const bounds = this.outcome ? this.events.bounds() : [];
     this.views.markBounds(bounds);
     this.clear.hidden = bounds.length === 0;
-    this.hint.textContent = this.isOn ? INVITATION : '';
+    this.hint.textContent = this.isOn ? BOUNDS.invitation : '';
     if (!this.isOn && bounds.length > 0) this.hint.textContent = ownBoundsText(bounds.length);
   }
 
@@ -81,7 +79,7 @@ export class BoundPainting {
   }
 
   private showValue(): void {
-    this.value.textContent = `${bound(this.t)}, ${meaning(this.t)}`;
+    this.value.textContent = BOUNDS.value(this.t, meaning(this.t));
     this.slider.setAttribute('aria-valuetext', this.value.textContent);
     this.slider.style.setProperty('--value', String((this.t - LEAST) / (MOST - LEAST)));
   }
@@ -107,7 +105,7 @@ export class BoundPainting {
   private prepare(): void {
     this.load().catch((error: Error) => {
       this.turn(false);
-      showAlert(`Bounds cannot be painted: ${reasonOf(error)}`);
+      showAlert(BOUNDS.notPainted(reasonOf(error)));
     });
   }
 
@@ -141,8 +139,10 @@ export class BoundPainting {
   private preview(aimed: ReadonlySet<number>, erases: boolean): void {
     const bounds = this.after(aimed, erases);
     this.views.markBounds(bounds);
-    const what = erases ? 'erase' : `paint ${this.value.textContent}`;
-    this.hint.textContent = aimed.size > 0 ? `${vertices(aimed.size)}: ${what}` : INVITATION;
+    const { size } = aimed;
+    const value = this.value.textContent;
+    const what = erases ? BOUNDS.erasing(size) : BOUNDS.painting(size, value);
+    this.hint.textContent = size > 0 ? what : BOUNDS.invitation;
   }
 
   private finish(painted: ReadonlySet<number>, erases: boolean): void {
@@ -150,10 +150,10 @@ export class BoundPainting {
     const count = differences(this.events.bounds(), bounds);
     if (count === 0) {
       this.update();
-      this.events.say(painted.size > 0 ? 'No bound has changed' : 'There is no boundary here');
+      this.events.say(painted.size > 0 ? BOUNDS.unchanged : BOUNDS.noBoundary);
       return;
     }
-    this.events.changed(bounds, `${erases ? 'Erased' : 'Painted'} bounds of ${vertices(count)}`);
+    this.events.changed(bounds, erases ? BOUNDS.erased(count) : BOUNDS.painted(count));
   }
 }
 

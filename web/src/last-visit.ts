@@ -1,4 +1,5 @@
 import type { MeshSummary } from 'abflat';
+import { VISIT } from './base/english';
 import { forget, remember, remembered } from './base/remember';
 import { forgetStored, readStored, writeStored } from './base/stored';
 import type { Opened, Outcome, Source } from './model/model';
@@ -26,11 +27,9 @@ const MOST_BYTES = 3e8;
 
 /** Why nothing is restored, for each mark but `kept`. */
 const REMARKS: Record<string, string> = {
-  restoring:
-    'The mesh of your last visit was not opened again, because the page stopped while opening it.',
-  large: 'The mesh of your last visit was too large to keep. Open it again.',
+  restoring: VISIT.stoppedOpening,
+  large: VISIT.tooLarge,
 };
-const UNREADABLE = 'Your last visit could not be restored.';
 
 /** Keeps the mesh and what was asked for in this browser, and starts with them the next time. */
 export class LastVisit {
@@ -65,7 +64,7 @@ export class LastVisit {
   find(): Promise<Source | null> | null {
     const mark = remembered(KEY);
     if (mark === null || new URLSearchParams(location.search).has('url')) return null;
-    return mark === 'kept' ? this.read() : this.drop(REMARKS[mark] ?? UNREADABLE);
+    return mark === 'kept' ? this.read() : this.drop(REMARKS[mark] ?? VISIT.unreadable);
   }
 
   private async read(): Promise<Source | null> {
@@ -80,7 +79,7 @@ export class LastVisit {
       return this.found.source;
     } catch (error) {
       console.info('The last visit cannot be read:', error);
-      return this.drop(UNREADABLE);
+      return this.drop(VISIT.unreadable);
     }
   }
 
@@ -93,7 +92,7 @@ export class LastVisit {
     this.said = '';
     if (found?.source !== source) this.giveUp();
     else {
-      this.said = `Restored ${titleOf(source)} from your last visit`;
+      this.said = VISIT.restored(titleOf(source));
       if (!linked || textOf(linked) === found.asked.text) {
         link.linked = null;
         return settingsAskedFor(found.asked);
@@ -143,8 +142,7 @@ export class LastVisit {
     if (this.found?.source !== source) return false;
     this.found = null;
     this.said = '';
-    const why = message.replace(/\.$/, '');
-    this.drop(`${titleOf(source)} could not be restored from your last visit: ${why}.`);
+    this.drop(VISIT.notRestored(titleOf(source), message));
     return true;
   }
 

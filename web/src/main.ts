@@ -2,6 +2,7 @@ import './css/style.css';
 import { type Abflat, createAbflat } from 'abflat';
 import { App } from './app';
 import { create, element } from './base/dom';
+import { SHOWN } from './base/english';
 import { keepOffline } from './base/offline';
 import { startOnce } from './base/start-once';
 import { NoWebGl } from './view/stage';
@@ -13,11 +14,8 @@ function createViews(): Views | null {
     return new Views();
   } catch (error) {
     if (!(error instanceof NoWebGl)) throw error;
-    for (const id of ['mesh-stage', 'layout-stage']) {
-      const text =
-        'WebGL 2 is off or missing in this browser, so nothing can be drawn. Unwrapping and export still work.';
-      element(id, HTMLElement).append(create('p', 'no-webgl', text));
-    }
+    for (const id of ['mesh-stage', 'layout-stage'])
+      element(id, HTMLElement).append(create('p', 'no-webgl', SHOWN.noWebGl));
     for (const id of ['mesh-canvas', 'layout-canvas']) element(id, HTMLElement).hidden = true;
     for (const id of ['wireframe', 'other-side', 'reset', 'fit'])
       element(id, HTMLButtonElement).disabled = true;

@@ -1,5 +1,6 @@
 import type { Abflat } from 'abflat';
 import { element } from './base/dom';
+import { SHOWN } from './base/english';
 import { loadPart } from './base/load-part';
 import { Notice } from './controls/notice';
 import { Welcome } from './help/welcome';
@@ -92,5 +93,5 @@ function showTitle(source: Source): void {
   // The list already shows a sample's name.
   label.textContent = source.kind === 'file' ? title : '';
   label.title = title;
-  document.title = `${title} \u2013 abflat`;
+  document.title = SHOWN.pageTitle(title);
 }

@@ -1,3 +1,4 @@
+import { CHANGES } from './base/english';
 import { StepButtons } from './controls/step-buttons';
 import { HistoryTab } from './details/history-tab';
 import type { Outcome } from './model/model';
@@ -35,7 +36,8 @@ export class PageHistory {
     const { all, current } = this.steps;
     const last = all[Math.max(current, to)];
     const step = this.steps.go(to);
-    if (step) this.restore(step, `${to < current ? 'Undone' : 'Redone'}: ${last.text}`);
+    const said = to < current ? CHANGES.undone : CHANGES.redone;
+    if (step) this.restore(step, said(last.text));
   }
 
   private show(): void {

@@ -1,5 +1,6 @@
 import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
+import { SHOWN } from './base/english';
 import { ChartsTab, type ChartsTabEvents } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
@@ -154,7 +155,7 @@ export class ResultPanels {
   stillShown(isStale: boolean): string {
     const { outcome } = this;
     if (!outcome) return '';
-    return `Still showing ${isStale ? ownerOf(outcome) : titleOf(outcome.source)}.`;
+    return SHOWN.stillSentence(isStale ? ownerOf(outcome) : titleOf(outcome.source));
   }
 
   private showLayout(outcome: Outcome, drawing: FlatDrawing): void {

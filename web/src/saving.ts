@@ -1,4 +1,5 @@
 import { showAlert } from './base/alert';
+import { SAVING } from './base/english';
 import { loadPart } from './base/load-part';
 import { TexcoordChoice } from './controls/texcoord-choice';
 import { ExportControl } from './export/export-control';
@@ -107,7 +108,7 @@ export class Saving {
 
   private savePicture(): void {
     const { views, shown, outcome } = this;
-    if (!views || !shown || !outcome) this.say('Nothing is drawn, so there is no picture');
+    if (!views || !shown || !outcome) this.say(SAVING.notDrawn);
     else
       loadPart(import('./export/views-picture'))
         .then(({ savePicture }) => savePicture(views, shown.name))
@@ -115,7 +116,6 @@ export class Saving {
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {
-    const text = `${titleOf(source)} was not saved: ${message.replace(/\.$/, '')}.`;
-    showAlert(text, settingsText(settings));
+    showAlert(SAVING.failed(titleOf(source), message), settingsText(settings));
   }
 }

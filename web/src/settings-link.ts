@@ -1,4 +1,5 @@
 import type { MeshSummary } from 'abflat';
+import { VISIT } from './base/english';
 import type { Settings } from './model/settings';
 import { choiceOf, seamWords } from './seams/seam-choice';
 import { settingsOf, textOf } from './settings-text';
@@ -27,7 +28,7 @@ export class SettingsLink {
     const { settings, ignored } = settingsOf(text);
     this.linked = text ? settings : null;
     const words = ignored.map((word) => word.slice(0, MOST_LETTERS)).join(', ');
-    this.remark = words && `The link asks for ${words}, which this page does not offer.`;
+    this.remark = words && VISIT.notOffered(words);
   }
 
   /** Puts settings into the address, as the same page: the way back leads where it led before. */

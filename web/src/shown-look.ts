@@ -1,3 +1,4 @@
+import { SHOWN } from './base/english';
 import type { Notice } from './controls/notice';
 import type { Opened } from './model/model';
 import type { Views } from './view/views';
@@ -23,7 +24,7 @@ export class ShownLook {
     const isPhone = window.matchMedia('(pointer: coarse)').matches;
     const read = await this.workshop
       .appearance(source, opened, memoryFor(isPhone))
-      .catch(() => ({ appearance: null, remarks: [failed(source.name)] }));
+      .catch(() => ({ appearance: null, remarks: [SHOWN.noMaterials(source.name)] }));
     const { appearance, remarks } = read;
     if (this.opened !== opened) {
       for (const image of appearance?.images ?? []) image.close();
@@ -33,6 +34,3 @@ export class ShownLook {
     if (appearance) views.showAppearance(source, appearance);
   }
 }
-
-const failed = (name: string) =>
-  `The materials of ${name} could not be read. Open it again to see them.`;

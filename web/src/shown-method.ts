@@ -1,5 +1,6 @@
 import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
+import { SHOWN } from './base/english';
 import type { MetricsPanel } from './details/metrics';
 import type { Outcome } from './model/model';
 import { ownerOf } from './stale-mark';
@@ -32,8 +33,7 @@ export class ShownMethod {
     this.metrics.markStale(ownerOf(outcome));
     this.views?.showFlat(drawing, { ...method, bounds: [], delaunay: null });
     element('layout-info', HTMLElement).textContent = method.title;
-    element('method-note-text', HTMLElement).textContent =
-      `Comparison, not exported: ${method.title}`;
+    element('method-note-text', HTMLElement).textContent = SHOWN.comparison(method.title);
   }
 
   /** The result is shown again. */

@@ -1,4 +1,5 @@
 import { element } from './base/dom';
+import { SHOWN } from './base/english';
 import type { MetricsPanel } from './details/metrics';
 import type { Outcome, Source } from './model/model';
 import { type Settings, sameSettings } from './model/settings';
@@ -7,7 +8,7 @@ import { settingsText } from './session/words';
 
 /** Names the mesh and settings that a result belongs to, for display. */
 export const ownerOf = ({ source, settings }: Outcome) =>
-  `${titleOf(source)}, ${settingsText(settings)}`;
+  SHOWN.owner(titleOf(source), settingsText(settings));
 
 /** Says on layout and numbers that they belong to an earlier mesh or earlier settings. */
 export class StaleMark {
@@ -25,7 +26,7 @@ export class StaleMark {
       outcome && (outcome.source !== shown || !sameSettings(outcome.settings, settings))
         ? ownerOf(outcome)
         : null;
-    if (stale !== null) this.note.textContent = `Still showing ${stale}`;
+    if (stale !== null) this.note.textContent = SHOWN.still(stale);
     this.note.hidden = stale === null;
     this.stage.classList.toggle('stale', stale !== null);
     this.metrics.markStale(stale);

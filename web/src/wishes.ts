@@ -1,5 +1,6 @@
 import type { VertexBound } from 'abflat';
 import { element } from './base/dom';
+import { CHANGES } from './base/english';
 import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
 import { BoundControl } from './controls/bound-control';
@@ -104,7 +105,7 @@ export class Wishes {
   /** All charts that are not locked are to be packed again. */
   packAgain(): void {
     this.placed = undefined;
-    this.events.changed('Packed again');
+    this.events.changed(CHANGES.packedAgain);
   }
 
   /** Shows other settings without asking for them. */

@@ -1,3 +1,4 @@
+import { MOVING } from '../base/english';
 import { type Motion, type Point, shifted, turned } from './motion';
 
 export type GestureKind = 'move' | 'turn' | 'scale';
@@ -74,14 +75,14 @@ const numberIn = (typed: string) =>
 /** "Move u 0.125, v −0.5 (128, −512 texels)", "Turn 45°", "Scale ×1.5". */
 export function textOf(gesture: Gesture): string {
   const { kind, axis, texel, typed } = gesture;
-  const as = typed === '' || numberIn(typed) !== null ? '' : ` ${typed}…`;
-  if (kind === 'turn') return `Turn ${signed(angleOf(gesture) / DEGREE, 1)}°${as}`;
-  if (kind === 'scale') return `Scale ×${signed(scaleOf(gesture), 3)}${as}`;
+  const as = typed === '' || numberIn(typed) !== null ? '' : MOVING.typed(typed);
+  if (kind === 'turn') return MOVING.turn(signed(angleOf(gesture) / DEGREE, 1)) + as;
+  if (kind === 'scale') return MOVING.scale(signed(scaleOf(gesture), 3)) + as;
   const shift = shiftOf(gesture);
-  const names = ['u', 'v'].map((name, d) => `${name} ${signed(shift[d], 4)}`);
+  const names = ['u', 'v'].map((name, d) => MOVING.along(name, signed(shift[d], 4)));
   const texels = shift.map((x) => signed(x / texel, 1));
   const only = <T>(pair: T[]) => (axis === null ? pair : [pair[axis]]).join(', ');
-  return `Move ${only(names)} (${only(texels)} texels)${as}`;
+  return MOVING.move(only(names), only(texels)) + as;
 }
 
 /** With a true minus sign and at most so many decimals. */

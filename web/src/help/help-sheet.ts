@@ -1,14 +1,6 @@
 import { create, element } from '../base/dom';
+import { KEY_NAMES } from '../base/english';
 import { CONTROLS, type Control, type ControlGroup } from './keys';
-
-const NAMES: Record<string, string> = {
-  ArrowLeft: '←',
-  ArrowRight: '→',
-  ArrowUp: '↑',
-  ArrowDown: '↓',
-  Escape: 'Esc',
-  '-': '−',
-};
 
 /** The sheet with all keys. */
 export class HelpSheet {
@@ -52,5 +44,5 @@ function row({ keys, gestures, does }: Control): HTMLElement {
 /** "Ctrl+Z": its parts as on the keyboard; + alone is a key. */
 function keyOf(key: string): HTMLElement {
   const parts = key === '+' ? [key] : key.split('+');
-  return create('kbd', '', parts.map((part) => NAMES[part] ?? part).join(' '));
+  return create('kbd', '', parts.map((part) => KEY_NAMES[part] ?? part).join(' '));
 }

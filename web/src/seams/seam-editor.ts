@@ -1,4 +1,4 @@
-import { counted, measure } from '../base/format';
+import { SEAMS } from '../base/english';
 import { ShortestPaths } from '../surface/shortest-paths';
 import { Aim, type Modifiers } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
@@ -26,8 +26,8 @@ const PLACES_PER_FRAME = 1 << 14;
 const DOUBLE_CLICK = 20;
 
 const INVITATIONS: Record<Tool, string> = {
-  cut: 'Click a vertex to start a cut, double-click an edge to cut its loop',
-  join: 'Click a seam to join its sides',
+  cut: SEAMS.toCut,
+  join: SEAMS.toJoin,
 };
 
 /** What a click can hit. */
@@ -126,7 +126,7 @@ export class SeamEditor {
         { ...NO_MARKS, offered: this.pairs(this.model, this.offer.edges) },
         this.offer.text,
       );
-    else if (tool === null) this.mark(NO_MARKS, 'Click a chart to select it');
+    else if (tool === null) this.mark(NO_MARKS, SEAMS.toSelect);
     else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
     else if (!this.model.isReady) {
       this.mark(NO_MARKS, INVITATIONS[tool]);
@@ -169,7 +169,7 @@ export class SeamEditor {
   private cutLoop(model: SeamModel, loop: number[]): void {
     const count = model.cut(loop);
     if (count === 0) return;
-    const what = `Cut a loop of ${counted(count, 'edge')}`;
+    const what = SEAMS.cutLoop(count);
     this.events.say(what);
     this.events.changed(what);
   }
@@ -184,20 +184,16 @@ export class SeamEditor {
     const isKnown = place >= 0 && paths.hasReached(place);
     const path = isKnown ? paths.to(place) : [];
     const vertices = Uint32Array.from([paths.start, ...listed(place)]);
-    const length = measure(isKnown ? paths.distanceTo(place) : 0);
     const text =
       path.length > 0
-        ? `Vertex ${paths.start} to ${place}: cut ${counted(path.length, 'edge')}, ${length} long`
-        : `From vertex ${paths.start}: click the end of the cut, Esc cancels`;
+        ? SEAMS.cutTo(paths.start, place, path.length, paths.distanceTo(place))
+        : SEAMS.toEndCut(paths.start);
     this.mark({ ...NO_MARKS, cut: this.pairs(model, path), vertices }, text);
   }
 
   private previewStart(model: SeamModel, place: number, loop: number[]): void {
-    const start = place < 0 ? INVITATIONS.cut : `Vertex ${place}: start a cut`;
-    const text =
-      loop.length > 0
-        ? `${start}. Double-click: cut a loop of ${counted(loop.length, 'edge')}`
-        : start;
+    const start = place < 0 ? INVITATIONS.cut : SEAMS.startHere(place);
+    const text = loop.length > 0 ? SEAMS.orCutLoop(start, loop.length) : start;
     this.mark({ ...NO_MARKS, offered: this.pairs(model, loop), vertices: listed(place) }, text);
   }
 
@@ -205,10 +201,12 @@ export class SeamEditor {
     const edges = this.seamAt(model, at, shift);
     const vertices = this.paths ? Uint32Array.of(this.paths.start) : NO_MARKS.vertices;
     const isOwn = edges.some((e) => model.own[e]);
-    const seam = `Seam of ${counted(edges.length, 'edge')}`;
     if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, INVITATIONS.join);
-    else if (!isOwn) this.mark(NO_MARKS, `${seam}: needed to keep its chart a disk`);
-    else this.mark({ ...NO_MARKS, joined: this.pairs(model, edges), vertices }, `${seam}: join`);
+    else if (!isOwn) this.mark(NO_MARKS, SEAMS.neededHere(edges.length));
+    else {
+      const joined = this.pairs(model, edges);
+      this.mark({ ...NO_MARKS, joined, vertices }, SEAMS.joinHere(edges.length));
+    }
   }
 
   /**
@@ -221,7 +219,7 @@ export class SeamEditor {
     if (!this.paths) {
       this.begin(model, place);
       this.begunOnEdge = this.loopAt(model, at).length > 0 ? at : null;
-      this.events.say(`Cut started at vertex ${place}`);
+      this.events.say(SEAMS.started(place));
       return;
     }
     if (this.isSecondClick(at)) {
@@ -231,15 +229,15 @@ export class SeamEditor {
     const path = this.paths.to(place);
     const isSame = place === this.paths.start;
     if (path.length === 0 && !isSame) {
-      this.events.say(`No edges connect vertex ${this.paths.start} to vertex ${place}`);
+      this.events.say(SEAMS.notConnected(this.paths.start, place));
       return;
     }
     this.paths = null;
     if (goesOn && !isSame) this.begin(model, place);
     if (isSame) return;
     const count = model.cut(path);
-    const what = `Cut ${counted(count, 'edge')}`;
-    this.events.say(count > 0 ? what : 'Already cut');
+    const what = SEAMS.cut(count);
+    this.events.say(count > 0 ? what : SEAMS.alreadyCut);
     if (count > 0) this.events.changed(what);
   }
 
@@ -271,8 +269,8 @@ export class SeamEditor {
     const edges = this.seamAt(model, at, shift);
     if (edges.length === 0) return;
     const count = model.join(edges);
-    const what = `Joined ${counted(count, 'edge')}`;
-    this.events.say(count > 0 ? what : 'This seam is needed to keep its chart a disk');
+    const what = SEAMS.joined(count);
+    this.events.say(count > 0 ? what : SEAMS.needed);
     if (count > 0) this.events.changed(what);
   }
 
@@ -312,7 +310,7 @@ export class SeamEditor {
     if (event.key !== 'Escape' || !this.paths || closesSomething(event)) return;
     event.stopPropagation();
     this.clear();
-    this.events.say('Cut cancelled');
+    this.events.say(SEAMS.cancelled);
   }
 }
 

@@ -1,3 +1,4 @@
+import { SEAM_FILES } from '../base/english';
 import { edgeBetween, type SurfaceGraph } from '../surface/surface-graph';
 
 /** Its message names the file, the line and the problem. */
@@ -22,17 +23,14 @@ export function readSeams(graph: SurfaceGraph, text: string, name: string): Uint
   text.split(/\r?\n/).forEach((line, i) => {
     const content = line.replace(/#.*/, '').trim();
     if (content === '') return;
-    const where = `${name}:${i + 1}`;
+    const where = SEAM_FILES.where(name, i + 1);
     const numbers = /^(\d+)\s+(\d+)$/.exec(content);
-    if (!numbers) throw new BadSeamFile(`${where}: expected two vertex numbers, such as '17 42'.`);
+    if (!numbers) throw new BadSeamFile(SEAM_FILES.notTwoNumbers(where));
     const [from, to] = [Number(numbers[1]), Number(numbers[2])];
     const missing = [from, to].find((v) => v >= graph.places.length);
     if (missing !== undefined)
-      throw new BadSeamFile(
-        `${where}: there is no vertex ${missing}; the last one is ${graph.places.length - 1}.`,
-      );
-    if (edgeBetween(graph, from, to) < 0)
-      throw new BadSeamFile(`${where}: ${from}-${to} is not an edge of any face.`);
+      throw new BadSeamFile(SEAM_FILES.noVertex(where, missing, graph.places.length - 1));
+    if (edgeBetween(graph, from, to) < 0) throw new BadSeamFile(SEAM_FILES.noEdge(where, from, to));
     pairs.push(from, to);
   });
   return Uint32Array.from(pairs);

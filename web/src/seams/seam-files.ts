@@ -1,5 +1,6 @@
 import { element } from '../base/dom';
 import { download } from '../base/download';
+import { READING, SEAM_FILES } from '../base/english';
 
 export interface SeamFileEvents {
   /** The text to save; null if there is none, which has been said. */
@@ -27,7 +28,7 @@ export class SeamFiles {
       const text = await events.text();
       if (text === null) return;
       download(name, 'text/plain', text);
-      events.say(`Saved ${name}`);
+      events.say(SEAM_FILES.saved(name));
     });
     open.addEventListener('click', () => input.click());
     input.addEventListener('change', () => {
@@ -36,7 +37,7 @@ export class SeamFiles {
         file
           .text()
           .then(events.chosen(file.name), ({ message }: Error) =>
-            events.failed(`${file.name} cannot be read (${message}) Choose the file again.`),
+            events.failed(READING.unreadable(file.name, message)),
           );
       // So that choosing the same file again still fires a change event.
       input.value = '';

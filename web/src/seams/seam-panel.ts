@@ -1,6 +1,6 @@
 import type { MeshSummary } from 'abflat';
 import { showAlert } from '../base/alert';
-import { counted } from '../base/format';
+import { SEAM_FILES, SEAMS } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { startOnce } from '../base/start-once';
 import type { DisplayMesh } from '../mesh/mesh';
@@ -98,7 +98,7 @@ export class SeamPanel {
       return;
     }
     const edges = model.sharpEdges(degrees);
-    this.editor?.show({ edges, text: sharpText(edges.length, degrees) });
+    this.editor?.show({ edges, text: SEAMS.sharp(edges.length, degrees) });
   }
 
   /** Adds the edges that bend by more than this to the user's seams. */
@@ -106,8 +106,8 @@ export class SeamPanel {
     const model = await this.ready();
     if (!model) return;
     const count = model.cut(model.sharpEdges(degrees));
-    const what = `Marked ${counted(count, 'sharp edge')}`;
-    this.events.say(count > 0 ? what : sharpText(0, degrees));
+    const what = SEAMS.markedSharp(count);
+    this.events.say(count > 0 ? what : SEAMS.sharp(0, degrees));
     if (count > 0) this.changed(what);
     this.editor?.show(null);
   }
@@ -127,7 +127,7 @@ export class SeamPanel {
         showAlert(error.message);
         return;
       }
-      this.changed(`Seams of ${name}`);
+      this.changed(SEAM_FILES.opened(name));
     };
   }
 
@@ -147,7 +147,7 @@ export class SeamPanel {
   /** Adds automatic seams to those asked for. */
   cutFurther(): void {
     this.model?.cutFurther();
-    this.changed('Cut further');
+    this.changed(SEAMS.cutFurther);
   }
 
   /** Shows other seams without asking for them. */
@@ -184,7 +184,7 @@ export class SeamPanel {
     } catch (error) {
       if (mesh !== this.mesh) return;
       this.hide();
-      this.events.say(`Seams cannot be edited: ${(error as Error).message}`);
+      this.events.say(SEAMS.notEditable((error as Error).message));
     }
   }
 
@@ -226,9 +226,4 @@ export class SeamPanel {
     this.editor?.update();
     this.events.changed(what);
   }
-}
-
-function sharpText(count: number, degrees: number): string {
-  if (count === 0) return `No other edge bends by more than ${degrees}°`;
-  return `${counted(count, 'edge')} ${count === 1 ? 'bends' : 'bend'} by more than ${degrees}°`;
 }

@@ -1,5 +1,5 @@
 import { element } from '../base/dom';
-import { counted } from '../base/format';
+import { SEAM_SOURCES } from '../base/english';
 import { refusal } from '../controls/number-field';
 import type { SeamChoice, SeamSources } from './seam-choice';
 
@@ -42,10 +42,10 @@ export class SourceControl {
       if (this.degrees.ariaInvalid === 'true')
         say(
           refusal(
-            'Sharp angle',
+            SEAM_SOURCES.sharpAngle,
             this.degrees.value,
-            'above 0 and at most 180 degrees',
-            `${this.angle}°`,
+            SEAM_SOURCES.sharpRange,
+            SEAM_SOURCES.degrees(this.angle),
           ),
         );
       this.degrees.valueAsNumber = this.angle;
@@ -86,8 +86,7 @@ export class SourceControl {
 }
 
 function stateText(sources: SeamSources, edges: Uint32Array | null, isCutFurther = false): string {
-  if (edges)
-    return `edited: ${counted(edges.length / 2, 'edge')}${isCutFurther ? ', cut further' : ''}`;
+  if (edges) return SEAM_SOURCES.edited(edges.length / 2, isCutFurther);
   const { auto, uv, material, sharp } = sources;
-  return auto || uv || material || sharp !== null ? '' : 'fewest possible cuts';
+  return auto || uv || material || sharp !== null ? '' : SEAM_SOURCES.none;
 }

@@ -1,21 +1,10 @@
 import type { GestureKind } from '../arrange/gesture';
-import { counted } from '../base/format';
+import { ARRANGED, MOVING } from '../base/english';
 
-/** What can be done to the selected charts, as the menu names it, and how it is said when it is done. */
-const DONE = {
-  move: 'Moved',
-  turn: 'Turned',
-  scale: 'Scaled',
-  left: 'Turned',
-  right: 'Turned',
-  straightened: 'Straightened',
-  stacked: 'Stacked',
-  evened: 'Evened out',
-};
+/** What can be done to the selected charts, as the menu names it. */
+export type ArrangeName = keyof typeof ARRANGED;
 
-export type ArrangeName = keyof typeof DONE;
-
-export const isName = (name: string): name is ArrangeName => Object.hasOwn(DONE, name);
+export const isName = (name: string): name is ArrangeName => Object.hasOwn(ARRANGED, name);
 
 /** Whether the pointer or keys say how far. */
 export const isGesture = (name: ArrangeName): name is GestureKind =>
@@ -24,5 +13,8 @@ export const isGesture = (name: ArrangeName): name is GestureKind =>
 /** "Moved chart 3", "Scaled 2 charts" */
 export function movedText(charts: ReadonlySet<number>, how: ArrangeName): string {
   const [chart] = charts;
-  return `${DONE[how]} ${charts.size === 1 ? `chart ${chart}` : counted(charts.size, 'chart')}`;
+  const done = ARRANGED[how];
+  return charts.size === 1
+    ? MOVING.doneToOne(done, chart)
+    : MOVING.doneToSeveral(done, charts.size);
 }

@@ -1,5 +1,5 @@
 import { element } from '../base/dom';
-import { counted } from '../base/format';
+import { PINS } from '../base/english';
 
 export interface PinBarActions {
   toggle(): void;
@@ -26,10 +26,7 @@ export class PinBar {
     this.bar.hidden = !isOn || !isAtlas;
     this.bar.classList.toggle('busy', gesture !== null);
     this.removeAll.hidden = count === 0;
-    const hint =
-      count === 0
-        ? 'Click a vertex to pin it'
-        : `${counted(count, 'pin')}. Drag one to bend its chart, click it to remove it`;
+    const hint = count === 0 ? PINS.invitation : PINS.some(count);
     this.text.textContent = gesture ?? hint;
   }
 }

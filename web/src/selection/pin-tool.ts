@@ -1,6 +1,6 @@
 import { bent, type ChartMesh, type Coordinates } from '../arrange/chart-mesh';
 import { type Motion, moved, type Point } from '../arrange/motion';
-import { counted } from '../base/format';
+import { PINS } from '../base/english';
 import type { Unwrapped } from '../model/model';
 import { Aim } from '../view/aim';
 import type { Bending } from '../view/bending';
@@ -93,7 +93,7 @@ export class PinTool {
     const pin = layout && !this.dragged ? this.pinAt(at) : null;
     if (layout === null || pin === null) return null;
     if (this.events.locked().has(chartOfCorner(layout, pin))) {
-      this.events.say('This chart is locked. Unlock it to drag its pins');
+      this.events.say(PINS.locked);
       return null;
     }
     return this.movable(pin);
@@ -144,13 +144,10 @@ export class PinTool {
   private async place(bending: Promise<Bending>, by: Point): Promise<void> {
     try {
       const { mesh, weights, chart } = await bending;
-      this.events.bent(
-        (before) => bent(before, mesh, weights, by),
-        `Moved a pin of chart ${chart}`,
-      );
+      this.events.bent((before) => bent(before, mesh, weights, by), PINS.moved(chart));
     } catch (error) {
       this.putBack();
-      this.events.say(`The pin was not moved: ${(error as Error).message}`);
+      this.events.say(PINS.notMoved((error as Error).message));
     }
   }
 
@@ -192,7 +189,7 @@ export class PinTool {
 
   private removeAll(): void {
     const { length } = this.pins;
-    this.change(NO_PINS, `Removed ${counted(length, 'pin')}`);
+    this.change(NO_PINS, PINS.removedAll(length));
   }
 
   private change(pins: Pins, what: string): void {
@@ -224,9 +221,9 @@ export class PinTool {
     if (vertex < 0) return;
     const corner = pin ?? layout.indices.indexOf(vertex);
     this.aimed = vertex; // keys aim at nothing before
-    const what = pin === null ? 'Pinned a vertex' : 'Removed a pin';
     const chart = chartOfCorner(layout, corner);
-    this.change(toggled(this.pins, layout, vertex), `${what} of chart ${chart}`);
+    const what = pin === null ? PINS.pinned(chart) : PINS.removed(chart);
+    this.change(toggled(this.pins, layout, vertex), what);
   }
 
   private onKey(event: KeyboardEvent): void {

@@ -1,6 +1,6 @@
 import type { UnwrapReport } from 'abflat';
 import { element } from '../base/dom';
-import { count, counted, measure } from '../base/format';
+import { SELECTION } from '../base/english';
 import { MenuButton } from '../controls/menu-button';
 import type { ChartStates } from '../view/chart-flags';
 
@@ -56,19 +56,15 @@ function selectionText(
   hidden: ReadonlySet<number>,
   { charts }: UnwrapReport,
 ): string {
-  if (selected.size === 0) return `${counted(hidden.size, 'chart')} hidden`;
+  if (selected.size === 0) return SELECTION.hidden(hidden.size);
   const sum = (of: (chart: (typeof charts)[number]) => number, numbers: Iterable<number>) =>
     [...numbers].reduce((total, chart) => total + of(charts[chart]), 0);
   const areaOf = (numbers: Iterable<number>) => sum(({ area }) => area ?? 0, numbers);
-  const triangles = counted(
-    sum(({ faces }) => faces, selected),
-    'triangle',
-  );
+  const triangles = sum(({ faces }) => faces, selected);
   if (selected.size === 1) {
     const [chart] = selected;
-    return `Chart ${count(chart)}: ${triangles}, stretch ${measure(charts[chart].symmetricDirichlet ?? Number.NaN)}`;
+    return SELECTION.one(chart, triangles, charts[chart].symmetricDirichlet ?? Number.NaN);
   }
   const share = areaOf(selected) / areaOf(charts.keys());
-  const percent = `${(100 * share).toFixed(0)}\u202f%`;
-  return `${counted(selected.size, 'chart')}: ${triangles}, ${percent} of the surface`;
+  return SELECTION.several(selected.size, triangles, share);
 }

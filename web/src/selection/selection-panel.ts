@@ -2,6 +2,7 @@ import type { UnwrapReport } from 'abflat';
 import { middleOf } from '../arrange/charts';
 import type { GestureKind } from '../arrange/gesture';
 import { type Motion, STILL, turned } from '../arrange/motion';
+import { SELECTION } from '../base/english';
 import { Aim, type Modifiers } from '../view/aim';
 import type { Pixel } from '../view/sight';
 import type { ViewName, Views } from '../view/views';
@@ -157,9 +158,7 @@ export class SelectionPanel {
     const { movable } = this;
     if (movable.size === 0) {
       const isLocked = this.selection.selected.size > 0;
-      this.events.say(
-        isLocked ? 'Locked charts stay. Unlock them to move them' : 'Select a chart first',
-      );
+      this.events.say(isLocked ? SELECTION.locked : SELECTION.none);
       return;
     }
     if (isGesture(how)) {

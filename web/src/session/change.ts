@@ -1,6 +1,7 @@
 // Names changes of settings, as the history shows them.
 
-import { bound, counted } from '../base/format';
+import { CHANGES, LAYING_OUT } from '../base/english';
+import type { Bound } from '../base/format';
 import { MORE, MORE_LABELS } from '../model/more-options';
 import type { Settings } from '../model/settings';
 
@@ -15,41 +16,41 @@ type Values = Record<string, unknown>;
 
 /** The words for each setting that has changed; those that go with a slider or a field are streams. */
 const NAMES: Record<string, (value: never) => Change> = {
-  t: (t: number | 'auto') => ({ text: `Boundary t ${bound(t)}`, stream: 't' }),
-  balance: (balance: number) => ({ text: `Balance ${balance}`, stream: 'balance' }),
-  delaunay: (isOn: boolean) => ({ text: isOn ? 'Delaunay' : 'Delaunay off' }),
+  t: (t: Bound) => ({ text: CHANGES.t(t), stream: 't' }),
+  balance: (balance: number) => ({ text: CHANGES.balance(balance), stream: 'balance' }),
+  delaunay: (isOn: boolean) => ({ text: CHANGES.delaunay(isOn) }),
   bounds: (bounds: unknown[] | undefined) => ({
-    text: bounds ? `Bounds of ${counted(bounds.length, 'vertex', 'vertices')}` : 'No own bounds',
+    text: bounds ? CHANGES.bounds(bounds.length) : CHANGES.noBounds,
   }),
-  maxStretch: (most: number) => ({ text: `Max stretch ${most}`, stream: 'maxStretch' }),
-  resolution: (texels: number) => ({ text: `Resolution ${texels}\u202fpx` }),
-  padding: (texels: number) => ({ text: `Padding ${texels}`, stream: 'padding' }),
+  maxStretch: (most: number) => ({ text: CHANGES.maxStretch(most), stream: 'maxStretch' }),
+  resolution: (texels: number) => ({ text: CHANGES.resolution(texels) }),
+  padding: (texels: number) => ({ text: CHANGES.padding(texels), stream: 'padding' }),
   seams: (seams: string) => ({
-    text: `Seams: ${seams.replaceAll(',', ', ')}`,
+    text: CHANGES.seams(seams),
     stream: seamStream(seams),
   }),
   seamEdges: (edges: Uint32Array | undefined) => ({
-    text: edges ? `Seams of ${counted(edges.length / 2, 'edge')}` : 'Seams as chosen',
+    text: edges ? CHANGES.seamEdges(edges.length / 2) : CHANGES.noSeamEdges,
   }),
   fixedFaces: (kept: string | undefined) => ({
-    text: kept ? 'UVs of the file kept' : 'UVs of the file not kept',
+    text: kept ? CHANGES.keptUvs : CHANGES.noKeptUvs,
   }),
 };
 
 /** What was changed from one to the other; the first difference in the order of the page. */
 export function changeBetween(before: Settings, after: Settings): Change {
-  if (before.mode !== after.mode) return { text: after.mode === 'flatten' ? 'Flatten' : 'Unwrap' };
+  if (before.mode !== after.mode) return { text: LAYING_OUT[after.mode].verb };
   const [from, to]: Values[] = [{ ...before }, { ...after }];
   for (const [name, words] of Object.entries(NAMES))
     if (from[name] !== to[name]) return words(to[name] as never);
   for (const name of MORE) if (from[name] !== to[name]) return more(name, to[name]);
-  return { text: 'Packed again' };
+  return { text: CHANGES.packedAgain };
 }
 
 function more(name: (typeof MORE)[number], value: unknown): Change {
   const label = MORE_LABELS[name];
-  if (typeof value === 'boolean') return { text: value ? label : `${label} off` };
-  return { text: `${label} ${value}`, stream: typeof value === 'number' ? name : undefined };
+  if (typeof value === 'boolean') return { text: CHANGES.switched(label, value) };
+  return { text: CHANGES.set(label, value), stream: typeof value === 'number' ? name : undefined };
 }
 
 /** An angle is typed digit by digit. */

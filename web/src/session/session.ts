@@ -1,7 +1,7 @@
-import type { Abflat, MeshFile, MeshInput, MeshSummary } from 'abflat';
+import type { Abflat, MeshFile, MeshInput } from 'abflat';
 import { Background } from '../base/background';
 import { copied } from '../base/buffers';
-import { counted } from '../base/format';
+import { READING } from '../base/english';
 import { lostOf } from '../base/lost';
 import { asDisk } from '../mesh/as-disk';
 import type { FlatDrawing } from '../model/drawing';
@@ -133,7 +133,7 @@ export class Session {
     signal: AbortSignal,
   ): Promise<T> {
     return this.background.run(async (signal) => {
-      if (!this.opened) throw new Error('Open a mesh first.');
+      if (!this.opened) throw new Error(READING.noMesh);
       return work(await this.abflat(), this.opened.input, signal);
     }, signal);
   }
@@ -215,7 +215,7 @@ export class Session {
       );
       return { source, input: mesh, mesh, summary, drawing: await this.helpers.mesh(mesh), gltf };
     }
-    if (source.file.size === 0) throw new Error(`${source.name} is empty.`);
+    if (source.file.size === 0) throw new Error(READING.empty(source.name));
     const input: MeshFile = {
       bytes: new Uint8Array(await bytesOf(source.file)),
       name: source.name,
@@ -223,13 +223,14 @@ export class Session {
     const mesh = await abflat
       .load(await copied(input), { signal, transfer: true })
       .catch((error: unknown) => {
-        throw isUnknownFormat(error) ? new Error(unsupported(source.name)) : error;
+        throw isUnknownFormat(error) ? new Error(READING.notSupported(source.name)) : error;
       });
     const [summary, drawing] = await Promise.all([
       abflat.inspect(await copied(input), { signal, transfer: true }),
       this.helpers.mesh(mesh),
     ]);
-    if (mesh.indices.length === 0) throw new Error(withoutFaces(source.name, summary));
+    if (mesh.indices.length === 0)
+      throw new Error(READING.withoutFaces(source.name, summary.vertices));
     return { source, input, mesh, summary, drawing };
   }
 }
@@ -240,22 +241,12 @@ const isUnknownFormat = (error: unknown) =>
   error.code === 'UnreadableFile' &&
   lostOf(error) === null;
 
-const unsupported = (name: string) =>
-  `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`;
-
-function withoutFaces(name: string, { vertices }: MeshSummary): string {
-  const content =
-    vertices > 0 ? `${counted(vertices, 'vertex', 'vertices')} but no faces` : 'no faces';
-  return `${name} has ${content}, so there is nothing to unwrap. Save it with its faces.`;
-}
-
 async function bytesOf(file: File): Promise<ArrayBuffer> {
   try {
     return await file.arrayBuffer();
   } catch (error) {
     // A folder, or a file that was moved or changed since it was chosen.
-    const reason = toError(error).message;
-    throw new Error(`${file.name} cannot be read (${reason}) Choose the file again.`);
+    throw new Error(READING.unreadable(file.name, toError(error).message));
   }
 }
 

@@ -1,5 +1,6 @@
 import type { Abflat, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
+import { SAVING } from '../base/english';
 import type { ExportFormat, Outcome } from '../model/model';
 import { layOut } from './lay-out';
 
@@ -26,7 +27,7 @@ export async function writeAgain(
       : (await layOut(abflat, { ...outcome, input }, outcome.settings, null, { signal }, format))
           .result;
   if (!isSame(written.indices, result.indices) || !isSame(written.uv, result.uv))
-    throw new Error('The layout came out differently. Lay it out again, then export it.');
+    throw new Error(SAVING.cameOutDifferently);
   const { obj, ply, report } = written;
   return { obj, ply, isValid: report.valid };
 }
