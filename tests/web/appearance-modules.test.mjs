@@ -212,7 +212,8 @@ test('images share their memory', async () => {
 });
 
 test('missing files are listed in a sentence', async () => {
-  const { fileNamed, listed, remarksOn } = await load('files/missing-files');
+  const { listed } = await load('base/format');
+  const { fileNamed, remarksOn } = await load('files/missing-files');
   assert.equal(listed(['a', 'b', 'c', 'd']), 'a, b, c and d');
   assert.equal(listed(['a', 'b', 'c', 'd', 'e']), 'a, b, c and 2 more');
   assert.deepEqual(remarksOn('m.obj', ['a.png', 'b.png', 'a.png'], ['c.tga']), [

@@ -1,4 +1,5 @@
 import { create, element } from './dom';
+import { ALERT } from './english';
 
 const box = element('alert', HTMLElement);
 
@@ -6,7 +7,7 @@ const box = element('alert', HTMLElement);
 export function showAlert(sentence: string, detail = ''): void {
   const close = create('button', 'alert-close', '×');
   close.type = 'button';
-  close.setAttribute('aria-label', 'Close this message');
+  close.setAttribute('aria-label', ALERT.close);
   close.addEventListener('click', hideAlert);
   const text = create('div', 'alert-text');
   text.append(create('p', '', sentence));

@@ -9,6 +9,17 @@ export function counted(n: number, singular: string, plural = `${singular}s`): s
   return `${count(n)} ${n === 1 ? singular : plural}`;
 }
 
+/** The most names in a sentence. */
+const NAMED = 3;
+
+/** "a", "a and b", "a, b and c", "a, b, c and 4 more". */
+export function listed(names: string[]): string {
+  const shown = names.length > NAMED + 1 ? names.slice(0, NAMED) : names;
+  const rest = names.length - shown.length;
+  const all = rest > 0 ? [...shown, `${rest} more`] : shown;
+  return all.length < 2 ? all.join('') : `${all.slice(0, -1).join(', ')} and ${all.at(-1)}`;
+}
+
 /** abflat says texcoords where the page says UVs. */
 export function inPageWords(message: string): string {
   return message.replace(/\btexcoords\b(?!\.\w)/g, 'UVs').replace(/\btexcoord\b(?!\.\w)/g, 'UV');

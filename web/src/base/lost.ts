@@ -1,4 +1,5 @@
 import { AbflatError, type LostPart } from 'abflat';
+import { LOST } from './english';
 
 /**
  * A part of the page could not be loaded or has stopped, so trying again may help. `detail`: what
@@ -13,26 +14,16 @@ export class Lost extends Error {
   }
 }
 
-export const notLoaded = (detail: string) =>
-  new Lost(
-    'a part of this page could not be loaded. Check the connection, then try again.',
-    detail,
-  );
+export const notLoaded = (detail: string) => new Lost(LOST.notLoaded, detail);
 
-export const stopped = (detail: string) =>
-  new Lost(
-    'its worker stopped, possibly because memory ran out. Close other tabs, then try again.',
-    detail,
-  );
+export const stopped = (detail: string) => new Lost(LOST.stopped, detail);
 
 /** The name of such an error from a worker: its class does not survive the message. */
 export const NOT_LOADED = 'NotLoaded';
 
-export const NO_WORKER = 'A worker could not be loaded.';
-
 const OF_PART: Record<LostPart, (sentence: string) => Lost> = {
   module: notLoaded,
-  worker: () => notLoaded(NO_WORKER),
+  worker: () => notLoaded(LOST.noWorker),
   stopped,
 };
 

@@ -1,3 +1,4 @@
+import { THEME } from './english';
 import { remember, remembered } from './remember';
 
 /** theme.js, beside index.html, also reads it, to set the theme before the first paint. */
@@ -13,8 +14,8 @@ export function bindTheme(button: HTMLButtonElement, changed: () => void): void 
   const other = () => (root.dataset.theme === 'light' ? 'dark' : 'light');
   const use = (theme: string) => {
     root.dataset.theme = theme;
-    button.setAttribute('aria-label', `Use the ${other()} theme`);
-    button.title = `Use the ${other()} theme`;
+    button.setAttribute('aria-label', THEME.use(other()));
+    button.title = THEME.use(other());
     colorFrame();
     changed();
   };

@@ -1,4 +1,5 @@
 import { element } from '../base/dom';
+import { EXPORT } from '../base/english';
 import { MenuButton } from '../controls/menu-button';
 import { type ExportFormat, exportFormat, type Source } from '../model/model';
 
@@ -65,7 +66,8 @@ export class ExportControl {
 
   private show(): void {
     const { earlier } = this;
-    this.text.textContent = `Export ${earlier ? 'earlier ' : ''}${this.chosen.toUpperCase()}`;
-    this.button.title = earlier ? `Exports the layout still shown: ${earlier}` : '';
+    const text = earlier ? EXPORT.exportEarlier : EXPORT.export;
+    this.text.textContent = text(this.chosen.toUpperCase());
+    this.button.title = earlier ? EXPORT.stillShown(earlier) : '';
   }
 }

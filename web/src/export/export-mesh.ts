@@ -1,5 +1,5 @@
 import { download } from '../base/download';
-import { count } from '../base/format';
+import { EXPORT, SAVED } from '../base/english';
 import { type ExportFormat, exportFormat, type Outcome } from '../model/model';
 import type { Written } from '../session/write-again';
 import type { Workshop } from '../workshop/workshop';
@@ -27,7 +27,7 @@ export async function exportMesh(wish: Wish, writers: Writers): Promise<string> 
   const name = `${base}-uv.${wish.format}`;
   download(name, TYPES[wish.format], file);
   const size = file instanceof Blob ? file.size : file.length;
-  const exported = `Exported ${name}, ${count(Math.ceil(size / 1024))}\u202fKB`;
+  const exported = EXPORT.exported(name, SAVED.kilobytes(size));
   return [...before(wish), exported + after(wish), ...remarks].join(' ');
 }
 
@@ -49,27 +49,22 @@ async function write(wish: Wish, name: string, writers: Writers): Promise<Output
 /** In a format that the mesh did not come in. */
 async function convert({ outcome, format }: Wish, name: string, writers: Writers): Promise<Output> {
   const written = await writers.again(outcome, format);
-  const remarks = outcome.result.report.valid && !written.isValid ? [ROUNDED] : [];
+  const remarks = outcome.result.report.valid && !written.isValid ? [EXPORT.rounded] : [];
   if (format === 'glb') return { file: await writers.workshop.glb(outcome, 0, name), remarks };
   const file = written[format];
   if (!file) throw new Error(`The result came without ${format.toUpperCase()}.`);
   return { file, remarks };
 }
 
-const ROUNDED =
-  'GLB holds single precision: rounded to it, some triangles flip or overlap. OBJ keeps all digits.';
-
 function before({ outcome, format, texcoord }: Wish): string[] {
   if (format !== 'glb' || !outcome.gltf?.freeTexcoord) return [];
-  if (texcoord === 0)
-    return ['New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.'];
-  return [`New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`];
+  return [texcoord === 0 ? EXPORT.replaced : EXPORT.added(texcoord)];
 }
 
 function after({ outcome, format }: Wish): string {
   const hasMore = /\.(obj|ply|glb|gltf)$/i.test(outcome.source.name);
-  if (hasMore && format !== exportFormat(outcome.source)) return ', shape and UVs only';
-  return outcome.gltf?.compressions.length ? ', uncompressed' : '';
+  if (hasMore && format !== exportFormat(outcome.source)) return EXPORT.shapeOnly;
+  return outcome.gltf?.compressions.length ? EXPORT.uncompressed : '';
 }
 
 const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };

@@ -1,3 +1,4 @@
+import { EXPORT } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
 import type { Session } from '../session/session';
@@ -30,7 +31,7 @@ export class Exporter {
         const done = await exportMesh(wish, {
           workshop: this.workshop,
           again: (outcome, format) => {
-            this.events.say(`Writing ${format.toUpperCase()}`);
+            this.events.say(EXPORT.writing(format.toUpperCase()));
             return this.session.aside(
               (abflat, input, signal) => writeAgain(abflat, input, outcome, format, signal),
               signal,
@@ -40,7 +41,7 @@ export class Exporter {
         if (!signal.aborted) this.events.say(remark ? `${done}. ${remark}` : done);
       })
       .catch((error: Error) => {
-        this.events.say('Not exported');
+        this.events.say(EXPORT.notExported);
         this.events.failed(wish, error);
       });
   }
@@ -49,7 +50,7 @@ export class Exporter {
   stop(): boolean {
     if (!this.job.isRunning) return false;
     this.job.stop();
-    this.events.say('Export cancelled');
+    this.events.say(EXPORT.cancelled);
     return true;
   }
 }

@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
 import { download } from '../base/download';
-import { count } from '../base/format';
+import { SAVED } from '../base/english';
 import { CHART_COLORS } from '../colors/chart-colors';
 import { NumberField } from '../controls/number-field';
 import { pictureSize } from '../files/picture-size';
@@ -82,13 +82,13 @@ export class LayoutBar {
 
   private async saveSvg(shown: Shown): Promise<void> {
     const file = await this.workshop.svg(drawingOf(shown), this.scale.value);
-    this.save(shown, 'layout.svg', file, `${count(Math.ceil(file.size / 1024))}\u202fKB`);
+    this.save(shown, 'layout.svg', file, SAVED.kilobytes(file.size));
   }
 
   private save({ outcome }: Shown, kind: string, file: Blob, size: string): void {
     const name = `${outcome.source.name.replace(/\.[^.]*$/, '')}-${kind}`;
     download(name, file.type, file);
-    this.events.say(`Saved ${name}, ${size}`);
+    this.events.say(SAVED.saved(name, size));
   }
 }
 
@@ -120,5 +120,5 @@ function colorsOf(chartColors: Float32Array): string[] {
 
 function sizeText(drawing: AtlasDrawing): string {
   const { width, height } = pictureSize(drawing);
-  return `${count(width)}\u202f×\u202f${count(height)}\u202fpx`;
+  return SAVED.pixels(width, height);
 }

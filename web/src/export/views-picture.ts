@@ -1,5 +1,5 @@
 import { download } from '../base/download';
-import { count } from '../base/format';
+import { SAVED, VIEWS_PICTURE } from '../base/english';
 import type { Views } from '../view/views';
 import { drawLegend, drawTiles, type Place } from './legend-picture';
 
@@ -8,10 +8,10 @@ export async function savePicture(views: Views, meshName: string): Promise<strin
   const { mesh, layout, pixelRatio } = await views.pictures();
   const picture = sideBySide(mesh, layout, pixelRatio);
   const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
-  if (!blob) throw new Error('The browser made no picture of it. Make the window smaller.');
+  if (!blob) throw new Error(VIEWS_PICTURE.notMade);
   const name = `${meshName.replace(/\.[^.]*$/, '')}-views.png`;
   download(name, blob.type, blob);
-  return `Saved ${name}, ${count(picture.width)}\u202f×\u202f${count(picture.height)}\u202fpx`;
+  return SAVED.saved(name, SAVED.pixels(picture.width, picture.height));
 }
 
 /** With a line between them, and what lies above the layout on the page. */
@@ -25,7 +25,7 @@ function sideBySide(
   picture.width = left.width + line + right.width;
   picture.height = Math.max(left.height, right.height);
   const pen = picture.getContext('2d');
-  if (!pen) throw new Error('The browser has no memory left for a picture. Close other tabs.');
+  if (!pen) throw new Error(VIEWS_PICTURE.noMemory);
   const style = getComputedStyle(document.documentElement);
   const color = (name: string) => style.getPropertyValue(name).trim();
   pen.fillStyle = color('--view');

@@ -1,6 +1,7 @@
 // Reads documents with compressed triangles as if they were uncompressed.
 
 import type { Accessor, Document, JSONDocument } from '@gltf-transform/core';
+import { GLTF } from '../base/english';
 import { type Compression, loadDecoders } from './decoders';
 import { gltfIo } from './gltf-source';
 import { checkMeshopt, NEWER, OLDER, withOlderName } from './meshopt-views';
@@ -33,7 +34,7 @@ async function decoded(source: JSONDocument, decoders: Record<string, unknown>):
   checkMeshopt(known);
   const document = await gltfIo().registerDependencies(decoders).readJSON(known);
   const isEmpty = (accessor: Accessor) => accessor.getArray()?.length === 0;
-  if (document.getRoot().listAccessors().some(isEmpty)) throw new Error('an attribute is missing');
+  if (document.getRoot().listAccessors().some(isEmpty)) throw new Error(GLTF.attributeMissing);
   return document;
 }
 
@@ -42,7 +43,5 @@ function damaged(name: string, kinds: Compression[], error: unknown): Error {
   const reason = (error instanceof Error ? error.message : String(error))
     .replace(/^\[\w+\]:? /, '')
     .replace(/\.$/, '');
-  return new Error(
-    `${name} is damaged: its ${kinds.join(' and ')} data cannot be decoded (${reason}). Export or download it again.`,
-  );
+  return new Error(GLTF.undecodable(name, kinds, reason));
 }

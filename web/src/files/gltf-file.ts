@@ -2,6 +2,7 @@
 
 import type { Document } from '@gltf-transform/core';
 import { documentMesh, freeTexcoord, setTexcoords } from 'abflat/gltf';
+import { GLTF } from '../base/english';
 import type { GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { compressionsOf, decompressed } from './compression';
 import { gltfIo, openGltf } from './gltf-source';
@@ -22,9 +23,7 @@ async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
     return await read();
   } catch (error) {
     if (!(error instanceof TypeError || error instanceof RangeError)) throw error;
-    throw new Error(
-      `${name} is damaged or too large to read (${error.message}). Export or download it again.`,
-    );
+    throw new Error(GLTF.damaged(name, error.message));
   }
 }
 
@@ -64,8 +63,7 @@ function contentOf(
   document: Document,
 ): Pick<GltfFile, 'mesh' | 'freeTexcoord' | 'compressions'> {
   const { positions, indices, texcoords, materials } = documentMesh(document);
-  if (indices.length === 0)
-    throw new Error(`${name} has no triangles, so there is nothing to unwrap.`);
+  if (indices.length === 0) throw new Error(GLTF.noTriangles(name));
   return {
     mesh: { positions, indices, texcoords, materials },
     freeTexcoord: freeTexcoord(document),

@@ -7,6 +7,7 @@ import type {
   TextureInfo,
 } from '@gltf-transform/core';
 import { type DocumentPart, documentMesh } from 'abflat/gltf';
+import { LOOK_FILES } from '../base/english';
 import { byteOf, srgbByte } from '../colors/srgb';
 import { BLENDED, type MaterialLook, OPAQUE, Wrap } from '../model/appearance';
 import type { GltfFiles } from '../model/model';
@@ -110,7 +111,7 @@ class Images {
     this.numbers.set(texture, this.found.length);
     const type = texture.getMimeType();
     this.found.push({
-      name: nameOf(texture.getURI()) || texture.getName() || `image ${this.found.length}`,
+      name: nameOf(texture.getURI()) || texture.getName() || LOOK_FILES.image(this.found.length),
       bytes: new Blob([bytes as Uint8Array<ArrayBuffer>], { type }),
       isPixelated,
     });

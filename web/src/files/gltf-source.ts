@@ -2,7 +2,7 @@
 
 import { type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
-import { count } from '../base/format';
+import { GLTF } from '../base/english';
 import { NEWER } from './meshopt-views';
 
 const KNOWN = new Set<string>([...ALL_EXTENSIONS.map((each) => each.EXTENSION_NAME), NEWER]);
@@ -47,25 +47,18 @@ async function openText(name: string, bytes: Uint8Array, others: File[]): Promis
 
 function checkExtensions(name: string, { json }: JSONDocument): void {
   const unknown = json.extensionsRequired?.find((each) => !KNOWN.has(each));
-  if (unknown !== undefined)
-    throw new Error(
-      `${name} requires ${unknown}, which this page cannot read. Save it without that extension.`,
-    );
+  if (unknown !== undefined) throw new Error(GLTF.unknownExtension(name, unknown));
 }
 
 /** A GLB states its own length. */
 function checkLength(name: string, bytes: Uint8Array): void {
   const length = bytes.length < 12 ? 12 : new DataView(bytes.buffer).getUint32(8, true);
-  if (bytes.length < length)
-    throw new Error(
-      `${name} is truncated: ${count(bytes.length)} of ${count(length)} bytes are there. Copy or download it again.`,
-    );
+  if (bytes.length < length) throw new Error(GLTF.truncated(name, bytes.length, length));
 }
 
 function parse(name: string, text: string): JSONDocument['json'] {
   const json = parseJson(name, text);
-  if (!/^2\b/.test(json?.asset?.version))
-    throw new Error(`${name} is not glTF 2.0. Save it as glTF 2.0 or GLB.`);
+  if (!/^2\b/.test(json?.asset?.version)) throw new Error(GLTF.otherVersion(name));
   return json;
 }
 
@@ -73,7 +66,7 @@ function parseJson(name: string, text: string): JSONDocument['json'] {
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new Error(`${name} is neither binary nor JSON: ${String(error)}`);
+    throw new Error(GLTF.notJson(name, String(error)));
   }
 }
 
@@ -90,7 +83,7 @@ async function resources(
     if (uri === undefined || uri.startsWith('data:')) continue;
     const wanted = decodeURIComponent(uri).split('/').at(-1);
     const file = others.find((other) => other.name === wanted);
-    if (!file) throw new Error(`${name} needs ${wanted}: open or drop both files together.`);
+    if (!file) throw new Error(GLTF.needs(name, wanted));
     found.set(uri, { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
   }
   return found;

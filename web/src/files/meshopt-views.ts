@@ -1,6 +1,7 @@
 // What a document says about buffers that meshopt has compressed.
 
 import type { JSONDocument } from '@gltf-transform/core';
+import { GLTF } from '../base/english';
 
 export const OLDER = 'EXT_meshopt_compression';
 export const NEWER = 'KHR_meshopt_compression';
@@ -46,7 +47,7 @@ function renamed<T extends Extended>(item: T): T {
 export function checkMeshopt({ json }: JSONDocument): void {
   (json.bufferViews as Extended[] | undefined)?.forEach(({ extensions }, i) => {
     const view = extensions?.[OLDER] as CompressedView | undefined;
-    if (view && !isDecodable(view)) throw new Error(`buffer view ${i} makes no sense`);
+    if (view && !isDecodable(view)) throw new Error(GLTF.senselessView(i));
   });
 }
 

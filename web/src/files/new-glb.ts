@@ -1,4 +1,5 @@
 import { Document } from '@gltf-transform/core';
+import { GLTF } from '../base/english';
 import type { LayoutArrays } from '../model/model';
 import { gltfIo } from './gltf-source';
 
@@ -35,8 +36,7 @@ function documentOf(
 
 function positionsOf(positions: Float64Array): Float32Array<ArrayBuffer> {
   const single = Float32Array.from(positions);
-  if (!single.every(Number.isFinite))
-    throw new Error('Its coordinates are too large for GLB. Scale the mesh down, or choose OBJ');
+  if (!single.every(Number.isFinite)) throw new Error(GLTF.tooLarge);
   return single;
 }
 

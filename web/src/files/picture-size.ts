@@ -1,3 +1,4 @@
+import { ATLAS_PICTURE } from '../base/english';
 import { tileGrid } from '../mesh/tiles';
 import type { AtlasDrawing } from './svg-text';
 
@@ -11,9 +12,6 @@ export function pictureSize({ resolution, tiles }: AtlasDrawing): {
 } {
   const [columns, rows] = tileGrid(tiles);
   const [width, height] = [resolution * columns, resolution * rows];
-  if (Math.max(width, height) > MOST_PIXELS)
-    throw new Error(
-      `pictures have at most ${MOST_PIXELS} pixels along a side. Lower the resolution, or save SVG`,
-    );
+  if (Math.max(width, height) > MOST_PIXELS) throw new Error(ATLAS_PICTURE.tooLarge(MOST_PIXELS));
   return { width, height };
 }

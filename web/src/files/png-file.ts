@@ -1,3 +1,4 @@
+import { ATLAS_PICTURE } from '../base/english';
 import { triangleAreas } from '../mesh/mesh';
 import { type ChartLines, chartLines } from './chart-lines';
 import { HEAT_STEPS, heatColor, heatSteps } from './heat';
@@ -137,7 +138,4 @@ class Painter {
   }
 }
 
-const noMemory = () =>
-  new Error(
-    'the browser has not enough memory for a picture of this size. Lower the resolution, or save SVG',
-  );
+const noMemory = () => new Error(ATLAS_PICTURE.noMemory);

@@ -1,5 +1,7 @@
 // Where a mesh on the web is.
 
+import { ADDRESSES } from '../base/english';
+
 export interface Address {
   url: URL;
   /** Of the file, for people. */
@@ -12,14 +14,9 @@ export interface Address {
 /** `page`: the address of the page. Throws with a sentence if nothing can be fetched from there. */
 export function addressOf(text: string, page: string): Address {
   const url = parse(text, page);
-  if (url.username || url.password)
-    throw new Error(
-      `The address of a mesh on ${url.host} holds a password, so it is not opened. Download the file, then open it.`,
-    );
+  if (url.username || url.password) throw new Error(ADDRESSES.password(url.host));
   if (url.protocol !== 'https:' && !isOfPage(url, page))
-    throw new Error(
-      `${shown(url)} is not opened, because only https addresses are. Use one that begins with https://, or download the file.`,
-    );
+    throw new Error(ADDRESSES.notHttps(shown(url)));
   return placeOf(url, page);
 }
 
@@ -36,7 +33,7 @@ function parse(text: string, page: string): URL {
   try {
     return new URL(text.trim(), page);
   } catch {
-    throw new Error(`"${text}" is not an address. Check the link.`);
+    throw new Error(ADDRESSES.invalid(text));
   }
 }
 

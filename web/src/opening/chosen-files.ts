@@ -1,5 +1,6 @@
 // Finds the mesh among files that were chosen or dropped together.
 
+import { CHOSEN_FILES } from '../base/english';
 import type { FileSource } from '../model/model';
 
 const MESH = /\.(obj|ply|stl|off|gltf|glb)$/i;
@@ -24,9 +25,4 @@ export function sourcesOf(files: File[]): FileSource[] {
 }
 
 /** Why none of the files can be opened. */
-export function noMesh(files: File[]): string {
-  const [{ name }] = files;
-  const what =
-    files.length === 1 ? `${name} is not a mesh` : `None of these ${files.length} files is a mesh`;
-  return `${what}. Open an OBJ, PLY, STL, OFF, glTF or GLB file, along with any files it needs.`;
-}
+export const noMesh = (files: File[]): string => CHOSEN_FILES.noMesh(files.map(({ name }) => name));

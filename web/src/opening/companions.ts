@@ -1,5 +1,6 @@
 // Which other files a mesh on the web consists of.
 
+import { FETCHING } from '../base/english';
 import { decoded } from './address';
 
 /** Nobody needs more for one mesh. */
@@ -13,10 +14,7 @@ export function companionsOf(mesh: URL, names: string[]): URL[] {
     const url = resolved(name, mesh);
     if (url?.href.startsWith(folder) && url.href !== mesh.href) found.set(url.href, url);
   }
-  if (found.size > MOST)
-    throw new Error(
-      `The mesh names ${found.size} other files, and at most ${MOST} are fetched. Download all of them, then open the folder.`,
-    );
+  if (found.size > MOST) throw new Error(FETCHING.tooManyNamed(found.size, MOST));
   return [...found.values()];
 }
 

@@ -1,3 +1,5 @@
+import { CHOSEN_FILES } from '../base/english';
+
 /** Nobody needs more for a mesh and its textures: it would be a whole disk. */
 const MOST_FILES = 1000;
 
@@ -9,8 +11,7 @@ export async function filesOf(dropped: DataTransfer): Promise<File[]> {
   if (!entries.some((entry) => entry?.isDirectory)) return plain;
   const files: File[] = [];
   for (const entry of entries) if (entry) await gather(entry, files);
-  if (files.length === 0)
-    throw new Error('The folder is empty. Drop a mesh, or a folder that contains one.');
+  if (files.length === 0) throw new Error(CHOSEN_FILES.emptyFolder);
   return files;
 }
 
@@ -19,10 +20,7 @@ async function gather(entry: FileSystemEntry, files: File[]): Promise<void> {
   if (entry.name.startsWith('.')) return;
   if (isFile(entry)) files.push(await fileOf(entry));
   else if (isFolder(entry)) for (const inner of await entriesOf(entry)) await gather(inner, files);
-  if (files.length > MOST_FILES)
-    throw new Error(
-      `The folder holds more than ${MOST_FILES} files. Drop only the mesh and the files it needs.`,
-    );
+  if (files.length > MOST_FILES) throw new Error(CHOSEN_FILES.tooMany(MOST_FILES));
 }
 
 const isFile = (entry: FileSystemEntry): entry is FileSystemFileEntry => entry.isFile;

@@ -1,3 +1,4 @@
+import { FETCH_FAILED } from '../base/english';
 import { nameOf } from './address';
 
 /** What goes on while files are fetched. */
@@ -20,8 +21,7 @@ export async function fetchFile(url: URL, watch: Watch): Promise<File> {
   if (total !== null && total > LARGE) await watch.allow(name, total);
   const parts = await partsOf(response, name, total, watch);
   const file = new File(parts, name, { type: response.headers.get('Content-Type') ?? '' });
-  if (file.size === 0)
-    throw new Error(`${name} at ${url.host} is empty. Check the address, or ask who published it.`);
+  if (file.size === 0) throw new Error(FETCH_FAILED.empty(name, url.host));
   return file;
 }
 
@@ -41,26 +41,21 @@ async function answerOf(url: URL, signal: AbortSignal): Promise<Response> {
   }
   if (!response.ok) throw new Error(refusal(url, response.status));
   if (/^text\/html\b/i.test(response.headers.get('Content-Type') ?? ''))
-    throw new Error(
-      `${url.host} answered with a web page in place of ${nameOf(url)}. Use the address of the file itself.`,
-    );
+    throw new Error(FETCH_FAILED.webPage(nameOf(url), url.host));
   return response;
 }
 
 /** Browsers do not tell pages which of these it was. */
 function unreachable(url: URL): string {
-  if (!navigator.onLine)
-    return `${nameOf(url)} was not fetched from ${url.host}, because there is no network connection. Connect, then open it again.`;
-  return `${nameOf(url)} was not fetched from ${url.host}: the server cannot be reached, or does not let other pages read it (CORS). Download the file, then open it.`;
+  const failed = navigator.onLine ? FETCH_FAILED.unreachable : FETCH_FAILED.offline;
+  return failed(nameOf(url), url.host);
 }
 
 function refusal(url: URL, status: number): string {
   const [name, host] = [nameOf(url), url.host];
-  if (status === 404 || status === 410)
-    return `There is no ${name} at ${host} (${status}). Check the address.`;
-  if (status === 401 || status === 403)
-    return `${host} does not give ${name} to everybody (${status}). Download it where you are signed in, then open it.`;
-  return `${host} did not send ${name} (${status}). Try again later, or download the file and open it.`;
+  if (status === 404 || status === 410) return FETCH_FAILED.notThere(name, host, status);
+  if (status === 401 || status === 403) return FETCH_FAILED.notAllowed(name, host, status);
+  return FETCH_FAILED.refused(name, host, status);
 }
 
 function sizeOf({ headers }: Response): number | null {
@@ -93,7 +88,7 @@ async function partsOf(
   } catch (error) {
     watch.signal.throwIfAborted();
     if (!(error instanceof TypeError)) throw error;
-    throw new Error(`The connection was lost while ${name} was fetched. Open it again.`);
+    throw new Error(FETCH_FAILED.interrupted(name));
   } finally {
     await reader?.cancel().catch(() => undefined);
   }

@@ -1,3 +1,4 @@
+import { FETCHING } from '../base/english';
 import { loadPart, reasonOf } from '../base/load-part';
 import { type Address, addressOf } from './address';
 import type { Watch } from './fetch-file';
@@ -42,7 +43,7 @@ export class FromWeb {
     const { name, host } = address;
     this.gathering.start({
       name,
-      doing: `Fetching ${name} from ${host}`,
+      doing: FETCHING.started(name, host),
       task: async (signal) => (await loadFetch()).fetchMesh(address, this.watch(signal)),
     });
   }
@@ -74,9 +75,8 @@ export class FromWeb {
 
 /** A compressed answer holds more than was announced. */
 function progressText(name: string, received: number, total: number | null): string {
-  const size = (bytes: number) => (bytes / 1e6).toFixed(1);
-  const of = total !== null && total >= received ? ` of ${size(total)}` : '';
-  return `Fetching ${name}: ${size(received)}${of}\u202fMB`;
+  const known = total !== null && total >= received ? total : null;
+  return FETCHING.progress(name, received, known);
 }
 
 /** The server of the page has been asked for the page itself, so asking it for a size tells it nothing new. */

@@ -1,3 +1,4 @@
+import { GATHERING } from '../base/english';
 import { reasonOf } from '../base/load-part';
 import { Job } from '../session/job';
 
@@ -33,11 +34,11 @@ export class Gathering {
       })
       .then(() => {
         if (files.length === 0) return; // it was stopped
-        this.events.gathered(`Got ${name}`);
+        this.events.gathered(GATHERING.got(name));
         this.events.files(files);
       })
       .catch((error: Error) => {
-        this.events.gathered(`${name} was not opened`);
+        this.events.gathered(GATHERING.notOpened(name));
         this.events.refused(reasonOf(error));
       });
   }
@@ -51,7 +52,7 @@ export class Gathering {
   stop(): boolean {
     if (!this.job.isRunning) return false;
     this.job.stop();
-    this.events.gathered('Cancelled');
+    this.events.gathered(GATHERING.cancelled);
     return true;
   }
 }

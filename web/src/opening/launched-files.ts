@@ -1,3 +1,5 @@
+import { CHOSEN_FILES } from '../base/english';
+
 /** What browsers have that open files with installed pages. */
 interface LaunchQueue {
   setConsumer(consumer: (launch: { files?: readonly FileSystemFileHandle[] }) => void): void;
@@ -11,7 +13,7 @@ export function bindLaunch(
   const { launchQueue } = window as { launchQueue?: LaunchQueue };
   launchQueue?.setConsumer(({ files = [] }) => {
     Promise.all(files.map((file) => file.getFile())).then(openFiles, () =>
-      refused('The file cannot be read: it was moved or deleted. Open it again.'),
+      refused(CHOSEN_FILES.unreadable),
     );
   });
 }

@@ -1,4 +1,5 @@
 import { create, element } from '../base/dom';
+import { MESH_TABS } from '../base/english';
 import type { Source } from '../model/model';
 import { titleOf } from '../session/titles';
 
@@ -76,7 +77,7 @@ export class MeshTabs {
     const tab = create('button', 'tab mesh-tab');
     tab.type = 'button';
     tab.role = 'tab';
-    tab.title = `${title} (Delete closes it)`;
+    tab.title = MESH_TABS.tab(title);
     tab.ariaSelected = String(isShown);
     tab.tabIndex = -1;
     tab.setAttribute('aria-controls', this.panel.id);

@@ -1,5 +1,5 @@
 import { element, isTyping } from '../base/dom';
-import { counted } from '../base/format';
+import { JOINING } from '../base/english';
 import type { FileSource, Source } from '../model/model';
 import { placeOf } from './address';
 import { noMesh, sourcesOf } from './chosen-files';
@@ -46,8 +46,8 @@ export class Opening {
   /** Opens several meshes as one, to share an atlas. */
   join(sources: FileSource[]): void {
     this.gathering.start({
-      name: counted(sources.length, 'mesh', 'meshes'),
-      doing: `Joining ${counted(sources.length, 'mesh', 'meshes')}`,
+      name: JOINING.meshes(sources.length),
+      doing: JOINING.joining(sources.length),
       task: async (signal) => [await this.events.joined(sources, signal)],
     });
   }

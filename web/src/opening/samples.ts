@@ -1,17 +1,8 @@
 import { SAMPLE_NAMES } from 'abflat';
 import { create, element } from '../base/dom';
+import { ABOUT_SAMPLES, SAMPLES } from '../base/english';
 import { MenuButton } from '../controls/menu-button';
 import { sampleTitle } from '../session/titles';
-
-/** What there is to see in each. */
-const ABOUT: Record<string, string> = {
-  hemisphere: 'half a ball',
-  'wavy-strip': 'long and bent',
-  head: 'cut at the neck',
-  'alpha-band': 'overlaps when flat',
-  'three-balls': 'tight necks',
-  pumpkin: 'closed, textured',
-};
 
 /** Samples that are files beside the page, which abflat does not make itself. */
 const FILES: Record<string, string> = { pumpkin: 'pumpkin.glb' };
@@ -54,7 +45,7 @@ function itemOf(name: string): HTMLElement {
   item.append(
     picture,
     create('span', 'sample-name', sampleTitle(name)),
-    create('span', 'sample-about', ABOUT[name] ?? ''),
+    create('span', 'sample-about', ABOUT_SAMPLES[name] ?? ''),
   );
   return item;
 }
@@ -62,9 +53,9 @@ function itemOf(name: string): HTMLElement {
 /** Shows which sample is open; none for a file. */
 export function showSample(name: string | null): void {
   const button = element('sample', HTMLButtonElement);
-  const title = name === null ? 'Samples' : sampleTitle(name);
+  const title = name === null ? SAMPLES.samples : sampleTitle(name);
   button.value = name ?? '';
-  button.ariaLabel = name === null ? 'Samples' : `Sample: ${title}`;
+  button.ariaLabel = name === null ? SAMPLES.samples : SAMPLES.sample(title);
   element('sample-text', HTMLElement).textContent = title;
   for (const item of document.querySelectorAll<HTMLElement>('.sample-item'))
     item.ariaChecked = String(item.dataset.value === name);

@@ -1,5 +1,6 @@
 // Asks before anything is fetched from another server.
 
+import { WEB_SHEET } from '../base/english';
 import '../css/web-sheet.css';
 import { create } from '../base/dom';
 import { type Address, shown } from './address';
@@ -20,7 +21,7 @@ export function ask({ title, paragraphs, yes }: Question): Promise<boolean> {
   const form = create('form', 'question-page');
   form.method = 'dialog';
   const buttons = create('div', 'question-buttons');
-  const [no, agree] = [answer('Cancel', ''), answer(yes, 'yes')];
+  const [no, agree] = [answer(WEB_SHEET.cancel, ''), answer(yes, 'yes')];
   agree.classList.add('primary');
   agree.autofocus = true;
   buttons.append(no, agree);
@@ -46,28 +47,23 @@ function answer(text: string, value: string): HTMLButtonElement {
 
 /** Before the first request. `bytes`: the size, if it is known. */
 export function openFrom({ url, name, host }: Address, bytes: number | null): Question {
-  const size = bytes === null ? '' : ` (${megabytes(bytes)})`;
-  const others = /\.(gltf|obj)$/i.test(name) ? ' and the files it names' : '';
+  const size = bytes === null ? '' : megabytes(bytes);
+  const namesFiles = /\.(gltf|obj)$/i.test(name);
   return {
-    title: `Open ${name} from ${host}?`,
-    paragraphs: [
-      `Your browser fetches this mesh${size}${others} from ${host}, which sees your network address. Meshes of your own stay on your machine.`,
-      shown(url),
-    ],
-    yes: 'Open',
+    title: WEB_SHEET.openFrom(name, host),
+    paragraphs: [WEB_SHEET.whatHappens(host, size, namesFiles), shown(url)],
+    yes: WEB_SHEET.open,
   };
 }
 
 export const fetchLarge = (name: string, bytes: number): Question => ({
-  title: `Fetch ${megabytes(bytes)}?`,
-  paragraphs: [
-    `${name} is larger than most meshes: ${megabytes(bytes)} or more. Fetching and unwrapping it may take long.`,
-  ],
-  yes: 'Fetch',
+  title: WEB_SHEET.fetchLarge(megabytes(bytes)),
+  paragraphs: [WEB_SHEET.large(name, megabytes(bytes))],
+  yes: WEB_SHEET.fetch,
 });
 
 /** "0.3 MB", "12 MB". */
 export function megabytes(bytes: number): string {
   const size = bytes / 1e6;
-  return `${size < 9.95 ? Math.max(0.1, size).toFixed(1) : size.toFixed(0)}\u202fMB`;
+  return WEB_SHEET.megabytes(size < 9.95 ? Math.max(0.1, size).toFixed(1) : size.toFixed(0));
 }

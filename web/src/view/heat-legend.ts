@@ -1,4 +1,5 @@
 import { create, element } from '../base/dom';
+import { HEAT_LEGEND } from '../base/english';
 import { BARS, type Measure, SCALES, type Spread } from '../model/measures';
 import { BEYOND, type Chosen } from './heat-uniforms';
 
@@ -7,17 +8,17 @@ const heightOf = (share: number) => `${(100 * Math.sqrt(share)).toFixed(1)}%`;
 
 /** `share` as "12 %", and as "under 0.1 %" where it is that small. */
 function shareText(share: number): string {
-  if (share > 0 && share < 0.001) return 'under 0.1\u202f%';
-  return `${(100 * share).toFixed(share < 0.1 ? 1 : 0)}\u202f%`;
+  if (share > 0 && share < 0.001) return HEAT_LEGEND.underPercent('0.1');
+  return HEAT_LEGEND.percent((100 * share).toFixed(share < 0.1 ? 1 : 0));
 }
 
 /** The range of a bar in words, such as "Area ×0.50 to ×0.54". */
 function rangeText(measure: Measure, bar: number): string {
   const { title, value, text, isTwoSided } = SCALES[measure];
   const [from, to] = [text(value(bar / BARS)), text(value((bar + 1) / BARS))];
-  if (bar === BARS - 1) return `${title} ${from} and more`;
-  if (bar === 0 && isTwoSided) return `${title} ${to} and less`;
-  return `${title} ${from} to ${to}`;
+  if (bar === BARS - 1) return HEAT_LEGEND.andMore(`${title} ${from}`);
+  if (bar === 0 && isTwoSided) return HEAT_LEGEND.andLess(`${title} ${to}`);
+  return HEAT_LEGEND.fromTo(title, from, to);
 }
 
 /** The ends of the ramp are open: what lies beyond them is in the last bars. */
@@ -67,8 +68,9 @@ export class HeatLegend {
     const { title, explanation, value, text, isTwoSided } = SCALES[measure];
     this.title.textContent = title;
     this.title.title = explanation;
-    this.low.textContent = `${text(value(0))}${isTwoSided ? ' and less' : ''}`;
-    this.high.textContent = `${text(value(1))} and more`;
+    const low = text(value(0));
+    this.low.textContent = isTwoSided ? HEAT_LEGEND.andLess(low) : low;
+    this.high.textContent = HEAT_LEGEND.andMore(text(value(1)));
     this.ramp.classList.toggle('two-sided', isTwoSided);
     this.columns.forEach((column, bar) => {
       (column.firstElementChild as HTMLElement).style.height = heightOf(spread.shares[bar]);
@@ -110,14 +112,14 @@ export class HeatLegend {
   }
 
   private say(bar: number | 'worst' | null): void {
-    if (bar === null) this.said.textContent = 'Select a bar to light its triangles';
-    else if (bar === 'worst') this.said.textContent = 'The worst hundredth of the surface';
+    if (bar === null) this.said.textContent = HEAT_LEGEND.selectBar;
+    else if (bar === 'worst') this.said.textContent = HEAT_LEGEND.worst;
     else this.said.textContent = this.lineOf(bar);
   }
 
   private lineOf(bar: number): string {
     const share = this.spread?.shares[bar] ?? 0;
-    return `${rangeText(this.measure, bar)}: ${shareText(share)} of the surface`;
+    return HEAT_LEGEND.ofSurface(rangeText(this.measure, bar), shareText(share));
   }
 
   /** The bars are one stop of the Tab key; arrows move between them. */

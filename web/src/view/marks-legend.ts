@@ -1,6 +1,7 @@
 import type { DelaunayReport, VertexBound } from 'abflat';
 import { create, element } from '../base/dom';
-import { counted, measure, ownBoundsText } from '../base/format';
+import { MARKS } from '../base/english';
+import { ownBoundsText } from '../base/format';
 
 /** The part of a report that is shown beside the layout. */
 export interface Marked {
@@ -33,12 +34,10 @@ function linesOf(marked: Marked): [string, string][] {
   const { bounds, boundaryCrossings, delaunay } = marked;
   const lines: [string, string][] = [];
   const { invalidCharts = 0, ownBounds = 0 } = marked;
-  if (invalidCharts > 0)
-    lines.push(['line', counted(invalidCharts, 'chart is not valid', 'charts are not valid')]);
+  if (invalidCharts > 0) lines.push(['line', MARKS.invalidCharts(invalidCharts)]);
   if (ownBounds > 0) lines.push(['own', ownBoundsText(ownBounds)]);
-  if (bounds.length > 0)
-    lines.push(['dot', counted(bounds.length, 'tightened vertex', 'tightened vertices')]);
-  if (boundaryCrossings > 0) lines.push(['ring', counted(boundaryCrossings, 'crossing')]);
+  if (bounds.length > 0) lines.push(['dot', MARKS.tightened(bounds.length)]);
+  if (boundaryCrossings > 0) lines.push(['ring', MARKS.crossings(boundaryCrossings)]);
   if (delaunay) lines.push(delaunayLine(marked.angularDistortion ?? 0, delaunay));
   return lines;
 }
@@ -47,8 +46,6 @@ function delaunayLine(
   angularDistortion: number,
   { resisting, angularDistortionBefore }: DelaunayReport,
 ): [string, string] {
-  if (resisting.length > 0)
-    return ['line', `${counted(resisting.length, 'edge')} cannot become Delaunay`];
-  const change = `${measure(angularDistortionBefore)} \u2192 ${measure(angularDistortion)}`;
-  return ['edge', `Delaunay: distortion ${change}`];
+  if (resisting.length > 0) return ['line', MARKS.resisting(resisting.length)];
+  return ['edge', MARKS.delaunay(angularDistortionBefore, angularDistortion)];
 }

@@ -1,4 +1,5 @@
 import { element } from '../base/dom';
+import { SHADINGS } from '../base/english';
 import type { FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
 import { HeatLegend } from './heat-legend';
@@ -10,7 +11,7 @@ export class ShadingControl {
   private readonly list = element('shading', HTMLSelectElement);
   private readonly legend: HeatLegend;
   private spreads: FlatDrawing['spreads'] | null = null;
-  private readonly materials = new Option('Materials', 'materials');
+  private readonly materials = new Option(SHADINGS.materials, 'materials');
   /** Whether a mesh with materials appears with them. */
   private wantsMaterials = true;
   /** Was shown before charts. */

@@ -1,4 +1,5 @@
 import { CanvasTexture, RepeatWrapping, SRGBColorSpace } from 'three';
+import { GRID } from '../base/english';
 
 /** Cells along a side of the unit square of uv. */
 const CELLS = 8;
@@ -19,7 +20,7 @@ function drawGrid(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = CELLS * CELL;
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser cannot draw the numbered grid.');
+  if (!context) throw new Error(GRID.notDrawn);
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   context.font = `600 ${0.42 * CELL}px system-ui, sans-serif`;

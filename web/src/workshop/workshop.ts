@@ -3,7 +3,8 @@ import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
-import { NO_WORKER, NOT_LOADED, notLoaded, stopped } from '../base/lost';
+import { LOST } from '../base/english';
+import { NOT_LOADED, notLoaded, stopped } from '../base/lost';
 import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
@@ -216,7 +217,7 @@ function startWorker(name: string, onLost: () => void): Running {
       worker.terminate();
       onLost();
       // A script that cannot be loaded has no message.
-      reject(event.message ? stopped(event.message) : notLoaded(NO_WORKER));
+      reject(event.message ? stopped(event.message) : notLoaded(LOST.noWorker));
     };
   });
   lost.catch(() => undefined); // callers that wait for the worker get this error
