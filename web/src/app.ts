@@ -1,56 +1,32 @@
-import type { Abflat, Comparison, MethodResult } from 'abflat';
-import type { ChartMesh } from './arrange/chart-mesh';
-import { Arranging } from './arranging';
+import type { Abflat } from 'abflat';
 import { hideAlert, showAlert } from './base/alert';
 import { element } from './base/dom';
 import { duration } from './base/format';
-import { loadPart } from './base/load-part';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
-import { BoundPainting } from './bound-painting';
-import { Notice } from './controls/notice';
 import { RunPanel } from './controls/run-panel';
-import { ChartsTab } from './details/charts-tab';
-import { CopyReport } from './details/copy-report';
-import { Details } from './details/details';
 import { plots } from './details/late-chart';
-import { MethodsTab, methodTables } from './details/methods-tab';
-import { MetricsPanel } from './details/metrics';
-import { SolverTab } from './details/solver-tab';
-import { SweepTab } from './details/sweep-tab';
+import { methodTables } from './details/methods-tab';
 import { type Remedy, verdictOf } from './details/verdict';
 import { exportMeshes } from './export/exporter';
+import { HandTools } from './hand-tools';
 import { HelpSheet } from './help/help-sheet';
-import { Welcome } from './help/welcome';
 import { LastVisit } from './last-visit';
+import { Meshes } from './meshes';
 import type { FlatDrawing } from './model/drawing';
-import { foundChart } from './model/found-chart';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
 import type { Settings } from './model/settings';
-import { MeshTabs } from './opening/mesh-tabs';
-import { FIRST_SAMPLE, Opening } from './opening/open-mesh';
-import { showSample } from './opening/samples';
+import { FIRST_SAMPLE } from './opening/open-mesh';
 import { PageHistory } from './page-history';
 import { Rest } from './rest';
+import { ResultPanels } from './result-panels';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { Session, type SessionEvents } from './session/session';
 import type { Step } from './session/steps';
-import { flattenIfPossible } from './session/sweep';
 import { titleOf } from './session/titles';
-import {
-  facesText,
-  failure,
-  isOnlyPlaced,
-  kept,
-  layoutInfo,
-  settingsText,
-  WORDS,
-} from './session/words';
-import { ShownLook } from './shown-look';
-import { ShownMethod } from './shown-method';
-import { ownerOf, StaleMark } from './stale-mark';
+import { failure, isOnlyPlaced, kept, settingsText, WORDS } from './session/words';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
 import { Workshop } from './workshop/workshop';
@@ -63,55 +39,16 @@ export class App implements SessionEvents {
   private readonly wishes: Wishes;
   private readonly visit = new LastVisit((settings) => this.follow(settings));
   private readonly history = new PageHistory((step, said) => this.goBack(step, said));
-  private readonly details = new Details((tab) => {
-    if (tab === 'methods') this.methods.leave();
-  });
-  private readonly metrics: MetricsPanel;
-  private readonly staleMark: StaleMark;
-  private readonly solver = new SolverTab();
-  private readonly charts: ChartsTab;
+  private readonly result: ResultPanels;
   private readonly seams: SeamPanel;
-  private readonly arranging: Arranging | null;
-  private readonly painting: BoundPainting | null;
-  private readonly sweep = new SweepTab(
-    (t, signal) =>
-      this.session.aside(
-        (abflat, input, signal) =>
-          flattenIfPossible(abflat, input, { ...this.wishes.disk, t }, signal),
-        signal,
-      ),
-    (t) => this.wishes.bound.choose(t),
-  );
-  private readonly methods = new MethodsTab(
-    (signal, onProgress) =>
-      this.session.aside(
-        (abflat, input, signal) => abflat.compare(input, { signal, onProgress }),
-        signal,
-      ),
-    (method, comparison) => this.showMethod(method, comparison),
-  );
+  private readonly tools: HandTools | null;
   private readonly run = new RunPanel(
-    () =>
-      this.opening.stop() ||
-      this.session.cancel() ||
-      this.saving.stop() ||
-      this.sweep.stop() ||
-      this.methods.stop() ||
-      this.methods.leave(),
+    () => this.meshes.stop() || this.session.cancel() || this.saving.stop() || this.result.stop(),
     () => this.again(),
   );
-  private readonly opening: Opening;
-  private readonly tabs = new MeshTabs((source) => void this.session.open(source));
-  private readonly notice = new Notice({
-    tabs: (sources) => this.tabs.add(sources),
-    oneAtlas: (sources) => this.opening.join(sources),
-  });
-  private readonly look = new ShownLook(this.workshop, this.notice);
+  private readonly meshes: Meshes;
   private readonly saving: Saving;
-  private readonly shownMethod: ShownMethod;
-  private readonly copyReport = new CopyReport(this.say);
   private readonly help = new HelpSheet();
-  private readonly welcome = new Welcome();
   private readonly rest = new Rest([
     () => this.workshop.loadRest(),
     () => this.seams.loadRest(),
@@ -119,23 +56,14 @@ export class App implements SessionEvents {
     methodTables,
     exportMeshes,
   ]);
-  /** The mesh in the 3D view. */
-  private shown: Source | null = null;
-  /** The last result. */
-  private outcome: Outcome | null = null;
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
   /** Why nothing was opened, if that was said during a run: the run's end hides what was said. */
   private refusal = '';
   /** What the user has done, where the result does not say it. */
   private said = '';
-  /** The drawing of the last result. */
-  private drawing: FlatDrawing | null = null;
 
-  constructor(
-    abflat: () => Promise<Abflat>,
-    private readonly views: Views | null,
-  ) {
+  constructor(abflat: () => Promise<Abflat>, views: Views | null) {
     this.seams = new SeamPanel(views?.mesh ?? null, this.workshop, {
       changed: (what) => this.wishes.seamsChanged(what),
       say: this.say,
@@ -146,57 +74,33 @@ export class App implements SessionEvents {
       say: this.say,
     });
     this.session = new Session(abflat, this, () => this.wishes.settings, this.workshop);
-    this.metrics = new MetricsPanel({
-      showNotes: () => this.showNotes(),
+    this.result = new ResultPanels(this.session, this.workshop, this.wishes, views, {
       help: (remedy) => this.remedy(remedy),
-      showWorst: views ? (measure) => views.showWorst(measure) : undefined,
-    });
-    this.staleMark = new StaleMark(this.metrics);
-    this.saving = new Saving(this.session, this.workshop, views, this.say);
-    this.shownMethod = new ShownMethod(this.workshop, this.metrics, views);
-    this.charts = new ChartsTab(views, this.wishes.locks, {
-      chosen: (chart) => this.arranging?.pick(chart),
+      chosen: (chart) => this.tools?.pick(chart),
       locked: (what) => this.locked(what),
-      packAgain: () => this.wishes.packAgain(),
+      say: this.say,
     });
-    this.arranging =
+    this.saving = new Saving(this.session, this.workshop, views, this.say);
+    this.tools =
       views &&
-      new Arranging(views, this.workshop, {
+      new HandTools(views, this.workshop, this.session, this.wishes, {
         isFree: () => this.seams.isIdle,
-        selected: (charts) => this.charts.showSelected(charts),
-        locked: () => this.wishes.locks.charts,
-        weights: (layout, pins) => this.weights(layout, pins),
-        pinned: (pins, what) => {
-          this.wishes.pin(pins);
-          this.marked(what);
-        },
-        say: this.say,
-        placing: () => document.body.setAttribute('aria-busy', 'true'),
-        placed: (layout, what) => this.wishes.place(layout, what),
-        notPlaced: (error) => {
-          if (error) showAlert(`The charts were not moved: ${error.message}`);
+        selected: (charts) => this.result.showSelected(charts),
+        pinned: (what) => this.marked(what),
+        notPlaced: () => {
           if (!this.session.isBusy) this.finish('Nothing was moved', false);
         },
-      });
-    this.painting =
-      views &&
-      new BoundPainting(views, this.workshop, {
-        bounds: () => this.wishes.disk.bounds ?? [],
-        changed: (bounds, what) => this.wishes.paint(bounds, what),
         say: this.say,
       });
-    bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
-    this.opening = new Opening({
-      joined: async (sources, signal) => {
-        const { oneFile } = await loadPart(import('./opening/one-atlas'));
-        return oneFile(sources, { abflat: await abflat(), workshop: this.workshop }, signal);
-      },
+    bindTheme(element('theme', HTMLButtonElement), () => views?.updateTheme());
+    this.meshes = new Meshes(abflat, this.workshop, views, {
       gathering: (fraction, text) => this.run.show(fraction, text),
       gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
       open: (source) => {
         this.refusal = '';
         void this.session.open(source);
       },
+      switchTo: (source) => void this.session.open(source),
       refused: (reason) => this.refuse(reason),
     });
     bindShortcuts({
@@ -205,7 +109,6 @@ export class App implements SessionEvents {
       'Ctrl+E': () => this.saving.openMenu(),
       '?': () => this.help.open(),
     });
-    element('method-back', HTMLButtonElement).addEventListener('click', () => this.backToResult());
     this.showMode();
     this.start(abflat);
   }
@@ -219,7 +122,7 @@ export class App implements SessionEvents {
     }
     abflat().catch(() => undefined); // starts in the meantime; reading says why it does not
     void finding.then((source) => {
-      if (!this.session.isBusy && !this.shown) this.openFirst(source);
+      if (!this.session.isBusy && !this.meshes.shown) this.openFirst(source);
     });
   }
 
@@ -233,9 +136,8 @@ export class App implements SessionEvents {
     this.said = what ?? '';
     this.visit.changed();
     this.history.change(settings, what);
-    // With another t alone, the plot against t stays as it is.
-    if (settings.mode === 'flatten') this.sweep.use(settings);
-    this.painting?.update();
+    this.result.use(settings);
+    this.tools?.update();
     this.session.refresh();
   }
 
@@ -247,18 +149,15 @@ export class App implements SessionEvents {
   }
 
   private leaveMode(): void {
-    this.methods.leave();
-    this.methods.stop();
-    this.sweep.stop();
+    this.result.leaveMode();
     this.seams.hide();
-    this.painting?.show(null);
+    this.tools?.leaveMode();
   }
 
   private showMode(): void {
     const { mode } = this.wishes.mode;
-    this.details.setMode(mode);
+    this.result.setMode(mode);
     this.saving.setMode(mode);
-    if (mode === 'flatten') this.sweep.offer();
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
   }
 
@@ -275,27 +174,18 @@ export class App implements SessionEvents {
 
   /** Locking and pinning change nothing on screen. */
   private marked(what: string): void {
-    const { outcome } = this;
+    const { outcome } = this.result;
     this.history.change(this.wishes.settings, what);
     if (this.session.isBusy || !outcome) return;
     this.history.settle(outcome);
     this.visit.keep(outcome, this.wishes.marks);
   }
 
-  /** How a chart follows a pin. */
-  private weights({ positions, indices, texcoords }: ChartMesh, pins: number[]) {
-    const layout = { positions, indices, texcoords };
-    return this.session.aside(
-      async (abflat, _, signal) => (await abflat.pinWeights(layout, pins, { signal })).weights,
-      new AbortController().signal,
-    );
-  }
-
   /** Returns to an earlier step, or to one that was undone. */
   private goBack({ settings, outcome }: Step, said: string): void {
-    this.methods.leave();
+    this.result.leaveMethod();
     this.ask(settings);
-    if (settings.mode === 'flatten') this.sweep.use(settings);
+    this.result.use(settings);
     this.said = said;
     this.say(said);
     if (!outcome) {
@@ -312,18 +202,18 @@ export class App implements SessionEvents {
     if (isOther) this.leaveMode();
     this.wishes.restore(settings);
     if (isOther) this.showMode();
-    this.painting?.update();
+    this.tools?.update();
   }
 
   /** The address of the page got other settings. */
   private follow(settings: Settings): void {
     this.history.change(settings, 'Settings of a link');
     this.goBack({ text: '', settings, outcome: null }, '');
-    this.visit.takeRemarks().forEach(this.notice.add, this.notice);
+    this.meshes.remark(this.visit.takeRemarks());
   }
 
   started(source: Source, settings: Settings | null): void {
-    this.methods.leave();
+    this.result.leaveMethod();
     const { doing, verb } = WORDS[this.wishes.mode.mode];
     this.run.start(
       settings ? `${doing} with ${settingsText(settings)}` : `Reading ${titleOf(source)}`,
@@ -331,10 +221,10 @@ export class App implements SessionEvents {
     );
     this.again = () => this.session.refresh();
     // On a first visit, the layout comes before what its seams are edited with.
-    const isFirst = source.kind === 'sample' && this.outcome === null;
+    const isFirst = source.kind === 'sample' && this.result.outcome === null;
     if (settings?.mode === 'unwrap' && !isFirst) void this.seams.prepare();
     document.body.setAttribute('aria-busy', 'true');
-    this.markStale(settings ?? this.wishes.settings);
+    this.result.markStale(settings ?? this.wishes.settings);
   }
 
   progress(progress: AnyProgress): void {
@@ -342,32 +232,17 @@ export class App implements SessionEvents {
   }
 
   opened(opened: Opened): void {
-    const { source, mesh, summary, drawing, gltf } = opened;
+    const { source, mesh, summary } = opened;
     hideAlert();
     this.wishes.open({ mesh, summary, name: source.name });
     const asked = this.visit.opened(opened);
     if (asked) this.ask(asked);
     this.history.begin(`Open ${titleOf(source)}`, this.wishes.settings);
     this.saving.open(source);
-    this.arranging?.show(null);
-    this.painting?.show(null);
-    this.shown = source;
-    this.tabs.show(source);
-    if (source.kind === 'file') {
-      this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
-      this.welcome.done();
-    } else this.notice.hide();
-    for (const remark of this.visit.takeRemarks()) this.notice.add(remark);
-    if (this.views) void this.look.open(opened, this.views);
-    this.views?.showMesh(drawing);
-    this.sweep.clear();
-    this.sweep.use(this.wishes.disk);
-    this.methods.clear();
-    this.wishes.bound.setBoundaryVertices(null);
-    this.showOpenSample();
-    this.showTitle(source);
-    element('mesh-info', HTMLElement).textContent = facesText(mesh, summary);
-    this.markStale();
+    this.tools?.clear();
+    this.meshes.show(opened);
+    this.meshes.remark(this.visit.takeRemarks());
+    this.result.open(source);
   }
 
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
@@ -392,54 +267,35 @@ export class App implements SessionEvents {
   private show(outcome: Outcome, drawing: FlatDrawing): void {
     hideAlert();
     this.history.settle(outcome);
-    this.outcome = outcome;
-    this.drawing = drawing;
-    this.showResult(outcome, drawing);
-    this.metrics.show(outcome);
-    this.copyReport.show(outcome);
-    this.showDetails(outcome);
+    this.result.show(outcome, drawing);
+    this.tools?.show(outcome);
+    if (outcome.mode === 'unwrap') this.seams.show(outcome);
     this.saving.show(outcome, drawing);
-    this.markStale(outcome.settings);
     this.visit.keep(outcome, this.wishes.marks);
-  }
-
-  private showDetails(outcome: Outcome): void {
-    const { settings } = this.wishes;
-    const wanted = settings.mode === 'unwrap' ? settings : {};
-    this.arranging?.show(outcome.mode === 'unwrap' ? outcome : null, wanted);
-    this.painting?.show(outcome);
-    if (outcome.mode === 'unwrap') {
-      this.wishes.locks.show(outcome);
-      this.charts.show(outcome.result.report, this.drawing?.chartColors ?? null);
-      this.seams.show(outcome);
-      return;
-    }
-    const chart = foundChart(outcome);
-    this.solver.show(chart);
-    this.sweep.setCurrent(chart.t);
-    this.wishes.bound.setBoundaryVertices(chart.boundaryVertices);
-    if (outcome.settings.t === 'auto') this.wishes.bound.showFound(chart);
   }
 
   cancelled(): void {
     this.visit.giveUp();
-    this.showOpenSample();
+    this.meshes.showOpenSample();
     // Without a mesh there is nothing to do again.
-    const isStale = this.markStale();
-    this.finish('Cancelled', this.shown !== null && (isStale || this.outcome === null));
+    const isStale = this.result.markStale();
+    this.finish(
+      'Cancelled',
+      this.meshes.shown !== null && (isStale || this.result.outcome === null),
+    );
     this.saving.name(isStale);
   }
 
   failed(source: Source, settings: Settings | null, error: Error): void {
-    const isStale = this.markStale();
+    const isStale = this.result.markStale();
     const isLost = error instanceof Lost;
     if (!isLost && this.visit.failed(source, error.message)) {
       this.openFirst(null);
       return;
     }
-    const details = [isLost ? error.detail : '', this.stillShown(isStale)];
+    const details = [isLost ? error.detail : '', this.result.stillShown(isStale)];
     showAlert(failure(source, settings, error.message), details.filter(Boolean).join(' '));
-    this.showOpenSample();
+    this.meshes.showOpenSample();
     if (settings === null) this.finish(`${titleOf(source)} was not opened`, isStale);
     else this.finish(`Not ${WORDS[settings.mode].done.toLowerCase()}`, false);
     if (isLost) this.offer(source, settings);
@@ -452,12 +308,6 @@ export class App implements SessionEvents {
     this.run.offer('Try again');
   }
 
-  /** `isStale`: other settings have been asked for since. */
-  private stillShown(isStale: boolean): string {
-    if (!this.outcome) return '';
-    return `Still showing ${isStale ? this.owner() : titleOf(this.outcome.source)}.`;
-  }
-
   private finish(text: string, canRepeat: boolean): void {
     document.body.removeAttribute('aria-busy');
     this.run.finish(text, canRepeat);
@@ -466,59 +316,7 @@ export class App implements SessionEvents {
 
   private refuse(reason: string): void {
     this.refusal = this.session.isBusy ? reason : '';
-    showAlert(reason, this.stillShown(this.markStale()));
+    showAlert(reason, this.result.stillShown(this.result.markStale()));
     this.say('Nothing was opened');
-  }
-
-  private owner(): string {
-    return this.outcome ? ownerOf(this.outcome) : '';
-  }
-
-  /**
-   * Marks layout and numbers if they do not belong to the mesh on screen and its settings; returns
-   * whether that is so.
-   */
-  private markStale(settings: Settings = this.wishes.settings): boolean {
-    return this.staleMark.show(this.outcome, this.shown, settings);
-  }
-
-  private showResult(outcome: Outcome, drawing: FlatDrawing): void {
-    this.views?.showOutcome(outcome, drawing);
-    element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
-  }
-
-  /** Shows the layout of another method; null: the result again. */
-  private showMethod(method: MethodResult | null, comparison: Comparison): void {
-    const { outcome, drawing } = this;
-    if (!method) {
-      this.shownMethod.hide();
-      if (outcome && drawing) this.showResult(outcome, drawing);
-    } else if (outcome)
-      void this.shownMethod.show(method, comparison, outcome, () => this.outcome === outcome);
-  }
-
-  private backToResult(): void {
-    this.methods.leave();
-    element('layout-canvas', HTMLCanvasElement).focus();
-  }
-
-  private showNotes(): void {
-    const isAtlas = this.outcome?.mode === 'unwrap';
-    this.details.openAt(isAtlas ? 'charts' : 'solver');
-    element(isAtlas ? 'atlas-notes' : 'notes', HTMLElement).scrollIntoView({ block: 'nearest' });
-  }
-
-  /** Leaves out a sample that was chosen but could not be read, or was cancelled. */
-  private showOpenSample(): void {
-    showSample(this.shown?.kind === 'sample' ? this.shown.name : null);
-  }
-
-  private showTitle(source: Source): void {
-    const title = titleOf(source);
-    const label = element('source', HTMLElement);
-    // The list already shows a sample's name.
-    label.textContent = source.kind === 'file' ? title : '';
-    label.title = title;
-    document.title = `${title} \u2013 abflat`;
   }
 }

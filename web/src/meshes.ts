@@ -1,0 +1,96 @@
+import type { Abflat } from 'abflat';
+import { element } from './base/dom';
+import { loadPart } from './base/load-part';
+import { Notice } from './controls/notice';
+import { Welcome } from './help/welcome';
+import type { FileSource, Opened, Source } from './model/model';
+import { MeshTabs } from './opening/mesh-tabs';
+import { type OpenEvents, Opening } from './opening/open-mesh';
+import { showSample } from './opening/samples';
+import { titleOf } from './session/titles';
+import { facesText } from './session/words';
+import { ShownLook } from './shown-look';
+import type { Views } from './view/views';
+import type { Workshop } from './workshop/workshop';
+
+export interface MeshesEvents extends Omit<OpenEvents, 'joined'> {
+  /** The mesh of another tab is wanted. */
+  switchTo(source: Source): void;
+}
+
+/** Where meshes come from, and the one on screen. */
+export class Meshes {
+  private readonly opening: Opening;
+  private readonly tabs: MeshTabs;
+  private readonly notice = new Notice({
+    tabs: (sources) => this.tabs.add(sources),
+    oneAtlas: (sources) => this.opening.join(sources),
+  });
+  private readonly look: ShownLook;
+  private readonly welcome = new Welcome();
+  private source: Source | null = null;
+
+  constructor(
+    private readonly abflat: () => Promise<Abflat>,
+    private readonly workshop: Workshop,
+    private readonly views: Views | null,
+    events: MeshesEvents,
+  ) {
+    this.look = new ShownLook(workshop, this.notice);
+    this.tabs = new MeshTabs((source) => events.switchTo(source));
+    this.opening = new Opening({
+      ...events,
+      joined: (sources, signal) => this.joined(sources, signal),
+    });
+  }
+
+  /** The mesh on screen. */
+  get shown(): Source | null {
+    return this.source;
+  }
+
+  /** A mesh was opened. */
+  show(opened: Opened): void {
+    const { source, mesh, summary, drawing, gltf } = opened;
+    this.source = source;
+    this.tabs.show(source);
+    if (source.kind === 'file') {
+      this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
+      this.welcome.done();
+    } else this.notice.hide();
+    if (this.views) void this.look.open(opened, this.views);
+    this.views?.showMesh(drawing);
+    this.showOpenSample();
+    showTitle(source);
+    element('mesh-info', HTMLElement).textContent = facesText(mesh, summary);
+  }
+
+  /** Says what the user should know besides. */
+  remark(remarks: string[]): void {
+    for (const remark of remarks) this.notice.add(remark);
+  }
+
+  /** Leaves out a sample that was chosen but could not be read, or was cancelled. */
+  showOpenSample(): void {
+    showSample(this.source?.kind === 'sample' ? this.source.name : null);
+  }
+
+  /** Ends what is being fetched or joined; returns whether there was anything. */
+  stop(): boolean {
+    return this.opening.stop();
+  }
+
+  private async joined(sources: FileSource[], signal: AbortSignal): Promise<File> {
+    const { oneFile } = await loadPart(import('./opening/one-atlas'));
+    return oneFile(sources, { abflat: await this.abflat(), workshop: this.workshop }, signal);
+  }
+}
+
+function showTitle(source: Source): void {
+  const title = titleOf(source);
+  const label = element('source', HTMLElement);
+  // The list already shows a sample's name.
+  label.textContent = source.kind === 'file' ? title : '';
+  label.title = title;
+  document.title = `${title} \u2013 abflat`;
+}

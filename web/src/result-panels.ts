@@ -1,0 +1,199 @@
+import type { Comparison, MethodResult } from 'abflat';
+import { element } from './base/dom';
+import { ChartsTab, type ChartsTabEvents } from './details/charts-tab';
+import { CopyReport } from './details/copy-report';
+import { Details } from './details/details';
+import { MethodsTab } from './details/methods-tab';
+import { type MetricsEvents, MetricsPanel } from './details/metrics';
+import { SolverTab } from './details/solver-tab';
+import { SweepTab } from './details/sweep-tab';
+import type { FlatDrawing } from './model/drawing';
+import { foundChart } from './model/found-chart';
+import type { Outcome, Source } from './model/model';
+import type { Mode, Settings } from './model/settings';
+import type { Session } from './session/session';
+import { flattenIfPossible } from './session/sweep';
+import { titleOf } from './session/titles';
+import { layoutInfo } from './session/words';
+import { ShownMethod } from './shown-method';
+import { ownerOf, StaleMark } from './stale-mark';
+import type { Views } from './view/views';
+import type { Wishes } from './wishes';
+import type { Workshop } from './workshop/workshop';
+
+export interface ResultEvents
+  extends Pick<MetricsEvents, 'help'>,
+    Pick<ChartsTabEvents, 'chosen' | 'locked'> {
+  say(text: string): void;
+}
+
+/** The last result: its layout, its numbers and its details. */
+export class ResultPanels {
+  private readonly details = new Details((tab) => {
+    if (tab === 'methods') this.leaveMethod();
+  });
+  private readonly metrics: MetricsPanel;
+  private readonly staleMark: StaleMark;
+  private readonly copyReport: CopyReport;
+  private readonly solver = new SolverTab();
+  private readonly charts: ChartsTab;
+  private readonly sweep: SweepTab;
+  private readonly methods: MethodsTab;
+  private readonly shownMethod: ShownMethod;
+  /** The mesh in the 3D view. */
+  private shown: Source | null = null;
+  private last: { outcome: Outcome; drawing: FlatDrawing } | null = null;
+
+  constructor(
+    session: Session,
+    workshop: Workshop,
+    private readonly wishes: Wishes,
+    private readonly views: Views | null,
+    events: ResultEvents,
+  ) {
+    this.metrics = new MetricsPanel({
+      showNotes: () => this.showNotes(),
+      help: (remedy) => events.help(remedy),
+      showWorst: views ? (measure) => views.showWorst(measure) : undefined,
+    });
+    this.staleMark = new StaleMark(this.metrics);
+    this.copyReport = new CopyReport((text) => events.say(text));
+    this.charts = new ChartsTab(views, wishes.locks, {
+      chosen: (chart) => events.chosen(chart),
+      locked: (what) => events.locked(what),
+      packAgain: () => wishes.packAgain(),
+    });
+    this.sweep = new SweepTab(
+      (t, signal) =>
+        session.aside(
+          (abflat, input, signal) =>
+            flattenIfPossible(abflat, input, { ...wishes.disk, t }, signal),
+          signal,
+        ),
+      (t) => wishes.bound.choose(t),
+    );
+    this.methods = new MethodsTab(
+      (signal, onProgress) =>
+        session.aside(
+          (abflat, input, signal) => abflat.compare(input, { signal, onProgress }),
+          signal,
+        ),
+      (method, comparison) => this.showMethod(method, comparison),
+    );
+    this.shownMethod = new ShownMethod(workshop, this.metrics, views);
+    element('method-back', HTMLButtonElement).addEventListener('click', () => {
+      this.leaveMethod();
+      element('layout-canvas', HTMLCanvasElement).focus();
+    });
+  }
+
+  /** The last result. */
+  get outcome(): Outcome | null {
+    return this.last?.outcome ?? null;
+  }
+
+  setMode(mode: Mode): void {
+    this.details.setMode(mode);
+    if (mode === 'flatten') this.sweep.offer();
+  }
+
+  /** The other kind of layout is wanted. */
+  leaveMode(): void {
+    this.leaveMethod();
+    this.methods.stop();
+    this.sweep.stop();
+  }
+
+  /** Shows the result again, if another method is shown; returns whether one was. */
+  leaveMethod(): boolean {
+    return this.methods.leave();
+  }
+
+  /** Returns whether there was anything to stop or leave. */
+  stop(): boolean {
+    return this.sweep.stop() || this.methods.stop() || this.leaveMethod();
+  }
+
+  /** Another mesh is on screen; it has no result yet. */
+  open(source: Source): void {
+    this.shown = source;
+    this.sweep.clear();
+    this.use(this.wishes.disk);
+    this.methods.clear();
+    this.wishes.bound.setBoundaryVertices(null);
+    this.markStale();
+  }
+
+  /** Other settings are wanted. With another t alone, the plot against t stays as it is. */
+  use(settings: Settings): void {
+    if (settings.mode === 'flatten') this.sweep.use(settings);
+  }
+
+  show(outcome: Outcome, drawing: FlatDrawing): void {
+    this.last = { outcome, drawing };
+    this.showLayout(outcome, drawing);
+    this.metrics.show(outcome);
+    this.copyReport.show(outcome);
+    this.showDetails(outcome, drawing);
+    this.markStale(outcome.settings);
+  }
+
+  showSelected(charts: ReadonlySet<number>): void {
+    this.charts.showSelected(charts);
+  }
+
+  /**
+   * Marks layout and numbers if they do not belong to the mesh on screen and its settings; returns
+   * whether that is so.
+   */
+  markStale(settings: Settings = this.wishes.settings): boolean {
+    return this.staleMark.show(this.outcome, this.shown, settings);
+  }
+
+  /** Whose layout is on screen, for display. `isStale`: other settings have been asked for since. */
+  stillShown(isStale: boolean): string {
+    const { outcome } = this;
+    if (!outcome) return '';
+    return `Still showing ${isStale ? ownerOf(outcome) : titleOf(outcome.source)}.`;
+  }
+
+  private showLayout(outcome: Outcome, drawing: FlatDrawing): void {
+    this.views?.showOutcome(outcome, drawing);
+    element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
+  }
+
+  private showDetails(outcome: Outcome, { chartColors }: FlatDrawing): void {
+    const { bound, locks } = this.wishes;
+    if (outcome.mode === 'unwrap') {
+      locks.show(outcome);
+      this.charts.show(outcome.result.report, chartColors);
+      return;
+    }
+    const chart = foundChart(outcome);
+    this.solver.show(chart);
+    this.sweep.setCurrent(chart.t);
+    bound.setBoundaryVertices(chart.boundaryVertices);
+    if (outcome.settings.t === 'auto') bound.showFound(chart);
+  }
+
+  /** Shows the layout of another method; null: the result again. */
+  private showMethod(method: MethodResult | null, comparison: Comparison): void {
+    const { last } = this;
+    if (!method) {
+      this.shownMethod.hide();
+      if (last) this.showLayout(last.outcome, last.drawing);
+    } else if (last)
+      void this.shownMethod.show(
+        method,
+        comparison,
+        last.outcome,
+        () => this.outcome === last.outcome,
+      );
+  }
+
+  private showNotes(): void {
+    const isAtlas = this.outcome?.mode === 'unwrap';
+    this.details.openAt(isAtlas ? 'charts' : 'solver');
+    element(isAtlas ? 'atlas-notes' : 'notes', HTMLElement).scrollIntoView({ block: 'nearest' });
+  }
+}
