@@ -55,8 +55,8 @@ async function ready(page) {
 }
 
 /** Where the corner is: it is the vertex nearest to the middle, however the layout is turned. */
-function cornerIn(page, view) {
-  return page.evaluate((selector) => {
+async function cornerIn(page, view) {
+  const found = await page.waitForFunction((selector) => {
     const canvas = document.querySelector(selector);
     const { left, top, width, height } = canvas.getBoundingClientRect();
     for (let radius = 0; radius < width / 2; radius += 4)
@@ -68,8 +68,9 @@ function cornerIn(page, view) {
         if (/^1 vert/.test(document.querySelector('#bound-hint').textContent))
           return [clientX, clientY];
       }
-    throw new Error('There is no boundary.');
+    return null; // the views are still being drawn
   }, `#${view}-canvas`);
+  return found.jsonValue();
 }
 
 /** Drags over the corner. */

@@ -102,7 +102,10 @@ test('what is done to seams before they can be edited waits for that', async (t)
   const { page, release } = await openHeld(t);
   await page.click('#details-toggle');
   assert.ok(await page.isVisible('#seam-tools'));
-  assert.equal(await point(page, 0.5, 0.5), 'Click a vertex to start a cut, double-click an edge to cut its loop');
+  assert.equal(
+    await point(page, 0.5, 0.5),
+    'Click a vertex to start a cut, double-click an edge to cut its loop',
+  );
   await click(page);
   const saving = page.waitForEvent('download');
   await page.click('#seams-save');

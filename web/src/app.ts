@@ -1,19 +1,17 @@
 import type { Abflat } from 'abflat';
-import type { ChartMesh } from './arrange/chart-mesh';
-import { Arranging } from './arranging';
 import { hideAlert, showAlert } from './base/alert';
 import { element } from './base/dom';
-import { CHANGES, LAYING_OUT, MOVING, RUN } from './base/english';
+import { BADGES, CHANGES, LAYING_OUT, MOVING, RUN } from './base/english';
 import { duration } from './base/format';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
-import { BoundPainting } from './bound-painting';
 import { RunPanel } from './controls/run-panel';
 import { plots } from './details/late-chart';
 import { methodTables } from './details/methods-tab';
 import { type Remedy, verdictOf } from './details/verdict';
 import { exportMeshes } from './export/exporter';
+import { HandTools } from './hand-tools';
 import { HelpSheet } from './help/help-sheet';
 import { LastVisit } from './last-visit';
 import { Meshes } from './meshes';
@@ -44,8 +42,7 @@ export class App implements SessionEvents {
   private readonly history = new PageHistory((step, said) => this.goBack(step, said));
   private readonly result: ResultPanels;
   private readonly seams: SeamPanel;
-  private readonly arranging: Arranging | null;
-  private readonly painting: BoundPainting | null;
+  private readonly tools: HandTools | null;
   private readonly run = new RunPanel(
     () => this.meshes.stop() || this.session.cancel() || this.saving.stop() || this.result.stop(),
     () => this.again(),
@@ -67,10 +64,7 @@ export class App implements SessionEvents {
   /** What the user has done, where the result does not say it. */
   private said = '';
 
-  constructor(
-    abflat: () => Promise<Abflat>,
-    private readonly views: Views | null,
-  ) {
+  constructor(abflat: () => Promise<Abflat>, views: Views | null) {
     this.seams = new SeamPanel(views?.mesh ?? null, this.workshop, {
       changed: (what) => this.wishes.seamsChanged(what),
       say: this.say,
@@ -83,38 +77,23 @@ export class App implements SessionEvents {
     this.session = new Session(abflat, this, () => this.wishes.settings, this.workshop);
     this.result = new ResultPanels(this.session, this.workshop, this.wishes, views, {
       help: (remedy) => this.remedy(remedy),
-      chosen: (chart) => this.arranging?.pick(chart),
+      chosen: (chart) => this.tools?.pick(chart),
       locked: (what) => this.locked(what),
       say: this.say,
     });
     this.saving = new Saving(this.session, this.workshop, views, this.say);
-    this.arranging =
+    this.tools =
       views &&
-      new Arranging(views, this.workshop, {
+      new HandTools(views, this.workshop, this.session, this.wishes, {
         isFree: () => this.seams.isIdle,
         selected: (charts) => this.result.showSelected(charts),
-        locked: () => this.wishes.locks.charts,
-        weights: (layout, pins) => this.weights(layout, pins),
-        pinned: (pins, what) => {
-          this.wishes.pin(pins);
-          this.marked(what);
-        },
-        say: this.say,
-        placing: () => document.body.setAttribute('aria-busy', 'true'),
-        placed: (layout, what) => this.wishes.place(layout, what),
-        notPlaced: (error) => {
-          if (error) showAlert(MOVING.failed(error.message));
+        pinned: (what) => this.marked(what),
+        notPlaced: () => {
           if (!this.session.isBusy) this.finish(MOVING.nothingMoved, false);
         },
-      });
-    this.painting =
-      views &&
-      new BoundPainting(views, this.workshop, {
-        bounds: () => this.wishes.disk.bounds ?? [],
-        changed: (bounds, what) => this.wishes.paint(bounds, what),
         say: this.say,
       });
-    bindTheme(element('theme', HTMLButtonElement), () => this.views?.updateTheme());
+    bindTheme(element('theme', HTMLButtonElement), () => views?.updateTheme());
     this.meshes = new Meshes(abflat, this.workshop, views, {
       gathering: (fraction, text) => this.run.show(fraction, text),
       gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
@@ -159,7 +138,7 @@ export class App implements SessionEvents {
     this.visit.changed();
     this.history.change(settings, what);
     this.result.use(settings);
-    this.painting?.update();
+    this.tools?.update();
     this.session.refresh();
   }
 
@@ -173,7 +152,7 @@ export class App implements SessionEvents {
   private leaveMode(): void {
     this.result.leaveMode();
     this.seams.hide();
-    this.painting?.show(null);
+    this.tools?.leaveMode();
   }
 
   private showMode(): void {
@@ -203,15 +182,6 @@ export class App implements SessionEvents {
     this.visit.keep(outcome, this.wishes.marks);
   }
 
-  /** How a chart follows a pin. */
-  private weights({ positions, indices, texcoords }: ChartMesh, pins: number[]) {
-    const layout = { positions, indices, texcoords };
-    return this.session.aside(
-      async (abflat, _, signal) => (await abflat.pinWeights(layout, pins, { signal })).weights,
-      new AbortController().signal,
-    );
-  }
-
   /** Returns to an earlier step, or to one that was undone. */
   private goBack({ settings, outcome }: Step, said: string): void {
     this.result.leaveMethod();
@@ -233,7 +203,7 @@ export class App implements SessionEvents {
     if (isOther) this.leaveMode();
     this.wishes.restore(settings);
     if (isOther) this.showMode();
-    this.painting?.update();
+    this.tools?.update();
   }
 
   /** The address of the page got other settings. */
@@ -270,8 +240,7 @@ export class App implements SessionEvents {
     if (asked) this.ask(asked);
     this.history.begin(CHANGES.opened(titleOf(source)), this.wishes.settings);
     this.saving.open(source);
-    this.arranging?.show(null);
-    this.painting?.show(null);
+    this.tools?.clear();
     this.meshes.show(opened);
     this.meshes.remark(this.visit.takeRemarks());
     this.result.open(source);
@@ -282,7 +251,7 @@ export class App implements SessionEvents {
     this.show(outcome, drawing);
     this.rest.load();
     const { badge } = verdictOf(outcome);
-    const but = badge === 'Valid' ? '' : RUN.but(badge);
+    const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
     const { done } = LAYING_OUT[outcome.mode];
     const what = isOnlyPlaced(outcome)
@@ -300,18 +269,10 @@ export class App implements SessionEvents {
     hideAlert();
     this.history.settle(outcome);
     this.result.show(outcome, drawing);
-    this.showTools(outcome);
+    this.tools?.show(outcome);
+    if (outcome.mode === 'unwrap') this.seams.show(outcome);
     this.saving.show(outcome, drawing);
     this.visit.keep(outcome, this.wishes.marks);
-  }
-
-  /** Shows what the layout can be changed with. */
-  private showTools(outcome: Outcome): void {
-    const { settings } = this.wishes;
-    const wanted = settings.mode === 'unwrap' ? settings : {};
-    this.arranging?.show(outcome.mode === 'unwrap' ? outcome : null, wanted);
-    this.painting?.show(outcome);
-    if (outcome.mode === 'unwrap') this.seams.show(outcome);
   }
 
   cancelled(): void {

@@ -1,0 +1,89 @@
+import type { ChartMesh } from './arrange/chart-mesh';
+import { Arranging, type ArrangingEvents } from './arranging';
+import { showAlert } from './base/alert';
+import { MOVING } from './base/english';
+import { BoundPainting } from './bound-painting';
+import type { Outcome } from './model/model';
+import type { Session } from './session/session';
+import type { Views } from './view/views';
+import type { Wishes } from './wishes';
+import type { Workshop } from './workshop/workshop';
+
+export interface HandEvents extends Pick<ArrangingEvents, 'isFree' | 'selected' | 'say'> {
+  /** Other vertices are pinned; `what` was done. */
+  pinned(what: string): void;
+  /** What was about to move stays in place. */
+  notPlaced(): void;
+}
+
+/** What changes a layout by hand: charts are arranged, the bounds of a disk are painted. */
+export class HandTools {
+  private readonly arranging: Arranging;
+  private readonly painting: BoundPainting;
+
+  constructor(
+    views: Views,
+    workshop: Workshop,
+    private readonly session: Session,
+    private readonly wishes: Wishes,
+    events: HandEvents,
+  ) {
+    this.arranging = new Arranging(views, workshop, {
+      ...events,
+      locked: () => wishes.locks.charts,
+      weights: (layout, pins) => this.weights(layout, pins),
+      pinned: (pins, what) => {
+        wishes.pin(pins);
+        events.pinned(what);
+      },
+      placing: () => document.body.setAttribute('aria-busy', 'true'),
+      placed: (layout, what) => wishes.place(layout, what),
+      notPlaced: (error) => {
+        if (error) showAlert(MOVING.failed(error.message));
+        events.notPlaced();
+      },
+    });
+    this.painting = new BoundPainting(views, workshop, {
+      bounds: () => wishes.disk.bounds ?? [],
+      changed: (bounds, what) => wishes.paint(bounds, what),
+      say: events.say,
+    });
+  }
+
+  /** Another mesh was opened; it has no layout yet. */
+  clear(): void {
+    this.arranging.show(null);
+    this.leaveMode();
+  }
+
+  /** The other kind of layout is wanted. */
+  leaveMode(): void {
+    this.painting.show(null);
+  }
+
+  show(outcome: Outcome): void {
+    const { settings } = this.wishes;
+    const wanted = settings.mode === 'unwrap' ? settings : {};
+    this.arranging.show(outcome.mode === 'unwrap' ? outcome : null, wanted);
+    this.painting.show(outcome);
+  }
+
+  /** Other settings are wanted. */
+  update(): void {
+    this.painting.update();
+  }
+
+  /** Selects one chart instead of the others. */
+  pick(chart: number): void {
+    this.arranging.pick(chart);
+  }
+
+  /** How a chart follows a pin. */
+  private weights({ positions, indices, texcoords }: ChartMesh, pins: number[]) {
+    const layout = { positions, indices, texcoords };
+    return this.session.aside(
+      async (abflat, _, signal) => (await abflat.pinWeights(layout, pins, { signal })).weights,
+      new AbortController().signal,
+    );
+  }
+}
