@@ -280,6 +280,12 @@ test('seams are cut by keyboard and by touch', async (t) => {
   await tap(seen.get(6));
   await drawn(page);
   assert.equal(await textOf(page, '#run-text'), 'Cut started at vertex 6');
+  await page.locator('#seam-cancel').tap();
+  await drawn(page);
+  assert.equal(await textOf(page, '#run-text'), 'Cut cancelled');
+  assert.ok(await page.isHidden('#seam-cancel'));
+  await tap(seen.get(6));
+  await drawn(page);
   await tap(seen.get(8));
   await drawn(page);
   await settled(page);

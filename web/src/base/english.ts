@@ -870,7 +870,9 @@ export const MOVING = {
 export const PINS = {
   invitation: 'Click a vertex to pin it',
   some: (pins: number) =>
-    `${counted(pins, 'pin')}. Drag one to bend its chart, click it to remove it`,
+    pins === 1
+      ? '1 pin. Drag it to move its chart, click it to remove it'
+      : `${counted(pins, 'pin')}. Drag one to bend its chart, click it to remove it`,
   pinned: (chart: number) => `Pinned a vertex of chart ${chart}`,
   removed: (chart: number) => `Removed a pin of chart ${chart}`,
   removedAll: (pins: number) => `Removed ${counted(pins, 'pin')}`,

@@ -56,7 +56,10 @@ export class SeamEditor {
     private readonly view: MeshView,
     private readonly events: SeamEditorEvents,
   ) {
-    this.tools = new SeamTools(() => this.clear());
+    this.tools = new SeamTools(
+      () => this.clear(),
+      () => this.cancel(),
+    );
     this.aim = new Aim(view.canvas, {
       moved: (at, modifiers) => this.onMove(at, modifiers),
       clicked: (at, modifiers) => this.onClick(at, modifiers),
@@ -109,6 +112,7 @@ export class SeamEditor {
     if (this.model && marks !== NO_MARKS)
       this.view.markSeams(this.model.surface.solid.points, marks);
     else this.view.markSeams(NO_POINTS, NO_MARKS);
+    this.tools.setCutting(this.paths !== null);
     this.tools.setHint(hint);
   }
 
@@ -309,6 +313,10 @@ export class SeamEditor {
   private onEscape(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || !this.paths || closesSomething(event)) return;
     event.stopPropagation();
+    this.cancel();
+  }
+
+  private cancel(): void {
     this.clear();
     this.events.say(SEAMS.cancelled);
   }

@@ -9,10 +9,13 @@ const TOOLS = ['select', 'cut', 'join'] as const;
 export class SeamTools {
   private readonly bar = element('seam-tools', HTMLElement);
   private readonly buttons = TOOLS.map((tool) => element(`seam-${tool}`, HTMLButtonElement));
+  private readonly cancel = element('seam-cancel', HTMLButtonElement);
+  private readonly sharpMarks = element('sharp-marks', HTMLElement);
   private readonly hint = element('seam-hint', HTMLElement);
   private chosen: (typeof TOOLS)[number] = 'cut';
 
-  constructor(toolChanged: () => void) {
+  constructor(toolChanged: () => void, cancelled: () => void) {
+    this.cancel.addEventListener('click', cancelled);
     this.buttons.forEach((button, i) => {
       button.addEventListener('click', () => {
         this.chosen = this.chosen === TOOLS[i] ? 'select' : TOOLS[i];
@@ -30,6 +33,12 @@ export class SeamTools {
 
   setVisible(isVisible: boolean): void {
     this.bar.hidden = !isVisible;
+  }
+
+  /** While a cut is begun, it can be cancelled, which takes the place of what begins others. */
+  setCutting(isCutting: boolean): void {
+    this.cancel.hidden = !isCutting;
+    this.sharpMarks.hidden = isCutting;
   }
 
   setHint(text: string): void {
