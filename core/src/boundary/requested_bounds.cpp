@@ -21,7 +21,7 @@ Status checkFeasible(const BoundaryBounds& t, double common) {
   for (const double x : t) sum += x;
   if (sum >= (n - 2) * (1 - 1e-14)) return {};  // up to the rounding of the sum
   const bool uniform = std::all_of(t.begin(), t.end(), [&](double x) { return x == common; });
-  char text[200];
+  char text[240];
   if (uniform)
     std::snprintf(text, sizeof text,
                   "t = %g is too small: with %zu boundary vertices, t must be at least %.17g",
@@ -29,7 +29,7 @@ Status checkFeasible(const BoundaryBounds& t, double common) {
   else
     std::snprintf(text, sizeof text,
                   "the bounds cannot be met: they sum to %.6g pi, but the interior angles of %zu "
-                  "boundary vertices sum to %g pi",
+                  "boundary vertices sum to %g pi. Raise t, or some of the bounds",
                   sum, t.size(), n - 2);
   return {StatusCode::InfeasibleBound, text};
 }
