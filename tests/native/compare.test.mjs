@@ -87,7 +87,7 @@ test('standard input, and the same numbers again', async (t) => {
   assert.deepEqual(numbers(fromStream), numbers(fromFile));
 });
 
-test('a method without a valid layout is a row that says why', async (t) => {
+test('a method without a valid layout is a row that says why', { skip: TOO_SLOW }, async (t) => {
   const at = tempFolder(t);
   await runAbflat(['sample', 'alpha-band', '-o', 'in.obj'], { cwd: at() });
   const { methods } = await compared('in.obj', { cwd: at() });
@@ -131,7 +131,7 @@ test('wrong meshes and targets have their exit codes, and leave no file', async 
 const close = (a, b) => Math.abs(a - b) <= 1e-6 * Math.max(Math.abs(a), Math.abs(b), 1e-6);
 
 for (const file of ['nefertiti.off', 'hemisphere.obj', 'cow-cut.off'])
-  test(`${file}: the judge measures the same`, { skip: withoutShared }, async (t) => {
+  test(`${file}: the judge measures the same`, { skip: withoutShared || TOO_SLOW }, async (t) => {
     const at = tempFolder(t);
     const { methods } = await compared(sharedMesh(file));
     for (const [i, bound] of ['auto', '1', '2'].entries()) {

@@ -10,6 +10,7 @@ import { FOLDED_DISKS, judge, MILD_DISKS, sharedMesh, withoutShared } from '../s
 import { tempFolder } from '../support/temp-folder.mjs';
 
 const COUNT = isInstrumented ? 16 : 300;
+const BOUNDS = isInstrumented ? [1.5, 0.98] : [2, 1.5, 1.05, 1, 0.98];
 /** Flattens and checks that exit code, report and judge (if available) agree. */
 async function flattened(at, input, t) {
   const args = ['flatten', input, '-o', 'out.obj', '--t', String(t), '--report', 'r.json'];
@@ -51,7 +52,7 @@ for (const file of [...MILD_DISKS, ...FOLDED_DISKS])
   test(`${file} at fixed and automatic t`, { skip: withoutShared }, async (t) => {
     assert.ok(existsSync(sharedMesh(file)));
     const at = tempFolder(t);
-    for (const bound of [2, 1.5, 1.05, 1, 0.98]) await flattened(at, sharedMesh(file), bound);
+    for (const bound of BOUNDS) await flattened(at, sharedMesh(file), bound);
     const { code } = await flattened(at, sharedMesh(file), 'auto');
     assert.equal(code, 0);
   });
