@@ -262,3 +262,30 @@ test('a check that ends after the next move does not take that back', async () =
   await move(1000);
   assert.deepEqual(wanted[3].uv, [1001]);
 });
+
+test('moves that do not wait for each other all count, and those of another atlas do not', async () => {
+  const { Placement } = await load('placement');
+  const wanted = [];
+  const refused = [];
+  const placement = new Placement(
+    { outcome: async () => ({}) },
+    { placeCharts: () => undefined, showFlat: () => undefined, moveCharts: () => undefined },
+    {
+      placing: () => undefined,
+      placed: (layout) => wanted.push(layout),
+      notPlaced: (error) => refused.push(error),
+    },
+  );
+  const move = (by) => placement.place(async ({ result }) => ({ uv: [result.uv[0] + by] }), '');
+  placement.show({ settings: {}, result: { uv: [0] } });
+  await Promise.all([move(1), move(10), move(100)]);
+  assert.deepEqual(
+    wanted.map(({ uv }) => uv[0]),
+    [1, 11, 111],
+  );
+  const late = move(1000);
+  placement.show({ settings: {}, result: { uv: [5] } });
+  await late;
+  assert.deepEqual(refused, [null]);
+  assert.equal(wanted.length, 3);
+});

@@ -21,20 +21,21 @@ test('a vertex is pinned once, whatever corner is named, and its pin is removed'
   const { toggled, othersInChart } = await load('selection/pin-set');
   const one = toggled(new Uint32Array(), ATLAS, 2);
   assert.deepEqual([...one], [2]);
-  const two = toggled(toggled(one, ATLAS, 6), ATLAS, 0);
+  const two = toggled(toggled(one, ATLAS, 8), ATLAS, 0);
   assert.deepEqual([...two], [2, 8, 0]);
   assert.deepEqual(othersInChart(two, ATLAS, 2), [0]);
   assert.deepEqual(othersInChart(two, ATLAS, 4), [0], 'another corner of the same vertex');
   assert.deepEqual(othersInChart(two, ATLAS, 8), []);
   assert.deepEqual([...toggled(two, ATLAS, 2)], [8, 0]);
+  assert.deepEqual([...toggled(two, ATLAS, 4)], [8, 0], 'by another corner of the same vertex');
 });
 
 test('the nearest vertex within reach is found, but not in a hidden chart', async () => {
-  const { pinNear, vertexNear } = await load('selection/pin-set');
+  const { cornerNear, pinNear } = await load('selection/pin-set');
   const at = [0.46, 0.02];
-  assert.equal(vertexNear(ATLAS, NONE, at, 0.1), 4);
-  assert.equal(vertexNear(ATLAS, new Set([1]), at, 0.1), 1);
-  assert.equal(vertexNear(ATLAS, NONE, at, 0.03), -1);
+  assert.equal(ATLAS.indices[cornerNear(ATLAS, NONE, at, 0.1)], 4);
+  assert.equal(ATLAS.indices[cornerNear(ATLAS, new Set([1]), at, 0.1)], 1);
+  assert.equal(cornerNear(ATLAS, NONE, at, 0.03), null);
   const pins = Uint32Array.of(1, 6);
   assert.equal(pinNear(pins, ATLAS, NONE, at, 0.1), 6);
   assert.equal(pinNear(pins, ATLAS, new Set([1]), at, 0.1), 1);
@@ -73,6 +74,17 @@ test('a bent chart moves by its weights, and unpacked it has the area of its sur
   };
   near(areaOf(unpacked), 2);
   near(unpacked[10] / uv[10], unpacked[13] / uv[13]);
+});
+
+test('a chart that was moved meanwhile is bent where it is now', async () => {
+  const { bent, chartMesh } = await load('arrange/chart-mesh');
+  const mesh = chartMesh(ATLAS, POSITIONS, 1);
+  const weights = Float64Array.of(0, 0, 1, 0, 1, 0, 0, 0);
+  const moved = { ...ATLAS, uv: ATLAS.uv.map((x, i) => (i >= 8 ? x + 0.25 : x)) };
+  const [still, now] = [ATLAS, moved].map((atlas) => bent(atlas, mesh, weights, [0.1, 0]).uv);
+  now.forEach((x, i) => {
+    assert.ok(Math.abs(x - still[i] - (i >= 8 ? 0.25 : 0)) < 1e-7);
+  });
 });
 
 test('what the shader gets for corners is what the outline gets', async () => {

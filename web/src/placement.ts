@@ -25,6 +25,8 @@ export class Placement {
   private outcome: Unwrapped | null = null;
   /** Grows when there is an atlas whose charts are not those of the one before. */
   private generation = 0;
+  /** Changes follow one another: each begins with what the one before has made. */
+  private last: Promise<void> = Promise.resolve();
 
   constructor(
     private readonly workshop: Workshop,
@@ -48,9 +50,20 @@ export class Placement {
   }
 
   /** Changes charts; `what` is done to them. */
-  async place(change: Change, what: string): Promise<void> {
-    const { outcome, generation } = this;
+  place(change: Change, what: string): Promise<void> {
+    const { generation } = this;
+    this.last = this.last.then(() => this.placeNow(change, what, generation));
+    return this.last;
+  }
+
+  /** `generation`: that of the charts that the user has changed. */
+  private async placeNow(change: Change, what: string, generation: number): Promise<void> {
+    const { outcome } = this;
     if (!outcome) return;
+    if (generation !== this.generation) {
+      this.giveUp(null);
+      return;
+    }
     this.events.placing();
     try {
       const changed = await change(outcome);

@@ -12,7 +12,7 @@ namespace {
 
 Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
-Status checkUv(const PinnedMesh& layout) {
+Status checkLayout(const PinnedMesh& layout) {
   const std::size_t vertices = layout.mesh.vertexCount();
   if (layout.uv.size() != 2 * vertices)
     return invalid("uv has " + std::to_string(layout.uv.size()) + " numbers, but the mesh has " +
@@ -41,7 +41,8 @@ Status checkPins(const PinnedMesh& layout) {
     return pointAt(layout.uv, v) == pointAt(layout.uv, pins.front());
   };
   if (pins.size() > 1 && std::all_of(pins.begin(), pins.end(), isAtFirst))
-    return invalid("all pinned vertices are at one place, so none can be moved alone");
+    return invalid(
+        "all pinned vertices are at one place, so none can be moved alone. Keep one of them");
   return {};
 }
 
@@ -88,7 +89,7 @@ std::vector<double> surfaceAngles(const PolygonMesh& mesh) {
 
 Result<std::vector<double>> pinWeights(const PinnedMesh& layout) {
   if (Status s = validateArrays(layout.mesh); !s.ok()) return s;
-  if (Status s = checkUv(layout); !s.ok()) return s;
+  if (Status s = checkLayout(layout); !s.ok()) return s;
   if (Status s = checkPins(layout); !s.ok()) return s;
   IdVector<ChartCorner, ChartVertex> vertexOfCorner;
   vertexOfCorner.reserve(layout.mesh.faceVertices.size());
@@ -100,7 +101,10 @@ Result<std::vector<double>> pinWeights(const PinnedMesh& layout) {
   PinnedLayout moved =
       pinLayout({vertexOfCorner, boundary}, surfaceAngles(layout.mesh), layout.uv, pins);
   if (!moved.isSolved)
-    return invalid("the linear system that spreads the pins is numerically singular");
+    return invalid(
+        "the pins do not hold all of the layout: it has a part, or a vertex, that no triangle "
+        "joins "
+        "to them. Drag the pins of each part by themselves");
   for (std::size_t i = 0; i < moved.uv.size(); ++i) moved.uv[i] -= layout.uv[i];
   return std::move(moved.uv);
 }

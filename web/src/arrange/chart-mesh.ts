@@ -57,8 +57,8 @@ export const follow = (weights: ArrayLike<number>, v: number, [x, y]: Point): Po
 export type Coordinates = Record<'uv' | 'unpacked', Float64Array>;
 
 /**
- * The coordinates with one chart bent, in single precision, as files and graphics cards hold them.
- * Unpacked, it keeps the area of its surface.
+ * The coordinates with one chart bent from where it is now, in single precision, as files and
+ * graphics cards hold them. Unpacked, it keeps the area of its surface.
  */
 export function bent(
   { uv, unpacked }: Coordinates,
@@ -66,11 +66,11 @@ export function bent(
   weights: Float64Array,
   by: Point,
 ): Coordinates {
-  const own = Float64Array.from(mesh.texcoords);
-  mesh.vertices.forEach((_, i) => {
+  const own = new Float64Array(mesh.texcoords.length);
+  mesh.vertices.forEach((v, i) => {
     const [x, y] = follow(weights, i, by);
-    own[2 * i] = Math.fround(own[2 * i] + x);
-    own[2 * i + 1] = Math.fround(own[2 * i + 1] + y);
+    own[2 * i] = Math.fround(uv[2 * v] + x);
+    own[2 * i + 1] = Math.fround(uv[2 * v + 1] + y);
   });
   const { positions, indices } = mesh;
   const scale = Math.sqrt(areaOf(positions, 3, indices) / areaOf(own, 2, indices));

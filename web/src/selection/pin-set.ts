@@ -11,12 +11,10 @@ export const chartOfCorner = ({ chartOfTriangle }: ChartArrays, corner: number):
 export const pointOfCorner = ({ uv, indices }: ChartArrays, corner: number): Point =>
   pointOf(uv, indices[corner]);
 
-/** Pins a vertex, or removes its pin. */
-export function toggled(pins: Pins, arrays: ChartArrays, vertex: number): Pins {
-  const { indices } = arrays;
-  const others = pins.filter((corner) => indices[corner] !== vertex);
-  if (others.length < pins.length) return others;
-  return Uint32Array.of(...pins, indices.indexOf(vertex));
+/** Pins the vertex of a corner, or removes its pin. */
+export function toggled(pins: Pins, { indices }: ChartArrays, corner: number): Pins {
+  const others = pins.filter((each) => indices[each] !== indices[corner]);
+  return others.length < pins.length ? others : Uint32Array.of(...pins, corner);
 }
 
 /** The corners whose vertices are pinned beside `corner` in its chart, each vertex once. */
@@ -31,25 +29,29 @@ export function othersInChart(pins: Pins, arrays: ChartArrays, corner: number): 
   });
 }
 
-/** The vertex nearest to a point of uv within `reach`, of charts that are not hidden; -1 if none. */
-export function vertexNear(
-  { uv, indices, chartOfTriangle }: ChartArrays,
+/**
+ * A corner of the vertex nearest to a point of uv within `reach`, of charts that are not hidden;
+ * null if there is none.
+ */
+export function cornerNear(
+  arrays: ChartArrays,
   hidden: ReadonlySet<number>,
   [u, v]: Point,
   reach: number,
-): number {
-  let nearest = -1;
+): number | null {
+  const { uv, indices } = arrays;
+  const isHidden = (vertex: number) =>
+    hidden.size > 0 && hidden.has(chartOfCorner(arrays, indices.indexOf(vertex)));
+  let nearest: number | null = null;
   let least = reach * reach;
-  for (let corner = 0; corner < indices.length; ++corner) {
-    const vertex = indices[corner];
+  for (let vertex = 0; 2 * vertex < uv.length; ++vertex) {
     const [x, y] = [uv[2 * vertex] - u, uv[2 * vertex + 1] - v];
     const distance = x * x + y * y;
-    if (!(distance < least)) continue;
-    if (hidden.size > 0 && hidden.has(chartOfTriangle[Math.floor(corner / 3)])) continue;
+    if (!(distance < least) || isHidden(vertex)) continue;
     nearest = vertex;
     least = distance;
   }
-  return nearest;
+  return nearest === null ? null : indices.indexOf(nearest);
 }
 
 /** The pin nearest to a point of uv within `reach`; null if there is none. */

@@ -1,5 +1,5 @@
 import { bent, type ChartMesh, type Coordinates } from '../arrange/chart-mesh';
-import { type Motion, moved, type Point } from '../arrange/motion';
+import { type Motion, moved, type Point, STILL } from '../arrange/motion';
 import { PINS } from '../base/english';
 import type { Unwrapped } from '../model/model';
 import { Aim } from '../view/aim';
@@ -10,12 +10,12 @@ import type { Movable } from './mover';
 import { PinBar } from './pin-bar';
 import {
   chartOfCorner,
+  cornerNear,
   othersInChart,
   type Pins,
   pinNear,
   pointOfCorner,
   toggled,
-  vertexNear,
 } from './pin-set';
 
 export interface PinEvents {
@@ -38,13 +38,14 @@ export interface PinEvents {
 /** Css pixels. */
 const REACH = { pin: 12, vertex: 16 };
 const NO_PINS: Pins = new Uint32Array();
+const NO_CHARTS: ReadonlySet<number> = new Set();
 const STAYS: Point = [0, 0];
 
 /** Lets the user pin vertices of the layout, and bend charts by dragging the pins. */
 export class PinTool {
   private isOn = false;
   private pins: Pins = NO_PINS;
-  /** The vertex that a click would hit. */
+  /** A corner of the vertex that a click would hit. */
   private aimed: number | null = null;
   /** The pin that is being dragged, and how far in uv. */
   private dragged: { corner: number; by: Point } | null = null;
@@ -89,21 +90,13 @@ export class PinTool {
 
   /** What a drag from here moves. */
   movableAt(at: Pixel): Movable | null {
-    const { layout } = this;
-    const pin = layout && !this.dragged ? this.pinAt(at) : null;
-    if (layout === null || pin === null) return null;
-    if (this.events.locked().has(chartOfCorner(layout, pin))) {
-      this.events.say(PINS.locked);
-      return null;
-    }
-    return this.movable(pin);
+    return this.movable(this.pinAt(at));
   }
 
   /** The pin that the user aims at, to be moved by keys. */
   get aimedMovable(): Movable | null {
-    const { layout, aimed } = this;
-    const pin = this.pins.find((corner) => layout?.indices[corner] === aimed);
-    return pin === undefined || this.dragged ? null : this.movable(pin);
+    const { aimed } = this;
+    return this.movable(aimed !== null && this.pins.includes(aimed) ? aimed : null);
   }
 
   /** Shows what a gesture does so far; null: it has ended. */
@@ -116,10 +109,16 @@ export class PinTool {
     return this.events.layout()?.result ?? null;
   }
 
-  private movable(corner: number): Movable {
-    const { layout } = this;
-    const middle: Point = layout ? pointOfCorner(layout, corner) : STAYS;
-    const bending = this.bending(corner);
+  /** Null if there is no pin, or it must not be moved now. */
+  private movable(corner: number | null): Movable | null {
+    const outcome = this.events.layout();
+    if (corner === null || !outcome || this.dragged) return null;
+    if (this.isLocked(outcome, corner)) {
+      this.events.say(PINS.locked);
+      return null;
+    }
+    const middle = pointOfCorner(outcome.result, corner);
+    const bending = this.bending(outcome, corner);
     let ready: Bending | null = null;
     const show = (by: Point) => {
       this.dragged = { corner, by };
@@ -141,6 +140,10 @@ export class PinTool {
     };
   }
 
+  private isLocked({ result }: Unwrapped, corner: number): boolean {
+    return this.events.locked().has(chartOfCorner(result, corner));
+  }
+
   private async place(bending: Promise<Bending>, by: Point): Promise<void> {
     try {
       const { mesh, weights, chart } = await bending;
@@ -153,17 +156,15 @@ export class PinTool {
 
   private putBack(): void {
     this.dragged = null;
-    this.views.moveCharts(new Set(), { a: 1, b: 0, x: 0, y: 0 });
+    this.views.moveCharts(NO_CHARTS, STILL);
     this.draw();
   }
 
   /** How the chart of a pin follows it. */
-  private bending(corner: number): Promise<Bending> {
-    const { pins } = this;
-    const outcome = this.events.layout();
-    const name = [outcome?.result, pins, corner];
+  private bending(outcome: Unwrapped, corner: number): Promise<Bending> {
+    const name = [outcome.result, this.pins, corner];
     if (this.prepared?.name.every((each, i) => each === name[i])) return this.prepared.bending;
-    const bending = outcome ? this.makeBending(outcome, corner) : Promise.reject(new Error('gone'));
+    const bending = this.makeBending(outcome, corner);
     this.prepared = { name, bending };
     bending.catch(() => {
       if (this.prepared?.bending === bending) this.prepared = null;
@@ -199,15 +200,13 @@ export class PinTool {
   }
 
   private aimAt(at: Pixel | null): void {
-    const { layout } = this;
     if (!this.isOn || this.dragged) return;
+    const outcome = this.events.layout();
     const pin = at && this.pinAt(at);
-    const vertex = at ? this.vertexAt(at) : -1;
-    const onPin = pin !== null && layout !== null;
-    const aimed = onPin ? layout.indices[pin] : vertex < 0 ? null : vertex;
-    this.views.canvasOf('layout').classList.toggle('movable', onPin);
+    const aimed = pin ?? (at && this.cornerAt(at));
+    this.views.canvasOf('layout').classList.toggle('movable', pin !== null);
     // So that it follows at once when it is dragged.
-    if (onPin && !this.events.locked().has(chartOfCorner(layout, pin))) void this.bending(pin);
+    if (pin !== null && outcome && !this.isLocked(outcome, pin)) void this.bending(outcome, pin);
     if (aimed === this.aimed) return;
     this.aimed = aimed;
     this.draw();
@@ -216,14 +215,13 @@ export class PinTool {
   private click(at: Pixel): void {
     const { layout } = this;
     if (!this.isOn || !layout || this.dragged) return;
-    const pin = this.pinAt(at);
-    const vertex = pin === null ? this.vertexAt(at) : layout.indices[pin];
-    if (vertex < 0) return;
-    const corner = pin ?? layout.indices.indexOf(vertex);
-    this.aimed = vertex; // keys aim at nothing before
+    const corner = this.pinAt(at) ?? this.cornerAt(at);
+    if (corner === null) return;
+    this.aimed = corner; // keys aim at nothing before
     const chart = chartOfCorner(layout, corner);
-    const what = pin === null ? PINS.pinned(chart) : PINS.removed(chart);
-    this.change(toggled(this.pins, layout, vertex), what);
+    const pins = toggled(this.pins, layout, corner);
+    const isMore = pins.length > this.pins.length;
+    this.change(pins, isMore ? PINS.pinned(chart) : PINS.removed(chart));
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -241,10 +239,10 @@ export class PinTool {
     return layout && pinNear(this.pins, layout, this.events.hidden(), this.views.uvAt(at), reach);
   }
 
-  private vertexAt(at: Pixel): number {
+  private cornerAt(at: Pixel): number | null {
     const reach = REACH.vertex / this.views.pixelsPerUv;
     const { layout } = this;
-    return layout ? vertexNear(layout, this.events.hidden(), this.views.uvAt(at), reach) : -1;
+    return layout && cornerNear(layout, this.events.hidden(), this.views.uvAt(at), reach);
   }
 
   private draw(placed = (_: number, at: Point): Point => at): void {
@@ -259,10 +257,8 @@ export class PinTool {
       const [x, y] = corner === dragged?.corner ? dragged.by : STAYS;
       return placed(corner, [u + x, v + y]);
     });
-    const corner = aimed === null || dragged || !this.isOn ? null : aimed;
-    const at: Point | null =
-      corner === null ? null : [layout.uv[2 * corner], layout.uv[2 * corner + 1]];
-    this.views.showPins(points, at);
+    const isAiming = this.isOn && aimed !== null && !dragged;
+    this.views.showPins(points, isAiming ? pointOfCorner(layout, aimed) : null);
   }
 
   private showBar(): void {

@@ -40,6 +40,9 @@ const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface'))
 
 const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces];
 
+/** The vertices of a layout: where they are in 3D, or which they are of the input. */
+type Placed = Pick<LayoutArrays, 'positions' | 'vertexMap'>;
+
 const tasks = {
   /** Loads what has not been needed yet. */
   rest: async (): Promise<void> => {
@@ -61,8 +64,8 @@ const tasks = {
 
   chart: async (
     arrays: ChartArrays,
-    layout: Parameters<typeof positionsOf>[0],
-    input: Parameters<typeof positionsOf>[1],
+    layout: Placed,
+    input: Pick<DisplayMesh, 'positions'>,
     chart: number,
   ): Promise<ChartMesh> => {
     const { chartMesh } = await arranging();
@@ -77,8 +80,8 @@ const tasks = {
 
   evened: async (
     arrays: ChartArrays,
-    layout: Parameters<typeof positionsOf>[0],
-    input: Parameters<typeof positionsOf>[1],
+    layout: Placed,
+    input: Pick<DisplayMesh, 'positions'>,
     charts: Uint32Array,
   ): Promise<Motions> => {
     const { evened } = await arranging();
@@ -94,8 +97,8 @@ const tasks = {
 
   heatMap: async (
     drawing: AtlasDrawing,
-    layout: Parameters<typeof positionsOf>[0],
-    input: Parameters<typeof positionsOf>[1],
+    layout: Placed,
+    input: Pick<DisplayMesh, 'positions'>,
   ): Promise<Blob> => {
     const { heatMapPng } = await writing();
     return heatMapPng(drawing, positionsOf(layout, input));
@@ -117,7 +120,7 @@ const tasks = {
   newGlb: async (
     name: string,
     layout: LayoutArrays,
-    input: Parameters<typeof positionsOf>[1],
+    input: Pick<DisplayMesh, 'positions'>,
   ): Promise<Blob> => {
     const { newGlb } = await newGlbFile();
     return newGlb(name, layout, positionsOf(layout, input));
