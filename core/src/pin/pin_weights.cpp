@@ -102,9 +102,7 @@ Result<std::vector<double>> pinWeights(const PinnedMesh& layout) {
       pinLayout({vertexOfCorner, boundary}, surfaceAngles(layout.mesh), layout.uv, pins);
   if (!moved.isSolved)
     return invalid(
-        "the pins do not hold all of the layout: it has a part, or a vertex, that no triangle "
-        "joins "
-        "to them. Drag the pins of each part by themselves");
+        "the linear system that spreads the pins is numerically singular. Pin other vertices");
   for (std::size_t i = 0; i < moved.uv.size(); ++i) moved.uv[i] -= layout.uv[i];
   return std::move(moved.uv);
 }

@@ -178,3 +178,18 @@ TEST_CASE("pins that cannot be dragged are refused", "[pin]") {
   for (const std::size_t v : {3, 7, 20}) layout.uv[2 * v] = layout.uv[2 * v + 1] = 0;
   CHECK_THAT(message(layout), Contains("at one place"));
 }
+
+TEST_CASE("a part that no pin holds does not disturb the others", "[pin]") {
+  const PinnedMesh one = flat(bumpyGrid(4, 4, 0.2, 2), {3, 7, 20, 12});
+  PinnedMesh two = one;
+  const auto vertices = static_cast<std::uint32_t>(one.mesh.vertexCount());
+  std::vector<double> positions = one.mesh.positions;
+  for (const double x : one.mesh.positions) positions.push_back(x + 100);
+  std::vector<std::uint32_t> triangles = one.mesh.faceVertices;
+  for (const std::uint32_t v : one.mesh.faceVertices) triangles.push_back(v + vertices);
+  two.mesh = makeTriangleMesh(positions, triangles);
+  for (const double x : one.uv) two.uv.push_back(x + 100);
+  const std::vector<Complex> alone = weightsOf(one), beside = weightsOf(two);
+  for (std::size_t v = 0; v < alone.size(); ++v) CHECK(std::abs(beside[v] - alone[v]) < 1e-9);
+  for (const Complex& w : beside) CHECK(std::isfinite(std::abs(w)));
+}
