@@ -81,6 +81,11 @@ test('an array that was transferred is refused by its name', async () => {
       'InvalidMesh',
       new RegExp(`${name} has lost`),
     );
+  await fails(
+    abflat.unwrap(grid(2), { faceDensities: detached(new Float32Array(2)) }),
+    'InvalidMesh',
+    /faceDensities has lost/,
+  );
   const known = await abflat.unwrap(grid(2));
   detached(known.unpacked);
   await fails(abflat.unwrap(grid(2), { known }), 'InvalidMesh', /known\.unpacked has lost/);

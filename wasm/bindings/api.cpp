@@ -143,6 +143,12 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t coun
 /// Makes known charts stay where they are.
 EMSCRIPTEN_KEEPALIVE void abflatKeepsPlaces(Job* job) { job->unwrapOptions.keepsPlaces = true; }
 
+/// Buffer for the texel density wanted for each face, relative to the others.
+EMSCRIPTEN_KEEPALIVE double* abflatFaceDensities(Job* job, std::size_t count) {
+  job->unwrapOptions.faceDensities.resize(count);
+  return job->unwrapOptions.faceDensities.data();
+}
+
 /// Buffer for an array of a known layout, `size` numbers; Field says which.
 EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
   return knownRoom(*job, static_cast<Field>(field), size);

@@ -17,6 +17,7 @@ export interface NativeModule {
   _abflatFixedFaces(job: number, count: number): number;
   _abflatKeepUv(job: number): void;
   _abflatFixedCharts(job: number, count: number): number;
+  _abflatFaceDensities(job: number, count: number): number;
   _abflatKeepsPlaces(job: number): void;
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatRoundsForGltf(job: number): void;

@@ -18,6 +18,7 @@ import {
   checkNumber,
   checkSignal,
   checkString,
+  densitiesOf,
   flattenNumbers,
   KEYS,
   keptFaces,
@@ -168,6 +169,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     fixedFaces: keptFaces(options.fixedFaces),
     fixedCharts,
     keepsPlaces,
+    faceDensities: densitiesOf(options.faceDensities),
     known,
   } as const;
   const buffers = Object.values(known?.arrays ?? {}).map(({ buffer }) => buffer as ArrayBuffer);

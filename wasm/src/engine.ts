@@ -167,6 +167,7 @@ export class Engine {
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
     const { values, seams, seamEdges, fixedFaces, fixedCharts, keepsPlaces, known } = request;
+    const { faceDensities } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
@@ -177,6 +178,7 @@ export class Engine {
         else this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
         this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (keepsPlaces) native._abflatKeepsPlaces(job);
+        if (faceDensities) this.#heap.writeDensities(job, faceDensities);
         if (known !== undefined) this.#heap.writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,

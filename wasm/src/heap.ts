@@ -69,6 +69,11 @@ export class Heap {
     this.#native._abflatKnownOptions(job, t, balance, straightSeams);
   }
 
+  writeDensities(job: number, ofFace: Float64Array): void {
+    this.#checkBytes(ofFace.byteLength);
+    this.#writeReals(this.#native._abflatFaceDensities(job, ofFace.length), ofFace);
+  }
+
   writeName(job: number, name: string): void {
     this.writeText(name, (bytes) => this.#native._abflatName(job, bytes));
   }

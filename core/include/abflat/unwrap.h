@@ -43,6 +43,10 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// are in `known`. The others are packed around them, at their texel density if there is room.
   /// Charts that stay may overlap or leave their tile; the report then says so.
   bool keepsPlaces = false;
+  /// Per face of the input, the texel density wanted for it relative to the others, from 0.001 to
+  /// 1000; empty: 1 each. A chart has as many texels as its faces ask for together. Charts that are
+  /// fixed, pinned or stay in their places are left as they are.
+  std::vector<double> faceDensities;
   /// Rounds texcoords to single precision before they are checked, since files and graphics cards
   /// hold them so; 1 - v is then exact in single precision as well. Skipped if it would make a
   /// chart invalid.

@@ -50,6 +50,7 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
   for (const CutChartId chart : flat.surface.charts.ids()) {
     const PieceId piece = addPiece();
     shapes_[piece].canCut = flat.canCut[chart] != 0;
+    shapes_[piece].density = flat.density[chart];
     // The filling taken out of a hole needs no room.
     if (!mesh.isFilling(flat.surface.charts[chart].firstTriangle)) takeShape(piece);
   }
@@ -90,9 +91,9 @@ void PieceFitting::takeShape(PieceId p) {
   constexpr double kPoints = 400, kEnds = 72;
   const Piece& piece = cutter_.pieces()[p];
   Shape& shape = shapes_[p];
-  // Scales each piece to its own area.
-  const double factor =
-      piece.flatArea > 0 ? std::sqrt(piece.area * flat_.unitArea / piece.flatArea) : 1;
+  // Scales each piece to its own area, at its density. Rounding may leave a needle without area.
+  const double area = std::max(piece.area * flat_.unitArea, 0.0) * shape.density * shape.density;
+  const double factor = piece.flatArea > 0 ? std::sqrt(area / piece.flatArea) : 1;
   shape.loop.clear();
   for (const OpenVertex v : piece.loop)
     shape.loop.push_back({factor * flat_.at[v].x, factor * flat_.at[v].y});
@@ -102,8 +103,6 @@ void PieceFitting::takeShape(PieceId p) {
   shape.chords.reset();
   const std::vector<BoundaryIndex> fine = sampled(shape.loop, perimeter / kPoints);
   PackItem item = fit_.itemOf(pointsBetween(shape.loop, fine, 0, fine.size() - 1));
-  // Rounding may leave a needle without area.
-  const double area = std::max(piece.area * flat_.unitArea, 0.0);
   shape.solid = item.mass.area > 0 && area > 0 ? area / item.mass.area : 1;
   item.mass.area = area;
   fit_.exchange(p, std::move(item));
@@ -202,6 +201,7 @@ bool PieceFitting::cut(const Candidate& c) {
   const BoundaryIndex from = shape.ends[c.chord.from], to = shape.ends[c.chord.to];
   if (!cutter_.split(c.piece, from, to, shape.reach)) return false;
   const PieceId added = addPiece();
+  shapes_[added].density = shapes_[c.piece].density;
   takeShape(c.piece);
   takeShape(added);
   return true;

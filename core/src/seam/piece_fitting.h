@@ -15,7 +15,8 @@ struct FlatSurface {
   CutSurface surface;
   IdVector<OpenVertex, PlanePoint> at;
   IdVector<CutChartId, std::uint8_t> canCut;
-  double unitArea = 1;  ///< area in the plane of an area of 1 on the mesh
+  IdVector<CutChartId, double> density;  ///< in the atlas, relative to each other
+  double unitArea = 1;                   ///< area in the plane of an area of 1 on the mesh
 };
 
 /// Cuts charts until they fit into a square.
@@ -68,6 +69,7 @@ class PieceFitting {
     double reach = 0;                 ///< distance from one end to the next
     double solid = 1;                 ///< share of the area within the loop that is not a hole
     std::optional<std::vector<OutlineChord>> chords;
+    double density = 1;
     bool canCut = true;
   };
 

@@ -12,12 +12,17 @@ namespace {
 /// Keeps coordinates below 16, which is what packing allows for.
 constexpr int kMostTilesInSingle = 160;
 
-PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat) {
+/// Size of a chart beside those that need no other.
+double sizeOf(const PackedCharts& packed, ChartId i) {
+  return packed.charts.flat[i].enlarged * packed.density(i);
+}
+
+PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat, double size) {
   PackShape out;
   out.isFixed = flat.isFixed;
   out.uv = flat.isFixed ? flat.uv : flat.unpacked;
-  if (!flat.isFixed && flat.enlarged != 1)
-    for (double& x : out.uv) x *= flat.enlarged;
+  if (!flat.isFixed && size != 1)
+    for (double& x : out.uv) x *= size;
   const auto corners = chart.vertexOfCorner.begin();
   out.triangles.assign(corners, corners + chart.surfaceCorners().size());
   // Other charts may lie in its holes.
@@ -27,10 +32,12 @@ PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat) {
   return out;
 }
 
-std::vector<PackShape> shapesOf(const ChartSet& set, const FlatCharts& flat) {
+std::vector<PackShape> shapesOf(const PackedCharts& packed) {
+  const auto& [set, flat] = packed.charts;
   std::vector<PackShape> out;
   out.reserve(set.size());
-  for (const ChartId i : set.ids()) out.push_back(shapeOf(set.topology(i), flat[i]));
+  for (const ChartId i : set.ids())
+    out.push_back(shapeOf(set.topology(i), flat[i], sizeOf(packed, i)));
   return out;
 }
 
@@ -69,7 +76,8 @@ double packWork(const std::vector<PackShape>& shapes, bool isCut) {
   return std::max(kWorkOfCorner * corners, isCut ? kLeastOfCut : kLeastWork);
 }
 
-/// Texels per mesh unit of the charts that stay where they are, on average; 0 if there are none.
+/// Texels per mesh unit of the charts that stay where they are, on average, less what they are
+/// denser than others; 0 if there are none.
 double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& shapes,
                       int resolution) {
   double inUv = 0, onSurface = 0;
@@ -77,7 +85,7 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
     const FlatChart& flat = packed.charts.flat[i];
     if (!flat.isFixed) continue;
     inUv += massOf(shapes[i]).area;
-    onSurface += flat.area;
+    onSurface += flat.area * packed.density(i) * packed.density(i);
   }
   return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
 }
@@ -115,7 +123,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   how.unit = packed.unit;
   how.pool = &packed.pool;
   how.progress = tell;
-  std::vector<PackShape> shapes = shapesOf(packed.charts.set, packed.charts.flat);
+  std::vector<PackShape> shapes = shapesOf(packed);
   how.work = packWork(shapes, atlas.packingCuts > 0);
   how.fixedMayLeave = options.keepsPlaces;
   if (options.keepsPlaces) how.mostDensity = densityOfFixed(packed, shapes, options.resolution);
@@ -124,10 +132,9 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   Packing& packing = packed.packing;
   packing = std::move(result.value);
   for (const ChartId i : packed.charts.flat.ids()) {
-    const FlatChart& flat = packed.charts.flat[i];
-    if (flat.isFixed) continue;
-    packing.placements[i].a *= flat.enlarged;
-    packing.placements[i].b *= flat.enlarged;
+    if (packed.charts.flat[i].isFixed) continue;
+    packing.placements[i].a *= sizeOf(packed, i);
+    packing.placements[i].b *= sizeOf(packed, i);
   }
   placeInAtlas(packing, packed.charts.flat);
   atlas.resolution = options.resolution;

@@ -12,6 +12,9 @@ struct PackedCharts {
   ThreadPool& pool;
   LaidCharts& charts;
   Packing& packing;
+  IdVector<ChartId, double> densities;  ///< relative to each other; empty: 1 each
+
+  double density(ChartId i) const { return densities.empty() ? 1 : densities[i]; }
 };
 
 }  // namespace abflat

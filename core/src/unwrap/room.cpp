@@ -28,20 +28,24 @@ RoomWish wishOf(const UnwrapOptionValues& options) {
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
 }
 
-FlatSurface flatSurface(const LaidCharts& charts, const OpenSurface& open) {
+FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open) {
+  const LaidCharts& charts = packed.charts;
   FlatSurface out;
   out.surface = cutAlong(open.mesh, open.seams);
   out.at.resize(out.surface.vertexCount());
   out.canCut.assign(out.surface.charts.size(), 0);
+  out.density.assign(out.surface.charts.size(), 1);
   double area = 0;
   for (const ChartId i : charts.set.ids()) {
     const ChartTopology chart = charts.set.topology(i);
     const FlatChart& flat = charts.flat[i];
-    out.canCut[out.surface.chartOfTriangle[chart.triangles.front()]] = flat.problem.empty();
+    const CutChartId cutChart = out.surface.chartOfTriangle[chart.triangles.front()];
+    out.canCut[cutChart] = flat.problem.empty();
+    out.density[cutChart] = packed.density(i);
     area += flat.area;
     for (const ChartCorner c : chart.surfaceCorners()) {
-      const Point2 p = pointAt(flat.unpacked, chart.vertexOfCorner[c]);
-      out.at[out.surface.tail(chart.onSurface(c))] = {p[0], p[1]};
+      const auto [x, y] = pointAt(flat.unpacked, chart.vertexOfCorner[c]);
+      out.at[out.surface.tail(chart.onSurface(c))] = {x, y};
     }
   }
   out.unitArea = area / open.mesh.totalArea();
@@ -117,17 +121,17 @@ bool cutsForRoom(const UnwrapOptionValues& options, const FlatCharts& flat) {
          std::none_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isFixed; });
 }
 
-RoomCuts findRoomCuts(const LaidCharts& charts, const OpenSurface& open,
+RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
                       const UnwrapOptionValues& options, double utilization,
                       const std::function<bool()>& goesOn) {
   constexpr std::size_t kMostCharts = 64;
   constexpr double kLeast = 0.02;
   const RoomWish wish = wishOf(options);
   RoomCuts out;
-  if (charts.set.size() > kMostCharts || !(utilization > 0)) return out;
+  if (packed.charts.set.size() > kMostCharts || !(utilization > 0)) return out;
   const double most = portable::log(wish.utilization / utilization) / 2;
   if (!(most > kLeast)) return out;
-  const FlatSurface surface = flatSurface(charts, open);
+  const FlatSurface surface = flatSurface(packed, open);
   const QuickFit fit(options.resolution, options.padding, options.rotate);
   PieceFitting uncut(open.mesh, surface, fit);
   const auto found = RoomSearch(uncut, wish, triesFor(open)).run(most, goesOn);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "abflat/unwrap.h"
-#include "unwrap/laid_charts.h"
+#include "unwrap/packed_charts.h"
 #include "unwrap/seams.h"
 
 namespace abflat {
@@ -23,7 +23,7 @@ bool cutsForRoom(const UnwrapOptionValues& options, const FlatCharts& flat);
 /// Finds cuts that are worth their length; empty if there are none. `utilization`: that of the
 /// charts without cuts. `goesOn` is called now and then; when it returns false, the result is
 /// empty.
-RoomCuts findRoomCuts(const LaidCharts& charts, const OpenSurface& open,
+RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
                       const UnwrapOptionValues& options, double utilization,
                       const std::function<bool()>& goesOn);
 

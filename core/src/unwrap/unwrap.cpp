@@ -19,6 +19,7 @@
 #include "unwrap/atlas.h"
 #include "unwrap/certificate.h"
 #include "unwrap/chart.h"
+#include "unwrap/densities.h"
 #include "unwrap/fixed.h"
 #include "unwrap/known.h"
 #include "unwrap/layouts.h"
@@ -73,13 +74,15 @@ class Unwrapping {
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), charts_.set}; }
-  PackedCharts packedCharts() { return {unit_, *pool_, charts_, packing_}; }
+  PackedCharts packedCharts() {
+    return {unit_, *pool_, charts_, packing_, densitiesOf(cutMesh(), options_.faceDensities)};
+  }
 
   Status checkInput() const {
     if (options_.udim && options_.texelDensity == kAutoTexelDensity)
       return {StatusCode::InvalidOption, "udim needs a numeric texel density"};
     if (input_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
-    return {};
+    return checkDensities(options_.faceDensities, input_.faceCount());
   }
 
   Status seeSurface() {
@@ -227,7 +230,8 @@ class Unwrapping {
   /// leaves them as they were.
   Status cutForRoom() {
     const auto goesOn = [&] { return monitor_.tell(kPack, kUncut); };
-    const RoomCuts cuts = findRoomCuts(charts_, open_, options_, report_.atlas.utilization, goesOn);
+    const RoomCuts cuts =
+        findRoomCuts(packedCharts(), open_, options_, report_.atlas.utilization, goesOn);
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     const AtlasReport uncut = report_.atlas;
     open_.seams.resize(open_.mesh.twin.size(), 0);

@@ -329,7 +329,7 @@ export interface AtlasReport {
   tiles: number;
   /** Share of the tiles that charts cover. */
   utilization: number;
-  /** Texels per unit of length of the mesh. */
+  /** Texels per unit of length of the mesh, where no other density is asked for. */
   texelDensity: number;
   /** Charts that were cut in two so that all pack tighter. */
   packingCuts: number;

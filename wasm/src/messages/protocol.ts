@@ -77,6 +77,7 @@ export interface UnwrapRequest extends LayoutRequest {
   /** Charts of `known`. */
   fixedCharts: Uint32Array;
   keepsPlaces: boolean;
+  faceDensities?: Float64Array;
   known?: KnownArrays;
 }
 

@@ -26,6 +26,7 @@ export const KEYS = {
     'fixedFaces',
     'fixedCharts',
     'keepsPlaces',
+    'faceDensities',
     'known',
     ...OF_LAYOUT,
   ],
@@ -266,6 +267,16 @@ export function keptFaces(faces: unknown): Uint32Array | 'uv' {
 
 export function chartNumbers(charts: unknown): Uint32Array {
   return numbers('fixedCharts', 'chart numbers', charts);
+}
+
+/** A copy in double precision. The module checks the numbers. */
+export function densitiesOf(densities: unknown): Float64Array | undefined {
+  if (densities === undefined) return undefined;
+  const tag = tagOf(densities);
+  if (tag !== 'Float32Array' && tag !== 'Float64Array')
+    throw invalid(`faceDensities must be a Float32Array or Float64Array, not ${tag}.`);
+  checkMemory('faceDensities', densities as ArrayBufferView);
+  return new Float64Array(densities as Float64Array);
 }
 
 function checkIndex(name: string, kind: string, value: unknown): void {

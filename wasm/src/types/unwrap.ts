@@ -43,6 +43,12 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
    */
   keepsPlaces?: boolean;
   /**
+   * Per input face, the texel density wanted for it relative to the others, from 0.001 to 1000. A
+   * chart has as many texels as its faces ask for together. Charts that stay where they are also
+   * keep their size.
+   */
+  faceDensities?: Float32Array | Float64Array;
+  /**
    * Charts with the triangles and the outline of one of these, and the same `t`, `balance` and
    * `straightSeams`, are not flattened again.
    */

@@ -147,7 +147,7 @@ struct AtlasReport {
   int tiles = 1;
   /// Share of the tiles that charts cover.
   double utilization = 0;
-  /// Texels per unit of length of the mesh.
+  /// Texels per unit of length of the mesh, where no other density is asked for.
   double texelDensity = 0;
   /// Charts that were cut in two so that all pack tighter.
   int packingCuts = 0;
