@@ -219,6 +219,36 @@ test('even density gives charts as many texels per surface as the others have', 
   isNear(evened(flat, charts(1)).motions[0].a, 1);
 });
 
+test('a chart is scaled to a density relative to the others, and keeps it', async () => {
+  const { atDensity, keptDensities } = await load('arrange/density');
+  const { movedUv } = await load('arrange/move-charts');
+  const arrays = atlas([SQUARE, SQUARE, SQUARE, SQUARE]);
+  const positions = [0, 1, 2, 3].flatMap((chart) => SQUARE.flatMap(([x, y]) => [x, y, chart]));
+  const before = { ...arrays, positions };
+  const set = (from, chart, density, asked) => {
+    const { uv } = from;
+    const now = movedUv(from, atDensity(from, charts(chart), density, asked));
+    return [{ ...from, uv: now }, keptDensities({ ...from, uv }, now, asked)];
+  };
+  assert.equal(keptDensities(before, before.uv, undefined), undefined);
+  const [once, asked] = set(before, 1, 2);
+  const perChart = (asked) => [0, 2, 4, 6].map((f) => asked[f]);
+  areNear(perChart(asked).map(Math.fround), [1, 2, 1, 1]);
+  assert.equal(keptDensities(once, once.uv, asked), asked, 'nothing has been scaled');
+  // Set twice, it is the same; and the rest can be most of the surface.
+  const [twice, same] = set(once, 1, 2, asked);
+  assert.equal(same, asked);
+  const [third, more] = set(twice, 2, 0.5, same);
+  assert.deepEqual(perChart(more), [1, 2, 0.5, 1]);
+  const [, fewer] = set(third, 1, 1, more);
+  assert.deepEqual(perChart(fewer), [1, 1, 0.5, 1]);
+  // Faces of several triangles, and triangles without a chart.
+  const faces = Uint32Array.of(0, 0, 1, 1, 2, 2, 3, 3);
+  assert.deepEqual([...set({ ...before, faces }, 1, 2)[1]], [1, 2, 1, 1]);
+  const chartOfTriangle = Uint32Array.of(0, 0, 1, 1, 2, 2, 0xffffffff, 0xffffffff);
+  assert.deepEqual(perChart(set({ ...before, chartOfTriangle }, 1, 2)[1]), [1, 2, 1, 1]);
+});
+
 test('charts keep their colours as long as they have the same triangles', async () => {
   const { KeptColors } = await load('workshop/kept-colors');
   const kept = new KeptColors();
@@ -235,7 +265,7 @@ test('a check that ends after the next move does not take that back', async () =
   const { Placement } = await load('placement');
   const wanted = [];
   const placement = new Placement(
-    { outcome: async () => ({}) },
+    { outcome: async () => ({}), keptDensities: async () => undefined },
     { placeCharts: () => undefined, showFlat: () => undefined, moveCharts: () => undefined },
     {
       placing: () => undefined,
@@ -268,7 +298,7 @@ test('moves that do not wait for each other all count, and those of another atla
   const wanted = [];
   const refused = [];
   const placement = new Placement(
-    { outcome: async () => ({}) },
+    { outcome: async () => ({}), keptDensities: async () => undefined },
     { placeCharts: () => undefined, showFlat: () => undefined, moveCharts: () => undefined },
     {
       placing: () => undefined,

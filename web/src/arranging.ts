@@ -1,4 +1,3 @@
-import type { UnwrapResult } from 'abflat';
 import type { ChartMesh } from './arrange/chart-mesh';
 import type { Unwrapped } from './model/model';
 import type { UnwrapSettings } from './model/settings';
@@ -32,9 +31,10 @@ export class Arranging {
     const place = (change: Change, what: string) => void this.placement.place(change, what);
     this.placement = new Placement(workshop, views, {
       placing: () => events.placing(),
-      placed: (layout: UnwrapResult, what: string) => {
+      placed: (layout, densities, what) => {
         this.pins.show();
-        events.placed(layout, what);
+        this.selection.showDensity();
+        events.placed(layout, densities, what);
       },
       notPlaced: (error) => {
         this.pins.show();
@@ -55,6 +55,7 @@ export class Arranging {
       isFree: () => events.isFree(),
       changed: (selected) => events.selected(selected),
       locked: () => events.locked(),
+      densityOf: (face) => this.placement.current?.settings.faceDensities?.[face] ?? 1,
       arranged: (arranged, what) =>
         place(async (outcome) => {
           const motions = await workshop.motions(outcome, arranged);

@@ -37,7 +37,7 @@ export class HandTools {
         events.pinned(what);
       },
       placing: () => document.body.setAttribute('aria-busy', 'true'),
-      placed: (layout, what) => wishes.place(layout, what),
+      placed: (layout, densities, what) => wishes.place(layout, densities, what),
       notPlaced: (error) => {
         if (error) showAlert(MOVING.failed(error.message));
         events.notPlaced();

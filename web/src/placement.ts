@@ -2,7 +2,7 @@ import type { UnwrapResult } from 'abflat';
 import { STILL } from './arrange/motion';
 import type { FlatDrawing } from './model/drawing';
 import type { Unwrapped } from './model/model';
-import type { KnownAtlas } from './model/settings';
+import type { KnownAtlas, UnwrapSettings } from './model/settings';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
@@ -14,8 +14,8 @@ export type Change = (
 export interface PlacementEvents {
   /** Charts are about to be in other places. */
   placing(): void;
-  /** Charts are in other places; `what` was done. */
-  placed(layout: UnwrapResult, what: string): void;
+  /** Charts are in other places; `what` was done. They keep these densities when they are packed anew. */
+  placed(layout: UnwrapResult, densities: UnwrapSettings['faceDensities'], what: string): void;
   /** Nothing was moved: it went wrong, or another atlas has come in between. */
   notPlaced(error: Error | null): void;
 }
@@ -67,15 +67,18 @@ export class Placement {
     this.events.placing();
     try {
       const changed = await change(outcome);
-      const placed: Unwrapped = { ...outcome, result: { ...outcome.result, ...changed } };
-      const drawing = await this.workshop.outcome(placed);
+      const result = { ...outcome.result, ...changed };
+      const asked = this.workshop.keptDensities(outcome, result.uv);
+      const drawn = this.workshop.outcome({ ...outcome, result });
+      const [faceDensities, drawing] = await Promise.all([asked, drawn]);
+      const settings = { ...outcome.settings, faceDensities };
       if (generation !== this.generation) {
         this.giveUp(null);
         return;
       }
-      this.outcome = placed;
+      this.outcome = { ...outcome, settings, result };
       this.draw(drawing);
-      this.events.placed(placed.result, what);
+      this.events.placed(result, faceDensities, what);
     } catch (error) {
       this.giveUp(error as Error);
     }

@@ -21,6 +21,8 @@ export interface Asked {
   atlas?: KnownAtlas;
   /** Charts of it. */
   locked?: Uint32Array;
+  /** Per face, its texel density relative to the others. */
+  densities?: Float32Array;
   /** Pinned corners. */
   pins?: Uint32Array;
 }
@@ -46,8 +48,9 @@ export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
     const { bounds } = outcome.settings;
     return bounds ? { ...asked, bounds } : asked;
   }
-  if (pins) asked.pins = pins;
   const { result, settings } = outcome;
+  if (pins) asked.pins = pins;
+  if (settings.faceDensities) asked.densities = settings.faceDensities;
   const { seams, seamEdges, placed } = settings;
   if (seamEdges) asked.edited = { seams, seamEdges };
   const locked = kept?.layout === result ? kept.charts : new Uint32Array();
@@ -79,10 +82,12 @@ function sourceOf(mesh: KeptMesh): Source {
   return source;
 }
 
-export function settingsAskedFor({ text, edited, bounds, atlas, locked, pins }: Asked): Settings {
+export function settingsAskedFor(asked: Asked): Settings {
+  const { text, edited, bounds, atlas, locked, pins, densities } = asked;
   const { settings } = settingsOf(text);
   if (settings.mode === 'flatten') return bounds ? { ...settings, bounds } : settings;
   const kept = atlas && locked && { kept: { layout: atlas, charts: locked } };
   const placed = atlas && { placed: atlas };
-  return { ...settings, ...edited, ...placed, ...kept, ...(pins && { pins }) };
+  const byHand = { ...(pins && { pins }), ...(densities && { faceDensities: densities }) };
+  return { ...settings, ...edited, ...placed, ...kept, ...byHand };
 }

@@ -26,6 +26,7 @@ export class Wishes {
   private readonly atlas: AtlasControl;
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
+  private faceDensities: UnwrapSettings['faceDensities'];
   private ownBounds: FlattenSettings['bounds'];
   private pins: UnwrapSettings['pins'];
 
@@ -49,9 +50,9 @@ export class Wishes {
 
   get settings(): Settings {
     if (this.mode.mode === 'flatten') return this.disk;
-    const { placed } = this;
-    const more = placed && { placed };
-    return { ...this.atlas.settings, ...this.seams.options, ...this.marks, ...more };
+    const { placed, faceDensities } = this;
+    const byHand = { ...(faceDensities && { faceDensities }), ...(placed && { placed }) };
+    return { ...this.atlas.settings, ...this.seams.options, ...this.marks, ...byHand };
   }
 
   /** What is marked in an atlas. */
@@ -81,6 +82,7 @@ export class Wishes {
   /** Another mesh was opened. */
   open(mesh: Editable): void {
     this.placed = undefined;
+    this.faceDensities = undefined;
     this.ownBounds = undefined;
     this.pins = undefined;
     this.atlas.open(mesh.summary);
@@ -96,9 +98,14 @@ export class Wishes {
     this.events.changed(what);
   }
 
-  /** Charts were moved. */
-  place(layout: UnwrapSettings['placed'], what: string): void {
+  /** Charts were moved. They keep these densities when they are packed anew. */
+  place(
+    layout: UnwrapSettings['placed'],
+    densities: UnwrapSettings['faceDensities'],
+    what: string,
+  ): void {
     this.placed = layout;
+    this.faceDensities = densities;
     this.events.changed(what);
   }
 
@@ -119,6 +126,7 @@ export class Wishes {
       return;
     }
     this.placed = settings.placed;
+    this.faceDensities = settings.faceDensities;
     this.pins = settings.pins;
     this.atlas.restore(settings);
     this.seams.restore(settings);

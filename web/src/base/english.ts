@@ -837,6 +837,11 @@ export const SELECTION = {
   },
   none: 'Select a chart first',
   locked: 'Locked charts stay. Unlock them to move them',
+  density: 'Density',
+  mixedDensity: 'different from chart to chart',
+  densityOfOne: (chart: number, density: number) => `Density of chart ${chart}: ${density}`,
+  densityOfSeveral: (charts: number, density: number) =>
+    `Density of ${counted(charts, 'chart')}: ${density}`,
 };
 
 /** What was done to charts, by the names of the menu's entries. */

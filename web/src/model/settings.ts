@@ -45,6 +45,11 @@ export interface UnwrapSettings extends MoreOptions, Marks {
   seams: string;
   /** Edges to cut in addition, two vertices each. */
   seamEdges?: Uint32Array;
+  /**
+   * Per face, its texel density relative to the others: charts that were scaled keep their size when
+   * they are packed anew. Undefined: all are alike.
+   */
+  faceDensities?: Float32Array;
   /** The layout with charts where the user has moved them. */
   placed?: KnownAtlas;
 }

@@ -1,5 +1,5 @@
 import type { GestureKind } from '../arrange/gesture';
-import { ARRANGED, MOVING } from '../base/english';
+import { ARRANGED, MOVING, SELECTION } from '../base/english';
 
 /** What can be done to the selected charts, as the menu names it. */
 export type ArrangeName = keyof typeof ARRANGED;
@@ -17,4 +17,12 @@ export function movedText(charts: ReadonlySet<number>, how: ArrangeName): string
   return charts.size === 1
     ? MOVING.doneToOne(done, chart)
     : MOVING.doneToSeveral(done, charts.size);
+}
+
+/** "Density of chart 3: 2" */
+export function densityText(charts: ReadonlySet<number>, density: number): string {
+  const [chart] = charts;
+  return charts.size === 1
+    ? SELECTION.densityOfOne(chart, density)
+    : SELECTION.densityOfSeveral(charts.size, density);
 }

@@ -7,8 +7,9 @@ import { Aim, type Modifiers } from '../view/aim';
 import type { Pixel } from '../view/sight';
 import type { ViewName, Views } from '../view/views';
 import type { Arranged } from '../workshop/workshop';
-import { type ArrangeName, isGesture, isName, movedText } from './arrange-words';
+import { type ArrangeName, densityText, isGesture, isName, movedText } from './arrange-words';
 import { ChartSelection } from './chart-selection';
+import { DensityField } from './density-field';
 import { type Movable, Mover } from './mover';
 import type { PinTool } from './pin-tool';
 import { SelectionBar } from './selection-bar';
@@ -20,6 +21,8 @@ export interface SelectionEvents {
   changed(selected: ReadonlySet<number>): void;
   /** The locked charts of the atlas on screen. */
   locked(): ReadonlySet<number>;
+  /** What a face asks for: its texel density relative to the others. */
+  densityOf(face: number): number;
   /** Charts are to be moved; `what` has been done to them. */
   arranged(arranged: Arranged, what: string): void;
   say(text: string): void;
@@ -32,6 +35,7 @@ const NO_CHARTS: ReadonlySet<number> = new Set();
 export class SelectionPanel {
   private readonly selection = new ChartSelection(() => this.show());
   private readonly bar: SelectionBar;
+  private readonly density: DensityField;
   private readonly mover: Mover;
   private report: UnwrapReport | null = null;
 
@@ -49,6 +53,7 @@ export class SelectionPanel {
       pickNone,
       arrange: (how) => isName(how) && this.arrange(how),
     });
+    this.density = new DensityField((density) => this.setDensity(density), events.say);
     this.mover = new Mover(views, {
       movableAt: (at) => (pins.isActive ? pins.movableAt(at) : this.chartsAt(at)),
       resolution: () => this.report?.atlas.resolution ?? 1,
@@ -69,6 +74,7 @@ export class SelectionPanel {
       this.selection.clear();
     }
     this.selection.setInvalid(invalidCharts(report));
+    this.showDensity();
   }
 
   /** The charts that are not shown. */
@@ -177,6 +183,12 @@ export class SelectionPanel {
     return together(movable, turned(middle, how === 'left' ? QUARTER : -QUARTER));
   }
 
+  private setDensity(density: number): void {
+    const { movable } = this;
+    const charts = Uint32Array.from(movable);
+    if (charts.length > 0) this.events.arranged({ density, charts }, densityText(movable, density));
+  }
+
   private showGesture(text: string | null): void {
     // The chart under the pointer shows its own colours while it moves.
     if (text !== null) this.selection.hover(null);
@@ -195,9 +207,17 @@ export class SelectionPanel {
     else this.selection.isolate(this.report?.charts.length ?? 0);
   }
 
+  /** The densities of charts may have changed. */
+  showDensity(): void {
+    const charts = this.report?.charts ?? [];
+    const faces = [...this.movable].flatMap((chart) => charts[chart]?.firstFace ?? []);
+    this.density.update(faces.map((face) => this.events.densityOf(face)));
+  }
+
   private show(): void {
     this.views.showStates(this.selection);
     this.bar.show(this.selection, this.report);
+    this.showDensity();
     this.events.changed(this.selection.selected);
   }
 }

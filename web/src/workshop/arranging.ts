@@ -1,7 +1,7 @@
 // What is done to charts of an atlas.
 
 export { chartMesh } from '../arrange/chart-mesh';
-export { evened } from '../arrange/density';
+export { atDensity, evened, keptDensities } from '../arrange/density';
 export { movedUv } from '../arrange/move-charts';
 export { stacked } from '../arrange/stack';
 export { straightened } from '../arrange/straighten';

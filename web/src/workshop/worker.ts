@@ -4,6 +4,7 @@
 import { expose, transfer } from 'comlink';
 import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
+import type { FaceDensities } from '../arrange/density';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
 import { loadInWorker } from '../base/load-part';
@@ -86,6 +87,31 @@ const tasks = {
   ): Promise<Motions> => {
     const { evened } = await arranging();
     return evened({ ...arrays, positions: positionsOf(layout, input) }, charts);
+  },
+
+  atDensity: async (
+    arrays: ChartArrays,
+    layout: Placed,
+    input: Pick<DisplayMesh, 'positions' | 'faces'>,
+    charts: Uint32Array,
+    density: number,
+    asked: FaceDensities,
+  ): Promise<Motions> => {
+    const { atDensity } = await arranging();
+    const surface = { ...arrays, positions: positionsOf(layout, input), faces: input.faces };
+    return atDensity(surface, charts, density, asked);
+  },
+
+  keptDensities: async (
+    arrays: ChartArrays,
+    layout: Placed,
+    input: Pick<DisplayMesh, 'positions' | 'faces'>,
+    { uv }: Pick<ChartArrays, 'uv'>,
+    asked: FaceDensities,
+  ): Promise<FaceDensities> => {
+    const { keptDensities } = await arranging();
+    const before = { ...arrays, positions: positionsOf(layout, input), faces: input.faces };
+    return keptDensities(before, uv, asked);
   },
 
   surface: async (mesh: DisplayMesh, isDisk: boolean): Promise<SurfaceArrays> => {

@@ -19,6 +19,7 @@ import type {
   Outcome,
   Unwrapped,
 } from '../model/model';
+import type { UnwrapSettings } from '../model/settings';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
 import type { Tasks } from './worker';
@@ -26,8 +27,14 @@ import type { Tasks } from './worker';
 /** What can be done to some charts at once: an upright box, one on the other, as many texels as the rest. */
 export type Arrangement = 'straightened' | 'stacked' | 'evened';
 
-/** How charts are to be moved: by motions, or so that they are arranged. `fixed`: charts that stay, but count. */
-export type Arranged = Motions | { how: Arrangement; charts: Uint32Array; fixed: Uint32Array };
+/**
+ * How charts are to be moved: by motions, so that they are arranged, or to a texel density relative
+ * to the others. `fixed`: charts that stay, but count.
+ */
+export type Arranged =
+  | Motions
+  | { how: Arrangement; charts: Uint32Array; fixed: Uint32Array }
+  | { density: number; charts: Uint32Array };
 
 interface Running {
   tasks: Remote<Tasks>;
@@ -100,16 +107,44 @@ export class Workshop implements Helpers {
   }
 
   /** How to move charts so that they are arranged. */
-  async motions({ result, mesh }: Unwrapped, arranged: Arranged): Promise<Motions> {
+  async motions({ result, mesh, settings }: Unwrapped, arranged: Arranged): Promise<Motions> {
     if ('motions' in arranged) return arranged;
-    const { how, charts, fixed } = arranged;
+    const { charts } = arranged;
     const { positions, vertexMap } = result;
-    const parts = [{ positions, vertexMap }, { positions: mesh.positions }] as const;
+    const { faces } = mesh;
+    const parts = [
+      { positions, vertexMap },
+      { positions: mesh.positions, faces },
+    ] as const;
     return this.send([chartArraysOf(result), ...parts], (tasks, own, layout, input) => {
+      if ('density' in arranged) {
+        const { density } = arranged;
+        return tasks.atDensity(own, layout, input, charts, density, settings.faceDensities);
+      }
+      const { how, fixed } = arranged;
       if (how === 'straightened') return tasks.straightened(own, charts);
       if (how === 'stacked') return tasks.stacked(own, charts, fixed);
       return tasks.evened(own, layout, input, charts);
     });
+  }
+
+  /** What faces of an atlas ask for now that its charts are elsewhere; see arrange/density.ts. */
+  keptDensities(
+    { result, mesh, settings }: Unwrapped,
+    uv: Float64Array,
+  ): Promise<UnwrapSettings['faceDensities']> {
+    const { positions, vertexMap } = result;
+    const { faces } = mesh;
+    return this.send(
+      [
+        chartArraysOf(result),
+        { positions, vertexMap },
+        { positions: mesh.positions, faces },
+        { uv },
+      ],
+      (tasks, own, layout, input, now) =>
+        tasks.keptDensities(own, layout, input, now, settings.faceDensities),
+    );
   }
 
   /** A chart as a mesh of its own. */

@@ -1,0 +1,134 @@
+// The texel density of charts relative to each other: set as a number or by scaling, and kept when charts are packed anew.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { objText, together } from '../support/surfaces.mjs';
+import { atlas, middleOf, pixelOf } from './layout.mjs';
+import { openPage, settled, textOf } from './page.mjs';
+
+/** A square that is a chart as it is. */
+const TILE = {
+  positions: [0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => [i % 3, Math.floor(i / 3), 0]),
+  faces: [0, 1, 3, 4].map((i) => [i, i + 1, i + 4, i + 3]),
+};
+const FACES = TILE.faces.length;
+const TILES = objText(together([0, 3, 6].map((x) => [TILE, [x, 0, 0]])));
+
+const areaOf = (corners) =>
+  corners.reduce((sum, [x1, y1], i) => {
+    const [x2, y2] = corners[(i + 1) % corners.length];
+    return sum + (x1 * y2 - x2 * y1) / 2;
+  }, 0);
+
+/** Of a face, beside that of the last one; charts are flat, so it is that of the whole chart. */
+const densityOf = ({ uv }, face) => Math.sqrt(areaOf(uv[face]) / areaOf(uv.at(-1)));
+
+/** Selects the chart of the face that is now at this place. */
+async function select(page, { uv }, face) {
+  const [x, y] = await pixelOf(page, middleOf(uv[face]));
+  await page.mouse.click(x, y);
+  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /);
+}
+
+async function setDensity(page, text) {
+  await page.fill('#selection-density', text);
+  await page.press('#selection-density', 'Enter');
+  await settled(page);
+}
+
+const shown = (page) => page.inputValue('#selection-density');
+
+async function packAgain(page) {
+  await page.click('#details-toggle');
+  await page.click('#tab-charts');
+  await page.click('#pack-again');
+  await settled(page);
+  await page.click('#details-toggle');
+}
+
+function isNear(value, wanted) {
+  assert.ok(Math.abs(value / wanted - 1) < 0.01, `${value} is ${wanted}`);
+}
+
+test('a density is set, kept when all is packed anew, by other options and after a reload, and undone', async (t) => {
+  const page = await openPage(t, { own: true, mode: 'unwrap', open: ['tiles.obj', TILES] });
+  const before = await atlas(page);
+  isNear(densityOf(before, 0), 1);
+  await select(page, before, 0);
+  assert.equal(await shown(page), '1');
+  await setDensity(page, '2');
+  assert.match(await textOf(page, '#run-text'), /^Density of chart \d+: 2, checked in/);
+  assert.equal(await shown(page), '2');
+  isNear(densityOf(await atlas(page), 0), 2);
+  await packAgain(page);
+  const packed = await atlas(page);
+  isNear(densityOf(packed, 0), 2);
+  assert.match(await textOf(page, '#badge'), /^Valid$/);
+  await select(page, packed, 0);
+  assert.equal(await shown(page), '2');
+  await page.fill('#padding', '6');
+  await settled(page);
+  isNear(densityOf(await atlas(page), 0), 2);
+  assert.match(await textOf(page, '#badge'), /^Valid$/);
+  await page.waitForTimeout(500);
+  await page.reload();
+  await settled(page);
+  const again = await atlas(page);
+  isNear(densityOf(again, 0), 2);
+  await select(page, again, 0);
+  assert.equal(await shown(page), '2');
+  // Set to 1, all are alike again.
+  await setDensity(page, '1');
+  await packAgain(page);
+  isNear(densityOf(await atlas(page), 0), 1);
+  await page.click('#undo');
+  await page.click('#undo');
+  await settled(page);
+  isNear(densityOf(await atlas(page), 0), 2);
+});
+
+test('a chart that is scaled keeps its size beside the others, until densities are even', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
+  const before = await atlas(page);
+  await select(page, before, FACES);
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('s');
+  await page.keyboard.type('.5');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  assert.equal(await shown(page), '0.5');
+  await packAgain(page);
+  isNear(densityOf(await atlas(page), FACES), 0.5);
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  assert.equal(await shown(page), '', 'charts of different densities');
+  await page.keyboard.press('Alt+a');
+  assert.ok(await page.isHidden('#selection-density'));
+  await select(page, await atlas(page), FACES);
+  await page.click('#selection-arrange');
+  await page.locator('#arrange-menu [data-value=evened]').click();
+  await settled(page);
+  assert.equal(await shown(page), '1');
+  await packAgain(page);
+  isNear(densityOf(await atlas(page), FACES), 1);
+});
+
+test('what is no density is not taken, and Escape takes back what is typed', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
+  await select(page, await atlas(page), 0);
+  await page.fill('#selection-density', '0');
+  assert.equal(await page.getAttribute('#selection-density', 'aria-invalid'), 'true');
+  await page.press('#selection-density', 'Enter');
+  assert.match(
+    await textOf(page, '#live'),
+    /^0 was ignored: Density must be from 0.001 to 1000. It is still 1.$/,
+  );
+  assert.equal(await shown(page), '1');
+  await page.fill('#selection-density', '7');
+  await page.press('#selection-density', 'Escape');
+  assert.equal(await shown(page), '1');
+  assert.ok(await page.isVisible('#selection-density'));
+  await page.press('#selection-density', 'Escape');
+  assert.ok(await page.isHidden('#selection-density'));
+  assert.ok(await page.isDisabled('#undo'));
+});
