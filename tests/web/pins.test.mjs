@@ -2,9 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { objText, torus } from '../support/surfaces.mjs';
+import { objText, together, torus } from '../support/surfaces.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
-import { drawn, exportAs, exportMesh, openPage, settled, textOf } from './page.mjs';
+import { drawn, exportAs, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 const RING = objText(torus(24, 12));
 
@@ -227,6 +227,35 @@ test('a finger drags a pin', async (t) => {
     assertNear(minus(b, a), [24 / side, 0], 2e-3),
   );
   await exportMesh(page);
+});
+
+test('pins stay on their vertices when the atlas has other tiles', async (t) => {
+  const rings = objText(together([0, 4, 8].map((x) => [torus(16, 8), [x, 0, 0]])));
+  const page = await openPage(t, { open: ['rings.obj', rings] });
+  await page.click('#more-toggle');
+  await page.selectOption('#resolution', '4096');
+  await settled(page);
+  const density = 0.6 * Number((await metrics(page))['Texel density'].replace(',', ''));
+  await page.fill('#more-texel-density', density.toFixed(0));
+  await settled(page);
+  await page.click('#more-udim');
+  await settled(page);
+  assert.doesNotMatch(await textOf(page, '#layout-info'), /tiles/);
+  const { uv } = await atlas(page);
+  await page.click('#pin');
+  await pin(page, uv[0][0]);
+  assert.match(await textOf(page, '#pins-text'), /^1 pin/);
+  await page.selectOption('#resolution', '2048');
+  await settled(page);
+  assert.match(await textOf(page, '#layout-info'), /tiles/);
+  await page.mouse.move(0, 0);
+  await drawn(page);
+  const picture = () => page.locator('#layout-canvas').screenshot();
+  const shown = await picture();
+  // Drawn anew they are in the same places.
+  for (let i = 0; i < 2; i++) await page.evaluate(() => document.querySelector('#pin').click());
+  await drawn(page);
+  assert.deepEqual(await picture(), shown);
 });
 
 test('pinning is for atlases', async (t) => {

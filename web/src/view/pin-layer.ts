@@ -26,7 +26,8 @@ export class PinLayer {
   private bending: Bending | null = null;
   private toPlane: (uv: Point) => Point = (uv) => uv;
   private unit = 1;
-  private isEmpty = true;
+  /** In uv. */
+  private shown: { pins: readonly Point[]; aimed: Point | null } = { pins: [], aimed: null };
 
   constructor(
     private readonly surface: { object: Mesh },
@@ -38,10 +39,11 @@ export class PinLayer {
     return [this.halos.object, this.pins.object, this.aim.object];
   }
 
-  /** Another layout is shown, as is. */
+  /** Another layout is shown, as is. Its pins may have come before. */
   setPlane(middle: Point, unit: number): void {
     this.unit = unit;
     this.toPlane = ([u, v]) => [(u - middle[0]) / unit, (v - middle[1]) / unit];
+    this.draw();
   }
 
   setPalette({ background, tightened, boundary }: Palette): void {
@@ -56,14 +58,19 @@ export class PinLayer {
 
   /** Points are in uv; `aimed` is what a click would hit. Returns whether there is anything else to see. */
   show(pins: readonly Point[], aimed: Point | null): boolean {
-    const isEmpty = pins.length === 0 && !aimed;
-    if (isEmpty && this.isEmpty) return false;
-    this.isEmpty = isEmpty;
+    const wasEmpty = this.shown.pins.length === 0 && !this.shown.aimed;
+    this.shown = { pins, aimed };
+    if (wasEmpty && pins.length === 0 && !aimed) return false;
+    this.draw();
+    return true;
+  }
+
+  private draw(): void {
+    const { pins, aimed } = this.shown;
     const points = this.pointsOf(pins);
     this.halos.show(points);
     this.pins.show(points);
     this.aim.show(aimed ? this.pointsOf([aimed]) : NO_POINTS);
-    return true;
   }
 
   private pointsOf(points: readonly Point[]): Float32Array {
