@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solve/cholesky/cholesky.h"
+#include "solve/cholesky/front_kernel.h"
 #include "solve/cholesky/run_tasks.h"
 
 namespace abflat {
