@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kMagic = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBufferChunk = 0x004E4942;
-constexpr std::size_t kHeaderSize = 12, kChunkHeaderSize = 8, kAlignment = 4;
+constexpr std::size_t kHeaderSize = 12, kChunkHeaderSize = 8, kChunkAlignment = 4;
 
 /// Little endian.
 std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
@@ -23,7 +23,7 @@ void putWord(std::string& out, std::size_t value) {
 }
 
 void putChunk(std::string& out, std::uint32_t type, std::string_view bytes, char filler) {
-  const std::size_t padding = (kAlignment - bytes.size() % kAlignment) % kAlignment;
+  const std::size_t padding = (kChunkAlignment - bytes.size() % kChunkAlignment) % kChunkAlignment;
   putWord(out, bytes.size() + padding);
   putWord(out, type);
   out.append(bytes);
@@ -91,7 +91,7 @@ Result<Container> openContainer(std::string_view bytes, const std::string& fileN
 
 Result<std::string> binaryFile(std::string_view json, std::string_view buffer,
                                std::string_view others) {
-  const std::size_t size = kHeaderSize + 2 * (kChunkHeaderSize + kAlignment) + json.size() +
+  const std::size_t size = kHeaderSize + 2 * (kChunkHeaderSize + kChunkAlignment) + json.size() +
                            buffer.size() + others.size();
   if (size > std::numeric_limits<std::uint32_t>::max())
     return Status{StatusCode::CannotWrite,

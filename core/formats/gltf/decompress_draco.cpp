@@ -39,7 +39,7 @@ struct Content {
   }
 };
 
-PackedPrimitive packedOf(const Field& primitive, const Field& accessors, std::size_t views) {
+PackedPrimitive packedPrimitive(const Field& primitive, const Field& accessors, std::size_t views) {
   const Field extension = primitive["extensions"][kDracoExtension];
   const std::vector<Field> all = accessors.items();
   PackedPrimitive out;
@@ -86,7 +86,7 @@ class PrimitiveDecoder {
       const std::vector<Field> primitives = meshes[m]["primitives"].items();
       for (std::size_t p = 0; p < primitives.size(); ++p) {
         if (!primitives[p]["extensions"][kDracoExtension].isPresent()) continue;
-        PackedPrimitive packed = packedOf(primitives[p], root["accessors"], views);
+        PackedPrimitive packed = packedPrimitive(primitives[p], root["accessors"], views);
         packed.mesh = m;
         packed.primitive = p;
         out[packed.view].push_back(std::move(packed));

@@ -11,8 +11,6 @@
 namespace abflat::gltf {
 namespace {
 
-constexpr std::size_t kAlignment = 4;
-
 Status damaged(const std::string& reason) {
   return {StatusCode::ParseError,
           " cannot be decoded by Draco (" + reason + "). The file is damaged; export it again"};
@@ -79,7 +77,7 @@ class FrugalDecoder : public Decoder {
     const draco::PointCloud& cloud = *this->point_cloud();
     std::size_t perPoint = 0;
     for (std::int32_t a = 0; a < cloud.num_attributes(); ++a)
-      perPoint += static_cast<std::size_t>(cloud.attribute(a)->byte_stride()) + kAlignment;
+      perPoint += static_cast<std::size_t>(cloud.attribute(a)->byte_stride()) + kElementAlignment;
     return take(perPoint * cloud.num_points()) && Decoder::DecodeAllAttributes();
   }
 
@@ -94,7 +92,7 @@ class FrugalDecoder : public Decoder {
 };
 
 template <class Decoder>
-Status decodeInto(draco::Mesh& mesh, draco::DecoderBuffer& buffer, Budget& budget) {
+Status decodeWith(draco::Mesh& mesh, draco::DecoderBuffer& buffer, Budget& budget) {
   FrugalDecoder<Decoder> decoder(budget);
   const draco::Status status = decoder.Decode(draco::DecoderOptions(), &buffer, &mesh);
   if (decoder.wantsTooMuch())
@@ -107,7 +105,7 @@ template <class T>
 bool convert(const draco::PointAttribute& attribute, std::size_t points, std::size_t components,
              std::string& out) {
   const std::size_t size = components * sizeof(T);
-  const std::size_t stride = (size + kAlignment - 1) / kAlignment * kAlignment;
+  const std::size_t stride = alignedSize(size);
   out.assign(points * stride, '\0');
   std::vector<T> value(components);
   for (std::size_t p = 0; p < points; ++p) {
@@ -161,9 +159,9 @@ Result<DracoMesh> DracoMesh::decode(std::string_view bytes, Budget& budget) {
                   " is a point cloud, not a mesh. Save the file without compression"};
   auto mesh = std::make_shared<draco::Mesh>();
   const Status status = header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING
-                            ? decodeInto<draco::MeshEdgebreakerDecoder>(*mesh, buffer, budget)
+                            ? decodeWith<draco::MeshEdgebreakerDecoder>(*mesh, buffer, budget)
                         : header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING
-                            ? decodeInto<draco::MeshSequentialDecoder>(*mesh, buffer, budget)
+                            ? decodeWith<draco::MeshSequentialDecoder>(*mesh, buffer, budget)
                             : damaged("its encoding method is unknown");
   if (!status.ok()) return status;
   if (mesh->num_faces() == 0) return damaged("it has no triangles");

@@ -6,7 +6,7 @@ namespace abflat::gltf {
 namespace {
 
 /// A list of the file, created if missing.
-Json& listOf(Json& json, const char* key) {
+Json& ensuredList(Json& json, const char* key) {
   Json& list = json[key];
   if (!list.is_array()) list = Json::array();
   return list;
@@ -30,7 +30,7 @@ void Edit::release(std::size_t accessor) {
 }
 
 std::size_t Edit::addView(std::string bytes, std::size_t stride, Target target) {
-  Json& views = listOf(json_, "bufferViews");
+  Json& views = ensuredList(json_, "bufferViews");
   std::size_t view = views.size();
   if (freeViews_.empty()) {
     views.push_back(Json::object());
@@ -51,7 +51,7 @@ std::size_t Edit::addView(std::string bytes, std::size_t stride, Target target) 
 }
 
 std::size_t Edit::putAccessor(std::size_t slot, Json accessor) {
-  Json& accessors = listOf(json_, "accessors");
+  Json& accessors = ensuredList(json_, "accessors");
   if (slot == kNone) {
     accessors.push_back(std::move(accessor));
     return accessors.size() - 1;
@@ -62,7 +62,7 @@ std::size_t Edit::putAccessor(std::size_t slot, Json accessor) {
 
 std::pair<Json, std::string> Edit::finish() {
   MergedBuffer merged(document_, isNew_);
-  Json& views = listOf(json_, "bufferViews");
+  Json& views = ensuredList(json_, "bufferViews");
   for (std::size_t view = 0; view < document_.views.size(); ++view) {
     if (isNew_[view]) continue;
     const std::size_t offset = merged.offsetOf(document_.views[view]);
@@ -71,7 +71,7 @@ std::pair<Json, std::string> Edit::finish() {
   }
   for (const NewView& view : added_) views[view.view]["byteOffset"] = merged.append(view.bytes);
   Json buffer = Json::object();
-  Json& buffers = listOf(json_, "buffers");
+  Json& buffers = ensuredList(json_, "buffers");
   if (!buffers.empty()) buffer = buffers[0];
   buffer.erase("uri");
   buffer["byteLength"] = merged.bytes().size();

@@ -77,9 +77,8 @@ ElementShape shapeOf(const Field& accessor) {
 }
 
 std::size_t ElementShape::columnSize() const {
-  constexpr std::size_t kAlignment = 4;
   const std::size_t size = rows * componentSize(type);
-  return columns == 1 ? size : (size + kAlignment - 1) / kAlignment * kAlignment;
+  return columns == 1 ? size : alignedSize(size);
 }
 
 }  // namespace abflat::gltf

@@ -29,6 +29,13 @@ struct ElementShape {
   std::size_t size() const { return columns * columnSize(); }
 };
 
+/// What matrix columns and the elements of vertices begin at a multiple of, in bytes.
+constexpr std::size_t kElementAlignment = 4;
+
+constexpr std::size_t alignedSize(std::size_t size) {
+  return (size + kElementAlignment - 1) / kElementAlignment * kElementAlignment;
+}
+
 /// Shape of an accessor, from its componentType and type.
 ElementShape shapeOf(const Field& accessor);
 

@@ -9,8 +9,6 @@
 namespace abflat::gltf {
 namespace {
 
-constexpr std::size_t kAlignment = 4;
-
 /// Puts elements of `size` bytes at multiples of `stride`.
 std::string spread(const std::string& bytes, std::size_t size, std::size_t stride) {
   std::string out(bytes.size() / size * stride, '\0');
@@ -27,7 +25,7 @@ void appendCopies(std::string& bytes, std::size_t size, const std::vector<std::u
 void growBase(const Document& document, const Accessor& accessor,
               const std::vector<std::uint32_t>& copied, Json& json, Edit& edit) {
   const std::size_t size = accessor.shape.size();
-  const std::size_t stride = (size + kAlignment - 1) / kAlignment * kAlignment;
+  const std::size_t stride = alignedSize(size);
   std::string bytes = elementsOf(document, accessor);
   appendCopies(bytes, size, copied);
   if (stride != size) bytes = spread(bytes, size, stride);

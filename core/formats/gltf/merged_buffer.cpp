@@ -6,7 +6,7 @@
 namespace abflat::gltf {
 namespace {
 
-constexpr std::size_t kAlignment = 8;  // of the largest type in any extension
+constexpr std::size_t kRangeAlignment = 8;  // of the largest type in any extension
 
 using Interval = std::pair<std::size_t, std::size_t>;
 
@@ -35,7 +35,7 @@ MergedBuffer::MergedBuffer(const Document& document, const std::vector<bool>& is
   kept_.resize(buffers);
   for (std::size_t b = 0; b < buffers; ++b)
     for (const Interval& range : united(std::move(used[b]))) {
-      align(kAlignment, range.first % kAlignment);
+      align(kRangeAlignment, range.first % kRangeAlignment);
       kept_[b].push_back({range.first, range.second, bytes_.size()});
       bytes_.append(document.buffers[b], range.first, range.second - range.first);
     }

@@ -15,7 +15,7 @@ constexpr double kAdjacentBound = 2 - 1e-6;
 bool isBound(double t) { return t > 0 && std::isfinite(t); }
 
 /// The n boundary angles sum to (n - 2) pi, since interior vertices take 2 pi each.
-Status checkFeasible(const BoundaryBounds& t, double common) {
+Status checkSum(const BoundaryBounds& t, double common) {
   const auto n = static_cast<double>(t.size());
   double sum = 0;
   for (const double x : t) sum += x;
@@ -62,7 +62,7 @@ Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOpti
   BoundaryBounds met = t;
   for (const BoundaryIndex i : straight.ids())
     if (straight[i] != 0) met[i] = 1;
-  if (Status s = checkFeasible(met, common); !s.ok()) return s;
+  if (Status s = checkSum(met, common); !s.ok()) return s;
   return t;
 }
 

@@ -37,7 +37,7 @@ Result<BoundaryIndex> placeOf(const DiskChart& chart, std::uint32_t vertex) {
                                 : "the boundary passes it more than once. End the run elsewhere")};
 }
 
-Status checkFeasible(const DiskChart& chart, const StraightPlaces& straight) {
+Status checkTurns(const DiskChart& chart, const StraightPlaces& straight) {
   if (isTooStraight(straight))
     return {StatusCode::InfeasibleBound,
             "the straight runs leave fewer than three boundary vertices for the turns of a closed "
@@ -68,7 +68,7 @@ Result<StraightPlaces> straightPlaces(const DiskChart& chart,
     for (BoundaryIndex i = chart.after(from.value); i != to.value; i = chart.after(i))
       straight[i] = 1;
   }
-  if (Status s = checkFeasible(chart, straight); !s.ok()) return s;
+  if (Status s = checkTurns(chart, straight); !s.ok()) return s;
   return straight;
 }
 

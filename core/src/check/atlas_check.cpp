@@ -14,7 +14,7 @@ namespace {
 /// again.
 constexpr int kMostRounds = 50;
 
-struct Box {
+struct ChartBox {
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   bool isFinite = true;
 
@@ -67,7 +67,7 @@ class AtlasChecker {
   }
 
   void checkTriangles() {
-    std::vector<Box> boxes(isWanted_.size());
+    std::vector<ChartBox> boxes(isWanted_.size());
     std::vector<std::size_t> flipped(isWanted_.size(), 0);
     for (std::size_t t = 0; t < atlas_.chartOf.size(); ++t) {
       if (!isChecked(t) || isEmpty(t)) continue;

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ids.h"
 #include "exact/orientation.h"
 
 namespace abflat {
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffff;
 
 /// An edge of a triangle, stored at the smaller of its two texcoords.
 struct Side {

@@ -15,9 +15,9 @@ using Pair = std::array<std::uint32_t, 2>;
 /// A line that sweeps the plane from left to right and meets points of one column from the bottom
 /// up, as if the plane were slightly sheared (Shamos and Hoey 1976). An edge has the number of its
 /// first point.
-class Sweep {
+class CoverSweep {
  public:
-  explicit Sweep(const Curves& curves) : points_(curves.points), active_(Below{this}) {
+  explicit CoverSweep(const Curves& curves) : points_(curves.points), active_(Below{this}) {
     const std::size_t n = points_.size() / 2;
     next_.resize(n);
     previous_.resize(n);
@@ -54,7 +54,7 @@ class Sweep {
   };
   struct Below {
     using is_transparent = void;
-    const Sweep* sweep;
+    const CoverSweep* sweep;
     bool operator()(const Active& a, const Active& b) const {
       return sweep->isBelow(a.edge, b.edge);
     }
@@ -156,7 +156,7 @@ class Sweep {
 }  // namespace
 
 std::optional<std::array<std::uint32_t, 2>> findWrongCover(const Curves& curves) {
-  return Sweep(curves).run();
+  return CoverSweep(curves).run();
 }
 
 }  // namespace abflat

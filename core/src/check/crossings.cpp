@@ -11,11 +11,11 @@
 namespace abflat {
 namespace {
 
-struct Box {
+struct EdgeBox {
   double lo[2], hi[2];
 };
 
-bool disjoint(const Box& a, const Box& b) {
+bool disjoint(const EdgeBox& a, const EdgeBox& b) {
   return a.lo[0] > b.hi[0] || b.lo[0] > a.hi[0] || a.lo[1] > b.hi[1] || b.lo[1] > a.hi[1];
 }
 
@@ -92,7 +92,7 @@ class EdgeTree {
 
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
     if (begin >= n_) return;
-    Box& box = boxes_[node];
+    EdgeBox& box = boxes_[node];
     if (end - begin == 1) {
       const double *from = point(order_[begin]), *to = point(order_[begin] + 1);
       for (int d = 0; d < 2; ++d) {
@@ -159,7 +159,7 @@ class EdgeTree {
   std::size_t keepFirst_;
   std::uint32_t n_, leaves_ = 1;
   std::size_t allowed_ = 0;  ///< pairs of boxes that may still be tested
-  std::vector<Box> boxes_;
+  std::vector<EdgeBox> boxes_;
   Crossings found_;
 };
 

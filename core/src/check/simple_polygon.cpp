@@ -16,9 +16,9 @@ namespace {
 /// Visits the points by x, then y, and keeps the edges that have begun and not yet ended in the
 /// order in which a line through the point meets them. Two edges that cross are neighbours in that
 /// order before the sweep reaches their crossing.
-class Sweep {
+class CrossingSweep {
  public:
-  explicit Sweep(const std::vector<double>& points)
+  explicit CrossingSweep(const std::vector<double>& points)
       : points_(points),
         n_(static_cast<std::uint32_t>(points.size() / 2)),
         active_(Below{this}),
@@ -36,7 +36,7 @@ class Sweep {
 
  private:
   struct Below {
-    const Sweep* sweep;
+    const CrossingSweep* sweep;
     bool operator()(std::uint32_t a, std::uint32_t b) const { return sweep->isBelow(a, b); }
   };
   using Active = std::set<std::uint32_t, Below>;
@@ -116,7 +116,7 @@ class Sweep {
 bool isSimplePolygon(const std::vector<double>& points) {
   const bool isFinite =
       std::all_of(points.begin(), points.end(), [](double x) { return std::isfinite(x); });
-  return isFinite && Sweep(points).isSimple();
+  return isFinite && CrossingSweep(points).isSimple();
 }
 
 }  // namespace abflat

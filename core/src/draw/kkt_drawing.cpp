@@ -3,13 +3,13 @@
 
 #include "abflat/draw.h"
 #include "draw/kkt_pattern.h"
+#include "draw/panel.h"
 #include "draw/svg_writer.h"
 #include "draw/theme.h"
 
 namespace abflat {
 namespace {
 
-constexpr double kUnits = 10;  // of path data, in a pixel
 /// Dots of the raster along one side, since a large matrix has more rows than a picture has pixels.
 constexpr std::size_t kRaster = 420;
 constexpr double kLeft = 104, kTop = 76, kSize = 420, kStrip = 40;
@@ -83,10 +83,10 @@ void paintActiveBounds(SvgWriter& out, const KktPattern& p) {
   SvgPath dots;
   for (const auto& [row, column] : p.entries) {
     if (row < bounds.begin || column >= angles) continue;
-    const double x = kUnits * kSize * column / static_cast<double>(angles);
-    const double step = kUnits * kStrip / static_cast<double>(count);
+    const double x = kUnitsPerPixel * kSize * column / static_cast<double>(angles);
+    const double step = kUnitsPerPixel * kStrip / static_cast<double>(count);
     const double y = step * static_cast<double>(row - bounds.begin);
-    addBox(dots, x - kUnits, y, x + kUnits, y + step);
+    addBox(dots, x - kUnitsPerPixel, y, x + kUnitsPerPixel, y + step);
   }
   out.add("rect", {{"x", kLeft},
                    {"y", kStripTop},
@@ -151,8 +151,8 @@ Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation for
                    {"height", kSize},
                    {"fill", "none"},
                    {"stroke", kInk}});
-  paintPath(out, Raster(p, false).path(kUnits * kSize), kTop, kInk);
-  paintPath(out, Raster(p, true).path(kUnits * kSize), kTop, kHessian);
+  paintPath(out, Raster(p, false).path(kUnitsPerPixel * kSize), kTop, kInk);
+  paintPath(out, Raster(p, true).path(kUnitsPerPixel * kSize), kTop, kHessian);
   paintBlocks(out, p);
   paintActiveBounds(out, p);
   return Drawing{kLeft + kSize + 70, kStripTop + kStrip + 4, out.take()};

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "abflat/draw.h"
+#include "base/counted.h"
 #include "base/point2.h"
 #include "check/crossings.h"
 #include "draw/layout_outline.h"
@@ -176,10 +177,6 @@ class LayoutPainter {
   const LayoutOutline outline_;
   const Fit fit_;
 };
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 std::string verdict(const ChartReport& c) {
   if (c.valid) return "valid";

@@ -4,17 +4,18 @@
 #include <string>
 
 #include "abflat/draw.h"
+#include "draw/panel.h"
 #include "draw/svg_writer.h"
 #include "draw/theme.h"
 
 namespace abflat {
 namespace {
 
-constexpr double kLeft = 52, kRight = 14, kTop = 30, kBottom = 44;
+constexpr double kLeftMargin = 52, kRightMargin = 14, kTopMargin = 30, kBottomMargin = 44;
 constexpr double kLowest = 1e-18;  // nothing below rounding is worth an axis
 constexpr int kMaxTicks = 8;
 
-std::string_view colourOf(std::size_t i) { return kCurveColours[i % kCurveColourCount]; }
+std::string_view curveColour(std::size_t i) { return kCurveColours[i % kCurveColourCount]; }
 
 /// Later curves are thinner, so that curves on top of each other can all be seen.
 double widthOf(std::size_t i) { return std::max(1.4, 6.5 - 1.3 * static_cast<double>(i)); }
@@ -56,13 +57,14 @@ class Axes {
   }
 
   double px(std::size_t index) const {
-    return kLeft + (options_.width - kLeft - kRight) * static_cast<double>(index) / (last_ - 1);
+    return kLeftMargin +
+           (options_.width - kLeftMargin - kRightMargin) * static_cast<double>(index) / (last_ - 1);
   }
   double py(double y) const {
     const double log = y > 0 ? std::log10(y) : lowest_;
     const double share =
         std::clamp((log - lowest_) / static_cast<double>(highest_ - lowest_), 0.0, 1.0);
-    return options_.height - kBottom - share * (options_.height - kTop - kBottom);
+    return options_.height - kBottomMargin - share * (options_.height - kTopMargin - kBottomMargin);
   }
 
   void paint(SvgWriter& out) const {
@@ -77,24 +79,26 @@ class Axes {
       const double x = px(static_cast<std::size_t>(i - 1));
       out.add("line", {{"x1", x},
                        {"x2", x},
-                       {"y1", kTop},
-                       {"y2", options_.height - kBottom},
+                       {"y1", kTopMargin},
+                       {"y2", options_.height - kBottomMargin},
                        {"stroke", kGrid}});
-      out.text(x, options_.height - kBottom + 17, std::to_string(i),
+      out.text(x, options_.height - kBottomMargin + 17, std::to_string(i),
                {{"font-size", 12}, {"fill", kMuted}, {"text-anchor", "middle"}});
     }
-    out.text((kLeft + options_.width - kRight) / 2, options_.height - 6, options_.xLabel,
-             {{"font-size", 12}, {"fill", kMuted}, {"text-anchor", "middle"}});
-    out.text(kLeft, 16, options_.title, {{"font-size", 14}, {"font-weight", "600"}});
+    out.text((kLeftMargin + options_.width - kRightMargin) / 2, options_.height - 6,
+             options_.xLabel, {{"font-size", 12}, {"fill", kMuted}, {"text-anchor", "middle"}});
+    out.text(kLeftMargin, 16, options_.title, {{"font-size", 14}, {"font-weight", "600"}});
   }
 
  private:
   void paintLevel(SvgWriter& out, int mantissa, int exponent) const {
     const double y = py(mantissa * std::pow(10, exponent));
-    out.add(
-        "line",
-        {{"x1", kLeft}, {"x2", options_.width - kRight}, {"y1", y}, {"y2", y}, {"stroke", kGrid}});
-    out.text(kLeft - 8, y + 4, powerText(mantissa, exponent),
+    out.add("line", {{"x1", kLeftMargin},
+                     {"x2", options_.width - kRightMargin},
+                     {"y1", y},
+                     {"y2", y},
+                     {"stroke", kGrid}});
+    out.text(kLeftMargin - 8, y + 4, powerText(mantissa, exponent),
              {{"font-size", 12}, {"fill", kMuted}, {"text-anchor", "end"}});
   }
 
@@ -106,7 +110,6 @@ class Axes {
 }  // namespace
 
 Drawing drawLogPlot(const std::vector<Curve>& curves, const PlotOptions& options) {
-  constexpr double kUnits = 10;
   SvgWriter out;
   const Axes axes(curves, options);
   axes.paint(out);
@@ -114,15 +117,15 @@ Drawing drawLogPlot(const std::vector<Curve>& curves, const PlotOptions& options
     SvgPath path;
     for (std::size_t i = 0; i < curves[c].y.size(); ++i) {
       const double x = axes.px(i), y = axes.py(curves[c].y[i]);
-      path.add(i == 0, kUnits * x, kUnits * y);
-      out.add("circle", {{"cx", x}, {"cy", y}, {"r", dotOf(c)}, {"fill", colourOf(c)}});
+      path.add(i == 0, kUnitsPerPixel * x, kUnitsPerPixel * y);
+      out.add("circle", {{"cx", x}, {"cy", y}, {"r", dotOf(c)}, {"fill", curveColour(c)}});
     }
     if (path.isEmpty()) continue;
     out.add("path", {{"d", path.data()},
                      {"transform", "scale(0.1)"},
                      {"fill", "none"},
-                     {"stroke", colourOf(c)},
-                     {"stroke-width", kUnits * widthOf(c)},
+                     {"stroke", curveColour(c)},
+                     {"stroke-width", kUnitsPerPixel * widthOf(c)},
                      {"stroke-linejoin", "round"}});
   }
   return {options.width, options.height, out.take()};
@@ -137,9 +140,9 @@ Drawing drawLegend(const std::vector<std::string>& names, double width) {
                      {"x2", kSample},
                      {"y1", y},
                      {"y2", y},
-                     {"stroke", colourOf(i)},
+                     {"stroke", curveColour(i)},
                      {"stroke-width", widthOf(i)}});
-    out.add("circle", {{"cx", kSample / 2}, {"cy", y}, {"r", dotOf(i)}, {"fill", colourOf(i)}});
+    out.add("circle", {{"cx", kSample / 2}, {"cy", y}, {"r", dotOf(i)}, {"fill", curveColour(i)}});
     out.text(kSample + 10, y + 4, names[i], {{"font-size", 13}});
     y += kLine;
   }

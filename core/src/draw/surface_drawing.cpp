@@ -102,7 +102,7 @@ int shadeOf(const Vector& area, const View& view) {
   return static_cast<int>(std::lround(kShades * std::min(value, 1.0)));
 }
 
-std::string colourOf(int shade) {
+std::string shadeColour(int shade) {
   static constexpr char kDigits[] = "0123456789abcdef";
   std::string out = "#";
   for (const auto& [dark, bright] :
@@ -121,7 +121,7 @@ void paintFaces(SvgWriter& out, const PolygonMesh& mesh, const View& view,
   int shade = -1;
   const auto flush = [&] {
     if (path.isEmpty()) return;
-    const std::string colour = colourOf(shade);
+    const std::string colour = shadeColour(shade);
     out.add("path", {{"d", path.data()}, {"fill", colour}, {"stroke", kEdge}, {"stroke-width", 3}});
     path = {};
   };

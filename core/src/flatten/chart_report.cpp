@@ -5,16 +5,13 @@
 #include <cstdio>
 
 #include "base/constants.h"
+#include "base/counted.h"
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "check/distortion.h"
 
 namespace abflat {
 namespace {
-
-std::string count(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 /// Orders of magnitude between the longest and the shortest edge of the layout.
 int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
@@ -51,15 +48,15 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
   }
   if (a.pins && a.wasValidUnpinned && !v.valid())
     return "the pins fold the layout: " +
-           (v.flippedTriangles > 0
-                ? count(v.flippedTriangles, "triangle is", "triangles are") +
-                      " flipped or degenerate"
-                : "its boundary crosses itself at " + count(v.crossings.count, "place", "places")) +
+           (v.flippedTriangles > 0 ? counted(v.flippedTriangles, "triangle is", "triangles are") +
+                                         " flipped or degenerate"
+                                   : "its boundary crosses itself at " +
+                                         counted(v.crossings.count, "place", "places")) +
            ". Move the pins closer to the layout without pins, or remove some";
   if (a.exceeded.count > 0) return exceededText(a.exceeded) + ". Raise or remove some";
   if (v.flippedTriangles > 0) {
     const int range = edgeRange(chart, a.uv);
-    return count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate" +
+    return counted(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate" +
            (range >= kDrawable
                 ? ": with these bounds, edge lengths span " +
                       (range < 300 ? std::to_string(range) : "over 300") +
@@ -67,7 +64,7 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
                 : "");
   }
   if (v.crossings.count > 0)
-    return "the boundary crosses itself at " + count(v.crossings.count, "place", "places") +
+    return "the boundary crosses itself at " + counted(v.crossings.count, "place", "places") +
            ". A smaller t, down to 1, straightens it; t = auto finds out how small";
   return {};
 }

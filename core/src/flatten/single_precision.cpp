@@ -5,6 +5,7 @@
 
 #include "abflat/flatten.h"
 #include "abflat/unit_square.h"
+#include "base/counted.h"
 #include "base/round_texcoords.h"
 #include "base/stopwatch.h"
 #include "boundary/straight_runs.h"
@@ -18,18 +19,14 @@
 namespace abflat {
 namespace {
 
-std::string count(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 /// Why a rounded layout is not valid; empty if it is valid.
 std::string findDefect(const Validity& validity) {
   if (validity.flippedTriangles > 0)
-    return count(validity.flippedTriangles, "triangle would", "triangles would") +
+    return counted(validity.flippedTriangles, "triangle would", "triangles would") +
            " be flipped or degenerate";
   if (validity.crossings.count > 0)
     return "the boundary would cross itself at " +
-           count(validity.crossings.count, "place", "places");
+           counted(validity.crossings.count, "place", "places");
   return {};
 }
 
@@ -112,7 +109,7 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
   Rounded rounded = measured(chart, result, std::move(uv));
   std::string obstacle = findDefect(rounded.validity);
   if (obstacle.empty() && report.delaunay && rounded.violatedEdges > report.delaunay->violated)
-    obstacle = count(rounded.violatedEdges - report.delaunay->violated, "edge", "edges") +
+    obstacle = counted(rounded.violatedEdges - report.delaunay->violated, "edge", "edges") +
                " more would not be Delaunay";
   if (obstacle.empty()) {
     setMeasures(report, rounded);

@@ -7,7 +7,6 @@
 namespace abflat {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r\n";
 constexpr std::string_view kLineEnd = "\r\n";
 
 /// A comment extends to the end of its physical line, even if that is a backslash.

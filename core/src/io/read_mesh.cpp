@@ -47,7 +47,7 @@ bool looksLikeObj(std::string_view bytes) {
 
 /// Releases the spare capacity that the arrays grew while their sizes were unknown: they stay in
 /// memory for the whole run.
-Result<PolygonMesh> trimmed(Result<PolygonMesh> mesh) {
+Result<PolygonMesh> withoutSpare(Result<PolygonMesh> mesh) {
   mesh.value.positions.shrink_to_fit();
   mesh.value.faceVertices.shrink_to_fit();
   mesh.value.faceOffsets.shrink_to_fit();
@@ -80,13 +80,13 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
   if (hasByteOrderMark(text)) text.remove_prefix(kByteOrderMark.size());
   switch (format) {
     case MeshFormat::Obj:
-      return trimmed(readObj(text, fileName));
+      return withoutSpare(readObj(text, fileName));
     case MeshFormat::Off:
-      return trimmed(readOff(text, fileName));
+      return withoutSpare(readOff(text, fileName));
     case MeshFormat::Ply:
-      return trimmed(readPly(text, fileName));
+      return withoutSpare(readPly(text, fileName));
     case MeshFormat::Stl:
-      return trimmed(readStl(bytes, fileName));  // binary STL may begin with anything
+      return withoutSpare(readStl(bytes, fileName));  // binary STL may begin with anything
   }
   return Status{StatusCode::Internal, "no reader for this format"};
 }

@@ -2,14 +2,13 @@
 
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/number_text.h"
 #include "io/parse_error.h"
 #include "io/text_lines.h"
 
 namespace abflat {
 namespace {
-
-constexpr std::string_view kBlank = " \t\r\n";
 
 /// Lines that are not empty, without comments and line ends.
 class OffLines {
@@ -36,10 +35,6 @@ class OffLines {
   std::string_view rest_;
   std::size_t number_ = 0;
 };
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 bool isHeader(std::string_view word) {
   if (word.size() < 3 || word.substr(word.size() - 3) != "OFF") return false;

@@ -9,6 +9,8 @@ namespace abflat {
 /// UTF-8 files may begin with this; it is not part of their first line.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+constexpr std::string_view kBlank = " \t\r\n";
+
 inline bool hasByteOrderMark(std::string_view text) {
   return text.substr(0, kByteOrderMark.size()) == kByteOrderMark;
 }
@@ -43,7 +45,6 @@ inline std::string_view lineEnd(std::string_view line) {
 
 /// What follows a keyword, trimmed of blanks; a name may contain some.
 inline std::string_view restOfLine(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r\n";
   const std::size_t begin = line.find_first_not_of(kBlank);
   if (begin == std::string_view::npos) return {};
   return line.substr(begin, line.find_last_not_of(kBlank) + 1 - begin);

@@ -15,8 +15,6 @@
 namespace abflat {
 namespace {
 
-using Loop = std::vector<std::uint32_t>;
-
 /// An edge at a corner, from the previous corner or to the next one, as seen from the corner's
 /// place.
 struct Arm {
@@ -58,12 +56,12 @@ class Tracer {
     }
   }
 
-  std::vector<Loop> loops() const {
-    std::vector<Loop> out;
+  std::vector<CornerLoop> loops() const {
+    std::vector<CornerLoop> out;
     std::vector<std::uint8_t> isDone(count_, 0);
     for (std::uint32_t start = 0; start < count_; ++start) {
       if (isDone[start]) continue;
-      Loop loop;
+      CornerLoop loop;
       for (std::uint32_t k = start; !isDone[k]; k = after(leaving_[k])) {
         isDone[k] = 1;
         loop.push_back(k);
@@ -74,10 +72,10 @@ class Tracer {
   }
 
   /// Removes loops without area; false unless the triangles of all others lie side by side.
-  bool settle(std::vector<Loop>& loops) const {
+  bool settle(std::vector<CornerLoop>& loops) const {
     if (!isClear_) return false;
     std::vector<double> triangles;
-    const auto bounds = [&](const Loop& loop) {
+    const auto bounds = [&](const CornerLoop& loop) {
       std::vector<Point2> p;
       for (const std::uint32_t k : loop) p.push_back(points_[k]);
       int least = 1, most = 0;
@@ -90,8 +88,8 @@ class Tracer {
       }
       return std::array<int, 2>{least, most};
     };
-    std::vector<Loop> out;
-    for (Loop& loop : loops) {
+    std::vector<CornerLoop> out;
+    for (CornerLoop& loop : loops) {
       const auto [least, most] = bounds(loop);
       if (least < 0) return false;
       if (most > 0) out.push_back(std::move(loop));
@@ -144,9 +142,9 @@ class Tracer {
 }  // namespace
 
 bool hasReversed(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
-                 const std::vector<Loop>& loops) {
+                 const std::vector<CornerLoop>& loops) {
   const std::vector<Point2> points = projectPolygon(positions, places.data(), places.size());
-  return std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) {
+  return std::any_of(loops.begin(), loops.end(), [&](const CornerLoop& loop) {
     double area = 0;
     for (std::size_t i = 2; i < loop.size(); ++i)
       area += turnOf(points[loop[0]], points[loop[i - 1]], points[loop[i]]);
@@ -154,18 +152,18 @@ bool hasReversed(const std::vector<double>& positions, const std::vector<std::ui
   });
 }
 
-std::vector<Loop> insideLoops(const std::vector<double>& positions,
-                              const std::vector<std::uint32_t>& places) {
-  Loop kept;  // the first of each run of corners at the same place
+std::vector<CornerLoop> insideLoops(const std::vector<double>& positions,
+                                    const std::vector<std::uint32_t>& places) {
+  CornerLoop kept;  // the first of each run of corners at the same place
   for (std::uint32_t k = 0; k < places.size(); ++k)
     if (kept.empty() || places[k] != places[kept.back()]) kept.push_back(k);
   while (kept.size() > 1 && places[kept.back()] == places[kept.front()]) kept.pop_back();
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t k : kept) vertices.push_back(places[k]);
   const Tracer tracer(projectPolygon(positions, vertices.data(), vertices.size()), vertices);
-  std::vector<Loop> loops = tracer.loops();
+  std::vector<CornerLoop> loops = tracer.loops();
   if (!tracer.settle(loops)) return {};
-  for (Loop& loop : loops)
+  for (CornerLoop& loop : loops)
     for (std::uint32_t& k : loop) k = kept[k];
   return loops;
 }

@@ -13,9 +13,6 @@
 namespace abflat {
 namespace {
 
-/// Corners of a face, or of a part of one.
-using Loop = std::vector<std::uint32_t>;
-
 /// Splits faces into parts that visit no place twice, except where they have holes.
 class FaceSplitter {
  public:
@@ -23,10 +20,10 @@ class FaceSplitter {
       : positions_(positions), positionOf_(positions.size() / 3, kNone) {}
 
   /// Loops of corners, counted from 0; `places` are per corner. They are valid until the next call.
-  const std::vector<Loop>& split(const std::vector<std::uint32_t>& places) {
+  const std::vector<CornerLoop>& split(const std::vector<std::uint32_t>& places) {
     cutOff(places);
     if (loops_.size() < 2 || !hasReversed(positions_, places, loops_)) return loops_;
-    std::vector<Loop> inside = insideLoops(positions_, places);
+    std::vector<CornerLoop> inside = insideLoops(positions_, places);
     if (!inside.empty()) loops_ = std::move(inside);
     return loops_;
   }
@@ -52,8 +49,8 @@ class FaceSplitter {
 
   const std::vector<double>& positions_;
   std::vector<std::uint32_t> positionOf_;  ///< in the path, per place
-  Loop path_;
-  std::vector<Loop> loops_;
+  CornerLoop path_;
+  std::vector<CornerLoop> loops_;
 };
 
 /// Finds faces that have the same vertices.
@@ -243,12 +240,12 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
     places.clear();
     for (std::uint32_t c = begin; c < end; ++c)
       places.push_back(welding.ofVertex[mesh.faceVertices[c]]);
-    const std::vector<Loop>& loops = splitter.split(places);
+    const std::vector<CornerLoop>& loops = splitter.split(places);
     if (loops.empty())
       out.collapsedFaces.push_back(f);
     else if (loops.size() > 1 || loops.front().size() < end - begin)
       out.splitFaces.push_back(f);
-    for (const Loop& loop : loops) {
+    for (const CornerLoop& loop : loops) {
       out.inputFace.push_back(InputFace(f));
       for (const std::uint32_t k : loop) {
         out.inputCorner.push_back(InputCorner(begin + k));

@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include "base/invalid.h"
 #include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "pack/scale_search.h"
@@ -20,7 +21,6 @@ constexpr std::uint32_t kMostTiles = 8999;
 constexpr double kLastRow = 898;  // that has all ten
 constexpr double kLeastScale = 1e-100, kMostScale = 1e100;
 
-Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 Status tooSmall(std::string text) { return {StatusCode::AtlasTooSmall, std::move(text)}; }
 
 template <typename T>

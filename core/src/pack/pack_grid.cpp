@@ -8,7 +8,7 @@ namespace {
 
 /// Rounding coordinates up to 16 (ten tiles in a row) to single precision moves them by no more
 /// than this share of a tile.
-constexpr double kRounding = 0x1p-20;
+constexpr double kSlackShare = 0x1p-20;
 
 /// Left and lower margin of a shape in its first cell, in slacks. There is another one at the top.
 constexpr double kMargin = 2;
@@ -25,7 +25,7 @@ PackGrid makePackGrid(int resolution, int padding, std::size_t shapes) {
   grid.resolution = resolution;
   grid.padding = padding;
   grid.border = divideUp(padding, 2);
-  grid.slack = resolution * kRounding;
+  grid.slack = resolution * kSlackShare;
   const double side = resolution / std::sqrt(static_cast<double>(std::max<std::size_t>(shapes, 1)));
   const int cell = std::clamp(static_cast<int>(side / kCellsOfShape),
                               divideUp(resolution, kMostCells), divideUp(resolution, kLeastCells));

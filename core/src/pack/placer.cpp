@@ -81,11 +81,11 @@ class Placer {
   /// over rows.
   int leastRun(const PackItem& item) const {
     if (item.loops.points.empty()) return grid_.cells();
-    constexpr double kRounding = 0.999;
+    constexpr double kAlmostAll = 0.999;
     const double scale = options_.texelsPerUnit / grid_.cell;
     const double rows = longestRun(longestSide(item));
     return static_cast<int>(std::min<double>(
-        std::ceil(kRounding * item.mass.area * scale * scale / rows), grid_.cells()));
+        std::ceil(kAlmostAll * item.mass.area * scale * scale / rows), grid_.cells()));
   }
 
   bool isPosed() const { return !strategy_.poses.empty(); }

@@ -32,13 +32,13 @@ double scaleOfArea(const std::vector<PackItem>& items, double gap, double availa
 ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken) {
   // For charts of the tiniest possible size the scale would be infinite.
-  constexpr double kMostScale = 1e300;
+  constexpr double kFiniteScale = 1e300;
   const double longest = longestSide(items);
   if (longest == 0) return {};
   const double side = grid.resolution - 2 * grid.border, padded = side + grid.padding;
   ScaleBounds out;
   out.most = scaleOfArea(items, grid.padding, padded * padded,
-                         std::min((side - 4 * grid.slack) / sideForAll(items), kMostScale));
+                         std::min((side - 4 * grid.slack) / sideForAll(items), kFiniteScale));
   out.least = std::min(out.most, grid.slack / longest);
   // Charts fill about this share of the free area; half a cell is lost on each side.
   constexpr double kFill = 0.72;

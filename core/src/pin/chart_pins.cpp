@@ -4,12 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "base/invalid.h"
 #include "mesh/corner_table.h"
 
 namespace abflat {
 namespace {
-
-Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
 std::string nameOf(const Pin& pin) { return "vertex " + std::to_string(pin.vertex); }
 

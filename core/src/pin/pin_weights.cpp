@@ -4,13 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "base/invalid.h"
 #include "mesh/triangle_geometry.h"
 #include "pin/pinned_layout.h"
 
 namespace abflat {
 namespace {
-
-Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
 Status checkLayout(const PinnedMesh& layout) {
   const std::size_t vertices = layout.mesh.vertexCount();

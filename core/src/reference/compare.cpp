@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "abflat/mesh.h"
+#include "base/counted.h"
 #include "base/stopwatch.h"
 #include "chart/disk_chart.h"
 #include "check/distortion.h"
@@ -48,10 +49,6 @@ constexpr Method kMethods[] = {
     {MethodKey::Lscm, "LSCM, free", 1, 0, 0, embedLscm},
 };
 
-std::string count(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 /// Fills in everything that follows from the coordinates.
 void measure(const DiskChart& chart, MethodResult& row) {
   std::vector<double> uv = row.uv;
@@ -61,9 +58,9 @@ void measure(const DiskChart& chart, MethodResult& row) {
   row.boundaryCrossings = v.crossings.count;
   if (row.problem.empty() && v.flippedTriangles > 0)
     row.problem =
-        count(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate";
+        counted(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate";
   else if (row.problem.empty() && v.crossings.count > 0)
-    row.problem = "the boundary crosses itself at " + count(v.crossings.count, "place", "places");
+    row.problem = "the boundary crosses itself at " + counted(v.crossings.count, "place", "places");
   row.valid = row.problem.empty();
   const Distortion d = measureDistortion(chart, uv);
   row.angularDistortion = d.angular;

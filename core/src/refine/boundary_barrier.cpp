@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShareOfEdge = 0.25;
 /// Relative to the energy of as much surface as lies within reach.
-constexpr double kStrength = 0.1;
+constexpr double kBarrierStrength = 0.1;
 
 }  // namespace
 
@@ -48,7 +48,8 @@ std::vector<BoundaryBarrier::Contact> BoundaryBarrier::contacts(
     Contact c{distanceContact(
                   {chart_.boundaryVertex(p), chart_.boundaryVertex(e), chart_.boundaryVertex(end)},
                   share, {nx / distance, ny / distance}),
-              distance, reach, kStrength * reach * (length_[before] + length_[p]) / 2 / area_};
+              distance, reach,
+              kBarrierStrength * reach * (length_[before] + length_[p]) / 2 / area_};
     out.push_back(c);
   }
   return out;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMoments[] = {0.125, 0.25, 0.5, 1};
 /// The stiffness of the barrier at half its reach: stiffer than any surface, but within what single
 /// precision can hold.
-constexpr double kStiffness = 64;
+constexpr double kContactStiffness = 64;
 /// The same for angles.
 constexpr double kAngleStiffness = 210;
 /// If one look asks for more springs than this, most of them are behind others.
@@ -39,7 +39,7 @@ ForeseenContacts::Spring ForeseenContacts::springAt(const std::vector<double>& n
   const BoundaryIndex end = chart_.after(edge);
   const double *x = &then[2 * point], *a = &then[2 * edge], *b = &then[2 * end];
   const double ux = b[0] - a[0], uy = b[1] - a[1], length = norm(ux, uy);
-  Spring s{point, edge, false, {}, 0, 0, kStiffness * length / (distance_ * area_)};
+  Spring s{point, edge, false, {}, 0, 0, kContactStiffness * length / (distance_ * area_)};
   if (!(length > 0)) return s;
   const double along = ((x[0] - a[0]) * ux + (x[1] - a[1]) * uy) / (length * length);
   const double share = std::clamp(along, 0.0, 1.0);

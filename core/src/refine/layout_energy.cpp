@@ -9,15 +9,15 @@
 namespace abflat {
 namespace {
 
-constexpr std::size_t kGrain = 4096;  ///< triangles per piece of work
+constexpr std::size_t kTrianglesPerSum = 4096;  ///< triangles per piece of work
 
 /// valueOf(triangles) for consecutive pieces of the triangles, in order.
 template <class ValueOf>
 std::vector<double> byPieces(const RestTriangles& rest, ThreadPool* pool, const ValueOf& valueOf) {
-  std::vector<double> out((rest.size() + kGrain - 1) / kGrain);
+  std::vector<double> out((rest.size() + kTrianglesPerSum - 1) / kTrianglesPerSum);
   parallelFor(pool, out.size(), [&](std::size_t i) {
-    out[i] = valueOf(
-        IdRange{ChartTriangle(i * kGrain), ChartTriangle(std::min(rest.size(), (i + 1) * kGrain))});
+    out[i] = valueOf(IdRange{ChartTriangle(i * kTrianglesPerSum),
+                             ChartTriangle(std::min(rest.size(), (i + 1) * kTrianglesPerSum))});
   });
   return out;
 }

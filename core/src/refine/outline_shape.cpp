@@ -13,9 +13,9 @@ namespace {
 
 /// Stiffness of straight parts in the perpendicular direction; that of a vertex of the surface is
 /// about 10.
-constexpr double kStiffness = 1e4;
+constexpr double kStraightStiffness = 1e4;
 /// Strength of all bounds together.
-constexpr double kStrength = 3e-3;
+constexpr double kBoundStrength = 3e-3;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void OutlineShape::findBounds(const OutlineRules& rules) {
     const bool isStraight = !rules.straight.empty() && rules.straight[i];
     if (rules.bounds[i] >= 2 || isStraight) continue;
     const double share = (length[i] + length[chart_.before(i)]) / (2 * sum);
-    bounds_.push_back({i, rules.bounds[i] * kPi, kStrength * share});
+    bounds_.push_back({i, rules.bounds[i] * kPi, kBoundStrength * share});
   }
 }
 
@@ -127,7 +127,7 @@ void OutlineShape::addDerivatives(const std::vector<double>& uv, Eigen::VectorXd
     if (s.value < margin_)
       s.contact.addBarrier(barrierAt(s.value / margin_), margin_, b.weight, gradient, hessian);
   }
-  const double stiffness = kStiffness / surfaceArea(chart_);
+  const double stiffness = kStraightStiffness / surfaceArea(chart_);
   for (const Run& run : runs_) {
     const ChartVertex a = chart_.boundaryVertex(run.from), b = chart_.boundaryVertex(run.to);
     const double ux = uv[2 * b] - uv[2 * a], uy = uv[2 * b + 1] - uv[2 * a + 1];

@@ -8,7 +8,7 @@
 namespace abflat {
 namespace {
 
-constexpr std::uint32_t kGrain = 2048;  ///< triangles or columns per piece of work
+constexpr std::uint32_t kAssemblyGrain = 2048;  ///< triangles or columns per piece of work
 constexpr std::uint32_t kRegions = 16;
 
 /// How z and w change as a vertex moves in u and in v.
@@ -24,7 +24,7 @@ std::array<VertexColumns, 3> columnsOf(const RestTriangle& t) {
   return out;
 }
 
-double dot(const PlaneMap& a, const PlaneMap& b) {
+double innerProduct(const PlaneMap& a, const PlaneMap& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
@@ -43,7 +43,7 @@ RefineSystem::RefineSystem(const DiskChart& chart, const RestTriangles& rest, Th
 }
 
 void RefineSystem::divide(const std::vector<std::uint32_t>& rankOfRow) {
-  if (!isParallel(pool_) || chart_.triangleCount() < kRegions * kGrain) return;
+  if (!isParallel(pool_) || chart_.triangleCount() < kRegions * kAssemblyGrain) return;
   regionOfVertex_.resize(chart_.vertexCount());
   for (const ChartVertex v : chart_.vertices())
     regionOfVertex_[v] =
@@ -126,11 +126,12 @@ void RefineSystem::addTriangle(const RefinePoint& at, ChartTriangle f, std::uint
   for (std::size_t k = 0; k < 3; ++k) {
     if (isOwn(k)) {
       for (std::size_t e = 0; e < 2; ++e)
-        gradient_.data()[2 * std::size_t{v[k]} + e] += rest.weight * dot(d.gradient, columns[k][e]);
+        gradient_.data()[2 * std::size_t{v[k]} + e] +=
+            rest.weight * innerProduct(d.gradient, columns[k][e]);
       double* own = value + start[2 * v[k]];
-      own[0] += dot(columns[k][0], products[k][0]);
-      own[1] += dot(columns[k][1], products[k][0]);
-      value[start[2 * v[k] + 1]] += dot(columns[k][1], products[k][1]);
+      own[0] += innerProduct(columns[k][0], products[k][0]);
+      own[1] += innerProduct(columns[k][1], products[k][0]);
+      value[start[2 * v[k] + 1]] += innerProduct(columns[k][1], products[k][1]);
     }
     const std::size_t l = (k + 1) % 3;
     const std::size_t early = v[k] < v[l] ? k : l, late = v[k] < v[l] ? l : k;
@@ -140,8 +141,8 @@ void RefineSystem::addTriangle(const RefinePoint& at, ChartTriangle f, std::uint
     const std::uint32_t u = 2 * v[early];
     double* second = first + (start[u + 1] - start[u]) - 1;
     for (std::size_t e = 0; e < 2; ++e) {
-      first[e] += dot(columns[late][e], products[early][0]);
-      second[e] += dot(columns[late][e], products[early][1]);
+      first[e] += innerProduct(columns[late][e], products[early][0]);
+      second[e] += innerProduct(columns[late][e], products[early][1]);
     }
   }
 }
@@ -159,16 +160,17 @@ void RefineSystem::fix(const IdVector<ChartVertex, std::uint8_t>& isFixed) {
   const int* start = matrix_.outerIndexPtr();
   const int* row = matrix_.innerIndexPtr();
   double* value = matrix_.valuePtr();
-  parallelRanges(pool_, 2 * isFixed.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const bool isOwnFixed = isFixed[ChartVertex(c / 2)];
-      for (int i = start[c]; i < start[c + 1]; ++i) {
-        const auto r = static_cast<std::size_t>(row[i]);
-        if (isOwnFixed || isFixed[ChartVertex(r / 2)]) value[i] = r == c ? 1 : 0;
-      }
-      if (isOwnFixed) gradient_.data()[c] = 0;
-    }
-  });
+  parallelRanges(pool_, 2 * isFixed.size(), kAssemblyGrain,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t c = begin; c < end; ++c) {
+                     const bool isOwnFixed = isFixed[ChartVertex(c / 2)];
+                     for (int i = start[c]; i < start[c + 1]; ++i) {
+                       const auto r = static_cast<std::size_t>(row[i]);
+                       if (isOwnFixed || isFixed[ChartVertex(r / 2)]) value[i] = r == c ? 1 : 0;
+                     }
+                     if (isOwnFixed) gradient_.data()[c] = 0;
+                   }
+                 });
 }
 
 void RefineSystem::assemble(const RefinePoint& at,

@@ -29,7 +29,7 @@ class Sets {
   IdVector<SurfaceTriangle, SurfaceTriangle> parent_;
 };
 
-struct Loop {
+struct NeededLoop {
   double cost;
   SurfaceCorner h;
 };
@@ -39,18 +39,18 @@ struct Loop {
 /// takes the edges of the costliest loops (Erickson and Whittlesey 2005).
 std::vector<SurfaceCorner> neededEdges(const CutPaths& paths) {
   const CutSurface& s = paths.surface;
-  std::vector<Loop> loops;
+  std::vector<NeededLoop> loops;
   for (const SurfaceCorner h : s.corners()) {
     if (!s.twin[h].exists() || s.twin[h] < h) continue;
     if (s.charts[s.chartOf(h)].isDisk() || paths.forest.isTreeEdge(s, h)) continue;
     loops.push_back({paths.costThrough(h), h});
   }
-  std::sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
+  std::sort(loops.begin(), loops.end(), [](const NeededLoop& a, const NeededLoop& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.h < b.h;
   });
   Sets triangles(paths.mesh.triangles());
   std::vector<SurfaceCorner> needed;
-  for (const Loop& l : loops)
+  for (const NeededLoop& l : loops)
     if (!triangles.join(triangleOf(l.h), triangleOf(s.twin[l.h]))) needed.push_back(l.h);
   return needed;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Path = std::vector<SurfaceCorner>;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 /// Relative to the root of the mesh's area. A path moves no farther than this, however long it is.
 constexpr double kFarthest = 0.15;
@@ -27,11 +27,11 @@ double turnCost(const SeamMesh& m, SurfaceCorner from, SurfaceCorner to, double 
   return kTurning * turn * turn * (m.length[from] + m.length[to]) / 2;
 }
 
-struct Entry {
+struct PathEnd {
   double expected;  ///< of the whole path
   double passed;
   SurfaceCorner at;
-  bool operator<(const Entry& o) const {  // so that the top of the queue is the smallest
+  bool operator<(const PathEnd& o) const {  // so that the top of the queue is the smallest
     return expected != o.expected ? expected > o.expected : at > o.at;
   }
 };
@@ -54,7 +54,7 @@ class Fairer {
         hasFixed_(mesh.vertexCount(), 0),
         isNear_(mesh.vertexCount(), 0),
         count_(mesh.vertexCount(), 0),
-        passed_(mesh.vertexCount(), kFar),
+        passed_(mesh.vertexCount(), kUnreached),
         before_(mesh.twin.size()) {
     for (const SurfaceCorner h : mesh.corners()) {
       if (!mesh.twin[h].exists()) isOpen_[tail(h)] = isOpen_[head(h)] = 1;
@@ -265,7 +265,7 @@ class Fairer {
       const double straight = norm(edgeVector(mesh_.positions, v, last));
       return isAnywhere ? 0 : std::max(0.0, kLeastCost * (straight - slide));
     };
-    std::priority_queue<Entry> queue;
+    std::priority_queue<PathEnd> queue;
     std::vector<SurfaceVertex> reached;
     const auto reach = [&](SurfaceCorner h, double passed, SurfaceCorner before) {
       const SurfaceVertex v = head(h);
@@ -286,7 +286,7 @@ class Fairer {
     });
     Path out;
     while (!queue.empty() && out.empty()) {
-      const Entry top = queue.top();
+      const PathEnd top = queue.top();
       queue.pop();
       pulse_.beat();
       const SurfaceVertex v = head(top.at);
@@ -304,7 +304,7 @@ class Fairer {
         }
       }
     }
-    for (const SurfaceVertex v : reached) passed_[v] = kFar;
+    for (const SurfaceVertex v : reached) passed_[v] = kUnreached;
     std::reverse(out.begin(), out.end());
     constexpr double kGain = 1e-6;  // more than rounding
     return pathCost(mesh_, cost_, out) < (1 - kGain) * most ? out : Path{};

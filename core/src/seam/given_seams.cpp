@@ -32,7 +32,7 @@ void mark(const Surface& surface, SurfaceCorner h, Seams& seams) {
 
 /// Calls visit(half-edge, twin) once for each edge with two sides.
 template <class Visit>
-void forEachEdge(const Surface& surface, const Visit& visit) {
+void forEachInnerEdge(const Surface& surface, const Visit& visit) {
   for (const SurfaceCorner h : surface.table.corners()) {
     const SurfaceCorner twin = surface.table.twin[h];
     if (twin.exists() && h < twin) visit(h, twin);
@@ -42,7 +42,7 @@ void forEachEdge(const Surface& surface, const Visit& visit) {
 void markSharp(const SurfaceMap& map, double degrees, Seams& seams) {
   const Surface& surface = map.surface();
   const PolygonMesh& mesh = map.welded().mesh;
-  forEachEdge(surface, [&](SurfaceCorner h, SurfaceCorner twin) {
+  forEachInnerEdge(surface, [&](SurfaceCorner h, SurfaceCorner twin) {
     if (surface.triangulation.isDiagonal[h]) return;
     const Vec3 a = normalOf(mesh, surface, triangleOf(h));
     const Vec3 b = normalOf(mesh, surface, triangleOf(twin));
@@ -67,7 +67,7 @@ Status markIslands(const SurfaceMap& map, Seams& seams) {
         "the mesh has no texcoords, so there are no uv islands to cut around. Leave uv out of the "
         "seams"};
   const CornerTexcoords given{input.texcoords, input.faceTexcoords};
-  forEachEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner) {
+  forEachInnerEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner) {
     if (!hasSameTexcoords(given, map, h)) mark(map.surface(), h, seams);
   });
   return {};
@@ -81,7 +81,7 @@ Status markMaterials(const SurfaceMap& map, Seams& seams) {
   const auto material = [&](SurfaceCorner c) {
     return input.faceMaterials[map.face(triangleOf(c))];
   };
-  forEachEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner twin) {
+  forEachInnerEdge(map.surface(), [&](SurfaceCorner h, SurfaceCorner twin) {
     if (material(h) != material(twin)) mark(map.surface(), h, seams);
   });
   return {};

@@ -25,7 +25,7 @@ constexpr double kMostRoom = 1.05;
 constexpr double kMostRoomOfHinged = 1.4, kLeastFill = 0.3, kLongest = 1.9;
 
 /// A path along which two charts touch. Opening it joins two disks into one.
-struct Run {
+struct SharedRun {
   CutChartId a, b;                   ///< a < b
   std::vector<SurfaceCorner> edges;  ///< half-edges of a, in order
   BoundaryIndex begin;               ///< index of the first edge in the loop of a
@@ -74,7 +74,7 @@ class Merger {
     std::uint32_t done = 0;
     while (work_.goesOn()) {
       CutSurface apart = cutAlong(mesh_, seams_, pulse_);
-      const std::vector<Run> runs = matching(apart);
+      const std::vector<SharedRun> runs = matching(apart);
       if (runs.empty()) break;
       const std::uint32_t now = joinWherePossible(runs, std::move(apart));
       if (now == 0 && !isHinge_) break;  // the other runs are shorter
@@ -85,17 +85,18 @@ class Merger {
 
   /// Parts of the runs along which charts could stay joined; for each run, those nearest to its
   /// middle come first.
-  std::vector<Run> hingesOf(const CutSurface& s, const std::vector<Run>& runs) const {
+  std::vector<SharedRun> hingesOf(const CutSurface& s, const std::vector<SharedRun>& runs) const {
     constexpr double kWidth = 0.15;  // relative to the root of the smaller chart's area
     constexpr int kMost = 5;         // per run
-    std::vector<Run> out;
-    for (const Run& run : runs) {
+    std::vector<SharedRun> out;
+    for (const SharedRun& run : runs) {
       const double width = kWidth * std::sqrt(std::min(s.charts[run.a].area, s.charts[run.b].area));
       const int slots = static_cast<int>(std::min<double>(kMost, run.length / width));
       for (int k = 0; k < slots; ++k) {
         const int slot = slots / 2 + (k % 2 == 1 ? (k + 1) / 2 : -k / 2);
         const double middle = run.length * (slot + 0.5) / slots;
-        if (Run part = partOf(run, middle - width / 2, middle + width / 2); !part.edges.empty())
+        if (SharedRun part = partOf(run, middle - width / 2, middle + width / 2);
+            !part.edges.empty())
           out.push_back(std::move(part));
       }
     }
@@ -103,8 +104,8 @@ class Merger {
   }
 
   /// The edges of the run that begin between two distances along it.
-  Run partOf(const Run& run, double from, double to) const {
-    Run out{run.a, run.b, {}, run.begin, 0};
+  SharedRun partOf(const SharedRun& run, double from, double to) const {
+    SharedRun out{run.a, run.b, {}, run.begin, 0};
     double passed = 0;
     for (const SurfaceCorner h : run.edges) {
       if (passed < from) ++out.begin;
@@ -122,7 +123,7 @@ class Merger {
     return work_.kept[h] || !mesh_.isOnSurface(h) ? CutChartId() : s.chartOf(mesh_.twin[h]);
   }
 
-  void addRuns(const CutSurface& s, CutChartId chart, std::vector<Run>& out) const {
+  void addRuns(const CutSurface& s, CutChartId chart, std::vector<SharedRun>& out) const {
     const BoundaryLoop loop = s.outline(chart);
     const std::size_t n = loop.size();
     std::size_t start = 0;  // index where a run begins
@@ -144,7 +145,8 @@ class Merger {
   }
 
   /// Points of the two outlines that the run brings together.
-  OutlinePairs pairsOf(const CutSurface& s, const ChartOutlines& outlines, const Run& run) const {
+  OutlinePairs pairsOf(const CutSurface& s, const ChartOutlines& outlines,
+                       const SharedRun& run) const {
     const BoundaryLoop loop = s.outline(run.b);
     const std::size_t n = outlines[run.a].size(), m = loop.size();
     const auto first = std::find(loop.begin(), loop.end(), mesh_.twin[run.edges.front()]);
@@ -156,7 +158,7 @@ class Merger {
   }
 
   /// Whether the charts' separate layouts fit together.
-  bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const Run& run) const {
+  bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const SharedRun& run) const {
     const OutlinePairs pairs = pairsOf(s, outlines, run);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
     if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
@@ -169,7 +171,7 @@ class Merger {
 
   /// The same, but remembers pairs that do not fit, so that each is checked only once. Charts only
   /// grow, so a chart with as many triangles as before is unchanged.
-  bool stillPromises(const CutSurface& s, ChartOutlines& outlines, const Run& run) {
+  bool stillPromises(const CutSurface& s, ChartOutlines& outlines, const SharedRun& run) {
     const std::array<std::size_t, 3> sizes = {s.charts[run.a].triangles, s.charts[run.b].triangles,
                                               run.edges.size()};
     const auto known = unpromising_.find(run.edges.front());
@@ -181,24 +183,24 @@ class Merger {
     return promises;
   }
 
-  bool isRefused(const Run& run) const {
+  bool isRefused(const SharedRun& run) const {
     return std::any_of(run.edges.begin(), run.edges.end(),
                        [&](SurfaceCorner h) { return isRefused_[h]; });
   }
 
   /// The longest promising runs, no two of which share a chart.
-  std::vector<Run> matching(const CutSurface& s) {
-    std::vector<Run> runs;
+  std::vector<SharedRun> matching(const CutSurface& s) {
+    std::vector<SharedRun> runs;
     ChartOutlines outlines(s.charts.size());
     for (const CutChartId c : s.charts.ids())
       if (s.charts[c].isDisk()) addRuns(s, c, runs);
-    std::sort(runs.begin(), runs.end(), [](const Run& x, const Run& y) {
+    std::sort(runs.begin(), runs.end(), [](const SharedRun& x, const SharedRun& y) {
       return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
     });
     if (isHinge_) runs = hingesOf(s, runs);
     IdVector<CutChartId, std::uint8_t> isUsed(s.charts.size(), 0);
-    std::vector<Run> out;
-    for (Run& run : runs) {
+    std::vector<SharedRun> out;
+    for (SharedRun& run : runs) {
       if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !stillPromises(s, outlines, run))
         continue;
       isUsed[run.a] = isUsed[run.b] = 1;
@@ -207,21 +209,21 @@ class Merger {
     return out;
   }
 
-  void mark(const Run& run, bool isSeam) {
+  void mark(const SharedRun& run, bool isSeam) {
     for (const SurfaceCorner h : run.edges) seams_[h] = seams_[mesh_.twin[h]] = isSeam;
   }
 
-  void refuse(const Run& run) {
+  void refuse(const SharedRun& run) {
     for (const SurfaceCorner h : run.edges) isRefused_[h] = isRefused_[mesh_.twin[h]] = 1;
   }
 
   /// Solves for the unions of the charts that the runs, which are already opened, separate.
   /// `apart`: the surface before that.
-  Trial tryOut(const std::vector<Run>& runs, CutSurface apart) {
+  Trial tryOut(const std::vector<SharedRun>& runs, CutSurface apart) {
     constexpr std::size_t kMost = 2;  // times as many: the elimination order is for the whole
     CutSurface s = cutAlong(mesh_, seams_, pulse_);
     IdVector<CutChartId, std::uint8_t> isUnion(s.charts.size(), 0);
-    for (const Run& run : runs) isUnion[s.chartOf(run.edges.front())] = 1;
+    for (const SharedRun& run : runs) isUnion[s.chartOf(run.edges.front())] = 1;
     std::size_t triangles = 0;
     for (const CutChartId c : s.charts.ids())
       if (isUnion[c]) triangles += s.charts[c].triangles;
@@ -234,11 +236,11 @@ class Merger {
     return out;
   }
 
-  Trial tryPart(const std::vector<Run>& runs, const CutSurface& s,
+  Trial tryPart(const std::vector<SharedRun>& runs, const CutSurface& s,
                 const IdVector<CutChartId, std::uint8_t>& isUnion) const {
     Trial out;
     IdVector<SurfaceCorner, std::uint8_t> isRun(mesh_.twin.size(), 0);
-    for (const Run& run : runs)
+    for (const SharedRun& run : runs)
       for (const SurfaceCorner h : run.edges) isRun[h] = isRun[mesh_.twin[h]] = 1;
     out.part = std::make_unique<SeamPart>(extractCharts(mesh_, s, isUnion, pulse_));
     const SeamMesh& mesh = out.part->mesh;
@@ -280,13 +282,13 @@ class Merger {
     return hullArea(whole) <= (isHinge_ ? kMostRoomOfHinged : kMostRoom) * room;
   }
 
-  std::uint32_t joinWherePossible(const std::vector<Run>& runs, CutSurface apart) {
-    for (const Run& run : runs) mark(run, false);
+  std::uint32_t joinWherePossible(const std::vector<SharedRun>& runs, CutSurface apart) {
+    for (const SharedRun& run : runs) mark(run, false);
     const Trial trial = tryOut(runs, std::move(apart));
     const SeamMesh& mesh = meshOf(trial);
     IdVector<CutChartId, std::uint8_t> isDone(trial.joined.charts.size(), 0);
     std::uint32_t done = 0;
-    for (const Run& run : runs) {
+    for (const SharedRun& run : runs) {
       const SurfaceCorner h = trial.inTrial(run.edges.front());
       if (!trial.u.empty() && keepsBounds(trial, h)) {
         ++done;

@@ -15,7 +15,7 @@ constexpr double kTolerance = 1e-4;
 constexpr double kCoarse = 1e-3;
 /// Shares of the vertices and of the edges that must have an image. For edges it is less, since
 /// diagonals of mirrored polygons need not be mirrored.
-constexpr double kLeastShare = 0.9, kLeastShareOfEdges = 0.5;
+constexpr double kLeastMirrored = 0.9, kLeastMirroredEdges = 0.5;
 /// How many vertices are sampled.
 constexpr std::uint32_t kFew = 100, kMany = 1000;
 
@@ -149,14 +149,14 @@ class VertexCells {
   std::vector<Entry> entries_;
 };
 
-struct Fit {
+struct MirrorFit {
   Plane plane;
   double share;  ///< of the sampled vertices off the plane, those with an image
 };
 
 /// The plane that best mirrors every n-th vertex, among those that have an image.
-Fit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane, double tolerance,
-          std::uint32_t sample) {
+MirrorFit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane,
+                double tolerance, std::uint32_t sample) {
   const std::uint32_t stride = 1 + mesh.vertexCount() / sample;
   double all = 0, found = 0;
   Vec3 across{}, middle{};
@@ -203,14 +203,14 @@ signed char sideOf(double distance) {
 
 Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
   const VertexCells cells(mesh);
-  Fit best{};
+  MirrorFit best{};
   for (const Plane& candidate : candidates(mesh)) {
     if (!pulse.beat(kFew)) return {};
-    const Fit fit = fitTo(mesh, cells, candidate, kCoarse, kFew);
+    const MirrorFit fit = fitTo(mesh, cells, candidate, kCoarse, kFew);
     if (fit.share > best.share) best = fit;
   }
   if (best.share > 0) best = fitTo(mesh, cells, best.plane, kTolerance, kMany);
-  if (best.share < kLeastShare) return {};
+  if (best.share < kLeastMirrored) return {};
   const Plane& plane = best.plane;
   Mirror out;
   IdVector<SurfaceVertex, SurfaceVertex> image;
@@ -233,7 +233,7 @@ Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
     pulse.beat();
   }
   const double edges = static_cast<double>(mesh.twin.size());
-  if (static_cast<double>(found) < kLeastShareOfEdges * edges) return {};
+  if (static_cast<double>(found) < kLeastMirroredEdges * edges) return {};
   return out;
 }
 

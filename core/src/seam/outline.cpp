@@ -26,7 +26,7 @@ double flatAngle(const SeamMesh& mesh, const CutSurface& s, SurfaceCorner h, con
   }
 }
 
-double cross(const Point2& a, const Point2& b, const Point2& c) {
+double turnAt(const Point2& a, const Point2& b, const Point2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
@@ -115,7 +115,7 @@ double hullArea(Outline p) {
     const std::size_t base = hull.size();
     for (const Point2& q : p) {
       while (hull.size() >= base + 2 &&
-             cross(hull[BoundaryIndex(hull.size() - 2)], hull.back(), q) <= 0)
+             turnAt(hull[BoundaryIndex(hull.size() - 2)], hull.back(), q) <= 0)
         hull.pop_back();
       hull.push_back(q);
     }
@@ -156,7 +156,7 @@ Shape measureShape(const Outline& outline) {
   for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
   for (const auto& [i, j] : findCrossings(points, kMostCrossings).first)
     shape.crossings.push_back({BoundaryIndex(i), BoundaryIndex(j)});
-  // An outline that does not cross itself covers nothing twice.
+  // An outline that does not turnAt itself covers nothing twice.
   if (!shape.crossings.empty()) shape.overlap = overlapArea(outline) / area;
   return shape;
 }

@@ -7,17 +7,17 @@
 namespace abflat {
 namespace {
 
-struct Entry {
+struct Reached {
   double distance;
   OpenVertex vertex;
-  bool operator<(const Entry& o) const {  // so that the top of the queue is the smallest
+  bool operator<(const Reached& o) const {  // so that the top of the queue is the smallest
     return distance != o.distance ? distance > o.distance : vertex > o.vertex;
   }
 };
 
 /// Calls visit(half-edge, neighbour) for the edges at a vertex, counter-clockwise.
 template <typename Visit>
-void forEachEdge(const CutSurface& s, OpenVertex v, Visit visit) {
+void forEachNeighbour(const CutSurface& s, OpenVertex v, Visit visit) {
   const SurfaceCorner first = s.outgoing[v];
   SurfaceCorner h = first;
   do {
@@ -39,7 +39,7 @@ PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
   f.towards.resize(n);
   f.next.resize(n);
   f.source.resize(n);
-  std::vector<Entry> heap;
+  std::vector<Reached> heap;
   const auto start = [&](OpenVertex v) {
     f.distance[v] = 0;
     f.source[v] = v;
@@ -48,14 +48,14 @@ PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
   for (const OpenVertex v : s.vertices())
     if (s.isBoundary[v] && (isWanted.empty() || isWanted[s.chartOf(v)])) start(v);
   for (const OpenVertex v : extra) start(v);
-  std::priority_queue<Entry> queue(std::less<Entry>(), std::move(heap));
+  std::priority_queue<Reached> queue(std::less<Reached>(), std::move(heap));
   while (!queue.empty()) {
-    const Entry top = queue.top();
+    const Reached top = queue.top();
     queue.pop();
     const OpenVertex v = top.vertex;
     if (top.distance > f.distance[v]) continue;
     pulse.beat();
-    forEachEdge(s, v, [&](SurfaceCorner h, OpenVertex w) {
+    forEachNeighbour(s, v, [&](SurfaceCorner h, OpenVertex w) {
       const double d = top.distance + mesh.cost[h];
       if (!(d < f.distance[w])) return;
       f.distance[w] = d;

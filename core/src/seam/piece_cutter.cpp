@@ -10,13 +10,13 @@
 namespace abflat {
 namespace {
 
-double cross(PlanePoint o, PlanePoint a, PlanePoint b) {
+double twiceArea(PlanePoint o, PlanePoint a, PlanePoint b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
 /// Calls visit(half-edge) for those that leave a vertex, with the surface on their left.
 template <typename Visit>
-void forEachEdge(const CutSurface& s, OpenVertex v, Visit visit) {
+void forEachLeaving(const CutSurface& s, OpenVertex v, Visit visit) {
   const SurfaceCorner first = s.outgoing[v];
   SurfaceCorner h = first;
   do {
@@ -111,12 +111,12 @@ PieceCutter::Path PieceCutter::findPath(PieceId piece, const Vertices& from, con
       std::reverse(out.begin(), out.end());
       return out;
     }
-    forEachEdge(surface_, v, [&, cost = cost](SurfaceCorner h) {
+    forEachLeaving(surface_, v, [&, cost = cost](SurfaceCorner h) {
       const OpenVertex w = endOf(h);
       if (!isOpen(piece, h) || (isTaken_[w] && !contains(to, w)) ||
           distance(a, w) + distance(w, b) > room * straight)
         return;
-      const double off = std::abs(cross(at_[a], at_[b], at_[w])) / (straight * straight);
+      const double off = std::abs(twiceArea(at_[a], at_[b], at_[w])) / (straight * straight);
       const double sum = cost + mesh_.cost[h] * (1 + kStraightness * off);
       if (!(sum < reached[w])) return;
       reached[w] = sum;
@@ -195,7 +195,7 @@ void PieceCutter::addTriangle(SurfaceTriangle f, Piece& out) const {
   if (mesh_.isFilling(f)) return;
   out.area += mesh_.area[f];
   const auto corner = [&](std::size_t k) { return at_[surface_.tail(cornerOf(f, k))]; };
-  out.flatArea += cross(corner(0), corner(1), corner(2)) / 2;
+  out.flatArea += twiceArea(corner(0), corner(1), corner(2)) / 2;
 }
 
 /// Gives what lies on one side of the cuts a label of its own.

@@ -11,9 +11,9 @@ double distance(PlanePoint a, PlanePoint b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-using Loop = IdVector<BoundaryIndex, PlanePoint>;
+using FlatLoop = IdVector<BoundaryIndex, PlanePoint>;
 
-double perimeterOf(const Loop& loop) {
+double perimeterOf(const FlatLoop& loop) {
   double sum = 0;
   for (const BoundaryIndex i : loop.ids())
     sum += distance(loop[i], loop[nextAlong(i, loop.size())]);
@@ -21,7 +21,7 @@ double perimeterOf(const Loop& loop) {
 }
 
 /// Points of a loop, at least `spacing` apart.
-std::vector<BoundaryIndex> sampled(const Loop& loop, double spacing) {
+std::vector<BoundaryIndex> sampled(const FlatLoop& loop, double spacing) {
   std::vector<BoundaryIndex> out;
   for (const BoundaryIndex i : loop.ids())
     if (out.empty() || distance(loop[i], loop[out.back()]) >= spacing) out.push_back(i);
@@ -29,7 +29,7 @@ std::vector<BoundaryIndex> sampled(const Loop& loop, double spacing) {
 }
 
 /// Points from one of the `asked` points to another.
-std::vector<PlanePoint> pointsBetween(const Loop& loop, const std::vector<BoundaryIndex>& asked,
+std::vector<PlanePoint> pointsBetween(const FlatLoop& loop, const std::vector<BoundaryIndex>& asked,
                                       std::size_t from, std::size_t to) {
   std::vector<PlanePoint> out;
   for (std::size_t k = from;; k = (k + 1) % asked.size()) {

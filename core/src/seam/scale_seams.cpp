@@ -14,7 +14,7 @@ namespace {
 /// large charts need some for the number of their faces.
 constexpr std::size_t kMostOctaves = 16;
 /// Up to this share of the faces may be smaller: slivers of isosurfaces, for example.
-constexpr double kFew = 0.1;
+constexpr double kSliverShare = 0.1;
 
 /// Per triangle, the longest side of the face it belongs to.
 IdVector<SurfaceTriangle, double> longestSides(const PolygonMesh& mesh, const Surface& surface) {
@@ -95,7 +95,7 @@ void part(const Octaves& octaves, std::size_t begin, std::size_t end,
   while (end > begin && faces[end - 1] == 0) --end;
   double all = 0, below = 0;
   for (std::size_t i = begin; i < end; ++i) all += faces[i];
-  while (begin < end && (below += faces[begin]) <= kFew * all) ++begin;
+  while (begin < end && (below += faces[begin]) <= kSliverShare * all) ++begin;
   if (end < begin + kMostOctaves + 2) return;
   const std::size_t border = bestBetween(octaves, begin, end);
   part(octaves, begin, border, borders);

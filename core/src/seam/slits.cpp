@@ -72,8 +72,8 @@ std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& predic
   // The most slits of a chart in one round: a quarter of the peaks that ask for one, so that a few
   // rounds are enough however many there are.
   constexpr std::size_t kFewPeaks = 32, kPart = 4;
-  constexpr double kApart = 0.7;  // relative to the longer way to the boundary
-  constexpr double kFar = 0.3;    // relative to the greatest peak's way; nearer ones are noise
+  constexpr double kApart = 0.7;      // relative to the longer way to the boundary
+  constexpr double kFarEnough = 0.3;  // relative to the greatest peak's way; nearer ones are noise
   // Relative to the greatest peak's shift. If little is missing, a superfluous slit costs more than
   // a round.
   constexpr double kMuch = 1.2, kShareOfMuch = 0.35, kShareOfLittle = 0.8;
@@ -94,7 +94,7 @@ std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& predic
       const OpenVertex v = peaks[i].vertex;
       bool isFree = ends.size() - first < most && asks(peaks[i]);
       if (ends.size() > first && peaks[i].shift < kShareOfLittle * top)
-        isFree = isFree && forest.distance[v] >= kFar * forest.distance[ends[first]];
+        isFree = isFree && forest.distance[v] >= kFarEnough * forest.distance[ends[first]];
       for (std::size_t k = first; isFree && k < ends.size(); ++k)
         isFree = norm(edgeVector(mesh.positions, s.meshVertex[v], s.meshVertex[ends[k]])) >
                  kApart * std::max(forest.distance[v], forest.distance[ends[k]]);

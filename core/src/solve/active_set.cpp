@@ -12,7 +12,7 @@ namespace abflat {
 namespace {
 
 /// Share of the way to the nearest bound of (0, pi) that one step may go.
-constexpr double kFractionToBoundary = 0.9;
+constexpr double kShareOfRoom = 0.9;
 /// c of the active set's definition: scales radians to multipliers (objective per radian).
 constexpr double kActiveScale = 1;
 /// Several consecutive steps shorter than this mean that some angles tend to 0 and the method makes
@@ -68,8 +68,7 @@ double stepLength(const std::vector<double>& x, const std::vector<double>& dx) {
   double step = 1;
   for (std::size_t c = 0; c < x.size(); ++c) {
     const double room = dx[c] < 0 ? x[c] : kPi - x[c];
-    if (step * std::abs(dx[c]) > kFractionToBoundary * room)
-      step = kFractionToBoundary * room / std::abs(dx[c]);
+    if (step * std::abs(dx[c]) > kShareOfRoom * room) step = kShareOfRoom * room / std::abs(dx[c]);
   }
   return step;
 }
@@ -81,7 +80,7 @@ std::uint32_t raiseWeights(const std::vector<double>& x, const std::vector<doubl
   std::uint32_t count = 0;
   for (std::size_t c = 0; c < x.size(); ++c) {
     const double room = dx[c] < 0 ? x[c] : kPi - x[c];
-    if (std::abs(dx[c]) <= kFractionToBoundary * room) continue;
+    if (std::abs(dx[c]) <= kShareOfRoom * room) continue;
     weight[c] *= kHeavier;
     ++count;
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr int kFirstSteps = 3;
 
 /// Always sums in the same order; Eigen's order depends on the machine's vector width.
-double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+double orderedDot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double sum[4] = {};
   Eigen::Index i = 0;
   for (; i + 4 <= a.size(); i += 4)
@@ -50,7 +50,7 @@ ConjugateGradientsResult conjugateGradients(const Eigen::SparseMatrix<double>& l
         expectedIterations(result, first, options.tolerance) > options.worthwhile)
       return result.code = Code::TooSlow, result;
     preconditioner.apply(r.data(), z.data());
-    const double now = dot(r, z);
+    const double now = orderedDot(r, z);
     if (!(now > 0)) return result.code = Code::NotPositive, result;
     if (result.iterations == 0)
       p = z;
@@ -59,7 +59,7 @@ ConjugateGradientsResult conjugateGradients(const Eigen::SparseMatrix<double>& l
     before = now;
     q.setZero();
     q.noalias() += a * p;
-    const double curvature = dot(p, q);
+    const double curvature = orderedDot(p, q);
     if (!(curvature > 0)) return result.code = Code::NotPositive, result;
     x.noalias() += (now / curvature) * p;
     r.noalias() -= (now / curvature) * q;

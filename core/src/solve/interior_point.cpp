@@ -14,7 +14,7 @@ constexpr double kSlackFloor = 1e-9;
 /// A step at least this long allows a smaller barrier parameter.
 constexpr double kGoodStep = 0.3;
 /// Below this constraint residual, and after a full step, the exact Hessian is used.
-constexpr double kNearSolution = 1e-6;
+constexpr double kExactResidual = 1e-6;
 
 /// The largest step, up to `limit`, that takes at most the given fraction of a positive value.
 double shorten(double value, double change, double fraction, double limit) {
@@ -87,7 +87,7 @@ class InteriorPoint {
   double& multiplier(ChartVertex v) { return s_.multipliers.row[rows_.ofVertex[v]]; }
 
   bool isNear() const {
-    return !s_.history.empty() && s_.history.back().constraint < kNearSolution &&
+    return !s_.history.empty() && s_.history.back().constraint < kExactResidual &&
            s_.history.back().step == 1;
   }
 

@@ -13,14 +13,14 @@ namespace {
 /// semidefinite.
 constexpr double kMinCurvature = 0.2;
 /// Triangles per piece of work.
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kTrianglesPerPiece = 2048;
 
 std::size_t pieceCount(const AngleProblem& problem) {
-  return (problem.triangles().size() + kGrain - 1) / kGrain;
+  return (problem.triangles().size() + kTrianglesPerPiece - 1) / kTrianglesPerPiece;
 }
 IdRange<ChartTriangle> pieceOf(const AngleProblem& problem, std::size_t i) {
-  return {ChartTriangle(i * kGrain),
-          ChartTriangle(std::min(problem.triangles().size(), (i + 1) * kGrain))};
+  return {ChartTriangle(i * kTrianglesPerPiece),
+          ChartTriangle(std::min(problem.triangles().size(), (i + 1) * kTrianglesPerPiece))};
 }
 
 /// The largest `value(f)` over all triangles, but at least 0.

@@ -5,7 +5,7 @@
 namespace abflat {
 namespace {
 
-constexpr std::size_t kGrain = 2048;  ///< triangles per piece of work
+constexpr std::size_t kAssemblyGrain = 2048;  ///< triangles per piece of work
 constexpr std::uint32_t kRegions = 16;
 
 }  // namespace
@@ -81,7 +81,7 @@ void SchurSystem::buildScatter() {
 }
 
 void SchurSystem::divide(const std::vector<std::uint32_t>& rankOfRow) {
-  if (!isParallel(pool_) || problem_.triangleCount() < kRegions * kGrain) return;
+  if (!isParallel(pool_) || problem_.triangleCount() < kRegions * kAssemblyGrain) return;
   regionOfVertex_.resize(problem_.vertexCount());
   const std::uint64_t rows = rows_.count();
   for (const ChartVertex v : problem_.vertices())
@@ -149,7 +149,7 @@ void SchurSystem::assembleBoundary(const std::vector<std::uint8_t>& active,
 void SchurSystem::assemble(const Linearization& lin, const std::vector<std::uint8_t>& active,
                            const std::vector<double>& compliance) {
   double* values = matrix_.valuePtr();
-  parallelRanges(pool_, static_cast<std::size_t>(matrix_.nonZeros()), 16 * kGrain,
+  parallelRanges(pool_, static_cast<std::size_t>(matrix_.nonZeros()), 16 * kAssemblyGrain,
                  [&](std::size_t a, std::size_t b) { std::fill(values + a, values + b, 0.0); });
   std::copy(lin.residual.begin(), lin.residual.end(), rhs_.begin());
   if (regionOfVertex_.empty())
@@ -167,21 +167,22 @@ void SchurSystem::backSubstitute(const Linearization& lin,
                                  std::vector<double>& triangleMultipliers) const {
   dx.resize(problem_.vertexOfCorner.size());
   triangleMultipliers.resize(problem_.triangleCount());
-  parallelRanges(pool_, problem_.triangleCount(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (const ChartTriangle f : IdRange{ChartTriangle(begin), ChartTriangle(end)}) {
-      const Element& e = lin.elements[f];
-      std::array<double, 3> z =
-          applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
-      for (unsigned k = 0; k < 3; ++k) z[k] += e.gradient[k];
-      const std::array<double, 3> step = applyProjected(e, z), unit = unitStep(e);
-      double& lambda = triangleMultipliers[f];
-      lambda = e.triangleResidual * e.hessian[0] * unit[0];
-      for (unsigned k = 0; k < 3; ++k) {
-        lambda -= unit[k] * z[k];
-        dx[cornerOf(f, k)] = -step[k] - unit[k] * e.triangleResidual;
-      }
-    }
-  });
+  parallelRanges(pool_, problem_.triangleCount(), kAssemblyGrain,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (const ChartTriangle f : IdRange{ChartTriangle(begin), ChartTriangle(end)}) {
+                     const Element& e = lin.elements[f];
+                     std::array<double, 3> z =
+                         applyTransposedJacobian(e, gatherRows(problem_, rows_, rowMultipliers, f));
+                     for (unsigned k = 0; k < 3; ++k) z[k] += e.gradient[k];
+                     const std::array<double, 3> step = applyProjected(e, z), unit = unitStep(e);
+                     double& lambda = triangleMultipliers[f];
+                     lambda = e.triangleResidual * e.hessian[0] * unit[0];
+                     for (unsigned k = 0; k < 3; ++k) {
+                       lambda -= unit[k] * z[k];
+                       dx[cornerOf(f, k)] = -step[k] - unit[k] * e.triangleResidual;
+                     }
+                   }
+                 });
 }
 
 }  // namespace abflat

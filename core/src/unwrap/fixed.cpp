@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/invalid.h"
 #include "base/number_text.h"
 #include "base/point2.h"
 #include "exact/orientation.h"
@@ -14,8 +15,6 @@ namespace abflat {
 namespace {
 
 std::string nameOf(InputFace face) { return "face " + std::to_string(face); }
-
-Status invalid(std::string text) { return {StatusCode::InvalidOption, std::move(text)}; }
 
 /// Adds the faces listed in the options, with the texcoords of the input.
 Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,

@@ -57,7 +57,7 @@ Status checkPlaces(const KnownLayout& known) {
 }
 
 /// Checks that every triangle has the mesh's vertices, and a chart.
-Status checkTriangles(const KnownLayout& known, const TriangleOrder& order, const SurfaceMap& map) {
+Status checkCorners(const KnownLayout& known, const TriangleOrder& order, const SurfaceMap& map) {
   for (const SurfaceTriangle f : order.ofTriangle.ids()) {
     const OutputTriangle i = order.ofTriangle[f];
     bool isSame = known.chartOfTriangle[i] < known.chartOfTriangle.size();
@@ -144,7 +144,7 @@ void keepPlace(const Known& known, const ChartTopology& topology, const DiskChar
 Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap& map) {
   TriangleOrder order = triangleOrder(map);
   if (Status s = checkSizes(known, order.firstOfFace.back()); !s.ok()) return s;
-  if (Status s = checkTriangles(known, order, map); !s.ok()) return s;
+  if (Status s = checkCorners(known, order, map); !s.ok()) return s;
   return order;
 }
 

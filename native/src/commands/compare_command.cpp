@@ -35,7 +35,7 @@ std::string formatted(const char* format, Values... values) {
 }
 
 /// Aligned decimals if the number is small enough; rounding noise is shown as 0.
-std::string numberText(const Measure& measure, double value) {
+std::string measureText(const Measure& measure, double value) {
   constexpr double kWidest = 1e4, kNoise = 1e-12;
   const double narrowest = std::pow(10.0, 1 - measure.decimals);
   if (std::isnan(value)) return "-";
@@ -50,13 +50,13 @@ std::string bestText(const std::vector<MethodResult>& rows, const Measure& measu
   double least = NAN;
   for (const MethodResult& row : rows)
     if (row.valid) least = std::fmin(least, row.*measure.value);
-  return numberText(measure, least);
+  return measureText(measure, least);
 }
 
 std::string rowText(const MethodResult& row, const std::vector<MethodResult>& rows) {
   std::string out = formatted("%-27s%9.3f", row.title.c_str(), row.seconds);
   for (const Measure& m : kMeasures) {
-    const std::string value = numberText(m, row.*m.value);
+    const std::string value = measureText(m, row.*m.value);
     out += formatted("%11s%c", value.c_str(), row.valid && value == bestText(rows, m) ? '*' : ' ');
   }
   out += row.uv.empty() ? formatted("%8s%11s", "-", "-")
@@ -64,7 +64,7 @@ std::string rowText(const MethodResult& row, const std::vector<MethodResult>& ro
   return out + (row.valid ? "  yes\n" : "  no\n");
 }
 
-std::string tableText(const Comparison& comparison, const std::string& name) {
+std::string comparisonTable(const Comparison& comparison, const std::string& name) {
   const MeshSummary& input = comparison.input;
   std::string out =
       name + formatted(": %zu %s, %zu vertices, %zu on the boundary\n\n", input.triangles,
@@ -108,7 +108,7 @@ int runCompare(const CompareCommand& command) {
                                               ? comparison.status.message
                                               : name + ": " + comparison.status.message});
   const Status written =
-      out.writeNow(command.json.empty() ? tableText(comparison.value, printable(name))
+      out.writeNow(command.json.empty() ? comparisonTable(comparison.value, printable(name))
                                         : compareJson(comparison.value, name));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }

@@ -55,7 +55,7 @@ std::string csvText(const std::vector<Row>& rows) {
   return out.str();
 }
 
-std::string tableText(const std::vector<Row>& rows) {
+std::string sweepTable(const std::vector<Row>& rows) {
   std::ostringstream out;
   out << std::setw(8) << "t" << std::setw(9) << "balance" << std::setw(8) << "used" << std::setw(7)
       << "steps" << std::setw(12) << "angular" << std::setw(12) << "length" << std::setw(12)
@@ -108,7 +108,7 @@ int runSweep(const SweepCommand& command) {
         return ended({status.code, name + ": " + status.message});
     }
   }
-  const Status written = out.writeNow(command.csv.empty() ? tableText(rows) : csvText(rows));
+  const Status written = out.writeNow(command.csv.empty() ? sweepTable(rows) : csvText(rows));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

@@ -38,7 +38,7 @@ std::string nameOf(const Method& m) {
   return std::string(nameOf(m.solver)) + ", " + nameOf(m.formulation);
 }
 
-std::string shortNumber(double value) {
+std::string threeDigits(double value) {
   std::ostringstream out;
   out.precision(3);
   out << value;
@@ -147,7 +147,7 @@ class Runs {
     plot_.add(m, c.history,
               std::to_string(c.history.size()) + " steps" +
                   (isIterative(m) ? ", " + std::to_string(iterations) + " iterations" : "") + ", " +
-                  shortNumber(seconds) + " s" +
+                  threeDigits(seconds) + " s" +
                   (c.solver == Solver::ActiveSet ? "" : ", by the interior point"));
   }
 

@@ -18,7 +18,7 @@ struct Habit {
 };
 
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", kFace = "f 1 2 3\n";
-const std::string kPoints = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string kThreePoints = "0 0 0\n1 0 0\n0 1 0\n";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
@@ -53,7 +53,7 @@ void check(const std::vector<Habit>& habits, MeshFormat format, const std::strin
   }
 }
 
-std::string binaryStl(const std::string& header, const std::string& behind = "") {
+std::string binaryFacet(const std::string& header, const std::string& behind = "") {
   std::string out = header;
   out.resize(80, ' ');
   const float facet[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -62,10 +62,10 @@ std::string binaryStl(const std::string& header, const std::string& behind = "")
   return out + std::string(2, '\0') + behind;
 }
 
-std::string ply(const std::string& list, const std::string& name = "vertex_indices") {
+std::string plyText(const std::string& list, const std::string& name = "vertex_indices") {
   return "ply\nformat ascii 1.0\ncomment c\nobj_info i\nelement vertex 3\nproperty float x\n"
          "property float y\nproperty float z\nelement face 1\nproperty list " +
-         list + " " + name + "\nend_header\n" + kPoints + "3 0 1 2\n";
+         list + " " + name + "\nend_header\n" + kThreePoints + "3 0 1 2\n";
 }
 
 }  // namespace
@@ -133,21 +133,22 @@ TEST_CASE("OBJ: slashes with nothing behind them are not written again", "[habit
 }
 
 TEST_CASE("OFF: habits of exporters", "[habits]") {
-  const std::string body = kPoints + "3 0 1 2\n";
+  const std::string body = kThreePoints + "3 0 1 2\n";
   check(
       {
           {"name and counts in one word", "OFF3 1 0\n" + body},
           {"name left out", "3 1 0\n" + body},
           {"two counts", "OFF\n3 1\n" + body},
           {"comments", "# a\nOFF # b\n# c\n3 1 0 # d\n\n" + body + "# e\n"},
-          {"normals", "NOFF\n3 1 0\n" + replaced(kPoints, "\n", " 0 0 1\n") + "3 0 1 2\n"},
-          {"colours", "COFF\n3 1 0\n" + replaced(kPoints, "\n", " 9 9 9 9\n") + "3 0 1 2 9 9 9\n"},
+          {"normals", "NOFF\n3 1 0\n" + replaced(kThreePoints, "\n", " 0 0 1\n") + "3 0 1 2\n"},
+          {"colours",
+           "COFF\n3 1 0\n" + replaced(kThreePoints, "\n", " 9 9 9 9\n") + "3 0 1 2 9 9 9\n"},
           {"CR", replaced("OFF\n3 1 0\n" + body, "\n", "\r")},
           {"NUL at the end", "OFF\n3 1 0\n" + body + std::string(2, '\0')},
           {"mark of UTF-8", "\xEF\xBB\xBFOFF\n3 1 0\n" + body},
           {"binary", "OFF BINARY\n", "binary OFF is not supported"},
           {"four coordinates", "4OFF\n3 1 0\n" + body, "not an OFF file: it begins with '4OFF'"},
-          {"two corners", "OFF\n3 2 0\n" + kPoints + "2 0 1\n3 0 1 2\n", "2 corners"},
+          {"two corners", "OFF\n3 2 0\n" + kThreePoints + "2 0 1\n3 0 1 2\n", "2 corners"},
           {"UTF-16", utf16("OFF\n3 1 0\n" + body, false, true), "UTF-16. Save it as UTF-8"},
       },
       MeshFormat::Off, "off");
@@ -163,9 +164,9 @@ TEST_CASE("STL: habits of exporters", "[habits]") {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   check(
       {
-          {"binary that begins with solid", binaryStl("solid made of bits")},
-          {"binary that begins with a mark of UTF-16", binaryStl("\xFF\xFE")},
-          {"binary whose header is full of NUL", binaryStl(std::string(80, '\0'))},
+          {"binary that begins with solid", binaryFacet("solid made of bits")},
+          {"binary that begins with a mark of UTF-16", binaryFacet("\xFF\xFE")},
+          {"binary whose header is full of NUL", binaryFacet(std::string(80, '\0'))},
           {"upper case", upper},
           {"mixed case", replaced(replaced(text, "solid", "Solid"), "vertex", "Vertex")},
           {"several solids", "solid b\nendsolid b\n" + text},
@@ -173,7 +174,7 @@ TEST_CASE("STL: habits of exporters", "[habits]") {
           {"no normal", replaced(text, "facet normal 0 0 1", "facet")},
           {"normal that is no number", replaced(text, "0 0 1\n o", "nan nan nan\n o")},
           {"mark of UTF-8", "\xEF\xBB\xBF" + text},
-          {"bytes behind the last facet", binaryStl("", "ab"), "but the file has 136"},
+          {"bytes behind the last facet", binaryFacet("", "ab"), "but the file has 136"},
           {"cut off", "solid a\n" + facet, "ends before 'endsolid'"},
           {"quads", replaced(text, " endloop", "  vertex 1 1 0\n endloop"), "expected 'endloop'"},
           {"UTF-16", utf16(text, false, true), "UTF-16. Save it as UTF-8"},
@@ -184,16 +185,16 @@ TEST_CASE("STL: habits of exporters", "[habits]") {
 TEST_CASE("PLY: habits of exporters", "[habits]") {
   check(
       {
-          {"vertex_index", ply("uchar int", "vertex_index")},
-          {"CR LF", replaced(ply("uchar int"), "\n", "\r\n")},
-          {"CR", replaced(ply("uchar int"), "\n", "\r")},
-          {"sized types", replaced(ply("uint8 int32"), "float", "float32")},
-          {"numbers of other types", replaced(ply("int float"), "float", "double")},
-          {"mark of UTF-8", "\xEF\xBB\xBF" + ply("uchar int")},
-          {"blank lines", replaced(ply("uchar int"), "comment c", "\ncomment c")},
-          {"long integers", ply("uchar uint64"), "'uint64' is not a PLY type"},
-          {"another name", ply("uchar int", "corners"), "no list property 'vertex_indices'"},
-          {"UTF-16", utf16(ply("uchar int"), true, true), "UTF-16. Save it as UTF-8"},
+          {"vertex_index", plyText("uchar int", "vertex_index")},
+          {"CR LF", replaced(plyText("uchar int"), "\n", "\r\n")},
+          {"CR", replaced(plyText("uchar int"), "\n", "\r")},
+          {"sized types", replaced(plyText("uint8 int32"), "float", "float32")},
+          {"numbers of other types", replaced(plyText("int float"), "float", "double")},
+          {"mark of UTF-8", "\xEF\xBB\xBF" + plyText("uchar int")},
+          {"blank lines", replaced(plyText("uchar int"), "comment c", "\ncomment c")},
+          {"long integers", plyText("uchar uint64"), "'uint64' is not a PLY type"},
+          {"another name", plyText("uchar int", "corners"), "no list property 'vertex_indices'"},
+          {"UTF-16", utf16(plyText("uchar int"), true, true), "UTF-16. Save it as UTF-8"},
       },
       MeshFormat::Ply, "ply");
 }

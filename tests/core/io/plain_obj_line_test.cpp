@@ -13,7 +13,7 @@ using namespace abflat;
 
 namespace {
 
-Result<PolygonMesh> obj(const std::string& text) {
+Result<PolygonMesh> wholeObj(const std::string& text) {
   return readMesh(text, MeshFormat::Obj, "a.obj");
 }
 
@@ -125,11 +125,11 @@ TEST_CASE("plain lines mean what a slow reader makes of them") {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     const std::string text = randomText(random, 60);
-    const Result<PolygonMesh> read = obj(text);
+    const Result<PolygonMesh> read = wholeObj(text);
     INFO(read.status.message << "\n" << text);
     REQUIRE(read.ok());
     REQUIRE(isSame(read.value, slowly(text)));
-    const Result<PolygonMesh> careful = obj(commented(text));
+    const Result<PolygonMesh> careful = wholeObj(commented(text));
     INFO(careful.status.message);
     REQUIRE(careful.ok());
     REQUIRE(isSame(read.value, careful.value));
@@ -153,7 +153,8 @@ TEST_CASE("a damaged line is read or refused alike, plain or not") {
         line.insert(at, 1, bytes[random() % bytes.size()]);
     }
     const std::string head = "v 0 0 0\nv 1 0 0\n";
-    const Result<PolygonMesh> one = obj(head + line + "\n"), other = obj(head + line + " #\n");
+    const Result<PolygonMesh> one = wholeObj(head + line + "\n"),
+                              other = wholeObj(head + line + " #\n");
     INFO(line << "\n" << one.status.message << "\n" << other.status.message);
     REQUIRE(one.status.code == other.status.code);
     REQUIRE(one.status.message == other.status.message);

@@ -15,7 +15,7 @@ Result<PolygonMesh> ply(const std::string& bytes) {
   return readMesh(bytes, MeshFormat::Ply, "a.ply");
 }
 
-void checkError(const std::string& bytes, const std::string& place, const std::string& part) {
+void checkPlyError(const std::string& bytes, const std::string& place, const std::string& part) {
   const Result<PolygonMesh> r = ply(bytes);
   INFO(r.status.message);
   CHECK(r.status.code == StatusCode::ParseError);
@@ -111,28 +111,28 @@ TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
   const std::string start = "ply\nformat ascii 1.0\n";
   const std::string xyz =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
-  checkError("", "a.ply: ", "empty");
-  checkError("plyx\n", "a.ply:1: ", "not a PLY file");
-  checkError("ply\nformat text 1.0\n", "a.ply:2: ", "'text' is not ascii");
-  checkError("ply\nformat ascii 2.0\n", "a.ply:2: ", "version '2.0'");
-  checkError("ply\nelement vertex 1\nend_header\n", "a.ply:3: ", "no format");
-  checkError(start + "element vertex\n", "a.ply:3: ", "element NAME COUNT");
-  checkError(start + "element vertex -1\n", "a.ply:3: ", "element NAME COUNT");
-  checkError(start + "property float x\n", "a.ply:3: ", "before any element");
-  checkError(start + "element a 1\nproperty real x\n", "a.ply:4: ", "'real' is not a PLY type");
-  checkError(start + "element a 1\nproperty list real int x\n", "a.ply:4: ", "'real' is not");
-  checkError(start + "element a 1\nproperty float\n", "a.ply:4: ", "property TYPE NAME");
-  checkError(start + "element a 1\nelement a 2\n", "a.ply:4: ", "duplicate element 'a'");
-  checkError(start + "element a 1\nproperty int b\nproperty int b\n",
-             "a.ply:5: ", "duplicate property 'b'");
-  checkError(start + "elements a 1\n", "a.ply:3: ", "'elements' is not format");
-  checkError(start + xyz, "a.ply:6: ", "has no end_header");
-  checkError(start + "element face 0\nend_header\n", "a.ply:4: ", "no element 'vertex'");
-  checkError(start + "element vertex 1\nproperty float x\nproperty list int int y\nend_header\n",
-             "a.ply:6: ", "no scalar property 'y'");
-  checkError(start + xyz + "element face 1\nproperty int vertex_index\nend_header\n0 0 0\n3\n",
-             "a.ply:9: ", "no list property 'vertex_indices'");
-  checkError(
+  checkPlyError("", "a.ply: ", "empty");
+  checkPlyError("plyx\n", "a.ply:1: ", "not a PLY file");
+  checkPlyError("ply\nformat text 1.0\n", "a.ply:2: ", "'text' is not ascii");
+  checkPlyError("ply\nformat ascii 2.0\n", "a.ply:2: ", "version '2.0'");
+  checkPlyError("ply\nelement vertex 1\nend_header\n", "a.ply:3: ", "no format");
+  checkPlyError(start + "element vertex\n", "a.ply:3: ", "element NAME COUNT");
+  checkPlyError(start + "element vertex -1\n", "a.ply:3: ", "element NAME COUNT");
+  checkPlyError(start + "property float x\n", "a.ply:3: ", "before any element");
+  checkPlyError(start + "element a 1\nproperty real x\n", "a.ply:4: ", "'real' is not a PLY type");
+  checkPlyError(start + "element a 1\nproperty list real int x\n", "a.ply:4: ", "'real' is not");
+  checkPlyError(start + "element a 1\nproperty float\n", "a.ply:4: ", "property TYPE NAME");
+  checkPlyError(start + "element a 1\nelement a 2\n", "a.ply:4: ", "duplicate element 'a'");
+  checkPlyError(start + "element a 1\nproperty int b\nproperty int b\n",
+                "a.ply:5: ", "duplicate property 'b'");
+  checkPlyError(start + "elements a 1\n", "a.ply:3: ", "'elements' is not format");
+  checkPlyError(start + xyz, "a.ply:6: ", "has no end_header");
+  checkPlyError(start + "element face 0\nend_header\n", "a.ply:4: ", "no element 'vertex'");
+  checkPlyError(start + "element vertex 1\nproperty float x\nproperty list int int y\nend_header\n",
+                "a.ply:6: ", "no scalar property 'y'");
+  checkPlyError(start + xyz + "element face 1\nproperty int vertex_index\nend_header\n0 0 0\n3\n",
+                "a.ply:9: ", "no list property 'vertex_indices'");
+  checkPlyError(
       start + xyz + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n",
       "a.ply:9: ", "triangle strips");
 }
@@ -155,8 +155,8 @@ TEST_CASE("PLY: any number of properties and elements is taken, no name twice", 
   REQUIRE(r.ok());
   CHECK(r.value.positions == std::vector<double>{1, 2, 3});
   const std::string line = "a.ply:" + std::to_string(3 * kNames + 7) + ":";
-  checkError(head + "property int p7\nend_header\n", line, "duplicate property 'p7'");
-  checkError(head + "element e7 0\nend_header\n", line, "duplicate element 'e7'");
+  checkPlyError(head + "property int p7\nend_header\n", line, "duplicate property 'p7'");
+  checkPlyError(head + "element e7 0\nend_header\n", line, "duplicate element 'e7'");
 }
 
 TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
@@ -165,22 +165,24 @@ TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
     std::string text = good;
     return text.replace(text.find(what), what.size(), to);
   };
-  checkError(changed("2 1.5 0.25", "2 1.5 x"), "a.ply:14: ", "'x' is not a number");
-  checkError(changed("2 1.5 0.25", "2 1.5 nan"), "a.ply:14: ", "vertex 2 has the coordinate 'nan'");
-  checkError(changed("2 1.5 0.25", "2 -inf 0"), "a.ply:14: ", "vertex 2 has the coordinate '-inf'");
-  checkError(changed("2 1.5 0.25", "2 1.5"), "a.ply:14: ", "ends before 'z'");
-  checkError(changed("2 1.5 0.25", "2 1.5 0 7"), "a.ply:14: ", "more values");
-  checkError(changed("3 2 1 0", "2 2 1"), "a.ply:17: ", "2 corners");
-  checkError(changed("3 2 1 0", "-3 2 1 0"), "a.ply:17: ", "'-3' is not the length");
-  checkError(changed("3 2 1 0", "3 2 1"), "a.ply:17: ", "2 of its 3 corners");
-  checkError(changed("3 2 1 0", "3 2 1 4"), "a.ply:17: ", "vertex 4, but the file has 4");
-  checkError(changed("3 2 1 0", "3 2 1 -1"), "a.ply:17: ", "vertex -1");
-  checkError(changed("3 2 1 0", "3 2 1 0.5"), "a.ply:17: ", "'0.5' is not a vertex number");
-  checkError(changed("3 2 1 0\n", ""), "a.ply:16: ", "2 of 'face', but the file ends after 1");
-  checkError(good + "3 0 1 2\n", "a.ply:18: ", "goes on after the last row");
-  checkError(changed("face 2", "face 4000000000"), "a.ply:17: ", "ends after 2");
-  checkError(changed("vertex 4", "vertex 4000000000"), "a.ply:16: ", "more values");
-  checkError(changed("vertex 4", "vertex 99999999999"), "a.ply:11: ", "4294967295 vertices");
+  checkPlyError(changed("2 1.5 0.25", "2 1.5 x"), "a.ply:14: ", "'x' is not a number");
+  checkPlyError(changed("2 1.5 0.25", "2 1.5 nan"),
+                "a.ply:14: ", "vertex 2 has the coordinate 'nan'");
+  checkPlyError(changed("2 1.5 0.25", "2 -inf 0"),
+                "a.ply:14: ", "vertex 2 has the coordinate '-inf'");
+  checkPlyError(changed("2 1.5 0.25", "2 1.5"), "a.ply:14: ", "ends before 'z'");
+  checkPlyError(changed("2 1.5 0.25", "2 1.5 0 7"), "a.ply:14: ", "more values");
+  checkPlyError(changed("3 2 1 0", "2 2 1"), "a.ply:17: ", "2 corners");
+  checkPlyError(changed("3 2 1 0", "-3 2 1 0"), "a.ply:17: ", "'-3' is not the length");
+  checkPlyError(changed("3 2 1 0", "3 2 1"), "a.ply:17: ", "2 of its 3 corners");
+  checkPlyError(changed("3 2 1 0", "3 2 1 4"), "a.ply:17: ", "vertex 4, but the file has 4");
+  checkPlyError(changed("3 2 1 0", "3 2 1 -1"), "a.ply:17: ", "vertex -1");
+  checkPlyError(changed("3 2 1 0", "3 2 1 0.5"), "a.ply:17: ", "'0.5' is not a vertex number");
+  checkPlyError(changed("3 2 1 0\n", ""), "a.ply:16: ", "2 of 'face', but the file ends after 1");
+  checkPlyError(good + "3 0 1 2\n", "a.ply:18: ", "goes on after the last row");
+  checkPlyError(changed("face 2", "face 4000000000"), "a.ply:17: ", "ends after 2");
+  checkPlyError(changed("vertex 4", "vertex 4000000000"), "a.ply:16: ", "more values");
+  checkPlyError(changed("vertex 4", "vertex 99999999999"), "a.ply:11: ", "4294967295 vertices");
 }
 
 TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[ply]") {
@@ -198,23 +200,24 @@ TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[
     return "a.ply: " + row + " (byte " + std::to_string(byte) + "): ";
   };
   const std::string nan("\0\0\xc0\x7f", 4);
-  checkError(changed(body + 28, nan), place("vertex 2", body + 24), "y is not finite");
-  checkError(changed(face, "\2"), "a.ply: face 0 (byte ", "2 corners");
-  checkError(changed(face + 1, "\7"), "a.ply: face 0 (byte ", "vertex 7, but the file has 4");
-  checkError(changed(face + 4, "\xff"), "a.ply: face 0 (byte ", "vertex -16777216");
-  checkError(good.substr(0, good.size() - 1), "a.ply: the file ends at byte ", "within 'face' 1");
-  checkError(good.substr(0, face), "a.ply: the file ends at byte ", "before the 2 of 'face'");
-  checkError(good + "x", "a.ply: the file has 1 bytes", "after");
-  checkError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 of");
-  checkError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "of 'face'");
+  checkPlyError(changed(body + 28, nan), place("vertex 2", body + 24), "y is not finite");
+  checkPlyError(changed(face, "\2"), "a.ply: face 0 (byte ", "2 corners");
+  checkPlyError(changed(face + 1, "\7"), "a.ply: face 0 (byte ", "vertex 7, but the file has 4");
+  checkPlyError(changed(face + 4, "\xff"), "a.ply: face 0 (byte ", "vertex -16777216");
+  checkPlyError(good.substr(0, good.size() - 1), "a.ply: the file ends at byte ",
+                "within 'face' 1");
+  checkPlyError(good.substr(0, face), "a.ply: the file ends at byte ", "before the 2 of 'face'");
+  checkPlyError(good + "x", "a.ply: the file has 1 bytes", "after");
+  checkPlyError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 of");
+  checkPlyError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "of 'face'");
   const std::string other = plyFile(
       "binary_big_endian", {{"strange", {"list int double a"}, {{1, 5}}}, vertices(), faces()});
   std::string negative = other, endless = other;
   const std::size_t at = other.find("end_header\n") + 11;
-  checkError(negative.replace(at, 4, "\xff\xff\xff\xff"), place("strange 0", at),
-             "length of list 'a' is not a whole");
-  checkError(endless.replace(at, 4, "\x7f\xff\xff\xff"), "a.ply: the file ends at byte ",
-             "within 'strange' 0");
+  checkPlyError(negative.replace(at, 4, "\xff\xff\xff\xff"), place("strange 0", at),
+                "length of list 'a' is not a whole");
+  checkPlyError(endless.replace(at, 4, "\x7f\xff\xff\xff"), "a.ply: the file ends at byte ",
+                "within 'strange' 0");
 }
 
 namespace {

@@ -17,7 +17,7 @@ Result<PolygonMesh> stl(const std::string& bytes) {
   return readMesh(bytes, MeshFormat::Stl, "a.stl");
 }
 
-void checkError(const std::string& bytes, const std::string& place, const std::string& part) {
+void checkStlError(const std::string& bytes, const std::string& place, const std::string& part) {
   const Result<PolygonMesh> r = stl(bytes);
   INFO(r.status.message);
   CHECK(r.status.code == StatusCode::ParseError);
@@ -88,7 +88,7 @@ void checkSame(const Result<PolygonMesh>& r, const PolygonMesh& mesh) {
             mesh.positions[3 * mesh.faceVertices[c] + d]);
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
+std::string replacedFirst(std::string text, const std::string& what, const std::string& by) {
   return text.replace(text.find(what), what.size(), by);
 }
 
@@ -135,8 +135,8 @@ TEST_CASE("STL: 0 and -0 are one place, near places are two", "[stl]") {
   PolygonMesh mesh = tetrahedron();
   for (double& x : mesh.positions) x -= 1;
   const std::string text = textStl(mesh);
-  checkSame(stl(replaced(text, "vertex 0 0 0", "vertex -0 0 -0.0")), mesh);
-  CHECK(stl(replaced(text, "vertex 0 0 0", "vertex 1e-300 0 0")).value.vertexCount() ==
+  checkSame(stl(replacedFirst(text, "vertex 0 0 0", "vertex -0 0 -0.0")), mesh);
+  CHECK(stl(replacedFirst(text, "vertex 0 0 0", "vertex 1e-300 0 0")).value.vertexCount() ==
         mesh.vertexCount() + 1);
 }
 
@@ -154,30 +154,33 @@ TEST_CASE("STL: a facet without area stays a face", "[stl]") {
 
 TEST_CASE("STL: what is wrong is named with its place", "[stl]") {
   const std::string text = textStl(tetrahedron());
-  checkError("", "a.stl: ", "empty");
-  checkError("hollow\n", "a.stl: ", "does not begin with 'solid'");
-  checkError(text.substr(0, text.find("endsolid")), "a.stl:29: ", "ends before 'endsolid'");
-  checkError(text.substr(0, text.find("endloop")),
-             "a.stl:6: ", "end of the file. Is it truncated?");
-  checkError(replaced(text, "outer", "inner"), "a.stl:3: ", "expected 'outer', not 'inner'");
-  checkError(replaced(text, "endloop", "vertex"), "a.stl:7: ", "expected 'endloop'");
-  checkError(replaced(text, "facet", "fact"), "a.stl:2: ", "expected 'facet' or 'endsolid'");
-  checkError(text + "facet\n", "a.stl:31: ", "expected 'solid'");
-  checkError(replaced(text, "vertex 1 1 1", "vertex 1 1 zero"), "a.stl:4: ", "'zero' is not a");
-  checkError(replaced(text, "vertex 1 1 1", "vertex 1 1 inf"),
-             "a.stl:4: ", "facet 0, vertex 0: the coordinate 'inf' is not finite");
+  checkStlError("", "a.stl: ", "empty");
+  checkStlError("hollow\n", "a.stl: ", "does not begin with 'solid'");
+  checkStlError(text.substr(0, text.find("endsolid")), "a.stl:29: ", "ends before 'endsolid'");
+  checkStlError(text.substr(0, text.find("endloop")),
+                "a.stl:6: ", "end of the file. Is it truncated?");
+  checkStlError(replacedFirst(text, "outer", "inner"),
+                "a.stl:3: ", "expected 'outer', not 'inner'");
+  checkStlError(replacedFirst(text, "endloop", "vertex"), "a.stl:7: ", "expected 'endloop'");
+  checkStlError(replacedFirst(text, "facet", "fact"),
+                "a.stl:2: ", "expected 'facet' or 'endsolid'");
+  checkStlError(text + "facet\n", "a.stl:31: ", "expected 'solid'");
+  checkStlError(replacedFirst(text, "vertex 1 1 1", "vertex 1 1 zero"),
+                "a.stl:4: ", "'zero' is not a");
+  checkStlError(replacedFirst(text, "vertex 1 1 1", "vertex 1 1 inf"),
+                "a.stl:4: ", "facet 0, vertex 0: the coordinate 'inf' is not finite");
 
   const std::string binary = binaryStl(tetrahedron());
-  checkError(binary.substr(0, 83), "a.stl: ", "has 83 bytes");
-  checkError(binary.substr(0, 200), "a.stl: ",
-             "declares 4 facets, or 284 bytes, but the "
-             "file has 200. Is it truncated?");
-  checkError(binary + "x", "a.stl: ", "the file has 285");
+  checkStlError(binary.substr(0, 83), "a.stl: ", "has 83 bytes");
+  checkStlError(binary.substr(0, 200), "a.stl: ",
+                "declares 4 facets, or 284 bytes, but the "
+                "file has 200. Is it truncated?");
+  checkStlError(binary + "x", "a.stl: ", "the file has 285");
   std::string lies = binary;
-  checkError(lies.replace(80, 4, "\xff\xff\xff\xff"), "a.stl: ", "declares 4294967295 facets");
+  checkStlError(lies.replace(80, 4, "\xff\xff\xff\xff"), "a.stl: ", "declares 4294967295 facets");
   std::string infinite = binary;
   infinite.replace(84 + 50 + 12 + 12 + 4, 4, std::string("\0\0\x80\x7f", 4));
-  checkError(infinite, "a.stl: facet 1 (byte 162): vertex 1 ", "not finite");
+  checkStlError(infinite, "a.stl: facet 1 (byte 162): vertex 1 ", "not finite");
 }
 
 TEST_CASE("STL: damaged files are read or refused, never misread", "[stl]") {

@@ -16,8 +16,8 @@ struct Cut {
   std::vector<double> uv{0, 0, 1, 0, 1, 1, 0, 1, 3, 0, 4, 0, 4, 1, 3, 1};
   std::vector<std::uint32_t> cornerUv{0, 1, 2, 3, 4, 5, 6, 7};
 };
-const std::vector<std::vector<double>> kPoints = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0.5},
-                                                  {0, 1, 0}, {1, 1, 0}, {2, 1, 0.5}};
+const std::vector<std::vector<double>> kSheetPoints = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0.5},
+                                                       {0, 1, 0}, {1, 1, 0}, {2, 1, 0.5}};
 
 PolygonMesh read(const std::string& bytes) {
   const Result<PolygonMesh> r = readMesh(bytes, MeshFormat::Ply, "a.ply");
@@ -30,9 +30,9 @@ PolygonMesh read(const std::string& bytes) {
 std::vector<PlyTestElement> source() {
   PlyTestElement v{
       "vertex", {"float x", "float y", "float z", "uchar red", "list uchar short bones"}, {}};
-  for (std::size_t i = 0; i < kPoints.size(); ++i) {
+  for (std::size_t i = 0; i < kSheetPoints.size(); ++i) {
     const double n = static_cast<double>(i);
-    v.rows.push_back({kPoints[i][0], kPoints[i][1], kPoints[i][2], 40 * n, 1, -n});
+    v.rows.push_back({kSheetPoints[i][0], kSheetPoints[i][1], kSheetPoints[i][2], 40 * n, 1, -n});
   }
   return {
       {"camera", {"double a"}, {{0.1}}},

@@ -132,17 +132,6 @@ class Bridged {
   Loop polygon_;
 };
 
-/// Gives each corner a vertex of its own.
-PolygonMesh exploded(const PolygonMesh& mesh) {
-  PolygonMesh out;
-  out.faceOffsets = mesh.faceOffsets;
-  for (const std::size_t v : mesh.faceVertices) {
-    out.faceVertices.push_back(static_cast<std::uint32_t>(out.faceVertices.size()));
-    out.positions.insert(out.positions.end(), &mesh.positions[3 * v], &mesh.positions[3 * v] + 3);
-  }
-  return out;
-}
-
 /// Checks that the triangles fill the area and do not overlap.
 void checkFilled(const PolygonMesh& mesh, double area) {
   const Triangulation t = triangulate(mesh);

@@ -24,18 +24,6 @@ PolygonMesh meshOf(std::vector<double> positions,
   return mesh;
 }
 
-/// Gives each corner a vertex of its own.
-PolygonMesh exploded(const PolygonMesh& mesh) {
-  PolygonMesh out = mesh;
-  out.positions.clear();
-  for (std::uint32_t c = 0; c < mesh.faceVertices.size(); ++c) {
-    for (std::size_t d = 0; d < 3; ++d)
-      out.positions.push_back(mesh.positions[3 * mesh.faceVertices[c] + d]);
-    out.faceVertices[c] = c;
-  }
-  return out;
-}
-
 const std::vector<double> kSquare{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Disks with long folded boundaries, whose parts would overlap at the energy minimum.
 #include <cmath>
 
+#include "base/constants.h"
 #include "catch.h"
 #include "check/validity.h"
 #include "support/instrumented.h"
@@ -12,8 +13,6 @@ using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Squares in columns and rows, with a slit every `period` columns, starting at some row.
 class SlitGrid {

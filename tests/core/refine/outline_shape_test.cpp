@@ -5,6 +5,7 @@
 
 #include "abflat/flatten.h"
 #include "abflat/samples.h"
+#include "base/constants.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "check/validity.h"
@@ -17,8 +18,6 @@ using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Places on one side of a grid, without its corners.
 StraightPlaces oneSide(const DiskChart& chart, std::size_t from, std::size_t length) {

@@ -150,6 +150,16 @@ Renumbered renumbered(const PolygonMesh& mesh, unsigned seed) {
   return out;
 }
 
+PolygonMesh exploded(const PolygonMesh& mesh) {
+  PolygonMesh out;
+  out.faceOffsets = mesh.faceOffsets;
+  for (const std::size_t v : mesh.faceVertices) {
+    out.faceVertices.push_back(static_cast<std::uint32_t>(out.faceVertices.size()));
+    out.positions.insert(out.positions.end(), &mesh.positions[3 * v], &mesh.positions[3 * v] + 3);
+  }
+  return out;
+}
+
 PolygonMesh sharedMesh(const std::string& file) {
   const std::string path = std::string(ABFLAT_SHARED_DIR) + "/meshes/" + file;
   std::ifstream in(path, std::ios::binary);

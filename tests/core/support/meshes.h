@@ -44,6 +44,9 @@ struct Renumbered {
 };
 Renumbered renumbered(const PolygonMesh& mesh, unsigned seed);
 
+/// The same mesh with a vertex of its own for each corner.
+PolygonMesh exploded(const PolygonMesh& mesh);
+
 /// A mesh of the shared collection beside the project; empty, with a message, if that folder does
 /// not exist.
 PolygonMesh sharedMesh(const std::string& file);

@@ -3,15 +3,11 @@
 #include <cmath>
 
 #include "solve/cholesky/cholesky.h"
+#include "solve/cholesky/front_kernel.h"
 #include "solve/cholesky/run_tasks.h"
 
 namespace abflat {
 namespace {
-
-/// Numbers set or added up per piece of work.
-constexpr std::size_t kGrain = 1 << 15;
-/// Multiplications within a front that count as one step of a pulse.
-constexpr std::size_t kPerStep = 4096;
 
 /// A finished supernode and its update matrix.
 template <typename Scalar>
@@ -136,14 +132,15 @@ class BasicCholesky<Scalar>::Factorization {
         const auto split =
             static_cast<std::size_t>(std::lower_bound(row, row + size, columns) - row);
         const std::size_t first = toPanel ? 0 : split, count = toPanel ? split : size - split;
-        parallelRanges(pool, count, kGrain / (size + 1) + 1, [&](std::size_t a, std::size_t b) {
-          if (toPanel)
-            extendAdd(children[i].update, size, row, first + a, first + b,
-                      [&](std::uint32_t j) { return panel + j * rows; });
-          else
-            extendAdd(children[i].update, size, row, first + a, first + b,
-                      [&](std::uint32_t j) { return shifted + (j - columns) * below; });
-        });
+        parallelRanges(
+            pool, count, kNumbersPerPiece / (size + 1) + 1, [&](std::size_t a, std::size_t b) {
+              if (toPanel)
+                extendAdd(children[i].update, size, row, first + a, first + b,
+                          [&](std::uint32_t j) { return panel + j * rows; });
+              else
+                extendAdd(children[i].update, size, row, first + a, first + b,
+                          [&](std::uint32_t j) { return shifted + (j - columns) * below; });
+            });
       }
     };
     addChildren(true);
@@ -162,7 +159,7 @@ class BasicCholesky<Scalar>::Factorization {
       return false;
     }
     addChildren(false);
-    beat(owner_.options_.pool, rows * rows * columns / kPerStep + rows);
+    beat(owner_.options_.pool, rows * rows * columns / kMultipliesPerStep + rows);
     return true;
   }
 
@@ -196,7 +193,7 @@ template <typename Scalar>
 void BasicCholesky<Scalar>::assemble(std::uint32_t p, const double* values, ThreadPool* pool) {
   const CholeskySymbolic& s = *symbolic_;
   Scalar* const panel = factor_.get() + s.panelBegin[p];
-  parallelRanges(pool, s.panelBegin[p + 1] - s.panelBegin[p], kGrain,
+  parallelRanges(pool, s.panelBegin[p + 1] - s.panelBegin[p], kNumbersPerPiece,
                  [&](std::size_t a, std::size_t b) { std::fill(panel + a, panel + b, Scalar{0}); });
   for (std::size_t i = s.entriesBegin[p]; i < s.entriesBegin[p + 1]; ++i)
     panel[s.entries[i].target] += static_cast<Scalar>(values[s.entries[i].source]);

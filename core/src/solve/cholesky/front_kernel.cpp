@@ -213,9 +213,8 @@ PivotFailure factorFront(const Front<Scalar>& f, SimdWidth width) {
       strips.eliminate(b);
     else
       kernel.eliminateStrips(b, f);
-    constexpr std::size_t kPerStep = 4096;  // multiplications
     const std::size_t rest = f.rows - b.begin;
-    if (f.pool) f.pool->beat(rest * rest * b.columns / kPerStep);
+    if (f.pool) f.pool->beat(rest * rest * b.columns / kMultipliesPerStep);
   }
   return {f.columns, 0};
 }

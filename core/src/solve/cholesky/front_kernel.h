@@ -22,6 +22,9 @@ struct Front {
   ThreadPool* pool = nullptr;   ///< for the parts of a large front; null: one thread
 };
 
+/// Multiplications within a front that count as one step of a pulse.
+constexpr std::size_t kMultipliesPerStep = 4096;
+
 struct PivotFailure {
   std::size_t column;  ///< of the front; == Front::columns if there is none
   double value;

@@ -14,7 +14,7 @@ constexpr std::uint32_t kMaxLeaf = 2000;
 /// A separator that weighs more than this share of the whole does not help.
 constexpr double kUselessSeparator = 0.5;
 /// Parts of at most this size are ordered by one task: about 5 ms.
-constexpr std::uint32_t kSmallTask = 4000;
+constexpr std::uint32_t kSmallPart = 4000;
 
 struct Part {
   WeightedGraph graph;
@@ -120,7 +120,7 @@ class Dissection {
         continue;
       }
       for (Part* half : {&second, &first})
-        if (whole.graph.size() > kSmallTask)
+        if (whole.graph.size() > kSmallPart)
           addTask(std::move(*half));
         else
           todo.push_back(std::move(*half));
@@ -129,7 +129,7 @@ class Dissection {
 
   /// Orders the separator. False when the part cannot be separated.
   bool divide(const Part& whole, Scratch& scratch, Part& first, Part& second) {
-    ThreadPool* const pool = whole.graph.size() > kSmallTask ? pool_ : nullptr;
+    ThreadPool* const pool = whole.graph.size() > kSmallPart ? pool_ : nullptr;
     const Separation s = separate(whole.graph, pool);
     const auto total = static_cast<double>(s.weight[0] + s.weight[1] + s.weight[2]);
     if (s.weight[0] == 0 || s.weight[1] == 0 ||

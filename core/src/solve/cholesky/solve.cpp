@@ -10,8 +10,6 @@ namespace {
 constexpr std::size_t kTogether = 4;
 /// Right-hand sides that pass through the factor together.
 constexpr std::size_t kMaxSides = 8;
-/// Numbers copied per piece of work.
-constexpr std::size_t kGrain = 1 << 15;
 
 /// Always sixteen bytes, so that sums are the same on every machine.
 template <typename Scalar>
@@ -113,13 +111,13 @@ class Substitution {
         result_(s.tasks.all.size()) {}
 
   void run(double* b) {
-    parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(pool_, x_.size(), kNumbersPerPiece, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         x_[i / s_.size * s_.size + s_.eliminationRank[i % s_.size]] = static_cast<Scalar>(b[i]);
     });
     runUpwards(pool_, s_.tasks.all, [this](std::uint32_t t) { forwardTask(t); });
     runDownwards(pool_, s_.tasks.all, [this](std::uint32_t t) { backwardTask(t); });
-    parallelRanges(pool_, x_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(pool_, x_.size(), kNumbersPerPiece, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         b[i] = x_[i / s_.size * s_.size + s_.eliminationRank[i % s_.size]];
     });

@@ -6,7 +6,7 @@ namespace abflat {
 namespace {
 
 /// A supernode that may still be joined with its parent; sizes in matrix rows.
-struct Panel {
+struct PanelDraft {
   double columns = 0, rows = 0;                ///< `rows` includes the columns
   std::uint32_t firstPlace = 0, endPlace = 0;  ///< own vertices, without those joined to it
   std::uint32_t parent = kNoParent;
@@ -21,8 +21,8 @@ double panelTime(double rows, double columns, const PanelCost& cost) {
 }
 
 /// Largest chains of columns with the same structure.
-std::vector<Panel> fundamentalPanels(const WeightedGraph& g, const EliminationTree& t) {
-  std::vector<Panel> panels;
+std::vector<PanelDraft> fundamentalPanels(const WeightedGraph& g, const EliminationTree& t) {
+  std::vector<PanelDraft> panels;
   std::vector<std::uint32_t> panelOf(g.size());
   for (std::uint32_t j = 0; j < g.size(); ++j) {
     const bool continues =
@@ -36,18 +36,18 @@ std::vector<Panel> fundamentalPanels(const WeightedGraph& g, const EliminationTr
     panels.back().endPlace = j + 1;
     panelOf[j] = static_cast<std::uint32_t>(panels.size() - 1);
   }
-  for (Panel& p : panels)
+  for (PanelDraft& p : panels)
     if (t.parent[p.endPlace - 1] != kNoParent) p.parent = panelOf[t.parent[p.endPlace - 1]];
   return panels;
 }
 
-void joinPanels(std::vector<Panel>& panels, const PanelCost& cost) {
+void joinPanels(std::vector<PanelDraft>& panels, const PanelCost& cost) {
   std::vector<std::vector<std::uint32_t>> children(panels.size());
   for (std::uint32_t s = 0; s < panels.size(); ++s) {
-    Panel& p = panels[s];
+    PanelDraft& p = panels[s];
     // The last child is the one with the most rows in common, as a rule.
     for (std::size_t i = children[s].size(); i-- > 0;) {
-      Panel& c = panels[children[s][i]];
+      PanelDraft& c = panels[children[s][i]];
       const double apart = panelTime(c.rows, c.columns, cost) + panelTime(p.rows, p.columns, cost);
       if (panelTime(c.columns + p.rows, c.columns + p.columns, cost) > apart) continue;
       p.rows += c.columns;
@@ -59,7 +59,8 @@ void joinPanels(std::vector<Panel>& panels, const PanelCost& cost) {
 }
 
 /// Numbers what is left of the panels in postorder and their columns accordingly.
-void numberPanels(const std::vector<Panel>& panels, const EliminationTree& t, Supernodes& out) {
+void numberPanels(const std::vector<PanelDraft>& panels, const EliminationTree& t,
+                  Supernodes& out) {
   const auto n = static_cast<std::uint32_t>(panels.size());
   std::vector<std::uint32_t> top(n);  // the panel it became a part of
   for (std::uint32_t s = n; s-- > 0;)
@@ -118,7 +119,7 @@ void findRows(const WeightedGraph& g, Supernodes& s) {
 
 Supernodes findSupernodes(const WeightedGraph& graph, const EliminationTree& tree,
                           const PanelCost& cost) {
-  std::vector<Panel> panels = fundamentalPanels(graph, tree);
+  std::vector<PanelDraft> panels = fundamentalPanels(graph, tree);
   joinPanels(panels, cost);
   Supernodes s;
   numberPanels(panels, tree, s);

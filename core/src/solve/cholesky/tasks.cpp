@@ -10,7 +10,7 @@ namespace {
 /// Subtrees with at most this share of all work are not divided ...
 constexpr double kSmallShare = 1.0 / 48;
 /// ... nor those with less than these multiplications and additions: about 0.2 ms.
-constexpr double kSmallTask = 1e6;
+constexpr double kSmallWork = 1e6;
 /// What a supernode costs beyond its multiplications and additions, in their time.
 constexpr double kPerSupernode = 1000;
 
@@ -68,7 +68,7 @@ CholeskyTasks divideIntoTasks(const std::vector<std::uint32_t>& parent,
   double total = 0;
   for (std::uint32_t s = 0; s < n; ++s)
     if (parent[s] == kNoParent) total += work[s];
-  const double small = std::max(kSmallTask, kSmallShare * total);
+  const double small = std::max(kSmallWork, kSmallShare * total);
 
   CholeskyTasks out;
   std::vector<std::uint32_t> taskOf(n);
