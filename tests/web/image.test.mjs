@@ -7,6 +7,7 @@ import { madePng } from '../support/made-png.mjs';
 import { BLUE, fourColors, GREEN, oneColor, RED, YELLOW } from '../support/painted.mjs';
 import { CUBE, grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
+import { countTextures, loseContexts, prepareCounting } from './graphics.mjs';
 import { loadModule } from './modules.mjs';
 import { drawn, dropAndWait, dropFiles, metrics, openPage, settled, textOf } from './page.mjs';
 
@@ -188,6 +189,7 @@ test('an image is chosen from the list, by pointer or keyboard, and can be repla
   await page.focus('#shading');
   await page.keyboard.press('ArrowDown');
   assert.equal(await page.inputValue('#shading'), 'ask');
+  assert.equal(await textOf(page, '#run-text'), 'Press Enter to choose an image');
   const other = await ask(() => page.keyboard.press('Enter'));
   assert.equal(await page.inputValue('#shading'), 'image');
   await other.setFiles({ ...picture, name: 'blue.png', buffer: oneColor(BLUE) });
@@ -205,6 +207,31 @@ test('an image is chosen from the list, by pointer or keyboard, and can be repla
   await page.setInputFiles('#file', { ...picture, name: 'again.png' });
   await shows(page, 'again.png');
   assert.deepEqual(await names(page, await screenshot(page, MESH)), ['red']);
+});
+
+test('of images that are dropped fast the last one stays, also while a mesh is opened', async (t) => {
+  const page = await openPage(t, { ...STILL, open: BALL });
+  await dropFiles(page, { 'large.png': oneColor(RED, 2000) });
+  await dropFiles(page, { 'blue.png': oneColor(BLUE) });
+  await dropFiles(page, { 'next.obj': CUBE });
+  await dropFiles(page, { 'four.png': fourColors() });
+  await shows(page, 'four.png');
+  await page.waitForFunction(() => document.querySelector('#source').textContent === 'next.obj');
+  await settled(page);
+  await drawn(page);
+  assert.equal(await textOf(page, '#alert'), '');
+  await assertUpright(page);
+  await shows(page, 'four.png');
+});
+
+test('the next image frees the last one', async (t) => {
+  const page = await openPage(t, { ...STILL, prepare: prepareCounting, open: BALL });
+  const before = await countTextures(page);
+  for (const name of ['red.png', 'blue.png', 'green.png']) {
+    await dropImage(page, name, oneColor(RED));
+    await screenshot(page, MESH);
+    assert.equal(await countTextures(page), before + 2, name);
+  }
 });
 
 test('an image that is pasted is shown', async (t) => {
@@ -320,24 +347,7 @@ test('the picture of both views shows the image', async (t) => {
 test('the image comes back with a lost context', async (t) => {
   const page = await openPage(t, { ...STILL, own: true, open: BALL, expected: /WebGL|Context/ });
   await dropImage(page, 'four.png', fourColors());
-  await page.evaluate(
-    async (ids) => {
-      for (const id of ids) {
-        const canvas = document.querySelector(id);
-        const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
-        const event = (name) =>
-          new Promise((done) => canvas.addEventListener(name, done, { once: true }));
-        const lost = event('webglcontextlost');
-        extension.loseContext();
-        await lost;
-        const restored = event('webglcontextrestored');
-        await new Promise((done) => setTimeout(done));
-        extension.restoreContext();
-        await restored;
-      }
-    },
-    [MESH, LAYOUT],
-  );
+  await loseContexts(page, [MESH, LAYOUT]);
   await drawn(page);
   await assertUpright(page);
   assert.notDeepEqual(await names(page, await screenshot(page, MESH)), []);

@@ -10,12 +10,12 @@ import { type OpenEvents, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { titleOf } from './session/titles';
 import { facesText } from './session/words';
-import { type ImageEvents, ShownImage } from './shown-image';
+import { ShownImage, type ShownImageEvents } from './shown-image';
 import { ShownLook } from './shown-look';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
-export interface MeshesEvents extends Omit<OpenEvents, 'joined' | 'images'>, ImageEvents {
+export interface MeshesEvents extends Omit<OpenEvents, 'joined' | 'images'>, ShownImageEvents {
   /** The mesh of another tab is wanted. */
   switchTo(source: Source): void;
 }

@@ -6,7 +6,7 @@ import type { Views } from './view/views';
 
 export const ownImages = () => loadPart(import('./files/own-image'));
 
-export interface ImageEvents {
+export interface ShownImageEvents {
   say(text: string): void;
   refused(reason: string): void;
 }
@@ -18,9 +18,12 @@ export class ShownImage {
   constructor(
     private readonly views: Views | null,
     private readonly notice: Notice,
-    private readonly events: ImageEvents,
+    private readonly events: ShownImageEvents,
   ) {
-    views?.onImage((file) => void this.open([file]));
+    views?.onImage({
+      imagePicked: (file) => void this.open([file]),
+      imageReached: () => events.say(OWN_IMAGE.pressEnter),
+    });
   }
 
   /** The first of these images; the latest call wins. */

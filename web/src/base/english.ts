@@ -26,6 +26,7 @@ export const SHADINGS = {
 
 /** An image of the user's own. Sizes are width and height in pixels. */
 export const OWN_IMAGE = {
+  pressEnter: 'Press Enter to choose an image',
   shown: (name: string) => `Showing ${name}`,
   oneOfMany: (name: string, images: number) => `You chose ${images} images. ${name} is shown.`,
   scaledDown: (name: string, [width, height]: number[], [most, high]: number[]) =>

@@ -4,6 +4,12 @@ import { SHADINGS } from '../base/english';
 /** Keys with which an entry is chosen; any other key that changes a list only goes through it. */
 const CHOOSING = ['', 'Enter', ' '];
 
+export interface ImageEvents {
+  imagePicked(file: File): void;
+  /** The entry that asks for a file was reached by keys; Enter is still needed. */
+  imageReached(): void;
+}
+
 /**
  * The entries of the list of shadings for an image of the user's own: the image, once there is one,
  * and below it the entry that asks for a file.
@@ -18,7 +24,7 @@ export class ImageChoice {
   constructor(
     private readonly list: HTMLSelectElement,
     private readonly leave: () => void,
-    picked: (file: File) => void,
+    private readonly events: ImageEvents,
   ) {
     list.addEventListener('pointerdown', () => {
       this.key = '';
@@ -35,7 +41,7 @@ export class ImageChoice {
     });
     this.input.addEventListener('change', () => {
       const [file] = this.input.files ?? [];
-      if (file) picked(file);
+      if (file) events.imagePicked(file);
       // So that choosing the same file again still fires a change event.
       this.input.value = '';
     });
@@ -46,9 +52,10 @@ export class ImageChoice {
     return this.list.value === 'ask';
   }
 
-  /** The entry that asks for a file was reached; arrow keys need Enter as well. */
+  /** The entry that asks for a file is chosen now. */
   reached(): void {
     if (CHOOSING.includes(this.key)) this.ask();
+    else this.events.imageReached();
   }
 
   /** Lists the image. */

@@ -69,7 +69,7 @@ const FRAGMENT = /* glsl */ `
       alpha = look.a;
     }
     // The image lies below and is to be seen as it is.
-    if (showsImage) alpha = !gl_FrontFacing ? 0.6 : flag.g > 0.5 || vPiece == lit ? 0.45 : 0.1;
+    if (showsImage) alpha = !gl_FrontFacing ? 0.6 : flag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
     if (!gl_FrontFacing) base = flipped;
     base = mix(base, vec3(1.0), 0.25 * flag.g);
     bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));

@@ -4,14 +4,13 @@ import type { FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
 import { HeatLegend } from './heat-legend';
 import type { Chosen } from './heat-uniforms';
-import { ImageChoice } from './image-choice';
+import { ImageChoice, type ImageEvents } from './image-choice';
 import { isMeasure, type Shading } from './shading';
 
-export interface ShadingEvents {
+export interface ShadingEvents extends ImageEvents {
   changed(shading: Shading): void;
   /** Some triangles of the heat map are lit; null: all. */
   choose(chosen: Chosen | null): void;
-  imagePicked(file: File): void;
 }
 
 /** The list of shadings, and the legend of the heat map that is shown. */
@@ -33,7 +32,7 @@ export class ShadingControl {
     const leave = () => {
       this.list.value = this.shown;
     };
-    this.image = new ImageChoice(this.list, leave, (file) => events.imagePicked(file));
+    this.image = new ImageChoice(this.list, leave, events);
     this.list.addEventListener('change', () => {
       if (this.image.isAsking) this.image.reached();
       else this.chosen();

@@ -12,6 +12,7 @@ import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import type { Bending } from './bending';
 import { type Boundary, boundaryOf, boundMarks, NO_BOUND_MARKS } from './boundary';
 import { type ChartStates, NO_STATES } from './chart-flags';
+import type { ImageEvents } from './image-choice';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
@@ -36,7 +37,7 @@ export class Views {
   /** Pictures that shadings show; each is one for both views. */
   private grid: Texture | null = null;
   private image: { bitmap: ImageBitmap; picture: Texture } | null = null;
-  private picked: (file: File) => void = () => undefined;
+  private imageEvents: ImageEvents | null = null;
   private palette: Palette | null = null;
   private bounds: VertexBounds = [];
   private isMarked = false;
@@ -57,7 +58,8 @@ export class Views {
       choose: (chosen) => {
         for (const view of both) view.choose(chosen);
       },
-      imagePicked: (file) => this.picked(file),
+      imagePicked: (file) => this.imageEvents?.imagePicked(file),
+      imageReached: () => this.imageEvents?.imageReached(),
     });
     for (const { canvas } of both) this.bindKey(canvas);
     bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
@@ -143,9 +145,9 @@ export class Views {
     return this.look?.source === source ? this.look.appearance : null;
   }
 
-  /** `picked` is called when an image is chosen in the list of shadings. */
-  onImage(picked: (file: File) => void): void {
-    this.picked = picked;
+  /** What happens in the list of shadings. */
+  onImage(events: ImageEvents): void {
+    this.imageEvents = events;
   }
 
   /** The most texels along a side of an image. */
