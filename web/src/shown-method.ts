@@ -2,7 +2,6 @@ import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
 import { SHOWN } from './base/english';
 import type { MetricsPanel } from './details/metrics';
-import { toUnitSquare } from './mesh/unit-square';
 import type { Outcome } from './model/model';
 import { ownerOf } from './stale-mark';
 import type { Views } from './view/views';
@@ -27,8 +26,7 @@ export class ShownMethod {
     isStill: () => boolean,
   ): Promise<void> {
     this.method = method;
-    // As the result is, so that pictures have the same size on both.
-    const layout = { ...comparison, uv: toUnitSquare(method.uv, comparison.indices) };
+    const layout = { ...comparison, uv: method.uv };
     const drawing = await this.workshop.layout(layout, outcome.mesh, null);
     if (this.method !== method || !isStill()) return;
     this.note.hidden = false;
