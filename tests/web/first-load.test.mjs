@@ -16,6 +16,7 @@ const LATER = [
   'make-surface',
   'method-table',
   'new-glb',
+  'own-image',
   'plots',
   'solid',
   'writing',

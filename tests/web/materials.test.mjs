@@ -17,6 +17,7 @@ import {
   YELLOW,
 } from '../support/painted.mjs';
 import { CUBE } from '../support/small-meshes.mjs';
+import { countTextures, loseContexts, prepareCounting } from './graphics.mjs';
 import { dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 const MESH = '#mesh-canvas';
@@ -268,39 +269,23 @@ test('on a phone, a mesh with a texture leaves all buttons within reach', async 
   }
 });
 
-/** Counts the textures of both views. */
-function prepareCounting() {
-  globalThis.textures = new Set();
-  const { createTexture, deleteTexture } = WebGL2RenderingContext.prototype;
-  WebGL2RenderingContext.prototype.createTexture = function () {
-    const made = createTexture.call(this);
-    globalThis.textures.add(made);
-    return made;
-  };
-  WebGL2RenderingContext.prototype.deleteTexture = function (texture) {
-    globalThis.textures.delete(texture);
-    return deleteTexture.call(this, texture);
-  };
-}
-
 test('the next mesh frees all textures', async (t) => {
   const page = await openPage(t, {
     ...STILL,
-    prepare: (page) => page.addInitScript(prepareCounting),
+    prepare: prepareCounting,
     open: ['cube.obj', CUBE],
   });
-  const count = () => page.evaluate(() => globalThis.textures.size);
-  const before = await count();
+  const before = await countTextures(page);
   const bytes = await io.writeBinary(document(textured('four', fourColors())));
   for (const name of ['a.glb', 'b.glb']) {
     await dropAndWait(page, name, bytes);
     await withMaterials(page);
     await seen(page, MESH);
     // Corners, materials and images in each view.
-    assert.equal(await count(), before + 6, name);
+    assert.equal(await countTextures(page), before + 6, name);
   }
   await dropAndWait(page, 'cube.obj', CUBE);
-  assert.equal(await count(), before);
+  assert.equal(await countTextures(page), before);
 });
 
 test('textures come back with a lost context', async (t) => {
@@ -308,23 +293,6 @@ test('textures come back with a lost context', async (t) => {
   const page = await openPage(t, { ...STILL, own: true, expected: /WebGL|Context/ });
   await dropAndWait(page, 'square.glb', bytes);
   await withMaterials(page);
-  await page.evaluate(
-    async (ids) => {
-      for (const id of ids) {
-        const canvas = document.querySelector(id);
-        const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
-        const event = (name) =>
-          new Promise((done) => canvas.addEventListener(name, done, { once: true }));
-        const lost = event('webglcontextlost');
-        extension.loseContext();
-        await lost;
-        const restored = event('webglcontextrestored');
-        await new Promise((done) => setTimeout(done));
-        extension.restoreContext();
-        await restored;
-      }
-    },
-    [MESH, LAYOUT],
-  );
+  await loseContexts(page, [MESH, LAYOUT]);
   await assertFourColors(page);
 });

@@ -77,11 +77,12 @@ test('of meshes that are dropped together one is opened, until another one is', 
   assert.equal(await textOf(page, '#notice'), '', 'it belongs to what was dropped before');
 });
 
-test('what is no mesh, or has no faces, leaves the mesh that is open', async (t) => {
+test('what is no mesh, has no faces or is no image leaves the mesh that is open', async (t) => {
   const page = await openPage(t, { open: ['waves.obj', grid(4)] });
   const before = await metrics(page);
   for (const [name, content, reason] of [
-    ['cat.png', 'meow', /^cat\.png is not a mesh\./],
+    ['cat.png', 'meow', /^cat\.png cannot be shown, because it is damaged/],
+    ['cat.mtl', 'newmtl cat\n', /^cat\.mtl is not a mesh\./],
     ['empty.obj', '', /^empty\.obj is empty\./],
     ['words.obj', '# a cube\n', /^words\.obj contains no mesh \(no v or f lines\)\.(\n|$)/],
     ['doc.fbx', 'Kaydara FBX Binary', /^doc\.fbx is not supported\. Use OBJ, .*GLB\./],

@@ -28,6 +28,7 @@ import { Session, type SessionEvents } from './session/session';
 import type { Step } from './session/steps';
 import { titleOf } from './session/titles';
 import { failure, isOnlyPlaced, kept, settingsText } from './session/words';
+import { ownImages } from './shown-image';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
 import { Workshop } from './workshop/workshop';
@@ -56,6 +57,7 @@ export class App implements SessionEvents {
     plots,
     methodTables,
     exportMeshes,
+    ownImages,
   ]);
   /** What the button beside the last run does. */
   private again: () => void = () => this.session.refresh();
@@ -103,6 +105,7 @@ export class App implements SessionEvents {
       },
       switchTo: (source) => void this.session.open(source),
       refused: (reason) => this.refuse(reason),
+      say: this.say,
     });
     bindShortcuts({
       'Ctrl+O': () => element('open', HTMLButtonElement).click(),

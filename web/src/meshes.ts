@@ -10,11 +10,12 @@ import { type OpenEvents, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { titleOf } from './session/titles';
 import { facesText } from './session/words';
+import { ShownImage, type ShownImageEvents } from './shown-image';
 import { ShownLook } from './shown-look';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
-export interface MeshesEvents extends Omit<OpenEvents, 'joined'> {
+export interface MeshesEvents extends Omit<OpenEvents, 'joined' | 'images'>, ShownImageEvents {
   /** The mesh of another tab is wanted. */
   switchTo(source: Source): void;
 }
@@ -28,6 +29,7 @@ export class Meshes {
     oneAtlas: (sources) => this.opening.join(sources),
   });
   private readonly look: ShownLook;
+  private readonly image: ShownImage;
   private readonly welcome = new Welcome();
   private source: Source | null = null;
 
@@ -38,9 +40,11 @@ export class Meshes {
     events: MeshesEvents,
   ) {
     this.look = new ShownLook(workshop, this.notice);
+    this.image = new ShownImage(views, this.notice, events);
     this.tabs = new MeshTabs((source) => events.switchTo(source));
     this.opening = new Opening({
       ...events,
+      images: (files) => void this.image.open(files),
       joined: (sources, signal) => this.joined(sources, signal),
     });
   }

@@ -18,7 +18,24 @@ export const THEME = { use: (theme: string) => `Use the ${theme} theme` };
 
 export const GRID = { notDrawn: 'This browser cannot draw the numbered grid.' };
 
-export const SHADINGS = { materials: 'Materials' };
+export const SHADINGS = {
+  materials: 'Materials',
+  image: (name: string) => `Image: ${name}`,
+  otherImage: 'Other image\u2026',
+};
+
+/** An image of the user's own. Sizes are width and height in pixels. */
+export const OWN_IMAGE = {
+  pressEnter: 'Press Enter to choose an image',
+  shown: (name: string) => `Showing ${name}`,
+  oneOfMany: (name: string, images: number) => `You chose ${images} images. ${name} is shown.`,
+  scaledDown: (name: string, [width, height]: number[], [most, high]: number[]) =>
+    `${name} has ${count(width)} × ${count(height)} pixels, more than your graphics card takes. It is shown with ${count(most)} × ${count(high)}.`,
+  damaged: (name: string) =>
+    `${name} cannot be shown, because it is damaged or too large. Save it again as PNG, JPEG or WebP.`,
+  unknown: (name: string) =>
+    `${name} cannot be shown, because this browser does not decode its format. Save it as PNG, JPEG or WebP.`,
+};
 
 /** `title`: what is measured; values and shares come as texts. */
 export const HEAT_LEGEND = {

@@ -2,6 +2,7 @@ import type { ChartReport } from 'abflat';
 import { chartColors } from '../colors/chart-colors';
 import { boundaryEdges, type DisplayMesh, type FlatMesh, vertexNormals } from '../mesh/mesh';
 import { meshCorners } from '../mesh/source-corners';
+import { toUnitSquare } from '../mesh/unit-square';
 import { weld } from '../mesh/weld';
 import type { LayoutArrays, Unwrapped } from '../model/model';
 import { type Heat, heatOf } from './heat';
@@ -112,8 +113,10 @@ export function flatPicture(
   input: DisplayMesh,
   chart: MarkedChart | null,
 ): FlatPicture {
-  const { uv, indices, vertexMap } = layout;
+  const { indices, vertexMap } = layout;
   const positions = positionsOf(layout, input);
+  // Another method has the size of the mesh; as a result has it, pictures lie on both alike.
+  const uv = chart ? layout.uv : toUnitSquare(layout.uv, indices);
   const mesh = { positions, indices, uv };
   const edges = boundaryEdges(indices);
   const boundary = Uint32Array.from(

@@ -7,6 +7,9 @@ const MESH = /\.(obj|ply|stl|off|gltf|glb)$/i;
 /** What may come with a mesh. */
 const COMPANION = /\.(mtl|bin|png|jpe?g|webp|gif|bmp|tga|tiff?|ktx2?|dds|exr|hdr|txt|seams|json)$/i;
 
+/** Also images that no browser decodes: it is said what to do with them. */
+const IMAGE = /\.(png|jpe?g|webp|gif|bmp|avif|svg|heic|tga|tiff?|ktx2?|dds|exr|hdr|psd|xcf|kra)$/i;
+
 /**
  * The meshes among files, in the order in which they are offered, each with all files that are not
  * meshes. A glTF comes first, as the other files most likely belong to it. A file of unknown type
@@ -23,6 +26,10 @@ export function sourcesOf(files: File[]): FileSource[] {
     together.push({ kind: 'file', name: file.name, file, others, together });
   return together;
 }
+
+/** Whether all of the files are images, which are shown on the mesh that is open. */
+export const areImages = (files: File[]): boolean =>
+  files.every(({ name, type }) => IMAGE.test(name) || type.startsWith('image/'));
 
 /** Why none of the files can be opened. */
 export const noMesh = (files: File[]): string => CHOSEN_FILES.noMesh(files.map(({ name }) => name));

@@ -2,7 +2,7 @@ import { element, isTyping } from '../base/dom';
 import { JOINING } from '../base/english';
 import type { FileSource, Source } from '../model/model';
 import { placeOf } from './address';
-import { noMesh, sourcesOf } from './chosen-files';
+import { areImages, noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';
 import { FromWeb } from './from-web';
 import { type GatherEvents, Gathering } from './gathering';
@@ -14,6 +14,8 @@ export const FIRST_SAMPLE = 'head';
 
 export interface OpenEvents extends Pick<GatherEvents, 'gathering' | 'gathered'> {
   open(source: Source): void;
+  /** Images without a mesh, to be shown on the one that is open. */
+  images(files: File[]): void;
   /** None of the chosen files can be opened; `reason` is for display. */
   refused(reason: string): void;
   /** Makes one file of several meshes. */
@@ -65,7 +67,8 @@ export class Opening {
   private openFiles(files: File[]): void {
     if (files.length === 0) return;
     const [source] = sourcesOf(files);
-    if (source) this.open(source);
+    if (areImages(files)) this.events.images(files);
+    else if (source) this.open(source);
     else this.events.refused(noMesh(files));
   }
 }

@@ -7,7 +7,7 @@ import { heatUniforms, paintHeat } from './heat-uniforms';
 import { LOOK_GLSL, LOOK_VERTEX_GLSL, lookUniforms } from './look-shader';
 import { CHART_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
 import { NONE_LIT } from './surface-material';
-import { GRID_GLSL } from './uv-grid';
+import { PICTURE_GLSL } from './uv-picture';
 
 const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
@@ -40,10 +40,10 @@ const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
   ${HEAT_GLSL}
   ${CHART_GLSL}
-  ${GRID_GLSL}
+  ${PICTURE_GLSL}
   ${FLAGS_GLSL}
   ${LOOK_GLSL}
-  uniform bool showsHeat, showsCharts, showsGrid, showsMaterials;
+  uniform bool showsHeat, showsCharts, showsGrid, showsMaterials, showsImage;
   uniform vec2 uvMiddle;
   uniform float uvUnit;
   uniform float pixelRatio, lit;
@@ -59,7 +59,7 @@ const FRAGMENT = /* glsl */ `
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
     if (showsHeat) base = heatColor(vHeat);
-    if (showsGrid) base = gridColor(uvMiddle + uvUnit * vPlace);
+    if (showsGrid) base = pictureColor(uvMiddle + uvUnit * vPlace).rgb;
     bool isPainted = showsHeat || showsCharts || showsGrid;
     float alpha = isPainted ? 0.9 : 0.75;
     if (showsMaterials) {
@@ -68,12 +68,14 @@ const FRAGMENT = /* glsl */ `
       base = look.rgb;
       alpha = look.a;
     }
+    // The image lies below and is to be seen as it is.
+    if (showsImage) alpha = !gl_FrontFacing ? 0.6 : flag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
     if (!gl_FrontFacing) base = flipped;
     base = mix(base, vec3(1.0), 0.25 * flag.g);
     bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));
-    if (isDim) alpha = 0.25;
+    if (isDim) alpha = showsImage ? 0.0 : 0.25;
     float line = edgeCoverage(vCorner, pixelRatio) * (isPainted ? 0.45 : 0.85);
-    if (showsMaterials) line = 0.0; // only the outlines of charts lie above the picture
+    if (showsMaterials || showsImage) line = 0.0; // only the outlines of charts lie above the picture
     gl_FragColor = vec4(mix(base, lines, line), mix(alpha, min(1.0, 2.0 * alpha), line));
     #include <colorspace_fragment>
   }
@@ -95,13 +97,14 @@ export function createLayoutMaterial(): ShaderMaterial {
       showsGrid: { value: false },
       showsCharts: { value: false },
       showsMaterials: { value: false },
+      showsImage: { value: false },
       pixelRatio: { value: 1 },
       lit: { value: NONE_LIT },
       fill: { value: new Color() },
       edge: { value: new Color() },
       flipped: { value: new Color() },
       ...heatUniforms(),
-      grid: { value: null },
+      picture: { value: null },
       uvMiddle: { value: new Vector2() },
       uvUnit: { value: 1 },
       flags: { value: null },

@@ -1,4 +1,4 @@
-import { OrthographicCamera, Scene } from 'three';
+import { OrthographicCamera, Scene, type Texture } from 'three';
 import { type Box, middleOf } from '../arrange/charts';
 import { inPlane, type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
@@ -13,6 +13,7 @@ import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { LookTextures } from './look-textures';
 import { PanZoom } from './pan-zoom';
+import { PictureSheet } from './picture-sheet';
 import { PinLayer } from './pin-layer';
 import { DOT, OWN_BOUND, PointMarks, RING } from './point-marks';
 import { isMeasure, type Shading } from './shading';
@@ -21,7 +22,6 @@ import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
 import { TileLabels } from './tile-labels';
-import { gridTexture } from './uv-grid';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
@@ -38,6 +38,7 @@ export class LayoutView {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
+  private readonly sheet = new PictureSheet(this.material);
   private readonly surface: SlicedSurface;
   private readonly picker: ChartPicker;
   private readonly flags: ChartFlags;
@@ -53,6 +54,8 @@ export class LayoutView {
   private readonly panZoom: PanZoom;
   /** Size of the shown layout, which is centred on 0 and whose longer side is 1. */
   private size: [number, number] = [1, 1];
+  /** 0: it is in one piece. */
+  private tiles = 0;
   /** In uv: the point at 0 of the plane, and the length of the plane's unit. */
   private middle: [number, number] = [0, 0];
   private unit = 1;
@@ -91,6 +94,7 @@ export class LayoutView {
     this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
     this.pins = new PinLayer(this.surface, this.material, this.edges);
     this.scene.add(
+      this.sheet.object,
       this.frame.object,
       this.surface.object,
       ...this.edges.objects,
@@ -111,6 +115,7 @@ export class LayoutView {
     this.unit = layout.unit;
     this.middle = layout.middle;
     this.size = layout.size;
+    this.tiles = layout.tiles;
     this.frames = layout.frames;
     if (isNew || this.isFitted) this.fit();
     else this.stage.invalidate();
@@ -132,12 +137,14 @@ export class LayoutView {
     this.rings.show(layout.rings);
     this.frame.show(layout.tileSides);
     this.labels.show(layout.tiles);
+    this.sheet.show(layout.tiles);
   }
 
   private colorBoundary(): void {
     if (!this.palette) return;
     // What is dark on charts is not seen on every picture.
-    const isDark = this.isAtlas && !this.material.uniforms.showsMaterials.value;
+    const { showsMaterials, showsImage } = this.material.uniforms;
+    const isDark = this.isAtlas && !showsMaterials.value && !showsImage.value;
     this.edges.boundary.setColor(isDark ? this.palette.seam : this.palette.boundary);
   }
 
@@ -158,18 +165,27 @@ export class LayoutView {
   /** How the laid out mesh looks in its file; null if that is not known. */
   setAppearance(appearance: Appearance | null): void {
     this.textures.show(appearance);
-    this.setShading(this.shading);
+    this.paint();
   }
 
-  setShading(shading: Shading): void {
-    const { uniforms } = this.material;
+  /** `picture`: what a shading needs that shows one. */
+  setShading(shading: Shading, picture: Texture | null): void {
     this.shading = shading;
+    this.material.uniforms.picture.value = picture;
+    this.paint();
+    if (this.isFitted) this.fit();
+  }
+
+  private paint(): void {
+    const { uniforms } = this.material;
+    const { shading } = this;
     uniforms.showsMaterials.value = shading === 'materials' && !this.textures.isEmpty;
+    uniforms.showsImage.value = shading === 'image';
+    this.sheet.object.visible = shading === 'image';
     this.colorBoundary();
     uniforms.showsHeat.value = isMeasure(shading);
     uniforms.showsGrid.value = shading === 'grid';
     if (isMeasure(shading)) showMeasure(this.material, shading);
-    if (shading === 'grid') uniforms.grid.value ??= gridTexture();
     this.stage.invalidate();
   }
 
@@ -301,7 +317,12 @@ export class LayoutView {
   }
 
   fit(): void {
-    this.look(0, 0, this.size);
+    const { unit, tiles } = this;
+    const [u, v] = this.middle;
+    // A layout in one piece need not fill the square that its image does.
+    if (this.shading === 'image' && tiles === 0)
+      this.look((0.5 - u) / unit, (0.5 - v) / unit, [1 / unit, 1 / unit]);
+    else this.look(0, 0, this.size);
     this.isFitted = true;
   }
 

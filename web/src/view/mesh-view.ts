@@ -1,4 +1,4 @@
-import { PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
+import { PerspectiveCamera, Scene, Spherical, type Texture, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Palette } from '../colors/palette';
 import { type Direction, frontOf } from '../drawing/front';
@@ -18,7 +18,6 @@ import { type Pixel, Sight } from './sight';
 import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
-import { gridTexture } from './uv-grid';
 
 const FIELD_OF_VIEW = 32;
 /** Fraction of the view's width or height that a fitted mesh fills. */
@@ -135,6 +134,11 @@ export class MeshView {
     return this.stage.picture();
   }
 
+  /** The most texels along a side of a picture. */
+  get mostTexels(): number {
+    return this.stage.renderer.capabilities.maxTextureSize;
+  }
+
   /** What the camera sees now. */
   get sight(): Sight {
     return new Sight(this.camera, this.stage.width, this.stage.height);
@@ -159,7 +163,8 @@ export class MeshView {
   private colorBoundary(): void {
     if (!this.palette) return;
     // What is dark on charts is not seen on every picture.
-    const isDark = this.isAtlas && this.material.uniforms.paint.value !== SurfacePaint.Materials;
+    const isOnPicture = this.shading === 'image' || this.paintOfMesh === SurfacePaint.Materials;
+    const isDark = this.isAtlas && !isOnPicture;
     this.edges.boundary.setColor(isDark ? this.palette.seam : this.palette.boundary);
   }
 
@@ -179,10 +184,11 @@ export class MeshView {
     this.paint();
   }
 
-  setShading(shading: Shading): void {
+  /** `picture`: what a shading needs that shows one. */
+  setShading(shading: Shading, picture: Texture | null): void {
     this.shading = shading;
     if (isMeasure(shading)) showMeasure(this.material, shading);
-    if (shading === 'grid') this.material.uniforms.grid.value ??= gridTexture();
+    this.material.uniforms.picture.value = picture;
     this.paint();
   }
 
@@ -272,7 +278,7 @@ export class MeshView {
 
   private get paintOfLayout(): SurfacePaint {
     if (isMeasure(this.shading)) return SurfacePaint.Heat;
-    if (this.shading === 'grid') return SurfacePaint.Grid;
+    if (this.shading === 'grid' || this.shading === 'image') return SurfacePaint.Picture;
     return this.paintOfMesh || this.flatPaint;
   }
 

@@ -4,7 +4,14 @@ import type { FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
 import { HeatLegend } from './heat-legend';
 import type { Chosen } from './heat-uniforms';
+import { ImageChoice, type ImageEvents } from './image-choice';
 import { isMeasure, type Shading } from './shading';
+
+export interface ShadingEvents extends ImageEvents {
+  changed(shading: Shading): void;
+  /** Some triangles of the heat map are lit; null: all. */
+  choose(chosen: Chosen | null): void;
+}
 
 /** The list of shadings, and the legend of the heat map that is shown. */
 export class ShadingControl {
@@ -14,18 +21,29 @@ export class ShadingControl {
   private readonly materials = new Option(SHADINGS.materials, 'materials');
   /** Whether a mesh with materials appears with them. */
   private wantsMaterials = true;
+  private readonly image: ImageChoice;
+  /** In the views. */
+  private shown: Shading = 'plain';
   /** Was shown before charts. */
   private other: Shading = 'grid';
 
-  constructor(
-    private readonly changed: (shading: Shading) => void,
-    choose: (chosen: Chosen | null) => void,
-  ) {
-    this.legend = new HeatLegend(choose);
+  constructor(private readonly events: ShadingEvents) {
+    this.legend = new HeatLegend((chosen) => events.choose(chosen));
+    const leave = () => {
+      this.list.value = this.shown;
+    };
+    this.image = new ImageChoice(this.list, leave, events);
     this.list.addEventListener('change', () => {
-      if (this.hasMaterials) this.wantsMaterials = this.shading === 'materials';
-      this.update();
+      if (this.image.isAsking) this.image.reached();
+      else this.chosen();
     });
+  }
+
+  /** By the user. */
+  private chosen(): void {
+    const shading = this.list.value as Shading;
+    if (this.hasMaterials) this.wantsMaterials = shading === 'materials';
+    this.use(shading);
   }
 
   private get hasMaterials(): boolean {
@@ -34,22 +52,24 @@ export class ShadingControl {
 
   /** Lists the materials of the mesh if it has any; `shows`: whether it appears with them. */
   offerMaterials(hasAny: boolean, shows: boolean): void {
-    if (!hasAny && this.shading === 'materials') this.list.value = 'plain';
     if (hasAny) this.list.options[0].after(this.materials);
-    else this.materials.remove();
-    this.other = hasAny ? 'materials' : 'grid';
-    if (shows && this.wantsMaterials && this.shading === 'plain') this.list.value = 'materials';
-    this.update();
+    if (this.other !== 'image') this.other = hasAny ? 'materials' : 'grid';
+    const isGone = !hasAny && this.shown === 'materials';
+    const isFirst = shows && this.wantsMaterials && this.shown === 'plain';
+    this.use(isGone ? 'plain' : isFirst ? 'materials' : this.shown);
+    if (!hasAny) this.materials.remove();
+  }
+
+  /** Lists the image and shows it. */
+  offerImage(name: string): void {
+    this.image.offer(name);
+    this.use('image');
   }
 
   /** From charts to the last other shading, and back. */
   toggle(): void {
-    this.list.value = this.shading === 'plain' ? this.other : 'plain';
-    this.list.dispatchEvent(new Event('change'));
-  }
-
-  get shading(): Shading {
-    return this.list.value as Shading;
+    this.list.value = this.shown === 'plain' ? this.other : 'plain';
+    this.chosen();
   }
 
   /** Of another layout. */
@@ -59,20 +79,21 @@ export class ShadingControl {
   }
 
   showWorst(measure: Measure): void {
-    this.list.value = measure;
-    this.update();
+    this.use(measure);
     this.legend.showWorst();
   }
 
-  private update(): void {
-    if (this.shading !== 'plain') this.other = this.shading;
-    this.changed(this.shading);
+  private use(shading: Shading): void {
+    this.list.value = shading;
+    this.shown = shading;
+    if (shading !== 'plain') this.other = shading;
+    this.events.changed(shading);
     this.showLegend();
   }
 
   private showLegend(): void {
-    const { shading, spreads } = this;
-    if (isMeasure(shading) && spreads) this.legend.show(shading, spreads[shading]);
+    const { shown, spreads } = this;
+    if (isMeasure(shown) && spreads) this.legend.show(shown, spreads[shown]);
     else this.legend.hide();
   }
 }

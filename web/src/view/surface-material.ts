@@ -5,7 +5,7 @@ import { FLAGS_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
 import { LOOK_GLSL, LOOK_VERTEX_GLSL, lookUniforms } from './look-shader';
 import { CHART_GLSL, CHECKER_GLSL, CORNER_GLSL, EDGE_GLSL, HEAT_GLSL } from './shader-parts';
-import { GRID_GLSL } from './uv-grid';
+import { PICTURE_GLSL } from './uv-picture';
 
 /** What the surface is painted with. */
 export const SurfacePaint = {
@@ -13,7 +13,7 @@ export const SurfacePaint = {
   Checker: 1,
   Heat: 2,
   Charts: 3,
-  Grid: 4,
+  Picture: 4,
   Materials: 5,
 } as const;
 export type SurfacePaint = (typeof SurfacePaint)[keyof typeof SurfacePaint];
@@ -53,7 +53,7 @@ const FRAGMENT = /* glsl */ `
   ${HEAT_GLSL}
   ${CHECKER_GLSL}
   ${CHART_GLSL}
-  ${GRID_GLSL}
+  ${PICTURE_GLSL}
   ${FLAGS_GLSL}
   ${LOOK_GLSL}
   uniform int paint;
@@ -90,7 +90,10 @@ const FRAGMENT = /* glsl */ `
     if (paint == 1) base = mix(checkB, checkA, checker(vUv));
     if (paint == 2) base = heatColor(vHeat);
     if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
-    if (paint == 4) base = gridColor(uvOrigin + uvCell * vUv);
+    if (paint == 4) {
+      vec4 texel = pictureColor(uvOrigin + uvCell * vUv);
+      base = mix(clay, texel.rgb, texel.a);
+    }
     if (paint == 5) {
       vec4 look = lookColor(dx, dy, isUnlit);
       if (isLeftOut(look.a)) discard;
@@ -137,7 +140,7 @@ export function createSurfaceMaterial(): ShaderMaterial {
       back: { value: new Color() },
       wireColor: { value: new Color() },
       ...heatUniforms(),
-      grid: { value: null },
+      picture: { value: null },
       uvOrigin: { value: new Vector2() },
       uvCell: { value: 1 },
       flags: { value: null },

@@ -1,5 +1,6 @@
-import { CanvasTexture, RepeatWrapping, SRGBColorSpace } from 'three';
+import type { Texture } from 'three';
 import { GRID } from '../base/english';
+import { uvPicture } from './uv-picture';
 
 /** Cells along a side of the unit square of uv. */
 const CELLS = 8;
@@ -7,14 +8,7 @@ const CELLS = 8;
 const CELL = 128;
 
 /** Numbered cells, each with its own colour and an upright label: a part that is turned, mirrored or stretched shows it. */
-export function gridTexture(): CanvasTexture {
-  const texture = new CanvasTexture(drawGrid());
-  texture.wrapS = RepeatWrapping;
-  texture.wrapT = RepeatWrapping;
-  texture.anisotropy = 8;
-  texture.colorSpace = SRGBColorSpace;
-  return texture;
-}
+export const gridPicture = (): Texture => uvPicture(drawGrid());
 
 function drawGrid(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
@@ -39,10 +33,3 @@ function drawCell(context: CanvasRenderingContext2D, row: number, column: number
   context.fillStyle = 'rgb(20 24 30 / 80%)';
   context.fillText(`${'ABCDEFGH'[column]}${row + 1}`, x + CELL / 2, y + CELL / 2);
 }
-
-export const GRID_GLSL = /* glsl */ `
-  uniform sampler2D grid;
-  vec3 gridColor(vec2 uv) {
-    return texture2D(grid, uv).rgb;
-  }
-`;

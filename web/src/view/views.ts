@@ -1,3 +1,4 @@
+import type { Texture } from 'three';
 import type { Box } from '../arrange/charts';
 import type { Motion, Point } from '../arrange/motion';
 import { bindToggle, element } from '../base/dom';
@@ -11,11 +12,15 @@ import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import type { Bending } from './bending';
 import { type Boundary, boundaryOf, boundMarks, NO_BOUND_MARKS } from './boundary';
 import { type ChartStates, NO_STATES } from './chart-flags';
+import type { ImageEvents } from './image-choice';
 import { LayoutView } from './layout-view';
 import { type Marked, showMarksLegend } from './marks-legend';
 import { MeshView } from './mesh-view';
+import type { Shading } from './shading';
 import { ShadingControl } from './shading-control';
 import type { Pixel } from './sight';
+import { gridPicture } from './uv-grid';
+import { uvPicture } from './uv-picture';
 
 export type ViewName = 'mesh' | 'layout';
 
@@ -29,6 +34,10 @@ export class Views {
   /** Of the mesh that was opened last; null if it is not known. */
   private look: { source: Source; appearance: Appearance } | null = null;
   private readonly shading: ShadingControl;
+  /** Pictures that shadings show; each is one for both views. */
+  private grid: Texture | null = null;
+  private image: { bitmap: ImageBitmap; picture: Texture } | null = null;
+  private imageEvents: ImageEvents | null = null;
   private palette: Palette | null = null;
   private bounds: VertexBounds = [];
   private isMarked = false;
@@ -41,14 +50,17 @@ export class Views {
     this.mesh = new MeshView(element('mesh-canvas', HTMLCanvasElement), reducedMotion);
     this.layout = new LayoutView(element('layout-canvas', HTMLCanvasElement));
     const both = [this.mesh, this.layout];
-    this.shading = new ShadingControl(
-      (shading) => {
-        for (const view of both) view.setShading(shading);
+    this.shading = new ShadingControl({
+      changed: (shading) => {
+        const picture = this.pictureOf(shading);
+        for (const view of both) view.setShading(shading, picture);
       },
-      (chosen) => {
+      choose: (chosen) => {
         for (const view of both) view.choose(chosen);
       },
-    );
+      imagePicked: (file) => this.imageEvents?.imagePicked(file),
+      imageReached: () => this.imageEvents?.imageReached(),
+    });
     for (const { canvas } of both) this.bindKey(canvas);
     bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
     const turnRound = () => this.mesh.turnRound();
@@ -131,6 +143,32 @@ export class Views {
 
   private lookOf(source: Source | null): Appearance | null {
     return this.look?.source === source ? this.look.appearance : null;
+  }
+
+  /** What happens in the list of shadings. */
+  onImage(events: ImageEvents): void {
+    this.imageEvents = events;
+  }
+
+  /** The most texels along a side of an image. */
+  get mostTexels(): number {
+    return this.mesh.mostTexels;
+  }
+
+  /** Shows an image in the unit square of uv; the last one is freed. */
+  showImage(name: string, bitmap: ImageBitmap): void {
+    const before = this.image;
+    this.image = { bitmap, picture: uvPicture(bitmap) };
+    this.shading.offerImage(name);
+    before?.picture.dispose();
+    before?.bitmap.close();
+  }
+
+  private pictureOf(shading: Shading): Texture | null {
+    if (shading === 'image') return this.image?.picture ?? null;
+    if (shading !== 'grid') return null;
+    this.grid ??= gridPicture();
+    return this.grid;
   }
 
   /** Highlights one chart; null: none. */
