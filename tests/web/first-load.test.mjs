@@ -17,6 +17,7 @@ const LATER = [
   'method-table',
   'new-glb',
   'plots',
+  'seam-painter',
   'solid',
   'writing',
 ];
