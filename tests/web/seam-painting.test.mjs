@@ -10,7 +10,26 @@ import { CANVAS, drawn, edited, hint, STILL } from './seam-page.mjs';
 
 const N = 6;
 const GRID = ['grid.obj', grid(N).replace(/^(v \S+ \S+) \S+$/gm, '$1 0')];
-const openGrid = (t, options) => openPage(t, { ...STILL, ...options, open: GRID });
+async function openGrid(t, options) {
+  const page = await openPage(t, { ...STILL, ...options, open: GRID });
+  await ready(page);
+  return page;
+}
+
+/** What paints is loaded after the first layout. */
+async function ready(page) {
+  await page.waitForFunction(async () => {
+    const canvas = document.querySelector('#mesh-canvas');
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const how = { pointerType: 'mouse', isPrimary: true, bubbles: true };
+    const [clientX, clientY] = [left + 0.5 * width, top + 0.7 * height];
+    canvas.dispatchEvent(new PointerEvent('pointermove', { ...how, clientX, clientY }));
+    await new Promise((done) => requestAnimationFrame(done));
+    return /^Vertex/.test(document.querySelector('#seam-hint').textContent);
+  });
+  await page.mouse.move(0, 0);
+  await page.dispatchEvent(CANVAS, 'pointerleave');
+}
 
 const charts = async (page) => Number((await metrics(page)).Charts);
 const history = (page) => page.locator('#history').evaluate((list) => list.textContent);
@@ -197,6 +216,7 @@ test('with Join or Alt a stroke erases edge by edge', async (t) => {
 
 test('seams that charts need are not erased', async (t) => {
   const page = await openPage(t, { ...STILL, open: ['torus.obj', objText(torus(24, 12))] });
+  await ready(page);
   await page.click('#seam-join');
   const box = await page.locator(CANVAS).boundingBox();
   const erase = async () => {

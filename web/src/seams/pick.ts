@@ -41,6 +41,25 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
 }
 
+/** Those of some vertices that a vertex under one of several pixels could be snapped to. */
+export function withinReach(
+  solid: Solid,
+  sight: Sight,
+  pixels: Pixel[],
+  vertices: Iterable<number>,
+): number[] {
+  const [xs, ys] = [pixels.map(({ x }) => x), pixels.map(({ y }) => y)];
+  const [left, right] = [Math.min(...xs) - REACH, Math.max(...xs) + REACH];
+  const [top, bottom] = [Math.min(...ys) - REACH, Math.max(...ys) + REACH];
+  const found: number[] = [];
+  for (const v of vertices) {
+    const pixel = sight.pixel(solid.points, v);
+    if (!pixel || pixel.x < left || pixel.x > right || pixel.y < top || pixel.y > bottom) continue;
+    found.push(v);
+  }
+  return found;
+}
+
 /** Those of some points (xyz each) that are within a radius around a pixel, and visible. */
 export function pointsAround(
   solid: Solid,

@@ -65,7 +65,7 @@ export class SeamPainter {
       tool === 'cut'
         ? new CutStroke(model, targets, this.pathsOf(model.graph), place)
         : new JoinStroke(model, targets);
-    if (tool === 'join') this.stroke.follow(at, this.view.sight);
+    if (tool === 'join') this.stroke.follow([at], this.view.sight);
     return true;
   }
 
@@ -77,9 +77,7 @@ export class SeamPainter {
   private move(along: Pixel[]): void {
     const { stroke } = this;
     if (!stroke) return;
-    const { sight } = this.view;
-    // What cannot be reached is looked for only once each time.
-    along.every((at) => stroke.follow(at, sight));
+    stroke.follow(along, this.view.sight);
     this.events.shown(stroke.marks, stroke.hint);
   }
 

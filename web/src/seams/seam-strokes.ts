@@ -2,20 +2,20 @@ import { SEAMS } from '../base/english';
 import type { NearbyPaths } from '../surface/nearby-paths';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel, Sight } from '../view/sight';
-import { edgesUnder } from './pick';
+import { edgesUnder, withinReach } from './pick';
 import type { SeamModel } from './seam-model';
 import { endsOf, placeAt, type Targets } from './seam-targets';
 import { Trail } from './trail';
 
-/** So many take only a few milliseconds. */
-const MOST_PLACES = 1 << 14;
+/** So many take only a few milliseconds, and reach far. */
+const MOST_PLACES = 1 << 13;
 
 /** Seams that are drawn by one drag, and changed at its end. */
 export interface SeamStroke {
   readonly marks: SeamMarks;
   readonly hint: string;
-  /** Goes on to a pixel; false: that is too far away, at least for now. */
-  follow(at: Pixel, sight: Sight): boolean;
+  /** Goes on along these pixels. */
+  follow(along: Pixel[], sight: Sight): void;
   /** Returns how many edges it has changed. */
   finish(): number;
   /** What it has done. */
@@ -44,14 +44,22 @@ export class CutStroke implements SeamStroke {
     return SEAMS.painting(new Set(this.trail.edges).size);
   }
 
-  follow(at: Pixel, sight: Sight): boolean {
+  /** As far as that is quick: the rest may come nearer later. */
+  follow(along: Pixel[], sight: Sight): void {
     const { trail, targets, model } = this;
     // It meets itself where it comes near, so that it can close a loop, and go back.
-    const place = placeAt(model, sight, at, [...targets.places, ...trail.places]);
-    if (place < 0) return true;
-    const path = this.paths.between(trail.end, place, MOST_PLACES);
-    if (path) trail.follow(path);
-    return path !== null;
+    const wanted = [...targets.places, ...trail.places];
+    const near = withinReach(model.surface.solid, sight, along, wanted);
+    const known = trail.places.length;
+    let left = MOST_PLACES;
+    for (const at of along) {
+      const place = placeAt(model, sight, at, [...near, ...trail.places.slice(known)]);
+      if (place < 0 || place === trail.end) continue;
+      const path = this.paths.between(trail.end, place, left);
+      if (!path) return;
+      trail.follow(path);
+      left -= this.paths.reached;
+    }
   }
 
   finish(): number {
@@ -82,11 +90,11 @@ export class JoinStroke implements SeamStroke {
     return length === 0 && size > 0 ? SEAMS.neededHere(size) : SEAMS.erasing(length);
   }
 
-  follow(at: Pixel, sight: Sight): boolean {
+  follow(along: Pixel[], sight: Sight): void {
     const { graph, surface } = this.model;
-    for (const edge of edgesUnder(surface.solid, sight, at, graph.ends, this.targets.seams))
-      this.met.add(edge);
-    return true;
+    for (const at of along)
+      for (const edge of edgesUnder(surface.solid, sight, at, graph.ends, this.targets.seams))
+        this.met.add(edge);
   }
 
   finish(): number {

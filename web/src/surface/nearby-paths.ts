@@ -13,6 +13,8 @@ export class NearbyPaths {
   private readonly heap: MinHeap;
   /** The places that the last search has met. */
   private met: number[] = [];
+  /** How many places the last search has reached. */
+  reached = 0;
 
   constructor(private readonly graph: SurfaceGraph) {
     const { length } = graph.places;
@@ -24,7 +26,7 @@ export class NearbyPaths {
   /** The edges from one place to another; null if that is not among the `most` nearest ones. */
   between(from: number, to: number, most: number): number[] | null {
     this.begin(from);
-    for (let i = 0; i < most; ++i) {
+    for (this.reached = 0; this.reached < most; ++this.reached) {
       const place = this.heap.take();
       if (place === undefined) return null;
       if (place === to) return this.pathTo(to);
