@@ -18,6 +18,7 @@ const LATER = [
   'new-glb',
   'own-image',
   'plots',
+  'seam-painter',
   'solid',
   'writing',
 ];

@@ -73,6 +73,14 @@ test('Seams: each key does what the sheet says', async (t) => {
       await page.keyboard.up('Alt');
       await drawn(page);
     },
+    C: async () => {
+      for (const state of ['true', 'false']) {
+        await page.keyboard.press('c');
+        assert.equal(await page.getAttribute('#seam-paint', 'aria-pressed'), state);
+      }
+    },
+    // Painted with in seam-painting.test.mjs.
+    Ctrl: async () => undefined,
     Shift: async () => {
       for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowUp');
       await cut('Shift+');

@@ -1,6 +1,6 @@
 import { pointsAround } from './seams/pick';
 import type { Solid } from './surface/solid';
-import type { Pixel } from './view/sight';
+import { type Pixel, pixelOn } from './view/sight';
 import type { ViewName, Views } from './view/views';
 
 export interface BrushEvents {
@@ -63,7 +63,7 @@ export class BoundBrush {
   private begin(view: ViewName, canvas: HTMLElement, event: PointerEvent): boolean {
     if (this.stroke) return true; // another finger
     if (event.button !== 0 || !event.isPrimary) return false;
-    const at = pixelOf(canvas, event);
+    const at = pixelOn(canvas, event);
     const vertices = this.verticesAround(view, at);
     if (vertices.size === 0) return false;
     canvas.focus();
@@ -79,13 +79,13 @@ export class BoundBrush {
     if (!stroke) {
       if (event.buttons === 0 && event.pointerType !== 'touch')
         this.events.aimed(
-          this.verticesAround(view, pixelOf(canvas, event)),
+          this.verticesAround(view, pixelOn(canvas, event)),
           this.events.erases(event.altKey),
         );
       return false;
     }
     if (stroke.pointer !== event.pointerId) return true;
-    const to = pixelOf(canvas, event);
+    const to = pixelOn(canvas, event);
     for (const at of pixelsBetween(stroke.at, to))
       for (const vertex of this.verticesAround(view, at)) stroke.vertices.add(vertex);
     stroke.at = to;
@@ -142,9 +142,4 @@ function pixelsBetween(from: Pixel, to: Pixel): Pixel[] {
     const share = (i + 1) / steps;
     return { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
   });
-}
-
-function pixelOf(canvas: HTMLElement, { clientX, clientY }: PointerEvent): Pixel {
-  const { left, top } = canvas.getBoundingClientRect();
-  return { x: clientX - left, y: clientY - top };
 }

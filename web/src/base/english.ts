@@ -803,8 +803,11 @@ export const SEAM_SOURCES = {
 export const SEAMS = {
   toCut: 'Click a vertex to start a cut, double-click an edge to cut its loop',
   toJoin: 'Click a seam to join its sides',
+  toPaint: 'Drag over the mesh to paint a seam',
+  toErase: 'Drag over seams to erase them',
   toSelect: 'Click a chart to select it',
   startHere: (vertex: number) => `Vertex ${vertex}: start a cut`,
+  paintHere: (vertex: number) => `Vertex ${vertex}: drag to paint a seam, or click to start a cut`,
   orCutLoop: (start: string, edges: number) =>
     `${start}. Double-click: cut a loop of ${counted(edges, 'edge')}`,
   cutTo: (from: number, to: number, edges: number, length: number) =>
@@ -821,6 +824,14 @@ export const SEAMS = {
   cancelled: 'Cut cancelled',
   joined: (edges: number) => `Joined ${counted(edges, 'edge')}`,
   needed: 'This seam is needed to keep its chart a disk',
+  painting: (edges: number) => `Painting ${counted(edges, 'edge')} as seam, Esc cancels`,
+  painted: (edges: number) => `Painted ${counted(edges, 'edge')} as seam`,
+  /** Along boundaries and seams only. */
+  nothingPainted: 'There is nothing to cut along this stroke',
+  erasing: (edges: number) => `Erasing ${counted(edges, 'seam edge')}, Esc cancels`,
+  erased: (edges: number) => `Erased ${counted(edges, 'seam edge')}`,
+  nothingErased: 'There is no seam under this stroke',
+  strokeCancelled: 'Stroke cancelled',
   cutFurther: 'Cut further',
   /** Edges that are not cut yet. */
   sharp: (edges: number, degrees: number) =>
@@ -955,7 +966,9 @@ export const HELP = {
     middle: 'Click in the middle of the view',
     goOn: 'Continue a cut; remove a single edge',
     otherTool: 'Join in place of Cut, Cut in place of Join',
-    cancel: 'Cancel the cut',
+    paint: 'Paint a seam; with Join, erase seams',
+    togglePaint: 'Paint by dragging alone, or stop that',
+    cancel: 'Cancel the cut or the stroke',
   },
   bounds: {
     title: 'Bounds',
@@ -1025,6 +1038,7 @@ export const GESTURES = {
   altClick: 'Alt-click',
   dragBoundary: 'drag along the boundary',
   altDrag: 'Alt-drag',
+  ctrlDrag: 'Ctrl-drag over the mesh',
   dragMoves: 'drag moves',
   number: 'a number',
   dropFile: 'drop a file',

@@ -75,6 +75,8 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['Enter', 'Space'], does: HELP.seams.middle },
       { keys: ['Shift'], gestures: GESTURES.shiftClick, does: HELP.seams.goOn },
       { keys: ['Alt'], gestures: GESTURES.altClick, does: HELP.seams.otherTool },
+      { keys: ['Ctrl'], gestures: GESTURES.ctrlDrag, does: HELP.seams.paint },
+      { keys: ['C'], does: HELP.seams.togglePaint },
       { keys: ['Escape'], does: HELP.seams.cancel },
     ],
   },

@@ -5,6 +5,8 @@ import type { Pixel, Sight } from '../view/sight';
 
 /** The farthest a target may be from the pointer, in css pixels. */
 const REACH = 12;
+/** The radius of a brush, in css pixels. */
+const BRUSH = 8;
 /** How many candidates are tested for visibility; further ones would be hidden too. */
 const MOST_TRIES = 6;
 /** How far a point may lie behind the surface that it is on, as a share of the distance. */
@@ -37,6 +39,25 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
     return pixel ? distance(pixel, at) : Infinity;
   };
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
+}
+
+/** Those of some vertices that a vertex under one of several pixels could be snapped to. */
+export function withinReach(
+  solid: Solid,
+  sight: Sight,
+  pixels: Pixel[],
+  vertices: Iterable<number>,
+): number[] {
+  const [xs, ys] = [pixels.map(({ x }) => x), pixels.map(({ y }) => y)];
+  const [left, right] = [Math.min(...xs) - REACH, Math.max(...xs) + REACH];
+  const [top, bottom] = [Math.min(...ys) - REACH, Math.max(...ys) + REACH];
+  const found: number[] = [];
+  for (const v of vertices) {
+    const pixel = sight.pixel(solid.points, v);
+    if (!pixel || pixel.x < left || pixel.x > right || pixel.y < top || pixel.y > bottom) continue;
+    found.push(v);
+  }
+  return found;
 }
 
 /** Those of some points (xyz each) that are within a radius around a pixel, and visible. */
@@ -78,6 +99,30 @@ export function edgeAt(
     near.push({ index, pixels, point: pointOf(solid, a).lerp(pointOf(solid, b), share) });
   }
   return nearestInSight(solid, sight, near);
+}
+
+/**
+ * Those of `edges` that a brush at a pixel goes over, and that are visible: it must come near their
+ * middle part, because at their ends there are others.
+ */
+export function edgesUnder(
+  solid: Solid,
+  sight: Sight,
+  at: Pixel,
+  ends: Uint32Array,
+  edges: Iterable<number>,
+): number[] {
+  const found: number[] = [];
+  for (const edge of edges) {
+    const [a, b] = [ends[2 * edge], ends[2 * edge + 1]];
+    const [from, to] = [sight.pixel(solid.points, a), sight.pixel(solid.points, b)];
+    if (!from || !to) continue;
+    const margin = Math.min(REACH / distance(from, to), 1 / 2);
+    const share = Math.min(1 - margin, Math.max(margin, nearestShare(from, to, at)));
+    if (distance(between(from, to, share), at) > BRUSH) continue;
+    if (isInSight(solid, sight, pointOf(solid, a).lerp(pointOf(solid, b), share))) found.push(edge);
+  }
+  return found;
 }
 
 /** The edge near a pixel that is not near either of its ends; -1 if there is none. */

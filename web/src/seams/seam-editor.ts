@@ -1,11 +1,14 @@
 import { SEAMS } from '../base/english';
+import { loadPart } from '../base/load-part';
 import { ShortestPaths } from '../surface/shortest-paths';
-import { Aim, type Modifiers } from '../view/aim';
+import { Aim, type Modifiers, modifiersOf } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel } from '../view/sight';
-import { edgeAt, edgeAwayFromEnds, vertexAt } from './pick';
+import { edgeAt, edgeAwayFromEnds } from './pick';
 import type { SeamModel } from './seam-model';
+import type { Brush, SeamPainter } from './seam-painter';
+import { endsOf, placeAt, type Targets, targetsOf } from './seam-targets';
 import { SeamTools, type Tool } from './seam-tools';
 
 export interface SeamEditorEvents {
@@ -25,18 +28,8 @@ const PLACES_PER_FRAME = 1 << 14;
 /** Css pixels between the clicks of a double-click; fingers are not precise. */
 const DOUBLE_CLICK = 20;
 
-const INVITATIONS: Record<Tool, string> = {
-  cut: SEAMS.toCut,
-  join: SEAMS.toJoin,
-};
-
-/** What a click can hit. */
-interface Targets {
-  /** Edges. */
-  seams: number[];
-  /** Places on seams and boundaries. */
-  places: number[];
-}
+const TO_CLICK: Record<Tool, string> = { cut: SEAMS.toCut, join: SEAMS.toJoin };
+const TO_DRAG: Record<Tool, string> = { cut: SEAMS.toPaint, join: SEAMS.toErase };
 
 /** Lets the user cut and join seams by clicking on the surface. */
 export class SeamEditor {
@@ -45,6 +38,8 @@ export class SeamEditor {
   private model: SeamModel | null = null;
   private paths: ShortestPaths | null = null;
   private isGrowing = false;
+  /** Null until it is loaded. */
+  private painter: SeamPainter | null = null;
   /** Edges that a button would cut, and what they are; null: none. */
   private offer: { edges: number[]; text: string } | null = null;
   /** Where a cut was begun by a click on the middle of an edge, which may become a double-click. */
@@ -69,6 +64,7 @@ export class SeamEditor {
       this.begunOnEdge = null;
       this.aim.refresh();
     });
+    view.canvas.addEventListener('keydown', (event) => this.onKey(event));
     // In the capture phase, before the page uses Escape to cancel the run in flight.
     window.addEventListener('keydown', (event) => this.onEscape(event), { capture: true });
   }
@@ -78,9 +74,28 @@ export class SeamEditor {
     return this.tools.tool === null;
   }
 
+  /** What paints is not part of the first load. */
+  async loadRest(): Promise<void> {
+    const { SeamPainter } = await loadPart(import('./seam-painter'));
+    this.painter ??= new SeamPainter(this.view, {
+      begins: (event) => this.brushOf(event),
+      begun: () => {
+        this.paths = null;
+        this.aim.forget();
+      },
+      shown: (marks, hint) => this.mark(marks, hint),
+      finished: (text, hasChanged) => {
+        this.events.say(text);
+        if (hasChanged) this.events.changed(text);
+        this.aim.refresh();
+      },
+    });
+  }
+
   /** Sets the seams to edit; null for none. */
   edit(model: SeamModel | null): void {
     if (model !== this.model) {
+      this.painter?.cancel();
       this.paths = null;
       this.offer = null;
     }
@@ -95,8 +110,9 @@ export class SeamEditor {
     this.aim.refresh();
   }
 
-  /** Forgets a cut that was begun. */
+  /** Forgets a cut or a stroke that was begun. */
   clear(): void {
+    this.painter?.cancel();
     this.paths = null;
     this.mark(NO_MARKS, '');
     this.aim.refresh();
@@ -122,18 +138,33 @@ export class SeamEditor {
     return tool === 'cut' ? 'join' : 'cut';
   }
 
+  private invitation(tool: Tool): string {
+    return (this.tools.isPainting ? TO_DRAG : TO_CLICK)[tool];
+  }
+
+  /** What a drag that begins like this paints with; null: it turns the view. */
+  private brushOf(event: PointerEvent): Brush | null {
+    const { model } = this;
+    const tool = this.toolOf(modifiersOf(event));
+    const isMeant = this.tools.isPainting || event.ctrlKey || event.metaKey;
+    if (!isMeant || tool === null || !model?.isReady) return null;
+    this.targets ??= targetsOf(model);
+    return { model, tool, targets: this.targets };
+  }
+
   private onMove(at: Pixel | null, modifiers: Modifiers): void {
+    if (this.painter?.isDrawing) return;
     const tool = this.toolOf(modifiers);
     if (!this.model) this.mark(NO_MARKS, '');
     else if (this.offer)
       this.mark(
-        { ...NO_MARKS, offered: this.pairs(this.model, this.offer.edges) },
+        { ...NO_MARKS, offered: endsOf(this.model.graph, this.offer.edges) },
         this.offer.text,
       );
     else if (tool === null) this.mark(NO_MARKS, SEAMS.toSelect);
-    else if (!at && !this.paths) this.mark(NO_MARKS, INVITATIONS[tool]);
+    else if (!at && !this.paths) this.mark(NO_MARKS, this.invitation(tool));
     else if (!this.model.isReady) {
-      this.mark(NO_MARKS, INVITATIONS[tool]);
+      this.mark(NO_MARKS, this.invitation(tool));
       void this.events.ready();
     } else if (tool === 'cut') this.previewCut(this.model, at);
     else this.previewJoin(this.model, at, modifiers);
@@ -192,23 +223,24 @@ export class SeamEditor {
       path.length > 0
         ? SEAMS.cutTo(paths.start, place, path.length, paths.distanceTo(place))
         : SEAMS.toEndCut(paths.start);
-    this.mark({ ...NO_MARKS, cut: this.pairs(model, path), vertices }, text);
+    this.mark({ ...NO_MARKS, cut: endsOf(model.graph, path), vertices }, text);
   }
 
   private previewStart(model: SeamModel, place: number, loop: number[]): void {
-    const start = place < 0 ? INVITATIONS.cut : SEAMS.startHere(place);
+    const begin = this.tools.isPainting ? SEAMS.paintHere : SEAMS.startHere;
+    const start = place < 0 ? this.invitation('cut') : begin(place);
     const text = loop.length > 0 ? SEAMS.orCutLoop(start, loop.length) : start;
-    this.mark({ ...NO_MARKS, offered: this.pairs(model, loop), vertices: listed(place) }, text);
+    this.mark({ ...NO_MARKS, offered: endsOf(model.graph, loop), vertices: listed(place) }, text);
   }
 
   private previewJoin(model: SeamModel, at: Pixel | null, { shift }: Modifiers): void {
     const edges = this.seamAt(model, at, shift);
     const vertices = this.paths ? Uint32Array.of(this.paths.start) : NO_MARKS.vertices;
     const isOwn = edges.some((e) => model.own[e]);
-    if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, INVITATIONS.join);
+    if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, this.invitation('join'));
     else if (!isOwn) this.mark(NO_MARKS, SEAMS.neededHere(edges.length));
     else {
-      const joined = this.pairs(model, edges);
+      const joined = endsOf(model.graph, edges);
       this.mark({ ...NO_MARKS, joined, vertices }, SEAMS.joinHere(edges.length));
     }
   }
@@ -281,8 +313,7 @@ export class SeamEditor {
   private placeAt(model: SeamModel, at: Pixel | null): number {
     if (!at) return -1;
     this.targets ??= targetsOf(model);
-    const vertex = vertexAt(model.surface.solid, this.view.sight, at, this.targets.places);
-    return vertex < 0 ? vertex : model.graph.places[vertex];
+    return placeAt(model, this.view.sight, at, this.targets.places);
   }
 
   /** The edges that a double-click would cut. */
@@ -306,14 +337,19 @@ export class SeamEditor {
     return isOne ? [edge] : model.run(edge);
   }
 
-  private pairs({ graph }: SeamModel, edges: number[]): Uint32Array {
-    return Uint32Array.from(edges.flatMap((e) => [graph.ends[2 * e], graph.ends[2 * e + 1]]));
+  private onKey(event: KeyboardEvent): void {
+    if (event.key.toUpperCase() !== 'C' || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!this.model) return;
+    event.preventDefault();
+    this.tools.togglePainting();
   }
 
   private onEscape(event: KeyboardEvent): void {
-    if (event.key !== 'Escape' || !this.paths || closesSomething(event)) return;
+    if (event.key !== 'Escape' || closesSomething(event)) return;
+    if (this.painter?.cancel()) this.events.say(SEAMS.strokeCancelled);
+    else if (this.paths) this.cancel();
+    else return;
     event.stopPropagation();
-    this.cancel();
   }
 
   private cancel(): void {
@@ -328,15 +364,4 @@ const closesSomething = ({ target }: KeyboardEvent) =>
 
 function listed(place: number): Uint32Array {
   return place < 0 ? new Uint32Array() : Uint32Array.of(place);
-}
-
-function targetsOf({ graph, all }: SeamModel): Targets {
-  const seams: number[] = [];
-  const places = new Set<number>();
-  for (let edge = 0; edge < all.length; ++edge) {
-    if (all[edge]) seams.push(edge);
-    if (all[edge] || !graph.isInner[edge])
-      places.add(graph.ends[2 * edge]).add(graph.ends[2 * edge + 1]);
-  }
-  return { seams, places: [...places] };
 }

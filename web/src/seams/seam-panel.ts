@@ -190,7 +190,7 @@ export class SeamPanel {
 
   /** What editing takes is not part of the first load. */
   async loadRest(): Promise<void> {
-    await solids();
+    await Promise.all([solids(), this.editor?.loadRest()]);
     if (!this.isUnwrapped) return;
     await this.prepared();
     this.editor?.update();
@@ -198,7 +198,8 @@ export class SeamPanel {
 
   private async surfaceOf({ mesh, summary }: Editable): Promise<Surface> {
     const made = this.workshop.surface(mesh, summary.disk.ok);
-    const [{ graph, solid }, { Solid }] = await Promise.all([made, solids()]);
+    const rest = [made, solids(), this.editor?.loadRest()] as const;
+    const [{ graph, solid }, { Solid }] = await Promise.all(rest);
     return { graph, solid: new Solid(solid) };
   }
 

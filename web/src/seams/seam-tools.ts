@@ -9,18 +9,22 @@ const TOOLS = ['select', 'cut', 'join'] as const;
 export class SeamTools {
   private readonly bar = element('seam-tools', HTMLElement);
   private readonly buttons = TOOLS.map((tool) => element(`seam-${tool}`, HTMLButtonElement));
+  private readonly paint = element('seam-paint', HTMLButtonElement);
   private readonly cancel = element('seam-cancel', HTMLButtonElement);
   private readonly sharpMarks = element('sharp-marks', HTMLElement);
   private readonly hint = element('seam-hint', HTMLElement);
   private chosen: (typeof TOOLS)[number] = 'cut';
+  private paints = false;
 
-  constructor(toolChanged: () => void, cancelled: () => void) {
+  constructor(
+    private readonly toolChanged: () => void,
+    cancelled: () => void,
+  ) {
+    this.paint.addEventListener('click', () => this.togglePainting());
     this.cancel.addEventListener('click', cancelled);
     this.buttons.forEach((button, i) => {
       button.addEventListener('click', () => {
-        this.chosen = this.chosen === TOOLS[i] ? 'select' : TOOLS[i];
-        this.showTool();
-        toolChanged();
+        this.choose(this.chosen === TOOLS[i] ? 'select' : TOOLS[i], this.paints);
       });
     });
     this.showTool();
@@ -29,6 +33,15 @@ export class SeamTools {
   /** What a click does; null if nothing. */
   get tool(): Tool | null {
     return this.bar.hidden || this.chosen === 'select' ? null : this.chosen;
+  }
+
+  /** Whether drags over the mesh use the tool. */
+  get isPainting(): boolean {
+    return this.paints;
+  }
+
+  togglePainting(): void {
+    this.choose(this.chosen === 'select' ? 'cut' : this.chosen, !this.paints);
   }
 
   setVisible(isVisible: boolean): void {
@@ -46,7 +59,16 @@ export class SeamTools {
     this.hint.hidden = text === '';
   }
 
+  /** There is nothing to paint with what selects. */
+  private choose(chosen: (typeof TOOLS)[number], paints: boolean): void {
+    this.chosen = chosen;
+    this.paints = paints && chosen !== 'select';
+    this.showTool();
+    this.toolChanged();
+  }
+
   private showTool(): void {
+    this.paint.setAttribute('aria-pressed', String(this.paints));
     this.buttons.forEach((button, i) => {
       button.setAttribute('aria-pressed', String(this.chosen === TOOLS[i]));
     });

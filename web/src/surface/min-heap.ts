@@ -21,6 +21,11 @@ export class MinHeap {
     this.rise(this.at[item] > 0 ? this.at[item] - 1 : this.count++, item);
   }
 
+  /** Takes as long as there are items, however many there could be. */
+  clear(): void {
+    for (; this.count > 0; --this.count) this.at[this.items[this.count - 1]] = 0;
+  }
+
   take(): number | undefined {
     if (this.count === 0) return undefined;
     const first = this.items[0];

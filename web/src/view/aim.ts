@@ -1,4 +1,4 @@
-import type { Pixel } from './sight';
+import { type Pixel, pixelOn } from './sight';
 
 export interface Modifiers {
   /** Reverses the action: joins instead of cutting, and vice versa. */
@@ -15,7 +15,7 @@ export interface AimEvents {
 }
 
 /** Css pixels that the pointer may move during a click; beyond that, it turns the view. */
-const STEADY = 5;
+export const STEADY = 5;
 /** Keys that turn the view, and with it what the middle aims at. */
 const VIEW_KEYS = [
   'ArrowLeft',
@@ -71,6 +71,13 @@ export class Aim {
       this.isScheduled = false;
       this.events.moved(this.at, this.modifiers);
     });
+  }
+
+  /** What was pressed is a drag that others see: its release is no click. */
+  forget(): void {
+    this.pressed = null;
+    this.pointer = null;
+    this.isByKeys = false;
   }
 
   private get at(): Pixel | null {
@@ -131,12 +138,11 @@ export class Aim {
     if (this.at) this.refresh();
   }
 
-  private pixelOf({ clientX, clientY }: MouseEvent): Pixel {
-    const { left, top } = this.canvas.getBoundingClientRect();
-    return { x: clientX - left, y: clientY - top };
+  private pixelOf(event: MouseEvent): Pixel {
+    return pixelOn(this.canvas, event);
   }
 }
 
-function modifiersOf({ altKey, shiftKey }: MouseEvent | KeyboardEvent): Modifiers {
+export function modifiersOf({ altKey, shiftKey }: MouseEvent | KeyboardEvent): Modifiers {
   return { alt: altKey, shift: shiftKey };
 }

@@ -5,6 +5,12 @@ export interface Pixel {
   y: number;
 }
 
+/** Where an event is on a canvas. */
+export function pixelOn(canvas: HTMLElement, { clientX, clientY }: MouseEvent): Pixel {
+  const { left, top } = canvas.getBoundingClientRect();
+  return { x: clientX - left, y: clientY - top };
+}
+
 /**
  * What a camera sees on a canvas: maps points to css pixels from the upper left corner, and back.
  */
