@@ -3,7 +3,7 @@
 # Not where single sources are compiled again and again: the native build sees to it that each
 # includes what it needs.
 function(abflat_folder_by_folder target)
-  if(NOT (ABFLAT_SANITIZE OR ABFLAT_COVERAGE))
+  if(NOT (ABFLAT_SANITIZE OR ABFLAT_COVERAGE OR EMSCRIPTEN))
     return()
   endif()
   get_target_property(sources ${target} SOURCES)

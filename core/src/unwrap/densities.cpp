@@ -4,40 +4,36 @@
 #include <cmath>
 #include <string>
 
-#include "base/number_text.h"
+#include "base/invalid.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
 namespace {
 
-constexpr double kLeast = 1e-3, kMost = 1e3;
+constexpr double kLeastDensity = 1e-3, kMostDensity = 1e3;
 
-std::string text(double number) {
-  char digits[kMostDoubleChars];
-  return {digits, writeDouble(digits, number)};
-}
-
+/// Twice the area; the mesh has been scaled, so that no square of a length overflows.
 double areaOf(const SurfaceMap& map, SurfaceTriangle f) {
   const auto& vertex = map.surface().table.vertex;
   const std::vector<double>& positions = map.welded().mesh.positions;
-  const auto at = [&](std::size_t k) { return vertex[cornerOf(f, k)]; };
-  return norm(cross(edgeVector(positions, at(0), at(1)), edgeVector(positions, at(0), at(2))));
+  const auto side = [&](std::size_t k) {
+    return edgeVector(positions, vertex[cornerOf(f, 0)], vertex[cornerOf(f, k)]);
+  };
+  const Vec3 normal = cross(side(1), side(2));
+  return std::sqrt(dot(normal, normal));
 }
 
 }  // namespace
 
 Status checkDensities(const std::vector<double>& ofFace, std::size_t faces) {
   if (ofFace.empty()) return {};
-  const auto invalid = [](std::string text) {
-    return Status{StatusCode::InvalidOption, std::move(text)};
-  };
   if (ofFace.size() != faces)
     return invalid("there are " + std::to_string(ofFace.size()) + " face densities for " +
                    std::to_string(faces) + " faces. Give one per face, or none");
   for (std::size_t f = 0; f < faces; ++f)
-    if (!(ofFace[f] >= kLeast && ofFace[f] <= kMost))
-      return invalid("the density of face " + std::to_string(f) + " is " + text(ofFace[f]) +
-                     "; it must be from 0.001 to 1000, where 1 is that of other faces");
+    if (!(ofFace[f] >= kLeastDensity && ofFace[f] <= kMostDensity))
+      return invalid("the density of face " + std::to_string(f) +
+                     " must be from 0.001 to 1000, where 1 is that of other faces");
   return {};
 }
 
@@ -47,9 +43,9 @@ IdVector<ChartId, double> densitiesOf(const CutMesh& mesh, const std::vector<dou
   for (const ChartId i : mesh.set.ids()) {
     double area = 0, texels = 0;
     for (const SurfaceTriangle f : mesh.set.topology(i).triangles) {
-      const double density = ofFace[mesh.map.face(f)];
-      area += areaOf(mesh.map, f);
-      texels += areaOf(mesh.map, f) * density * density;
+      const double density = ofFace[mesh.map.face(f)], part = areaOf(mesh.map, f);
+      area += part;
+      texels += part * density * density;
     }
     out.push_back(area > 0 ? std::sqrt(texels / area) : 1);
   }

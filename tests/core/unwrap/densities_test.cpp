@@ -183,6 +183,6 @@ TEST_CASE("densities that make no sense are refused", "[density]") {
   for (const double wrong : {0.0, -1.0, 1e4, double(NAN)}) {
     std::vector<double> densities(mesh.faceCount(), 1);
     densities[3] = wrong;
-    CHECK(said(densities).find("the density of face 3 is ") == 0);
+    CHECK(said(densities).find("the density of face 3 must be ") == 0);
   }
 }
