@@ -55,7 +55,7 @@ std::vector<double> asked(const UnwrapResult& r, const std::vector<double>& ofCh
 }
 
 /// The same seams and charts once more.
-UnwrapOptions again(const UnwrapResult& first, UnwrapOptions options = severalCharts()) {
+UnwrapOptions sameCharts(const UnwrapResult& first, UnwrapOptions options = severalCharts()) {
   options.seams.isAuto = false;
   options.seams.edges = first.seams;
   options.known = knownLayout(first);
@@ -77,7 +77,7 @@ TEST_CASE("charts get the texel density that their faces ask for", "[density]") 
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   const std::size_t charts = first.report.charts.size();
   REQUIRE(charts >= 3);
-  UnwrapOptions options = again(first);
+  UnwrapOptions options = sameCharts(first);
   options.faceDensities = asked(first, mixed(charts));
   for (const double density : {kAutoTexelDensity, 8.0}) {
     options.texelDensity = density;
@@ -105,7 +105,7 @@ TEST_CASE("a density of 1 everywhere changes nothing", "[density]") {
 TEST_CASE("the same density everywhere gives the same sizes", "[density]") {
   const PolygonMesh mesh = torus(24, 16);
   const UnwrapResult plain = unwrapped(mesh, severalCharts());
-  UnwrapOptions options = again(plain);
+  UnwrapOptions options = sameCharts(plain);
   const UnwrapResult one = unwrapped(mesh, options);
   options.faceDensities.assign(mesh.faceCount(), 4);
   const UnwrapResult four = unwrapped(mesh, options);
@@ -140,7 +140,7 @@ TEST_CASE("charts beside those that stay get their own density", "[density]") {
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   std::vector<double> ofChart(first.report.charts.size(), 1);
   ofChart[0] = 0.5;
-  UnwrapOptions options = again(first);
+  UnwrapOptions options = sameCharts(first);
   options.faceDensities = asked(first, ofChart);
   for (std::uint32_t i = 1; i < ofChart.size(); ++i) options.fixedCharts.push_back(i);
   options.keepsPlaces = false;
