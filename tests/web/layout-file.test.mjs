@@ -157,7 +157,8 @@ for (const [name, width, height] of [
     }
     const tools = await page.locator('#layout-tools').boundingBox();
     const seams = await page.locator('#seam-tools').boundingBox();
-    assert.equal(tools.height, seams.height, 'the bars of both views are alike');
+    // On a phone the hint below the mesh has a line of its own.
+    if (width > 700) assert.equal(tools.height, seams.height, 'the bars of both views are alike');
     await dropAndWait(page, 'waves.obj', grid(4));
     await choose(page, 'flatten');
     assert.ok(await page.isHidden('#layout-tools'));

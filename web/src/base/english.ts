@@ -16,7 +16,11 @@ export const ALERT = { close: 'Close this message' };
 
 export const THEME = { use: (theme: string) => `Use the ${theme} theme` };
 
-export const GRID = { notDrawn: 'This browser cannot draw the numbered grid.' };
+export const GRID = {
+  notDrawn: 'This browser cannot draw the numbered grid.',
+  lines: (texels: number) => `grid ${counted(texels, 'texel')}`,
+  cells: (texels: number) => `cells of ${counted(texels, 'texel')}`,
+};
 
 export const SHADINGS = {
   materials: 'Materials',

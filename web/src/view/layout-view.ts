@@ -21,6 +21,7 @@ import type { Pixel } from './sight';
 import { SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
+import { TexelGrid } from './texel-grid';
 import { TileLabels } from './tile-labels';
 
 /** Css pixels between a fitted layout and the border of its pane. */
@@ -39,6 +40,7 @@ export class LayoutView {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly sheet = new PictureSheet(this.material);
+  private readonly grid = new TexelGrid(this.material);
   private readonly surface: SlicedSurface;
   private readonly picker: ChartPicker;
   private readonly flags: ChartFlags;
@@ -95,6 +97,7 @@ export class LayoutView {
     this.pins = new PinLayer(this.surface, this.material, this.edges);
     this.scene.add(
       this.sheet.object,
+      this.grid.object,
       this.frame.object,
       this.surface.object,
       ...this.edges.objects,
@@ -138,6 +141,7 @@ export class LayoutView {
     this.frame.show(layout.tileSides);
     this.labels.show(layout.tiles);
     this.sheet.show(layout.tiles);
+    this.grid.show(layout.tiles);
   }
 
   private colorBoundary(): void {
@@ -152,6 +156,7 @@ export class LayoutView {
     this.stage.renderer.setClearColor(palette.background);
     paintLayout(this.material, palette);
     this.frame.setColor(palette.frame);
+    this.grid.setColor(palette.frame);
     this.palette = palette;
     this.colorBoundary();
     this.edges.setColors(palette.boundary, palette.flipped);
@@ -182,10 +187,17 @@ export class LayoutView {
     uniforms.showsMaterials.value = shading === 'materials' && !this.textures.isEmpty;
     uniforms.showsImage.value = shading === 'image';
     this.sheet.object.visible = shading === 'image';
+    this.grid.setSurroundings(shading === 'image', shading === 'grid');
     this.colorBoundary();
     uniforms.showsHeat.value = isMeasure(shading);
     uniforms.showsGrid.value = shading === 'grid';
     if (isMeasure(shading)) showMeasure(this.material, shading);
+    this.stage.invalidate();
+  }
+
+  /** Along a side of a tile; null: the layout is no atlas. */
+  setTexels(resolution: number | null): void {
+    this.grid.setResolution(resolution);
     this.stage.invalidate();
   }
 
@@ -356,6 +368,7 @@ export class LayoutView {
     this.camera.bottom = y - halfHeight;
     this.camera.top = y + halfHeight;
     this.camera.updateProjectionMatrix();
+    this.grid.update(this.pixelsPerUv);
     this.stage.renderer.render(this.scene, this.camera);
     const { width, height } = this.stage;
     const [u0, v0] = this.middle;

@@ -3,7 +3,7 @@ import { GRID } from '../base/english';
 import { uvPicture } from './uv-picture';
 
 /** Cells along a side of the unit square of uv. */
-const CELLS = 8;
+export const CELLS = 8;
 /** Pixels along a side of a cell. */
 const CELL = 128;
 

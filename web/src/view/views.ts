@@ -268,6 +268,9 @@ export class Views {
     const isDisk = outcome.mode === 'flatten';
     if (isDisk !== this.isDisk) this.layout.fit();
     this.isDisk = isDisk;
+    this.layout.setTexels(
+      outcome.mode === 'unwrap' ? outcome.result.report.atlas.resolution : null,
+    );
     const marked = outcome.mode === 'flatten' ? markedInDisk(outcome) : markedIn(outcome);
     this.showFlat(drawing, marked, isNew);
     if (isDisk) this.showBoundary(boundaryOf(drawing));
