@@ -34,7 +34,7 @@ const SANITIZED = {
 };
 
 /** For all fuzzers together. */
-const FUZZED_SECONDS = 60;
+const FUZZED_SECONDS = 40;
 
 /** Where instrumented programs write their execution counts. */
 export const PROFILES = join(BUILD, 'coverage/profiles');

@@ -35,6 +35,9 @@ function assertFine({ code, stderr, text, report }) {
   assert.ok(report.atlas.utilization > 0 && report.atlas.utilization <= 1);
 }
 
+/** With sanitizers all takes ten times as long. */
+const COMPONENTS = isInstrumented ? 300 : 3000;
+
 const GENERATED = {
   sphere: () => surfaces.sphere(),
   torus: () => surfaces.torus(),
@@ -47,16 +50,17 @@ const GENERATED = {
   'triangle soup': () => surfaces.triangleSoup(800),
   'unwelded torus': () => surfaces.unwelded(surfaces.torus()),
   'array of boxes': () => surfaces.boxArray(20),
-  '3,000 small components': () =>
+  [`${COMPONENTS} small components`]: () =>
     surfaces.together(
-      Array.from({ length: 3000 }, (_, i) => [
+      Array.from({ length: COMPONENTS }, (_, i) => [
         surfaces.sphere(1),
         [3 * (i % 60), 3 * Math.floor(i / 60), 0],
       ]),
     ),
   'every defect': () => surfaces.defects(),
-  isosurface: () => surfaces.isosurface(20),
-  'isosurface with tiny triangles': () => surfaces.withTinyTriangles(surfaces.isosurface(12)),
+  isosurface: () => surfaces.isosurface(isInstrumented ? 12 : 20),
+  'isosurface with tiny triangles': () =>
+    surfaces.withTinyTriangles(surfaces.isosurface(isInstrumented ? 8 : 12)),
 };
 
 for (const [name, make] of Object.entries(GENERATED))
@@ -184,7 +188,7 @@ test('a disk without seams is what flatten makes of it, packed', async (t) => {
 
 test('charts do not depend on the unit', async (t) => {
   const at = tempFolder(t);
-  const surface = surfaces.isosurface(10);
+  const surface = surfaces.isosurface(isInstrumented ? 7 : 10);
   const charts = [];
   for (const scale of isInstrumented ? [1e-6, 1] : [1e-6, 1e-3, 1, 1e6]) {
     const positions = surface.positions.map((p) => p.map((x) => x * scale));
