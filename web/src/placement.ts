@@ -1,8 +1,9 @@
 import type { UnwrapResult } from 'abflat';
 import { STILL } from './arrange/motion';
 import type { FlatDrawing } from './model/drawing';
+import type { FaceDensities } from './model/face-densities';
 import type { Unwrapped } from './model/model';
-import type { KnownAtlas, UnwrapSettings } from './model/settings';
+import type { KnownAtlas } from './model/settings';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
@@ -15,7 +16,7 @@ export interface PlacementEvents {
   /** Charts are about to be in other places. */
   placing(): void;
   /** Charts are in other places; `what` was done. They keep these densities when they are packed anew. */
-  placed(layout: UnwrapResult, densities: UnwrapSettings['faceDensities'], what: string): void;
+  placed(layout: UnwrapResult, densities: FaceDensities, what: string): void;
   /** Nothing was moved: it went wrong, or another atlas has come in between. */
   notPlaced(error: Error | null): void;
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLeastDensity = 1e-3, kMostDensity = 1e3;
 
-/// Twice the area; the mesh has been scaled, so that no square of a length overflows.
-double areaOf(const SurfaceMap& map, SurfaceTriangle f) {
+/// The mesh has been scaled, so that no square of a length overflows.
+double twiceArea(const SurfaceMap& map, SurfaceTriangle f) {
   const auto& vertex = map.surface().table.vertex;
   const std::vector<double>& positions = map.welded().mesh.positions;
   const auto side = [&](std::size_t k) {
@@ -43,7 +43,7 @@ IdVector<ChartId, double> densitiesOf(const CutMesh& mesh, const std::vector<dou
   for (const ChartId i : mesh.set.ids()) {
     double area = 0, texels = 0;
     for (const SurfaceTriangle f : mesh.set.topology(i).triangles) {
-      const double density = ofFace[mesh.map.face(f)], part = areaOf(mesh.map, f);
+      const double density = ofFace[mesh.map.face(f)], part = twiceArea(mesh.map, f);
       area += part;
       texels += part * density * density;
     }

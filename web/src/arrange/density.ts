@@ -1,3 +1,4 @@
+import { DENSITY_RULE, type FaceDensities } from '../model/face-densities';
 import { boxOf, type ChartArrays, middleOf, verticesOf } from './charts';
 import { turned } from './motion';
 import type { Motions } from './move-charts';
@@ -9,11 +10,6 @@ export interface SurfaceArrays extends ChartArrays {
   faces?: Uint32Array;
 }
 
-/** What faces ask for: texel densities relative to each other. Undefined: 1 each. */
-export type FaceDensities = Float32Array | undefined;
-
-/** That of the package. */
-const [LEAST, MOST] = [1e-3, 1e3];
 /** A chart that grows by less was not scaled: numbers are rounded. */
 const GROWTH = 1e-3;
 /** What differs from 1 by less is 1: charts are even again. */
@@ -75,7 +71,7 @@ export function keptDensities(
     if (!(Math.abs(grown - 1) > GROWTH)) return old;
     const density = Math.sqrt(flat[chart] / solid[chart]) / base;
     if (!Number.isFinite(density) || Math.abs(density - 1) < EVEN) return 1;
-    return Math.min(MOST, Math.max(LEAST, density));
+    return Math.min(DENSITY_RULE.atMost, Math.max(DENSITY_RULE.atLeast, density));
   });
   if (now.every((density) => density === 1)) return undefined;
   const { chartOfTriangle, faces } = before;

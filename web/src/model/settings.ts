@@ -1,5 +1,6 @@
 import type { KnownLayout, UnwrapResult, VertexBound } from 'abflat';
 import type { Bound } from '../base/format';
+import type { FaceDensities } from './face-densities';
 import type { MoreOptions } from './more-options';
 
 /** What a run can take over of an atlas. */
@@ -45,11 +46,8 @@ export interface UnwrapSettings extends MoreOptions, Marks {
   seams: string;
   /** Edges to cut in addition, two vertices each. */
   seamEdges?: Uint32Array;
-  /**
-   * Per face, its texel density relative to the others: charts that were scaled keep their size when
-   * they are packed anew. Undefined: all are alike.
-   */
-  faceDensities?: Float32Array;
+  /** Charts that were scaled keep their size when they are packed anew. */
+  faceDensities?: FaceDensities;
   /** The layout with charts where the user has moved them. */
   placed?: KnownAtlas;
 }

@@ -1,9 +1,7 @@
 import { element } from '../base/dom';
 import { NUMBERS, SELECTION } from '../base/english';
 import { fits, refusal } from '../controls/number-field';
-
-/** As the package takes it. */
-const RULE = { type: 'number', atLeast: 1e-3, atMost: 1e3 };
+import { DENSITY_RULE } from '../model/face-densities';
 
 /** The texel density of the selected charts relative to the others. */
 export class DensityField {
@@ -14,10 +12,10 @@ export class DensityField {
   /** `changed`: another density is wanted. */
   constructor(changed: (density: number) => void, say: (text: string) => void) {
     const { input } = this;
-    input.addEventListener('input', () => this.mark(fits(input.valueAsNumber, RULE)));
+    input.addEventListener('input', () => this.mark(fits(input.valueAsNumber, DENSITY_RULE)));
     input.addEventListener('change', () => {
       const density = input.valueAsNumber;
-      if (fits(density, RULE)) {
+      if (fits(density, DENSITY_RULE)) {
         if (input.value !== this.shown) changed(density);
         return;
       }
@@ -25,7 +23,7 @@ export class DensityField {
         refusal(
           SELECTION.density,
           input.value,
-          NUMBERS.range(RULE),
+          NUMBERS.range(DENSITY_RULE),
           this.shown || SELECTION.mixedDensity,
         ),
       );

@@ -50,7 +50,7 @@ export class TexelGrid {
     this.resolution = texels;
   }
 
-  /** `cells`: charts show the numbered grid. */
+  /** What the charts show: a picture of one's own, or the numbered grid. */
   setSurroundings(isOnPicture: boolean, hasCells: boolean): void {
     this.isOnPicture = isOnPicture;
     this.hasCells = hasCells;

@@ -4,7 +4,6 @@
 import { expose, transfer } from 'comlink';
 import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
-import type { FaceDensities } from '../arrange/density';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
 import { loadInWorker } from '../base/load-part';
@@ -28,6 +27,7 @@ import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
+import type { FaceDensities } from '../model/face-densities';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import type { SurfaceArrays } from '../surface/make-surface';
 

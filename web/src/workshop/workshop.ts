@@ -10,6 +10,7 @@ import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
+import type { FaceDensities } from '../model/face-densities';
 import type {
   FileSource,
   GltfFile,
@@ -19,7 +20,6 @@ import type {
   Outcome,
   Unwrapped,
 } from '../model/model';
-import type { UnwrapSettings } from '../model/settings';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
 import type { Tasks } from './worker';
@@ -129,10 +129,7 @@ export class Workshop implements Helpers {
   }
 
   /** What faces of an atlas ask for now that its charts are elsewhere; see arrange/density.ts. */
-  keptDensities(
-    { result, mesh, settings }: Unwrapped,
-    uv: Float64Array,
-  ): Promise<UnwrapSettings['faceDensities']> {
+  keptDensities({ result, mesh, settings }: Unwrapped, uv: Float64Array): Promise<FaceDensities> {
     const { positions, vertexMap } = result;
     const { faces } = mesh;
     return this.send(
