@@ -2,26 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { LATER, laterParts } from './later-parts.mjs';
 import { settled } from './page.mjs';
 import { takePage } from './pages.mjs';
 
 /** In bytes, compressed. What is not needed for a first look is loaded when it is. */
 const MOST = 500_000;
-/** Loaded when there is a layout. */
-const LATER = [
-  'appearance',
-  'arranging',
-  'export-mesh',
-  'gltf-file',
-  'make-surface',
-  'method-table',
-  'new-glb',
-  'own-image',
-  'plots',
-  'seam-painter',
-  'solid',
-  'writing',
-];
 /** Loaded when they are asked for. */
 const ON_REQUEST = ['draco', 'meshopt', 'samples/'];
 
@@ -47,8 +33,7 @@ test('a first visit loads little before the first layout', async (t) => {
 test('what was left out comes without being asked for', async (t) => {
   const { page, url, end } = await takePage({ own: true, webgl: true });
   t.after(end);
-  const isPart = (part) => (response) => response.url().includes(`/assets/${part}-`);
-  const parts = LATER.map((part) => page.context().waitForEvent('response', isPart(part)));
+  const parts = laterParts(page);
   await page.goto(url);
-  for (const response of await Promise.all(parts)) assert.equal(response.status(), 200);
+  for (const response of await parts) assert.equal(response.status(), 200);
 });

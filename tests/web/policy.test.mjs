@@ -7,6 +7,7 @@ import { withDraco, withMeshopt } from '../support/compressed-by-exporters.mjs';
 import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, torus } from '../support/surfaces.mjs';
+import { laterParts } from './later-parts.mjs';
 import { drop, dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
 
 /** Only the page's own files; `wasm-unsafe-eval` allows WebAssembly and nothing else. */
@@ -158,10 +159,13 @@ test('the theme is there before anything is painted', async (t) => {
 });
 
 test('once loaded the page needs no connection, also after a run was cancelled', async (t) => {
-  const page = await openPage(t, { own: true });
-  // What the first layout does not need comes a little later.
-  await page.context().waitForEvent('response', (response) => /\/appearance-/.test(response.url()));
-  await page.waitForLoadState('networkidle');
+  let rest;
+  const page = await openPage(t, {
+    prepare: (page) => {
+      rest = laterParts(page);
+    },
+  });
+  await rest;
   await page.context().setOffline(true);
   await doEverything(page);
   // The cancelled worker is replaced.
