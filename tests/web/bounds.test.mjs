@@ -5,7 +5,16 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { CUBE } from '../support/small-meshes.mjs';
 import { objText } from '../support/surfaces.mjs';
-import { choose, dropAndWait, exportMesh, openPage, openSample, settled, textOf } from './page.mjs';
+import {
+  choose,
+  dropAndWait,
+  exportMesh,
+  openPage,
+  openSample,
+  reload,
+  settled,
+  textOf,
+} from './page.mjs';
 import { drawn, STILL } from './seam-page.mjs';
 
 const N = 4;
@@ -216,9 +225,7 @@ test('bounds come back after a reload, and another mesh has none', async (t) => 
   const page = await openAngle(t, { own: true });
   await stroke(page, 'mesh');
   const before = await largestAngle(page);
-  await page.waitForTimeout(600);
-  await page.reload();
-  await settled(page);
+  await reload(page);
   assert.match(await textOf(page, '#marks'), /1 vertex has its own bound/);
   assert.equal(await largestAngle(page), before);
   await openSample(page, 'hemisphere');

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { objText, together } from '../support/surfaces.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
-import { openPage, settled, textOf } from './page.mjs';
+import { openPage, reload, settled, textOf } from './page.mjs';
 
 /** A square that is a chart as it is. */
 const TILE = {
@@ -70,9 +70,7 @@ test('a density is set, kept when all is packed anew, by other options and after
   await settled(page);
   isNear(densityOf(await atlas(page), 0), 2);
   assert.match(await textOf(page, '#badge'), /^Valid$/);
-  await page.waitForTimeout(500);
-  await page.reload();
-  await settled(page);
+  await reload(page);
   const again = await atlas(page);
   isNear(densityOf(again, 0), 2);
   await select(page, again, 0);

@@ -120,6 +120,36 @@ export async function dropAndWait(page, name, content, others = {}) {
 
 export const textOf = (page, selector) => page.locator(selector).innerText();
 
+/** Whether the browser keeps a mesh of that name for the next visit. */
+const isKept = (name) =>
+  new Promise((done) => {
+    const opening = indexedDB.open('abflat', 1);
+    // Not made here: the page makes it with all that belongs in it.
+    opening.onupgradeneeded = () => opening.transaction.abort();
+    opening.onerror = () => done(false);
+    opening.onsuccess = () => {
+      const database = opening.result;
+      const request = database.transaction('visit').objectStore('visit').get('mesh');
+      request.onsuccess = () => {
+        database.close();
+        done(request.result?.name === name);
+      };
+    };
+  });
+
+/** Waits until the browser keeps the mesh that is open; that of a first visit is not kept. */
+export async function kept(page) {
+  const name = (await sampleOf(page)) || (await textOf(page, '#source'));
+  if (name !== 'head') await page.waitForFunction(isKept, name);
+}
+
+/** Reloads the page once the mesh is kept; its settings are, while the page is left. */
+export async function reload(page) {
+  await kept(page);
+  await page.reload();
+  await settled(page);
+}
+
 /** The metrics by label, as shown. */
 export function metrics(page) {
   return page.evaluate(() =>

@@ -4,7 +4,16 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { objText, together, torus } from '../support/surfaces.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
-import { drawn, exportAs, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  drawn,
+  exportAs,
+  exportMesh,
+  metrics,
+  openPage,
+  reload,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const RING = objText(torus(24, 12));
 
@@ -187,9 +196,7 @@ test('a chart that folds is not valid, is written all the same, and comes back w
   const folded = await atlas(page);
   const { bytes } = await exportAs(page, 'ply');
   assert.match(bytes.toString('latin1'), /^ply/);
-  await page.waitForTimeout(600); // until it is kept
-  await page.reload();
-  await settled(page);
+  await reload(page);
   assert.match(await textOf(page, '#run-text'), /^Restored ring\.obj/);
   assert.equal(await textOf(page, '#badge'), 'Not valid');
   assert.deepEqual((await atlas(page)).uv, folded.uv);

@@ -9,8 +9,10 @@ import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import {
   dropAndWait,
   exportMesh,
+  kept,
   openPage,
   openSample,
+  reload,
   sampleOf,
   settled,
   textOf,
@@ -24,13 +26,6 @@ const BOTH = objText(
 );
 
 const bytes = async (page) => readFileSync((await exportMesh(page)).path);
-
-/** Waits until what is on screen is kept. */
-async function reload(page) {
-  await page.waitForTimeout(600);
-  await page.reload();
-  await settled(page);
-}
 
 const fragment = (page) => page.evaluate(() => location.hash);
 
@@ -142,9 +137,9 @@ test('what cannot be restored is dropped, and said once', async (t) => {
     assert.equal(await textOf(page, '#notice'), '');
     assert.equal(await mark(page), null);
     await dropAndWait(page, 'waves.obj', grid(4));
-    await page.waitForTimeout(600);
+    await kept(page);
   };
-  await page.waitForTimeout(600);
+  await kept(page);
   await spoil(page, 'asked', { text: 5 });
   await showsSample(/^Your last visit could not be restored\./);
   const edited = { seams: 'none', seamEdges: 'none' };
@@ -169,7 +164,8 @@ test('a mesh that is too large is not kept, which the next visit says', async (t
       }),
   });
   await dropAndWait(page, 'waves.obj', grid(4), { 'large.png': 'x' });
-  await reload(page);
+  await page.reload();
+  await settled(page);
   assert.equal(await sampleOf(page), 'head');
   assert.match(await textOf(page, '#notice'), /too large to keep\. Open it again\./);
 });
@@ -185,7 +181,8 @@ test('the page works where nothing can be kept', async (t) => {
       }),
   });
   assert.equal(await textOf(page, '#badge'), 'Valid');
-  await reload(page);
+  await page.reload();
+  await settled(page);
   assert.equal(await sampleOf(page), 'head');
   assert.equal(await textOf(page, '#alert'), '');
   assert.equal(await textOf(page, '#notice'), '');
@@ -193,14 +190,14 @@ test('the page works where nothing can be kept', async (t) => {
 
 test('a link to a mesh comes first, and leaves what is kept if it is not followed', async (t) => {
   const page = await openPage(t, { own: true, open: ['waves.obj', grid(4)] });
-  await page.waitForTimeout(600);
+  await kept(page);
   const own = page.url();
   await page.goto(`${own}?url=https://models.example/a.obj`);
   await page.locator('dialog.question').waitFor();
   await page.keyboard.press('Escape');
   await settled(page);
   assert.equal(await sampleOf(page), 'head');
-  await page.waitForTimeout(600);
+  await kept(page);
   await page.goto(own);
   await settled(page);
   assert.equal(await textOf(page, '#source'), 'waves.obj');
@@ -227,7 +224,7 @@ test('a link has settings, which hold for the meshes opened next', async (t) => 
   await dropAndWait(page, 'both.obj', BOTH);
   await shown();
   // They win over what is kept.
-  await page.waitForTimeout(600);
+  await kept(page);
   const entries = await page.evaluate(() => history.length);
   await page.goto('about:blank');
   await page.goto(`${own}#unwrap&padding=7`);

@@ -1,7 +1,7 @@
 import type { MeshSummary } from 'abflat';
 import { VISIT } from './base/english';
 import { forget, remember, remembered } from './base/remember';
-import { forgetStored, readStored, writeStored } from './base/stored';
+import { Stored } from './base/stored';
 import type { Opened, Outcome, Source } from './model/model';
 import type { Marks, Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
@@ -12,6 +12,7 @@ import {
   type Asked,
   askedOf,
   bytesOf,
+  type KeptMesh,
   meshOf,
   settingsAskedFor,
   type Visit,
@@ -31,9 +32,16 @@ const REMARKS: Record<string, string> = {
   large: VISIT.tooLarge,
 };
 
+/** What was asked for last, written while the page was left; it counts if the mesh is still there. */
+interface Late {
+  id: string;
+  asked: Asked;
+}
+
 /** Keeps the mesh and what was asked for in this browser, and starts with them the next time. */
 export class LastVisit {
   private readonly link: SettingsLink;
+  private readonly stored = new Stored();
   /** What is being restored. */
   private found: Visit | null = null;
   private readonly remarks: string[] = [];
@@ -42,7 +50,9 @@ export class LastVisit {
   /** The mesh that was written last, and its name among those of other pages. */
   private source: Source | null = null;
   private id = '';
-  /** What to write, unless something else comes first. */
+  /** The id under which the browser has the mesh. */
+  private writtenAs = '';
+  /** What is not written yet. */
   private pending: { source: Source; asked: Asked } | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Whether what is kept is of this visit, or gives way to it: the sample that a visit begins with replaces nothing. */
@@ -56,7 +66,7 @@ export class LastVisit {
     });
     window.addEventListener('pagehide', () => {
       this.giveUp();
-      void this.write();
+      void this.write({ isLeaving: true });
     });
   }
 
@@ -70,10 +80,11 @@ export class LastVisit {
   private async read(): Promise<Source | null> {
     remember(KEY, 'restoring');
     try {
-      const [id, mesh, asked] = await readStored(['id', 'mesh', 'asked']);
-      this.found = visitOf(mesh, asked);
+      const [id, mesh, asked, late] = await this.stored.read(['id', 'mesh', 'asked', 'late']);
+      const last = late as Late | null | undefined;
+      this.found = visitOf(mesh, last?.id === id ? last?.asked : asked);
       // It need not be written again.
-      this.id = String(id);
+      this.id = this.writtenAs = String(id);
       this.source = this.found.source;
       this.isKept = true;
       return this.found.source;
@@ -113,7 +124,7 @@ export class LastVisit {
     this.giveUp();
     this.pending = { source, asked: askedOf(outcome, marks) };
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.write(), PAUSE);
+    this.timer = setTimeout(() => void this.write(), source === this.source ? PAUSE : 0);
   }
 
   /** What to say of a mesh that was restored, once; '' of others. */
@@ -154,13 +165,15 @@ export class LastVisit {
 
   private async clear(): Promise<void> {
     forget(KEY);
-    await forgetStored().catch((error) => console.info('The last visit stays stored:', error));
+    this.writtenAs = '';
+    await this.stored
+      .forget()
+      .catch((error) => console.info('The last visit stays stored:', error));
   }
 
-  private async write(): Promise<void> {
+  private async write({ isLeaving = false } = {}): Promise<void> {
     clearTimeout(this.timer);
     const { pending } = this;
-    this.pending = null;
     if (!pending) return;
     const { source, asked } = pending;
     if (source !== this.source) this.id = `${Date.now()} ${Math.random()}`;
@@ -172,14 +185,31 @@ export class LastVisit {
     try {
       if (isUsual && !this.isKept) return;
       this.isKept = !isUsual;
-      if (isUsual || isLarge) await this.clear();
-      else await writeStored({ asked }, { id: this.id, values: { mesh } });
-      if (!isUsual) remember(KEY, isLarge ? 'large' : 'kept');
+      const isCleared = isUsual || isLarge;
+      const done = isCleared ? this.clear() : this.put(mesh, asked, isLeaving);
+      if (isLarge) remember(KEY, 'large');
+      await done;
+      if (!isCleared) remember(KEY, 'kept');
     } catch (error) {
       // Storage is off or full, or a file is gone: everything else works, and no earlier mesh comes back in its place.
       console.info('This visit is not kept:', error);
       await this.clear();
+    } finally {
+      if (this.pending === pending) this.pending = null;
     }
+  }
+
+  /** Returns at once for a page that is being left, where it can. */
+  private put(mesh: KeptMesh, asked: Asked, isLeaving: boolean): Promise<void> | undefined {
+    const { id } = this;
+    if (isLeaving && this.writtenAs === id) {
+      this.stored.writeAtOnce({ late: { id, asked } });
+      return undefined;
+    }
+    const written = this.stored.write({ asked, late: null }, { id, values: { mesh } });
+    return written.then(() => {
+      this.writtenAs = id;
+    });
   }
 }
 
