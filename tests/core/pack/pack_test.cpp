@@ -67,7 +67,7 @@ TEST_CASE("no texel has two charts, and padding lies between them", "[pack]") {
 TEST_CASE("the same where cells are larger than texels", "[pack]") {
   for (const std::size_t count : {3, 30})
     for (const int padding : {0, 4, 9}) {
-      if (kIsInstrumented && padding != 4) continue;
+      if (kIsInstrumented && (count > 3 || padding != 4)) continue;
       CAPTURE(count, padding);
       checkPacked(makePackShapes("mixed", count, 5, 8), at(1030, padding));
     }
@@ -154,8 +154,8 @@ TEST_CASE("threads do not change a packing", "[pack]") {
 
 TEST_CASE("with a bound of work all charts are packed, and the better the more it allows",
           "[pack][quality]") {
-  for (const std::size_t count : {2, 5, 25, 100, 300}) {
-    if (count > cases(300u, 25u)) continue;
+  for (const std::size_t count : {2, 5, 25, 100}) {
+    if (count > cases(100u, 25u)) continue;
     const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 3);
     PackOptions options = at(512, 2);
     const Packing without = packed(shapes, options);

@@ -35,7 +35,7 @@ void checkCharts(const UnwrapReport& report, double balance) {
 }  // namespace
 
 TEST_CASE("closed surfaces of many kinds are valid at any balance", "[balance][quality]") {
-  for (unsigned number = 0; number < cases(100u, kClosedFamilies); ++number) {
+  for (unsigned number = 0; number < cases(50u, kClosedFamilies); ++number) {
     const ClosedMesh closed = closedMesh(number);
     for (const double balance : {0.0, 0.25, 0.5, 1.0}) {
       UnwrapOptions options;
