@@ -87,6 +87,26 @@ test('a result belongs to the step whose settings it has, and only so many are k
   assert.deepEqual(kept(), [0], 'the current one always');
 });
 
+test('what undo and redo lead to is kept even if it is large, and what is shared costs nothing', async (t) => {
+  const { steps } = await stepsFor(t);
+  const large = 2.5 * 2 ** 26;
+  const shared = new Uint8Array(large);
+  const same = (settings) => ({ settings, result: { uv: shared } });
+  steps.settle(same(atlas()));
+  for (let padding = 3; padding < 6; ++padding) {
+    steps.change(atlas({ padding }), `Padding ${padding}`);
+    steps.settle(padding === 3 ? same(atlas({ padding })) : result(atlas({ padding }), large));
+  }
+  const kept = () => steps.all.flatMap(({ outcome }, i) => (outcome ? [i] : []));
+  assert.deepEqual(kept(), [2, 3], 'a third one is too much');
+  steps.go(1);
+  steps.settle(same(atlas({ padding: 3 })));
+  assert.deepEqual(kept(), [1, 2]);
+  steps.go(0);
+  steps.settle(same(atlas()));
+  assert.deepEqual(kept(), [0, 1]);
+});
+
 test('changes are named by what differs', async () => {
   const { changeBetween } = await load('session/change');
   const named = (some) => changeBetween(atlas(), atlas(some)).text;

@@ -13,8 +13,9 @@ export interface Step {
 
 /** Enough for an afternoon's work. */
 const MOST_STEPS = 200;
-/** Bytes of all results that are kept. */
+/** Bytes of all results that are kept, and with those that undo and redo lead to: three of a million triangles. */
 const MOST_BYTES = 2 ** 28;
+const MOST_BYTES_NEAR = 2 ** 29;
 /** In milliseconds: changes of a stream that follow faster belong together. */
 const TOGETHER = 1000;
 
@@ -99,15 +100,18 @@ export class Steps {
     const near = this.steps
       .map((step, i) => ({ step, distance: Math.abs(i - this.at) }))
       .sort((a, b) => a.distance - b.distance);
-    const seen = new Set<ArrayBuffer>();
+    const kept = new Set<ArrayBuffer>();
     let bytes = 0;
     for (const { step, distance } of near) {
       if (!step.outcome) continue;
-      for (const buffer of buffersOf(step.outcome.result)) {
-        if (!seen.has(buffer)) bytes += buffer.byteLength;
-        seen.add(buffer);
+      const own = buffersOf(step.outcome.result).filter((buffer) => !kept.has(buffer));
+      const size = own.reduce((sum, { byteLength }) => sum + byteLength, 0);
+      const most = distance > 1 ? MOST_BYTES : MOST_BYTES_NEAR;
+      if (distance > 0 && size > 0 && bytes + size > most) step.outcome = null;
+      else {
+        for (const buffer of own) kept.add(buffer);
+        bytes += size;
       }
-      if (distance > 0 && bytes > MOST_BYTES) step.outcome = null;
     }
   }
 }
