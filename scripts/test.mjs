@@ -5,7 +5,6 @@
 // Suites and groups are those of suites.mjs (default: the group "default").
 
 import { parseArgs } from 'node:util';
-import { buildWasm, buildWeb } from './build.mjs';
 import { JOBS } from './lib/cmake.mjs';
 import { runPool } from './lib/pool.mjs';
 import { Failure, runMain } from './lib/run.mjs';
@@ -40,34 +39,23 @@ function choose(names) {
 
 const secondsSince = (start) => (performance.now() - start) / 1000;
 
-/** Builds that one core is busy with for part of their time: links, bundles. */
-const PARTLY_SINGLE = new Set([buildWasm, buildWeb]);
-
 /**
  * Builds what the suites need and notes how long each build took. Resolves to the builds that
- * failed, and why. Two builds run at a time, so that no core waits for the other.
+ * failed, and why.
  */
 async function buildFor(suites, times) {
   const broken = new Map();
-  const inTurn = async (builds) => {
-    for (const build of builds) {
-      const start = performance.now();
-      try {
-        await build();
-      } catch (error) {
-        if (!(error instanceof Failure)) throw error;
-        console.error(error.message);
-        broken.set(build, error.message);
-      }
-      times.push([build.name, secondsSince(start)]);
+  for (const build of new Set(suites.flatMap(({ needs }) => needs))) {
+    const start = performance.now();
+    try {
+      await build();
+    } catch (error) {
+      if (!(error instanceof Failure)) throw error;
+      console.error(error.message);
+      broken.set(build, error.message);
     }
-  };
-  const builds = [...new Set(suites.flatMap(({ needs }) => needs))];
-  const isPartlySingle = (build) => PARTLY_SINGLE.has(build);
-  await Promise.all([
-    inTurn(builds.filter((build) => !isPartlySingle(build))),
-    inTurn(builds.filter(isPartlySingle)),
-  ]);
+    times.push([build.name, secondsSince(start)]);
+  }
   return broken;
 }
 
@@ -115,9 +103,7 @@ await runMain(async () => {
   const start = performance.now();
   await setup([...new Set(suites.flatMap(({ purposes }) => purposes))]);
   const times = [['setup', secondsSince(start)]];
-  const building = performance.now();
   const broken = await buildFor(suites, times);
-  times.push(['all builds', secondsSince(building)]);
   const runs = suites.map((suite) => ({
     title: suite.title,
     waits: suite.waits,

@@ -9,7 +9,7 @@ import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { FOLDED_DISKS, judge, MILD_DISKS, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const COUNT = isInstrumented ? 16 : 60;
+const COUNT = isInstrumented ? 10 : 60;
 const BOUNDS = isInstrumented ? [1.5, 0.98] : [2, 1.5, 1.05, 1, 0.98];
 /** Flattens and checks that exit code, report and judge (if available) agree. */
 async function flattened(at, input, t) {

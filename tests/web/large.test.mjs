@@ -6,6 +6,7 @@ import { test } from 'node:test';
 import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
+import { laterParts } from './later-parts.mjs';
 import { dropAndWait, exportMesh, openPage, settled, textOf } from './page.mjs';
 
 /**
@@ -117,8 +118,17 @@ async function aim(page, from, to) {
 }
 
 test('on a large mesh the pointer finds its vertex without looking at all triangles', async (t) => {
-  const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareCounting) });
+  let rest;
+  const page = await openPage(t, {
+    prepare: (page) => {
+      rest = laterParts(page);
+      return page.addInitScript(prepareCounting);
+    },
+  });
   const mostRun = await countRuns(page);
+  // With the tools that come later, what the pointer finds things in is made anew, when it is first
+  // over the mesh.
+  await rest;
   await dropAndWait(page, 'ring.obj', objText(SURFACE));
   await aim(page, 0, 2);
   await mostRun();
