@@ -156,7 +156,7 @@ Shape measureShape(const Outline& outline) {
   for (const Point2& q : outline) points.insert(points.end(), q.begin(), q.end());
   for (const auto& [i, j] : findCrossings(points, kMostCrossings).first)
     shape.crossings.push_back({BoundaryIndex(i), BoundaryIndex(j)});
-  // An outline that does not turnAt itself covers nothing twice.
+  // An outline that does not cross itself covers nothing twice.
   if (!shape.crossings.empty()) shape.overlap = overlapArea(outline) / area;
   return shape;
 }
