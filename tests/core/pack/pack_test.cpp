@@ -51,6 +51,32 @@ void checkPacked(const std::vector<PackShape>& shapes, const PackOptions& option
   CHECK(packing.utilization < 1);
 }
 
+void checkBoundOfWork(std::size_t count) {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 3);
+  PackOptions options = at(512, 2);
+  const Packing without = packed(shapes, options);
+  double used = 0;
+  int tries = 0;
+  for (options.work = 1; options.work < 1e8; options.work *= 10) {
+    checkPacked(shapes, options);
+    const Packing one = packed(shapes, options);
+    CHECK(one.utilization >= used);
+    CHECK(one.tries >= tries);
+    used = one.utilization;
+    tries = one.tries;
+    ThreadPool pool(3);
+    options.pool = &pool;
+    const Packing more = packed(shapes, options);
+    options.pool = nullptr;
+    CHECK(one.scale == more.scale);
+    CHECK(one.tries == more.tries);
+  }
+  CHECK(used == without.utilization);
+  CHECK(tries == without.tries);
+  options.work = 1;
+  CHECK(packed(shapes, options).tries < without.tries);
+}
+
 }  // namespace
 
 TEST_CASE("no texel has two charts, and padding lies between them", "[pack]") {
@@ -154,32 +180,12 @@ TEST_CASE("threads do not change a packing", "[pack]") {
 
 TEST_CASE("with a bound of work all charts are packed, and the better the more it allows",
           "[pack][quality]") {
-  for (const std::size_t count : {2, 5, 25, 100}) {
-    if (count > cases(100u, 25u)) continue;
-    const std::vector<PackShape> shapes = makePackShapes("mixed", count, 5, 3);
-    PackOptions options = at(512, 2);
-    const Packing without = packed(shapes, options);
-    double used = 0;
-    int tries = 0;
-    for (options.work = 1; options.work < 1e8; options.work *= 10) {
-      checkPacked(shapes, options);
-      const Packing one = packed(shapes, options);
-      CHECK(one.utilization >= used);
-      CHECK(one.tries >= tries);
-      used = one.utilization;
-      tries = one.tries;
-      ThreadPool pool(3);
-      options.pool = &pool;
-      const Packing more = packed(shapes, options);
-      options.pool = nullptr;
-      CHECK(one.scale == more.scale);
-      CHECK(one.tries == more.tries);
-    }
-    CHECK(used == without.utilization);
-    CHECK(tries == without.tries);
-    options.work = 1;
-    CHECK(packed(shapes, options).tries < without.tries);
-  }
+  for (const std::size_t count : {2, 5, 25, 100})
+    if (count <= cases<std::size_t>(100, 25)) checkBoundOfWork(count);
+}
+
+TEST_CASE("with a bound of work hundreds of charts are packed", "[pack][.long]") {
+  checkBoundOfWork(300);
 }
 
 TEST_CASE("tiles are well used", "[pack]") {

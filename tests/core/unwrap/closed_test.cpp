@@ -32,10 +32,8 @@ void checkCharts(const UnwrapReport& report, double balance) {
   CHECK((most > report.options.maxStretch) == tellsOfStretch(report));
 }
 
-}  // namespace
-
-TEST_CASE("closed surfaces of many kinds are valid at any balance", "[balance][quality]") {
-  for (unsigned number = 0; number < cases(50u, kClosedFamilies); ++number) {
+void checkClosedMeshes(unsigned begin, unsigned end) {
+  for (unsigned number = begin; number < end; ++number) {
     const ClosedMesh closed = closedMesh(number);
     for (const double balance : {0.0, 0.25, 0.5, 1.0}) {
       UnwrapOptions options;
@@ -49,4 +47,16 @@ TEST_CASE("closed surfaces of many kinds are valid at any balance", "[balance][q
       checkCharts(report, balance);
     }
   }
+}
+
+constexpr unsigned kUsualMeshes = 50;
+
+}  // namespace
+
+TEST_CASE("closed surfaces of many kinds are valid at any balance", "[balance][quality]") {
+  checkClosedMeshes(0, cases(kUsualMeshes, kClosedFamilies));
+}
+
+TEST_CASE("more closed surfaces are valid at any balance", "[balance][.long]") {
+  checkClosedMeshes(kUsualMeshes, 100);
 }
