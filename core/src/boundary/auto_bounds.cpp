@@ -107,7 +107,7 @@ Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds
   if (first.valid() || first.isCancelled()) return first;
   Attempt best = untangled(flattener, std::move(first), untangle, effort);
   if (best.valid() || best.isCancelled()) return best;
-  if (effort.mayStayTangled && isTangled(best)) return best;
+  if (effort.mayStayInvalid) return best;
   flattener.allowSteps(kLastSteps);
   std::optional<Attempt> last = lastResort(flattener, t);
   flattener.allowAllSteps();

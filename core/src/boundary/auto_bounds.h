@@ -19,10 +19,11 @@ struct OutlineGoal {
 struct Effort {
   /// Newton steps allowed for each step that the layout with crossings took, and their minimum.
   int stepsPerStep = 20, leastSteps = 200;
-  /// A layout with crossings is an acceptable answer: at once if it is stretched more than this (as
-  /// the symmetric Dirichlet energy / 4), otherwise when the steps are used up.
+  /// A layout with crossings is left alone if it is stretched more than this (as the symmetric
+  /// Dirichlet energy / 4).
   double mostStretch = std::numeric_limits<double>::infinity();
-  bool mayStayTangled = false;
+  /// A layout that is not valid is an acceptable answer: there are no last resorts, which distort.
+  bool mayStayInvalid = false;
 };
 
 /// The valid layout with the least distortion under the given bounds: the one for these bounds if

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "base/constants.h"
-#include "base/point2.h"
 #include "base/stopwatch.h"
+#include "boundary/contacts.h"
 #include "layout/layout.h"
 #include "layout/tutte.h"
 #include "solve/angle_solver.h"
@@ -47,55 +47,6 @@ std::string reasonWithoutFactor(const FactorMemory& memory) {
   return out;
 }
 
-/// A millionth of the boundary's extent, as a power of two: single precision resolves more. 0 if
-/// the boundary has no extent.
-double outlineGrid(const DiskChart& chart, const std::vector<double>& uv) {
-  double size = 0;
-  const Point2 first = pointAt(uv, chart.boundaryVertex(BoundaryIndex(0)));
-  for (const BoundaryIndex i : chart.boundary.ids()) {
-    const Point2 p = pointAt(uv, chart.boundaryVertex(i));
-    for (std::size_t d = 0; d < 2; ++d) size = std::max(size, std::abs(p[d] - first[d]));
-  }
-  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size) - 20) : 0;
-}
-
-/// The boundary on its grid. Features smaller than a few cells are left out, so that places near
-/// each other belong to different parts of the boundary.
-struct RoundedOutline {
-  std::vector<double> points;
-  std::vector<BoundaryIndex> place;  ///< of each point
-};
-
-RoundedOutline roundedOutline(const DiskChart& chart, const std::vector<double>& uv) {
-  const auto at = [&](BoundaryIndex i) { return pointAt(uv, chart.boundaryVertex(i)); };
-  const double cell = outlineGrid(chart, uv);
-  const bool isRounded = cell > 0;
-  const double grid = isRounded ? cell : 1;
-  constexpr double kFewCells = 2;
-  const auto isNear = [&](BoundaryIndex i, BoundaryIndex j) {
-    const Point2 p = at(i), q = at(j);
-    const double x = (p[0] - q[0]) / grid, y = (p[1] - q[1]) / grid;
-    return x * x + y * y < kFewCells * kFewCells;
-  };
-  RoundedOutline out;
-  for (const BoundaryIndex i : chart.boundary.ids())
-    if (i == 0 || !isRounded || !isNear(i, out.place.back())) out.place.push_back(i);
-  while (isRounded && out.place.size() > 1 && isNear(out.place.back(), out.place.front()))
-    out.place.pop_back();
-  for (const BoundaryIndex i : out.place)
-    for (const double x : at(i)) out.points.push_back(isRounded ? std::round(x / grid) * grid : x);
-  return out;
-}
-
-/// Crossings of the boundary on its grid, so that parts that almost touch count.
-Crossings touching(const DiskChart& chart, const std::vector<double>& uv) {
-  const RoundedOutline rounded = roundedOutline(chart, uv);
-  Crossings out = findCrossings(rounded.points);
-  for (auto& pair : out.first)
-    for (std::uint32_t& edge : pair) edge = rounded.place[edge];
-  return out;
-}
-
 }  // namespace
 
 Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
@@ -114,7 +65,7 @@ Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
   Validity v = checkValidity(chart, uv);
   if (!v.valid()) return v;
-  v.crossings = touching(chart, uv);
+  v.crossings = findContacts(chart, uv);
   return v;
 }
 
@@ -163,12 +114,12 @@ Attempt ChartFlattener::withoutLayout(const BoundaryBounds& t) const {
 
 double ChartFlattener::leastDistance(const std::vector<double>& uv) const {
   constexpr double kCells = 4;
-  return kCells * outlineGrid(chart_, uv);
+  return kCells * contactCell(chart_, uv);
 }
 
 Crossings ChartFlattener::crossings(const std::vector<double>& uv) const {
   Crossings exact = findCrossings(boundaryUv(chart_, uv));
-  return exact.count > 0 || !requiresSeparation_ ? exact : touching(chart_, uv);
+  return exact.count > 0 || !requiresSeparation_ ? exact : findContacts(chart_, uv);
 }
 
 Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {

@@ -57,7 +57,8 @@ struct Attempt {
   bool isCancelled() const { return ending == Ending::Cancelled; }
   bool isGivenUp() const { return ending == Ending::GivenUp; }
   bool converged() const {
-    return ending == Ending::LaidOut && (solver == Solver::Tutte || solution.converged);
+    const bool isSolved = solver == Solver::Tutte || solver == Solver::Projection;
+    return ending == Ending::LaidOut && (isSolved || solution.converged);
   }
   bool valid() const { return converged() && validity.valid() && exceeded.count == 0; }
 };

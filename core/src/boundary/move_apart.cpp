@@ -135,17 +135,32 @@ double extentOf(const DiskChart& chart, const std::vector<double>& uv) {
   return std::max(hi[0] - lo[0], hi[1] - lo[1]);
 }
 
-std::string note(std::size_t count, double share) {
+}  // namespace
+
+DrawnBack drawBack(const TouchingLayout& layout, double first, Crossings left,
+                   const std::function<Crossings(const std::vector<double>&)>& crossings) {
+  DrawnBack out;
+  Outline outline(layout.chart, layout.uv, layout.straight);
+  for (int round = 0; round < kRounds && left.count > 0; ++round) {
+    if (!outline.moveOn(left, layout.turned, first)) return out;
+    out.uv = outline.moved();
+    left = crossings(out.uv);
+  }
+  out.isApart = left.count == 0 && !out.uv.empty();
+  out.moved = outline.movedCount();
+  out.farthest = outline.farthest();
+  return out;
+}
+
+std::string drawnBackNote(const DrawnBack& drawn, const DiskChart& chart) {
   char out[140];
   std::snprintf(
       out, sizeof out,
       "the boundary touched itself; %zu of its vertices were pulled back by up to %.1g of "
       "its extent",
-      count, share);
+      drawn.moved, drawn.farthest / extentOf(chart, drawn.uv));
   return out;
 }
-
-}  // namespace
 
 Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
   const DiskChart& chart = flattener.chart();
@@ -155,16 +170,14 @@ Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
   const bool isDelaunay = !crossing.solution.activeEdge.empty();
   if (isDelaunay || !(cells > 0)) return out;
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, crossing.solution));
-  Outline outline(chart, crossing.uv, flattener.straight());
-  Crossings left = crossing.validity.crossings;
-  for (int round = 0; round < kRounds && left.count > 0; ++round) {
-    if (!outline.moveOn(left, turned, cells)) return out;
-    out.uv = outline.moved();
-    left = flattener.crossings(out.uv);
-  }
+  const auto crossings = [&](const std::vector<double>& uv) { return flattener.crossings(uv); };
+  DrawnBack drawn = drawBack({chart, crossing.uv, flattener.straight(), turned}, cells,
+                             crossing.validity.crossings, crossings);
+  if (!drawn.isApart) return out;
+  out.uv = drawn.uv;
   flattener.measure(out);
   if (out.validity.valid()) out.exceeded = exceededBounds(chart, out.uv, out.t);
-  out.fallbacks.push_back(note(outline.movedCount(), outline.farthest() / extentOf(chart, out.uv)));
+  out.fallbacks.push_back(drawnBackNote(drawn, chart));
   return out;
 }
 

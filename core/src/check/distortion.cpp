@@ -56,6 +56,30 @@ std::array<double, 2> singularValues(const Triangle& t, double scale) {
   return {s1, s1 > 0 ? std::abs(a * d - b * c) / s1 : 0};
 }
 
+/// Whether no texture could show the triangle. Chart units make the extent about 1.
+bool isSliver(const DiskChart& chart, ChartTriangle f) {
+  constexpr double kLeastHeight = 1e-6;
+  const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
+  std::array<Vec3, 3> e;
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    e[k] = edgeVector(chart.positions, v[k], v[(k + 1) % 3]);
+    longest = std::max(longest, norm(e[k]));
+  }
+  return norm(cross(e[0], e[1])) < kLeastHeight * longest;
+}
+
+/// The triangles that measures count.
+std::vector<ChartTriangle> measuredTriangles(const DiskChart& chart) {
+  std::vector<ChartTriangle> all, seen;
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    if (isDegenerate(chart.angles[f])) continue;
+    all.push_back(f);
+    if (!isSliver(chart, f)) seen.push_back(f);
+  }
+  return seen.empty() ? all : seen;
+}
+
 double lengthDistortion(const DiskChart& chart, const std::vector<double>& uv) {
   std::vector<std::array<double, 2>> lengths;
   double sum3d = 0, sumUv = 0;
@@ -90,8 +114,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   std::size_t measured = 0;
   out.areaMin = std::numeric_limits<double>::infinity();
   out.areaMax = 0;
-  for (const ChartTriangle f : chart.surfaceTriangles()) {
-    if (isDegenerate(chart.angles[f])) continue;
+  for (const ChartTriangle f : measuredTriangles(chart)) {
     const Triangle t = makeTriangle(chart, uv, f);
     ++measured;
     angular += sumSquaredAngleErrors(t, chart.angles[f]);

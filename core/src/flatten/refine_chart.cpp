@@ -204,7 +204,10 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, con
     Attempt out = refined(flattener, optionsFor(flattener, wishes, Outline::Free), first);
     if (out.valid()) return out;
   }
-  if (wishes.mayBeRough && !first.valid() && !first.isCancelled())
+  // Where needles need more digits than a rough solution has, refining cannot bring them back.
+  constexpr double kSuspicious = 2;
+  const bool isGood = first.valid() && first.distortion.symmetricDirichlet < kSuspicious;
+  if (wishes.mayBeRough && !isGood && !first.isCancelled())
     first = flattener.attempt(goal.t, first.converged() ? &first : nullptr);
   Attempt out = madeValid(flattener, std::move(first), goal.t, goal.untangle, effort);
   refineChart(flattener, wishes, out);

@@ -47,27 +47,27 @@ double ChordFinder::resolvedShare(SurfaceCorner h,
   return static_cast<double>(resolved) / static_cast<double>(pairs.size());
 }
 
-/// h is none if the chord would cut off next to nothing or open a hole that has to stay filled.
-Chord ChordFinder::chordAt(SurfaceCorner h, CutChartId chart) const {
-  constexpr double kLeastShare = 0.02;
+/// h is none if the chord would cut off a smaller share or open a hole that has to stay filled.
+Chord ChordFinder::chordAt(SurfaceCorner h, CutChartId chart, double leastShare) const {
   const double all = surface_.charts[chart].area;
   Chord c;
   c.left = area_[triangleOf(h)];
   c.right = all - c.left;
   c.length = paths_.costThrough(h);
-  if (!(std::min(c.left, c.right) > kLeastShare * all) || !(c.length < kBarredCost)) return {};
+  if (!(std::min(c.left, c.right) > leastShare * all) || !(c.length < kBarredCost)) return {};
   c.h = h;
   return c;
 }
 
 Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs) {
+  constexpr double kLeastShare = 0.02;
   walk(chart);
   numberLoop(chart);
   Chord best;
   double bestScore = 0;
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const SurfaceCorner h = parent_[order_[i]];
-    Chord c = chordAt(h, chart);
+    Chord c = chordAt(h, chart, kLeastShare);
     if (!c.h.exists()) continue;
     const double smaller = std::min(c.left, c.right);
     double score = c.length / std::sqrt(smaller);
@@ -81,6 +81,17 @@ Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryI
     }
   }
   return best;
+}
+
+Chord ChordFinder::forHalving(CutChartId chart) {
+  Chord most = best(chart, {});
+  if (most.h.exists()) return most;
+  for (std::size_t i = 1; i < order_.size(); ++i) {
+    const Chord c = chordAt(parent_[order_[i]], chart, 0);
+    const bool isMore = std::min(c.left, c.right) > std::min(most.left, most.right);
+    if (c.h.exists() && (!most.h.exists() || isMore)) most = c;
+  }
+  return most;
 }
 
 }  // namespace abflat

@@ -26,8 +26,11 @@ class ChordFinder {
   /// `pairs` belong to the chart's loop.
   Chord best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
 
+  /// The best chord, or if all of them would cut off next to nothing, the one that cuts off most.
+  Chord forHalving(CutChartId chart);
+
  private:
-  Chord chordAt(SurfaceCorner h, CutChartId chart) const;
+  Chord chordAt(SurfaceCorner h, CutChartId chart, double leastShare) const;
   void walk(CutChartId chart);
   void numberLoop(CutChartId chart);
   double resolvedShare(SurfaceCorner h,

@@ -145,25 +145,27 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   return {};
 }
 
-void checkAll(const PackedCharts& packed, const UnwrapOptions& options, UnwrapReport& report) {
+std::vector<std::string> checkAll(const PackedCharts& packed, const UnwrapOptions& options,
+                                  AtlasReport& atlas) {
+  std::vector<std::string> notes;
   const bool isSingle = options.roundsToSingle && !options.roundsForGltf;
-  const bool isFine = report.atlas.tiles <= kMostTilesInSingle;
+  const bool isFine = atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)
-    report.notes.push_back(
-        "texcoords are in double precision: single precision is too coarse for " +
-        std::to_string(report.atlas.tiles) + " tiles");
+    notes.push_back("texcoords are in double precision: single precision is too coarse for " +
+                    std::to_string(atlas.tiles) + " tiles");
   if (isSingle && isFine) {
     const BeforeRounding before(packed.charts.flat);
     const std::size_t lost = roundToSingle(packed.charts.set, packed.pool, packed.charts.flat);
-    if (lost == 0) return;
+    if (lost == 0) return fittingNotes(packed.charts.flat, Numbers::Gltf);
     before.restore(packed.packing, packed.charts.flat);
-    report.notes.push_back("texcoords are in double precision: rounding to single would make " +
-                           std::to_string(lost) + (lost == 1 ? " chart" : " charts") + " invalid");
+    notes.push_back("texcoords are in double precision: rounding to single would make " +
+                    std::to_string(lost) + (lost == 1 ? " chart" : " charts") + " invalid");
   }
   const Numbers numbers = options.roundsForGltf ? Numbers::Gltf : Numbers::Double;
-  fitAll(packed, options, numbers, report.atlas);
+  fitAll(packed, options, numbers, atlas);
   for (std::string& note : fittingNotes(packed.charts.flat, numbers))
-    report.notes.push_back(std::move(note));
+    notes.push_back(std::move(note));
+  return notes;
 }
 
 }  // namespace abflat

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "abflat/unwrap.h"
@@ -15,7 +16,9 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
                const std::function<bool(double)>& tell, AtlasReport& atlas);
 
 /// Checks all charts in the atlas, rounded as the options ask or, with a note, unrounded. Charts
-/// that are too small or too thin for the rounding are adjusted until they are not, with a note.
-void checkAll(const PackedCharts& packed, const UnwrapOptions& options, UnwrapReport& report);
+/// that are too small, too thin or too close to themselves for the rounding are adjusted until they
+/// are not. Returns notes about that.
+std::vector<std::string> checkAll(const PackedCharts& packed, const UnwrapOptions& options,
+                                  AtlasReport& atlas);
 
 }  // namespace abflat

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/counted.h"
 #include "flatten/chart_report.h"
+#include "flatten/planar.h"
 #include "flatten/refine_chart.h"
 #include "seam/prediction.h"
 
@@ -28,10 +30,27 @@ void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attemp
   out.uncommon->straightPlaces = straight;
 }
 
+void describe(const DiskChart& chart, const ChartWishes& wishes, Attempt& attempt, FlatChart& out) {
+  if (attempt.straight) attempt.straight->released = wishes.released;
+  out.problem = findProblem(chart, attempt);
+  keepMeasures(chart, wishes.straight, attempt, out);
+}
+
+FlatChart projectedChart(const DiskChart& chart, Attempt& attempt) {
+  FlatChart out;
+  out.unpacked = inMeshUnit(chart, attempt);
+  describe(chart, {}, attempt, out);
+  return out;
+}
+
 /// Steps are cheap on a small chart, and saving a seam is worth many of them.
 Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionValues& options) {
   constexpr int kFewest = 60, kMost = 200, kTriangles = 80000;
-  if (patience == Patience::All) return {8, 40};
+  if (patience != Patience::Little) {
+    Effort out{8, 40};
+    out.mayStayInvalid = patience == Patience::Much;
+    return out;
+  }
   const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
   return {20, std::clamp(steps, kFewest, kMost),
           stretchBeforeRefining(options.maxStretch, options.balance), true};
@@ -42,6 +61,8 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartWishes& wishes, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
+  if (options.t == kAutoT && wishes.pins.empty() && wishes.straight.empty())
+    if (std::optional<Attempt> attempt = projectPlanar(chart)) return projectedChart(chart, *attempt);
   SolverOptions solver;
   solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
@@ -55,15 +76,14 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);
   const OutlineGoal goal = options.t == kAutoT ? automaticGoal(bounds) : OutlineGoal{bounds};
-  FlatChart out;
   RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
   refining.mayBeRough = true;
   const Effort effort = effortFor(patience, chart, options);
   const bool isPinned = !wishes.pins.empty();
   Attempt attempt = isPinned ? flattenChart(flattener, goal, effort)
                              : flattenAndRefine(flattener, goal, effort, refining);
-  if (attempt.isCancelled()) return out;
-  out.isTangled = patience == Patience::Little && isTangled(attempt);
+  if (attempt.isCancelled()) return {};
+  FlatChart out;
   if (isPinned) {
     Attempt alone = attempt;
     refineChart(flattener, refining, alone);
@@ -76,9 +96,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   } else {
     out.unpacked = inMeshUnit(chart, attempt);
   }
-  if (attempt.straight) attempt.straight->released = wishes.released;
-  out.problem = findProblem(chart, attempt);
-  keepMeasures(chart, wishes.straight, attempt, out);
+  describe(chart, wishes, attempt, out);
+  out.patience = patience;
   return out;
 }
 
@@ -86,8 +105,15 @@ double areaOf(const DiskChart& chart) { return surfaceArea(chart) * chart.unit *
 
 void checkInPlace(const DiskChart& chart, FlatChart& flat) {
   if (!flat.problem.empty()) return;
-  if (!checkValidity(chart, flat.uv).valid())
-    flat.problem = "valid on its own, but its smallest triangles vanish at the scale of the atlas";
+  const Validity v = checkValidity(chart, flat.uv);
+  if (v.flippedTriangles > 0)
+    flat.problem = "valid on its own, but rounded at the scale of the atlas, " +
+                   counted(v.flippedTriangles, "triangle vanishes", "triangles vanish") +
+                   ". Unwrap small parts on their own";
+  else if (v.crossings.count > 0)
+    flat.problem =
+        "valid on its own, but rounded at the scale of the atlas, its outline touches itself at " +
+        counted(v.crossings.count, "place", "places") + ". Cut it there";
 }
 
 }  // namespace abflat

@@ -34,6 +34,13 @@ struct UncommonParts {
   StraightPlaces straightPlaces;
 };
 
+/// How much effort goes into a chart that has no valid layout at once.
+enum class Patience : std::uint8_t {
+  Little,  ///< a few steps to untangle it; none if it is to be cut anyway
+  Much,    ///< all ways to untangle it
+  All      ///< and bounds or Tutte's embedding, which distort
+};
+
 /// A chart that has been laid out. There may be as many of these as triangles, so each byte counts.
 struct FlatChart {
   std::vector<double> unpacked;  ///< at the chart's 3D area, in the mesh's unit
@@ -50,7 +57,11 @@ struct FlatChart {
   bool isFixed = false;      ///< uv is its place in the atlas from the start; packing leaves it
   bool isGiven = false;      ///< uv is that of the input or an earlier run, which has been checked
   bool isCutEnough = false;  ///< no seam was found that would reduce its stretch
-  bool isTangled = false;    ///< its boundary crosses itself; a seam may be the better remedy
+  bool isWhole = false;      ///< it cannot be split in two either
+  Patience patience = Patience::All;
+
+  /// A seam, or more patience, may be the better remedy.
+  bool isGivenUp() const { return !problem.empty() && patience != Patience::All; }
 };
 
 using FlatCharts = IdVector<ChartId, FlatChart>;
@@ -60,12 +71,6 @@ struct ChartWishes {
   std::vector<ChartPin> pins;  ///< positions in the atlas
   StraightPlaces straight;
   std::size_t released = 0;  ///< places that should be straight as well, but are not
-};
-
-/// How much effort goes into laying out a chart whose boundary crosses itself.
-enum class Patience {
-  Little,  ///< a few steps for each that the layout took; none if it is to be cut anyway
-  All
 };
 
 /// Area of the surface, in the mesh's unit.

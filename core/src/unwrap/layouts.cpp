@@ -32,8 +32,9 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
   const std::vector<std::uint32_t> order = largestFirst(set);
   std::size_t triangles = 0;
   // Seams are only found for charts without pins.
-  const auto patienceFor = [&](const ChartWishes& w) {
-    return canCut(options) && w.pins.empty() ? Patience::Little : Patience::All;
+  const auto patienceFor = [&](ChartId i) {
+    if (!canCut(options) || !wishes[i].pins.empty() || flat[i].isWhole) return Patience::All;
+    return flat[i].isCutEnough ? Patience::Much : Patience::Little;
   };
   const auto isKnown = [&](ChartId i) {
     return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
@@ -52,10 +53,10 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
       if (!pool.isOwner()) return !monitor.stopped();
       return tell(static_cast<double>(done) / static_cast<double>(triangles));
     };
-    const bool isCutEnough = out.isCutEnough;
-    out = flattenOne(chart, options, wishes[i],
-                     isCutEnough ? Patience::All : patienceFor(wishes[i]), pool, goesOn);
+    const bool isCutEnough = out.isCutEnough, isWhole = out.isWhole;
+    out = flattenOne(chart, options, wishes[i], patienceFor(i), pool, goesOn);
     out.isCutEnough = isCutEnough;
+    out.isWhole = isWhole;
     done += chart.triangleCount();
   });
 }
@@ -71,30 +72,46 @@ IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double m
   return out;
 }
 
-bool dropTangled(FlatCharts& flat) {
+IdVector<ChartId, std::uint8_t> ruinedCharts(const FlatCharts& flat, double most) {
+  constexpr double kRuined = 10;
+  IdVector<ChartId, std::uint8_t> out;
+  out.reserve(flat.size());
+  for (const FlatChart& chart : flat) {
+    const bool isRuined = !chart.problem.empty() || isStretched(chart, 1 + kRuined * (most - 1));
+    out.push_back(!chart.isFixed && !chart.isWhole && isRuined);
+  }
+  return out;
+}
+
+bool dropGivenUp(FlatCharts& flat) {
   bool isAny = false;
   for (FlatChart& chart : flat) {
-    if (!chart.isTangled || !chart.isCutEnough) continue;
+    const bool isMoreTried = chart.isWhole || chart.patience == Patience::Little;
+    if (!chart.isGivenUp() || !chart.isCutEnough || !isMoreTried) continue;
+    const bool isWhole = chart.isWhole;
     chart = {};
     chart.isCutEnough = isAny = true;
+    chart.isWhole = isWhole;
   }
   return isAny;
 }
 
-void noteStretched(const FlatCharts& flat, const UnwrapOptions& options,
+void noteStretched(const CutMesh& mesh, const FlatCharts& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes) {
   if (!options.seams.isAuto) return;
   std::size_t count = 0;
-  double most = 0;
-  for (const FlatChart& chart : flat) {
-    if (!isStretched(chart, options.maxStretch)) continue;
-    ++count;
-    most = std::max(most, chart.distortion.symmetricDirichlet);
+  ChartId worst(0);
+  const auto stretchOf = [&](ChartId i) { return flat[i].distortion.symmetricDirichlet; };
+  for (const ChartId i : flat.ids()) {
+    if (!isStretched(flat[i], options.maxStretch)) continue;
+    if (count++ == 0 || stretchOf(i) > stretchOf(worst)) worst = i;
   }
   if (count == 0) return;
-  char text[120];
-  std::snprintf(text, sizeof text, "%zu %s stretched by more than %g, up to %.5g: ", count,
-                count == 1 ? "chart is" : "charts are", options.maxStretch, most);
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%zu %s stretched by more than %g, up to %.5g for the chart of face %u: ", count,
+                count == 1 ? "chart is" : "charts are", options.maxStretch, stretchOf(worst),
+                std::uint32_t{mesh.map.face(mesh.set.topology(worst).triangles.front())});
   notes.push_back(text + std::string(isFree(options) ? "no seam that was tried helps enough"
                                      : options.straightSeams
                                          ? "straight seams force that"

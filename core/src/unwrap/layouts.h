@@ -6,6 +6,7 @@
 
 #include "abflat/unwrap.h"
 #include "base/parallel.h"
+#include "unwrap/cut_mesh.h"
 #include "unwrap/laid_charts.h"
 #include "unwrap/monitor.h"
 
@@ -26,10 +27,15 @@ bool isStretched(const FlatChart& chart, double most);
 /// Per chart, whether it is stretched by more than `most` and may be cut further.
 IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double most);
 
-/// Drops the layouts of tangled charts that seams do not help. Returns whether there were any.
-bool dropTangled(FlatCharts& flat);
+/// Per chart, whether it should be split in two, since nothing else makes it valid or brings it
+/// within ten times the excess that is allowed.
+IdVector<ChartId, std::uint8_t> ruinedCharts(const FlatCharts& flat, double most);
 
-void noteStretched(const FlatCharts& flat, const UnwrapOptions& options,
+/// Drops the layouts of charts that seams do not help, if more can be tried. Returns whether there
+/// were any.
+bool dropGivenUp(FlatCharts& flat);
+
+void noteStretched(const CutMesh& mesh, const FlatCharts& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes);
 
 }  // namespace abflat

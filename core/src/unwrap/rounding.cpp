@@ -5,6 +5,9 @@
 #include <cstdio>
 
 #include "base/round_texcoords.h"
+#include "boundary/guilty_arc.h"
+#include "boundary/move_apart.h"
+#include "check/validity.h"
 #include "layout/grid_repair.h"
 #include "mesh/triangle_geometry.h"
 
@@ -39,12 +42,17 @@ double stepOf(const std::vector<double>& uv, Numbers numbers) {
   return std::ldexp(1.0, exponent - (numbers == Numbers::Double ? 52 : 24));
 }
 
-void roundTo(Numbers numbers, FlatChart& chart) {
-  if (numbers == Numbers::Double) return;
-  if (chart.isFixed)
-    roundForGltf(chart.uv);
+std::vector<double> rounded(Numbers numbers, bool isFixed, std::vector<double> uv) {
+  if (numbers == Numbers::Double) return uv;
+  if (isFixed)
+    roundForGltf(uv);
   else
-    roundInAtlas(chart.uv);
+    roundInAtlas(uv);
+  return uv;
+}
+
+void roundTo(Numbers numbers, FlatChart& chart) {
+  chart.uv = rounded(numbers, chart.isFixed, std::move(chart.uv));
 }
 
 void placeOne(const Placement& p, FlatChart& flat) {
@@ -108,6 +116,33 @@ bool isRepaired(const DiskChart& chart, Numbers numbers, const std::vector<doubl
   }
   flat.movedVertices = static_cast<std::uint32_t>(repair.moved);
   flat.movedBy = repair.farthest;
+  return true;
+}
+
+/// Draws parts of the outline back that touch once they are rounded. `exact`: uv before rounding.
+bool isDrawnBack(const DiskChart& chart, Numbers numbers, const std::vector<double>& exact,
+                 FlatChart& flat) {
+  const auto crossings = [&](const std::vector<double>& uv) {
+    return findCrossings(boundaryUv(chart, rounded(numbers, flat.isFixed, uv)));
+  };
+  IdVector<BoundaryIndex, double> angles;
+  for (const ChartCorner h : chart.boundary) angles.push_back(boundaryAngle(chart, exact, h));
+  const std::vector<double> turned = turnedAlong(angles);
+  const StraightPlaces straight = flat.uncommon ? flat.uncommon->straightPlaces : StraightPlaces();
+  constexpr double kFewSteps = 2;
+  DrawnBack drawn = drawBack({chart, exact, straight, turned}, kFewSteps * stepOf(exact, numbers),
+                             crossings(exact), crossings);
+  if (!drawn.isApart) return false;
+  std::vector<double> before = std::move(flat.uv);
+  flat.uv = rounded(numbers, flat.isFixed, std::move(drawn.uv));
+  flat.problem.clear();
+  checkInPlace(chart, flat);
+  if (!flat.problem.empty()) {
+    flat.uv = std::move(before);
+    return false;
+  }
+  flat.movedVertices = static_cast<std::uint32_t>(drawn.moved);
+  flat.movedBy = drawn.farthest;
   return true;
 }
 
@@ -183,6 +218,7 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
     if (isFine(chart, numbers, flat)) return true;
   }
   if (flat.isFixed) return true;  // and reports it: its vertices are where they were asked to be
+  if (isDrawnBack(chart, numbers, exact, flat)) return true;
   if (isRepaired(chart, numbers, exact, flat)) return true;
   if (isRepairedWider(chart, numbers, exact, flat)) return true;
   const bool isSmall = boxOf(flat.uv).side() * kEnlargement <= kMostEnlargedSide;
@@ -210,13 +246,17 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& 
   parallelFor(&pool, flat.size(), [&](std::size_t k) {
     const ChartId i(k);
     if (flat[i].isGiven) return;
+    flat[i].movedVertices = 0;
     const bool wasValid = flat[i].problem.empty();
+    const std::vector<double> exact = flat[i].uv;
     if (flat[i].isFixed)
       abflat::roundToSingle(flat[i].uv);
     else
       roundInAtlas(flat[i].uv);
-    checkInPlace(charts.chart(i), flat[i]);
-    isLost[i] = wasValid && !flat[i].problem.empty();
+    const DiskChart chart = charts.chart(i);
+    checkInPlace(chart, flat[i]);
+    isLost[i] = wasValid && !flat[i].problem.empty() &&
+                (flat[i].isFixed || !isDrawnBack(chart, Numbers::Gltf, exact, flat[i]));
   });
   return static_cast<std::size_t>(std::count(isLost.begin(), isLost.end(), 1));
 }
@@ -255,7 +295,7 @@ std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers) {
     out.push_back(std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") + " of " +
                   std::to_string(charts) + (charts == 1 ? " chart" : " charts") +
                   " moved by up to " + number(farthest) +
-                  " in uv, because triangles were too thin for " + precision);
+                  " in uv, so that rounding to " + precision + " folds nothing");
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "mesh/triangle_geometry.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
+#include "seam/halve_charts.h"
 #include "seam/log_scale.h"
 #include "seam/prediction.h"
 
@@ -215,7 +216,7 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   for (const ChartId i : charts.ids()) {
     if (!isAsked(charts[i])) continue;
     const CutChartId c = s.chartOfTriangle[set.topology(i).triangles.front()];
-    if (charts[i].isTangled && restore(s, c, open)) {
+    if (charts[i].isInvalid && restore(s, c, open)) {
       isAnyRestored = true;
       continue;
     }
@@ -225,8 +226,8 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
     constexpr double kMost = 8, kSlightly = 1.01;
     const auto above = [&](double x) { return stretchBeforeRefining(x, options.balance) - 1; };
     const double leastToCut = kSlightly * above(options.maxStretch) / told;
-    // Tangled charts have not been refined.
-    const double found = charts[i].isTangled ? std::max((charts[i].stretch - 1) / told, leastToCut)
+    // Invalid charts have not been refined.
+    const double found = charts[i].isInvalid ? std::max((charts[i].stretch - 1) / told, leastToCut)
                                              : above(charts[i].stretch) / told;
     excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
@@ -241,6 +242,31 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   const bool isAnyFound = findWithin(
       apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
   return isAnyFound || isAnyRestored;
+}
+
+bool halve(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,
+           const UnwrapOptionValues& options, OpenSurface& open,
+           IdVector<ChartId, std::uint8_t>& isWhole) {
+  isWhole.assign(set.size(), 0);
+  if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return false;
+  open.seams.resize(open.mesh.twin.size(), 0);
+  open.found.resize(open.mesh.twin.size(), 0);
+  const CutSurface s = cutAlong(open.mesh, open.seams);
+  const auto cutChartOf = [&](ChartId i) {
+    return s.chartOfTriangle[set.topology(i).triangles.front()];
+  };
+  IdVector<CutChartId, std::uint8_t> isWanted(s.charts.size(), 0);
+  for (const ChartId i : set.ids()) isWanted[cutChartOf(i)] = isAsked[i];
+  const IdVector<CutChartId, std::uint8_t> isHalved =
+      halveCharts(open.mesh, s, isWanted, open.seams);
+  openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
+  for (const SurfaceCorner h : open.seams.ids()) open.found[h] = open.found[h] || open.seams[h];
+  bool isAny = false;
+  for (const ChartId i : set.ids()) {
+    isWhole[i] = isAsked[i] && !isHalved[cutChartOf(i)];
+    isAny = isAny || isHalved[cutChartOf(i)];
+  }
+  return isAny;
 }
 
 void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,

@@ -50,16 +50,22 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Unw
 
 /// How flattening distorted a chart.
 struct Stretched {
-  double stretch = 0;      ///< above the limit, or of a tangled chart; 0: the chart stays as it is
-  bool isTangled = false;  ///< its boundary crosses itself, so it has not been refined
+  double stretch = 0;      ///< above the limit, or of an invalid chart; 0: the chart stays as it is
+  bool isInvalid = false;  ///< and has not been refined
 };
 
-/// Cuts charts further that are tangled or stretched by more than `options.maxStretch`. New seams
+/// Cuts charts further that are invalid or stretched by more than `options.maxStretch`. New seams
 /// start from those found before, with a prediction corrected by the actual stretch. False if none
 /// of the charts can be cut so that less stretch is expected.
 bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open);
+
+/// Splits charts in two, whatever is predicted, and adds those to `isWhole` that cannot be split.
+/// False if none can be.
+bool halve(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,
+           const UnwrapOptionValues& options, OpenSurface& open,
+           IdVector<ChartId, std::uint8_t>& isWhole);
 
 /// Predicts the scale again for charts that seams have changed.
 void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,

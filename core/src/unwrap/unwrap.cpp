@@ -143,8 +143,38 @@ class Unwrapping {
     if (Status s = layOut(tell); !s.ok()) return s;
     constexpr int kMostRounds = 8;
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
+    if (Status s = endSearch(tell); !s.ok()) return s;
+    return halveRuined(report_.timings.solve, tell);
+  }
+
+  /// Tries more on charts for which no seam was found.
+  Status endSearch(const std::function<bool(double)>& tell) {
     for (FlatChart& chart : charts_.flat) chart.isCutEnough = true;
-    return dropTangled(charts_.flat) ? layOut(tell) : Status();
+    return dropGivenUp(charts_.flat) ? layOut(tell) : Status();
+  }
+
+  /// Splits charts in two that are still far from what is asked for. A chart that cannot be split
+  /// gets the layout that is always valid.
+  Status halveRuined(double& seconds, const std::function<bool(double)>& tell) {
+    constexpr int kMostHalvings = 24, kMostRounds = 4;
+    for (int k = 0; canCut(options_) && k < kMostHalvings && !monitor_.stopped(); ++k) {
+      if (!isHalved(ruinedCharts(charts_.flat, options_.maxStretch))) break;
+      if (Status s = readWishes(); !s.ok()) return s;
+      if (Status s = layOut(tell); !s.ok()) return s;
+      expectScale(charts_.set, stretchedPieces(charts_.flat, options_.maxStretch), *pool_, open_);
+      if (Status s = cutWhileStretched(kMostRounds, seconds, tell); !s.ok()) return s;
+      if (Status s = endSearch(tell); !s.ok()) return s;
+    }
+    return dropGivenUp(charts_.flat) ? layOut(tell) : Status();
+  }
+
+  /// Splits the charts in two, and marks those that cannot be split.
+  bool isHalved(const IdVector<ChartId, std::uint8_t>& isAsked) {
+    IdVector<ChartId, std::uint8_t> isWhole;
+    const bool isAny = halve(charts_.set, isAsked, options_, open_, isWhole);
+    for (const ChartId i : isWhole.ids()) charts_.flat[i].isWhole |= isWhole[i] != 0;
+    if (isAny) openAnew();
+    return isAny;
   }
 
   /// Each round fills a share of the bar that the rounds before left.
@@ -163,7 +193,7 @@ class Unwrapping {
       if (!isCut || monitor_.stopped()) break;
       openAnew();
       if (Status s = readWishes(); !s.ok()) return s;
-      dropTangled(charts_.flat);
+      dropGivenUp(charts_.flat);
       if (Status s = layOut(tell); !s.ok()) return s;
     }
     return {};
@@ -174,8 +204,8 @@ class Unwrapping {
     IdVector<ChartId, Stretched> charts;
     for (FlatChart& chart : charts_.flat) {
       const bool isAsked =
-          (chart.isTangled || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
-      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isTangled});
+          (chart.isGivenUp() || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
+      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isGivenUp()});
       // Cleared if its layout is not kept.
       chart.isCutEnough = chart.isCutEnough || isAsked;
     }
@@ -214,8 +244,29 @@ class Unwrapping {
     const bool mayCut = canCut(options_) && cutsForRoom(options_, charts_.flat);
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
+    if (s.ok() && !monitor_.stopped()) s = fitToFile();
     if (s.ok()) endCutting();
     return s;
+  }
+
+  /// Rounds the atlas as its file does. Charts that this makes invalid are split in two, and all
+  /// are packed again.
+  Status fitToFile() {
+    constexpr int kMostSplits = 6;
+    for (int k = 0; !monitor_.stopped(); ++k) {
+      std::vector<std::string> notes = checkAll(packedCharts(), options_, report_.atlas);
+      const bool isDone = k == kMostSplits || !canCut(options_);
+      if (isDone || !isHalved(ruinedCharts(charts_.flat, HUGE_VAL))) {
+        for (std::string& note : notes) report_.notes.push_back(std::move(note));
+        return {};
+      }
+      const auto tell = [&](double) { return monitor_.tellAgain(); };
+      if (Status s = readWishes(); !s.ok()) return s;
+      if (Status s = layOut(tell); !s.ok()) return s;
+      if (Status s = endSearch(tell); !s.ok()) return s;
+      if (Status s = packNow(1, 1); !s.ok()) return s;
+    }
+    return {};
   }
 
   /// Packs, which takes the given range of the stage's progress.
@@ -267,8 +318,7 @@ class Unwrapping {
     if (Status s = layOut(tell); !s.ok()) return s;
     expectScale(charts_.set, stretchedPieces(charts_.flat, options_.maxStretch), *pool_, open_);
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.pack, tell); !s.ok()) return s;
-    for (FlatChart& chart : charts_.flat) chart.isCutEnough = true;
-    return dropTangled(charts_.flat) ? layOut(tell) : Status();
+    return endSearch(tell);
   }
 
   /// Joins charts again that were cut for packing into pieces with too much stretch.
@@ -295,10 +345,8 @@ class Unwrapping {
   }
 
   Status finish() {
-    checkAll(packedCharts(), options_, report_);
-    monitor_.tellAgain();
     packing_ = Packing();
-    noteStretched(charts_.flat, options_, report_.notes);
+    noteStretched(cutMesh(), charts_.flat, options_, report_.notes);
     measureStraight(charts_.set, charts_.flat);
     fillTexcoords(texcoords_, unit_, charts_.flat, out_);
     giveBackFreeMemory();

@@ -174,7 +174,7 @@ TEST_CASE("what is stretched too much is cut before it is untangled", "[quality]
   CHECK(towers.steps <= 8 * charts);
   int newtonSteps = 0;
   for (const UnwrapChart& chart : towers.report.charts) {
-    CHECK(chart.solver == Solver::ActiveSet);
+    CHECK((chart.solver == Solver::ActiveSet || chart.solver == Solver::Projection));
     newtonSteps += chart.iterations;
   }
   CHECK(newtonSteps <= 4 * charts);

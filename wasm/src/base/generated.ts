@@ -155,7 +155,7 @@ export const UNWRAP_OPTIONS = {
 } as const;
 
 /** What laid a chart out. */
-export type Solver = 'activeSet' | 'interiorPoint' | 'tutte' | 'known' | 'given';
+export type Solver = 'activeSet' | 'interiorPoint' | 'tutte' | 'known' | 'given' | 'projection';
 
 /** A stage of a run of flatten. */
 export type FlattenStage = 'read' | 'connectivity' | 'solve' | 'layout' | 'refine' | 'check' | 'write';

@@ -16,6 +16,7 @@ enum class Solver : std::uint8_t {
   Tutte = 2,  ///< Tutte's embedding on a circle, where nothing else is valid
   Known = 3,  ///< the layout of an earlier run
   Given = 4,  ///< the texcoords of the input
+  Projection = 5,  ///< projection of a flat chart onto its plane
 };
 
 inline const char* nameOf(Solver code) {
@@ -30,6 +31,8 @@ inline const char* nameOf(Solver code) {
       return "known";
     case Solver::Given:
       return "given";
+    case Solver::Projection:
+      return "projection";
   }
   return "";
 }
