@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "base/point2.h"
@@ -64,6 +65,17 @@ Tries triesFor(const OpenSurface& open) {
   return {kFruitless + more / 5, kFruitful + more / 2};
 }
 
+/// Into how many parts each of the long charts is cut, so that `share` of the side of a square holds
+/// the length of a part.
+std::vector<int> partsFor(const std::vector<LongChart>& charts, double side, double share) {
+  constexpr double kMost = 4096;
+  std::vector<int> out;
+  out.reserve(charts.size());
+  for (const LongChart& chart : charts)
+    out.push_back(static_cast<int>(std::clamp(std::ceil(chart.length / (share * side)), 1.0, kMost)));
+  return out;
+}
+
 /// Searches for the best cuts, trying ever smaller squares.
 class RoomSearch {
  public:
@@ -75,6 +87,7 @@ class RoomSearch {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
     if (!(side_ > 0)) return nullptr;
+    cutLong(most, goesOn);
     const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
     int failures = 0;  // in a row
     for (int k = 1; k <= steps && goesOn(); ++k) {
@@ -90,19 +103,54 @@ class RoomSearch {
   }
 
  private:
+  /// Cuts all long charts at once, in equal parts: as long as one of them is too long for a smaller
+  /// square, cutting another gains nothing.
+  void cutLong(double most, const std::function<bool()>& goesOn) {
+    constexpr double kStep = 0.05;
+    constexpr int kMostSteps = 80;
+    const std::vector<LongChart> charts = uncut_.longCharts();
+    if (charts.empty()) return;
+    const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
+    for (const double share : {0.97, 0.485, 0.32}) {
+      std::vector<int> before(charts.size(), 1);
+      for (int k = 1; k <= steps && goesOn(); ++k) {
+        std::vector<int> parts = partsFor(charts, side_ * portable::exp(-most * k / steps), share);
+        if (parts == before) continue;
+        before = std::move(parts);
+        const int more = std::accumulate(before.begin(), before.end(), 0) -
+                         static_cast<int>(before.size());
+        if (most - wish_.seamWorth * PieceFitting::costOf(more, 0) <= best_) break;
+        attemptParts(charts, before);
+      }
+    }
+  }
+
+  void attemptParts(const std::vector<LongChart>& charts, const std::vector<int>& parts) {
+    auto now = std::make_unique<PieceFitting>(uncut_);
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      if (parts[i] > 1) now->cutAcross(charts[i], parts[i]);
+    if (now->count() == 0) return;
+    const double least = best_ + wish_.seamWorth * now->cost();
+    if (now->fits(side_ * portable::exp(-least))) take(std::move(now));
+  }
+
+  /// Keeps the cuts if they are the best so far.
+  void take(std::unique_ptr<PieceFitting> now) {
+    const double gained = portable::log(side_ / now->leastSide());
+    const double worth = gained - wish_.seamWorth * now->cost();
+    if (!(worth > best_)) return;
+    best_ = worth;
+    reached_ = gained;
+    found_ = std::move(now);
+  }
+
   /// Whether cuts can achieve that gain.
   bool attempt(const PieceFitting& from, double gain) {
     auto now = std::make_unique<PieceFitting>(from);
     const double affordable = (gain - best_) / wish_.seamWorth;
     int& tries = best_ > 0 ? tries_.fruitful : tries_.fruitless;
     if (!now->fitInto(side_ * portable::exp(-gain), affordable, tries)) return false;
-    const double gained = portable::log(side_ / now->leastSide());
-    const double worth = gained - wish_.seamWorth * now->cost();
-    if (worth > best_) {
-      best_ = worth;
-      reached_ = gained;
-      found_ = std::move(now);
-    }
+    take(std::move(now));
     return true;
   }
 
