@@ -51,6 +51,22 @@ BoundaryIndex farthest(const CutSurface& s, const BoundaryLoop& loop, const Dist
   return out;
 }
 
+/// The first place on one side of a chart that is at least so far from the first end.
+template <typename Side>
+std::size_t firstFrom(const Side& side, double reached) {
+  const auto isBefore = [](const auto& stop, double x) { return stop.reached < x; };
+  return static_cast<std::size_t>(
+      std::lower_bound(side.begin(), side.end(), reached, isBefore) - side.begin());
+}
+
+template <typename Side>
+std::size_t nearest(const Side& side, double reached) {
+  const std::size_t next = firstFrom(side, reached);
+  const bool isBefore = next > 0 && (next == side.size() || reached - side[next - 1].reached <
+                                                                side[next].reached - reached);
+  return isBefore ? next - 1 : next;
+}
+
 }  // namespace
 
 ChartLength::ChartLength(const CutSurface& surface, const IdVector<OpenVertex, PlanePoint>& at,
@@ -67,28 +83,32 @@ ChartLength::ChartLength(const CutSurface& surface, const IdVector<OpenVertex, P
     double reached = 0;
     for (BoundaryIndex i = first; i != last; i = BoundaryIndex((i + step) % n)) {
       reached = std::max(reached, from[vertex(i)]);
-      side.push_back({vertex(i), reached});
+      side.push_back({vertex(i), at[vertex(i)], reached});
     }
   };
   walk(1, after_);
   walk(n - 1, before_);
 }
 
+/// The nearest vertex on the other side that is about as far from the first end: the way there is
+/// straight across.
+std::size_t ChartLength::opposite(const Stop& stop, double reach) const {
+  std::size_t i = firstFrom(after_, stop.reached - reach);
+  std::size_t out = i;
+  for (; i < after_.size() && after_[i].reached <= stop.reached + reach; ++i)
+    if (distance(stop.at, after_[i].at) < distance(stop.at, after_[out].at)) out = i;
+  return out;
+}
+
 std::vector<AcrossPlace> ChartLength::places(int parts) const {
+  constexpr double kReach = 0.3;  // of a part
   std::vector<AcrossPlace> out;
   std::size_t onBefore = 0, onAfter = 0;  // the first end belongs to both sides
-  const auto nearest = [](const Side& side, double to) {
-    const auto isShort = [](const Stop& stop, double x) { return stop.reached < x; };
-    const auto next = std::lower_bound(side.begin(), side.end(), to, isShort);
-    if (next == side.begin()) return std::size_t{0};
-    const auto before = std::prev(next);
-    const bool isBefore = next == side.end() || to - before->reached < next->reached - to;
-    return static_cast<std::size_t>((isBefore ? before : next) - side.begin());
-  };
   for (int i = 1; i < parts; ++i) {
-    const double to = length_ * i / parts;
-    const std::size_t before = nearest(before_, to), after = nearest(after_, to);
-    if (before <= onBefore || after <= onAfter) continue;
+    const std::size_t before = nearest(before_, length_ * i / parts);
+    if (before <= onBefore) continue;
+    const std::size_t after = opposite(before_[before], kReach * length_ / parts);
+    if (after <= onAfter || after == after_.size()) continue;
     onBefore = before;
     onAfter = after;
     out.push_back({before_[before].vertex, after_[after].vertex});

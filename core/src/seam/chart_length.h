@@ -29,9 +29,11 @@ class ChartLength {
  private:
   struct Stop {
     OpenVertex vertex;
+    PlanePoint at;
     double reached = 0;  ///< largest distance from the first end so far
   };
   using Side = std::vector<Stop>;
+  std::size_t opposite(const Stop& stop, double reach) const;
 
   double length_ = 0;
   Side before_, after_;  ///< from the first end to the other, against and along the outline
