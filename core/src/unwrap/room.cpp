@@ -83,11 +83,12 @@ class RoomSearch {
       : uncut_(uncut), wish_(wish), side_(uncut.leastSide()), tries_(tries) {}
 
   /// Null if no cuts are worth their cost. `most`: largest gain in the logarithm of the density.
-  std::unique_ptr<PieceFitting> run(double most, const std::function<bool()>& goesOn) {
+  std::unique_ptr<PieceFitting> run(const std::vector<LongChart>& longCharts, double most,
+                                    const std::function<bool()>& goesOn) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
     if (!(side_ > 0)) return nullptr;
-    cutLong(most, goesOn);
+    if (!longCharts.empty()) cutLong(longCharts, most, goesOn);
     const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
     int failures = 0;  // in a row
     for (int k = 1; k <= steps && goesOn(); ++k) {
@@ -105,22 +106,22 @@ class RoomSearch {
  private:
   /// Cuts all long charts at once, in equal parts: as long as one of them is too long for a smaller
   /// square, cutting another gains nothing.
-  void cutLong(double most, const std::function<bool()>& goesOn) {
+  void cutLong(const std::vector<LongChart>& charts, double most,
+               const std::function<bool()>& goesOn) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 80;
-    const std::vector<LongChart> charts = uncut_.longCharts();
-    if (charts.empty()) return;
     const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
-    for (const double share : {0.97, 0.485, 0.32}) {
-      std::vector<int> before(charts.size(), 1);
-      for (int k = 1; k <= steps && goesOn(); ++k) {
+    for (const double share : {0.97, 0.485, 0.32, 0.24, 0.19}) {
+      std::vector<int> before;
+      // From the smallest square on: once cuts are found, it is soon clear whether others gain less.
+      for (int k = steps; k > 0 && goesOn(); --k) {
         std::vector<int> parts = partsFor(charts, side_ * portable::exp(-most * k / steps), share);
         if (parts == before) continue;
         before = std::move(parts);
         const int more = std::accumulate(before.begin(), before.end(), 0) -
                          static_cast<int>(before.size());
-        if (most - wish_.seamWorth * PieceFitting::costOf(more, 0) <= best_) break;
-        attemptParts(charts, before);
+        if (most - wish_.seamWorth * PieceFitting::costOf(more, 0) > best_)
+          attemptParts(charts, before);
       }
     }
   }
@@ -174,15 +175,21 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
                       const std::function<bool()>& goesOn) {
   constexpr std::size_t kMostCharts = 64;
   constexpr double kLeast = 0.02;
+  constexpr int kCells = 96, kCellsForLong = 192;  // parts of long charts are narrow
   const RoomWish wish = wishOf(options);
   RoomCuts out;
   if (packed.charts.set.size() > kMostCharts || !(utilization > 0)) return out;
   const double most = portable::log(wish.utilization / utilization) / 2;
   if (!(most > kLeast)) return out;
   const FlatSurface surface = flatSurface(packed, open);
-  const QuickFit fit(options.resolution, options.padding, options.rotate);
-  PieceFitting uncut(open.mesh, surface, fit);
-  const auto found = RoomSearch(uncut, wish, triesFor(open)).run(most, goesOn);
+  const auto fittingOn = [&](int cells) {
+    const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
+    return std::make_unique<PieceFitting>(open.mesh, surface, fit);
+  };
+  auto uncut = fittingOn(kCells);
+  const std::vector<LongChart> longCharts = uncut->longCharts();
+  if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
+  const auto found = RoomSearch(*uncut, wish, triesFor(open)).run(longCharts, most, goesOn);
   if (!found) return out;
   out.halfEdges = found->cuts();
   out.count = found->count();
