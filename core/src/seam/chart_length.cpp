@@ -55,8 +55,8 @@ BoundaryIndex farthest(const CutSurface& s, const BoundaryLoop& loop, const Dist
 template <typename Side>
 std::size_t firstFrom(const Side& side, double reached) {
   const auto isBefore = [](const auto& stop, double x) { return stop.reached < x; };
-  return static_cast<std::size_t>(
-      std::lower_bound(side.begin(), side.end(), reached, isBefore) - side.begin());
+  return static_cast<std::size_t>(std::lower_bound(side.begin(), side.end(), reached, isBefore) -
+                                  side.begin());
 }
 
 template <typename Side>
