@@ -14,10 +14,9 @@ constexpr double kAnyArea = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-QuickFit::QuickFit(int resolution, int padding, bool rotate) : poses_(rotate ? 8 : 1) {
-  constexpr int kCells = 96;
+QuickFit::QuickFit(int resolution, int padding, bool rotate, int cells) : poses_(rotate ? 8 : 1) {
   grid_ = makePackGrid(resolution, padding, 1);
-  grid_.cell = std::max(std::min(resolution / kCells, resolution - 2 * grid_.border), 1);
+  grid_.cell = std::max(std::min(resolution / cells, resolution - 2 * grid_.border), 1);
 }
 
 PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {

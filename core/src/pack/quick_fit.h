@@ -8,7 +8,8 @@ namespace abflat {
 /// hundred times as long to decide that.
 class QuickFit {
  public:
-  QuickFit(int resolution, int padding, bool rotate);
+  /// `cells`: along a side of the square, at least, if there are as many texels.
+  QuickFit(int resolution, int padding, bool rotate, int cells);
 
   /// `outline`: counter-clockwise and simple; if empty, the item takes no room.
   PackItem itemOf(const std::vector<PlanePoint>& outline) const;

@@ -70,6 +70,40 @@ bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
   return false;
 }
 
+bool PieceFitting::fits(double side) { return missingArea(placed(side, 0)) == 0; }
+
+std::vector<LongChart> PieceFitting::longCharts() const {
+  constexpr double kLong = 12;  // times as long as wide
+  std::vector<LongChart> out;
+  for (const CutChartId chart : flat_.surface.charts.ids()) {
+    const PieceId p(std::uint32_t{chart});
+    const Shape& shape = shapes_[p];
+    const auto isLong = [&](double length) { return length * length > kLong * areaOf(p); };
+    if (!shape.canCut || shape.loop.empty() || !isLong(perimeterOf(shape.loop) / 2)) continue;
+    ChartLength across(flat_.surface, flat_.at, chart);
+    const double length = scaleOf(p) * across.length();
+    if (isLong(length)) out.push_back({p, std::move(across), length});
+  }
+  return out;
+}
+
+void PieceFitting::cutAcross(const LongChart& chart, int parts) {
+  for (const AcrossPlace& place : chart.across.places(parts)) {
+    const auto& loop = cutter_.pieces()[chart.piece].loop;
+    const auto from = std::find(loop.begin(), loop.end(), place.before);
+    const auto to = std::find(loop.begin(), loop.end(), place.after);
+    if (from == loop.end() || to == loop.end()) continue;
+    // As far as the cut is long, so that it can go straight across.
+    const double reach = distance(flat_.at[*from], flat_.at[*to]);
+    const BoundaryIndex first(from - loop.begin()), last(to - loop.begin());
+    if (!cutter_.split(chart.piece, first, last, reach)) continue;
+    const PieceId added = addPiece();
+    shapes_[added].density = shapes_[chart.piece].density;
+    takeShape(added);
+  }
+  takeShape(chart.piece);
+}
+
 PieceFitting::Placed PieceFitting::placed(double side) { return Placed(fit_.placed(side)); }
 PieceFitting::Placed PieceFitting::placed(double side, double mostMissing) {
   return Placed(fit_.placed(side, mostMissing));
@@ -87,13 +121,23 @@ PieceId PieceFitting::addPiece() {
   return shapes_.push_back({});
 }
 
+double PieceFitting::areaOf(PieceId p) const {
+  const double density = shapes_[p].density;
+  // Rounding may leave a needle without area.
+  return std::max(cutter_.pieces()[p].area * flat_.unitArea, 0.0) * density * density;
+}
+
+/// Scales each piece to its own area, at its density.
+double PieceFitting::scaleOf(PieceId p) const {
+  const double flatArea = cutter_.pieces()[p].flatArea;
+  return flatArea > 0 ? std::sqrt(areaOf(p) / flatArea) : 1;
+}
+
 void PieceFitting::takeShape(PieceId p) {
   constexpr double kPoints = 400, kEnds = 72;
   const Piece& piece = cutter_.pieces()[p];
   Shape& shape = shapes_[p];
-  // Scales each piece to its own area, at its density. Rounding may leave a needle without area.
-  const double area = std::max(piece.area * flat_.unitArea, 0.0) * shape.density * shape.density;
-  const double factor = piece.flatArea > 0 ? std::sqrt(area / piece.flatArea) : 1;
+  const double area = areaOf(p), factor = scaleOf(p);
   shape.loop.clear();
   for (const OpenVertex v : piece.loop)
     shape.loop.push_back({factor * flat_.at[v].x, factor * flat_.at[v].y});
@@ -133,11 +177,11 @@ double PieceFitting::missingWith(const Candidate& c, double side, double most) {
 /// Possible cuts of the two largest pieces without a place.
 std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& isPlaced) {
   PieceId asked[2];
-  const auto areaOf = [&](PieceId p) { return p.exists() ? fit_.items()[p].mass.area : -1; };
+  const auto massOf = [&](PieceId p) { return p.exists() ? fit_.items()[p].mass.area : -1; };
   for (const PieceId p : isPlaced.ids()) {
-    if (isPlaced[p] || !shapes_[p].canCut || !(areaOf(p) > areaOf(asked[1]))) continue;
+    if (isPlaced[p] || !shapes_[p].canCut || !(massOf(p) > massOf(asked[1]))) continue;
     asked[1] = p;
-    if (areaOf(p) > areaOf(asked[0])) std::swap(asked[0], asked[1]);
+    if (massOf(p) > massOf(asked[0])) std::swap(asked[0], asked[1]);
   }
   std::vector<Candidate> out;
   for (const PieceId p : asked) {

@@ -6,6 +6,7 @@
 
 #include "pack/outline_chords.h"
 #include "pack/quick_fit.h"
+#include "seam/chart_length.h"
 #include "seam/piece_cutter.h"
 
 namespace abflat {
@@ -17,6 +18,13 @@ struct FlatSurface {
   IdVector<CutChartId, std::uint8_t> canCut;
   IdVector<CutChartId, double> density;  ///< in the atlas, relative to each other
   double unitArea = 1;                   ///< area in the plane of an area of 1 on the mesh
+};
+
+/// A chart that is far longer than wide.
+struct LongChart {
+  PieceId piece;
+  ChartLength across;
+  double length = 0;  ///< in the unit of the sides of squares
 };
 
 /// Cuts charts until they fit into a square.
@@ -33,6 +41,13 @@ class PieceFitting {
   /// until everything fits into a square of that side. False if that would cost more than
   /// `mostCost`, if nothing helps, or if `tries`, which counts down, runs out.
   bool fitInto(double side, double mostCost, int& tries);
+
+  /// Whether all pieces fit into a square of that side as they are.
+  bool fits(double side);
+  /// Charts that may be cut, before anything has been cut.
+  std::vector<LongChart> longCharts() const;
+  /// Cuts a chart that has not been cut yet across, into that many parts or fewer.
+  void cutAcross(const LongChart& chart, int parts);
 
   const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
@@ -74,6 +89,9 @@ class PieceFitting {
   };
 
   static constexpr double kCostOfCut = 0.375;
+
+  double areaOf(PieceId piece) const;
+  double scaleOf(PieceId piece) const;
 
   const FlatSurface& flat_;
   double unit_ = 1;  ///< root of the area, in the plane

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "base/point2.h"
@@ -64,17 +65,55 @@ Tries triesFor(const OpenSurface& open) {
   return {kFruitless + more / 5, kFruitful + more / 2};
 }
 
-/// Searches for the best cuts, trying ever smaller squares.
+/// Into how many parts each of the long charts is cut, so that `share` of the side of a square
+/// holds the length of a part.
+std::vector<int> partsFor(const std::vector<LongChart>& charts, double side, double share) {
+  constexpr double kMost = 1000;
+  std::vector<int> out;
+  out.reserve(charts.size());
+  for (const LongChart& chart : charts)
+    out.push_back(
+        static_cast<int>(std::clamp(std::ceil(chart.length / (share * side)), 1.0, kMost)));
+  return out;
+}
+
+/// Searches for the best cuts.
 class RoomSearch {
  public:
   RoomSearch(PieceFitting& uncut, const RoomWish& wish, Tries tries)
       : uncut_(uncut), wish_(wish), side_(uncut.leastSide()), tries_(tries) {}
 
-  /// Null if no cuts are worth their cost. `most`: largest gain in the logarithm of the density.
-  std::unique_ptr<PieceFitting> run(double most, const std::function<bool()>& goesOn) {
+  // `most`: largest gain in the logarithm of the density.
+
+  /// Cuts all long charts at once, in equal parts: as long as one of them is too long for a smaller
+  /// square, cutting another gains nothing.
+  void cutLong(const std::vector<LongChart>& charts, double most,
+               const std::function<bool()>& goesOn) {
+    constexpr double kStep = 0.05;
+    constexpr int kMostSteps = 80, kMostCuts = 256;
+    if (!(side_ > 0)) return;
+    const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
+    for (const double share : {0.97, 0.485, 0.32, 0.24, 0.19}) {
+      std::vector<int> before;
+      // From the smallest square on: once cuts are found, it is soon clear whether others gain
+      // less.
+      for (int k = steps; k > 0 && goesOn(); --k) {
+        std::vector<int> parts = partsFor(charts, side_ * portable::exp(-most * k / steps), share);
+        if (parts == before) continue;
+        before = std::move(parts);
+        const int cuts =
+            std::accumulate(before.begin(), before.end(), 0) - static_cast<int>(before.size());
+        if (cuts <= kMostCuts && most - wish_.seamWorth * PieceFitting::costOf(cuts, 0) > best_)
+          attemptParts(charts, before);
+      }
+    }
+  }
+
+  /// Cuts where that lets the most area find a place, in ever smaller squares.
+  void cutAny(double most, const std::function<bool()>& goesOn) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
-    if (!(side_ > 0)) return nullptr;
+    if (!(side_ > 0)) return;
     const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
     int failures = 0;  // in a row
     for (int k = 1; k <= steps && goesOn(); ++k) {
@@ -86,23 +125,38 @@ class RoomSearch {
       failures = isMore || isAnew ? 0 : failures + 1;
       if (failures == (found_ ? kFailuresLater : kFailuresAtFirst)) break;
     }
-    return std::move(found_);
   }
 
+  /// The best cuts; null if none are worth their cost.
+  std::unique_ptr<PieceFitting> take() { return std::move(found_); }
+
  private:
+  void attemptParts(const std::vector<LongChart>& charts, const std::vector<int>& parts) {
+    auto now = std::make_unique<PieceFitting>(uncut_);
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      if (parts[i] > 1) now->cutAcross(charts[i], parts[i]);
+    if (now->count() == 0) return;
+    const double least = best_ + wish_.seamWorth * now->cost();
+    if (now->fits(side_ * portable::exp(-least))) keep(std::move(now));
+  }
+
+  /// If the cuts are the best so far.
+  void keep(std::unique_ptr<PieceFitting> now) {
+    const double gained = portable::log(side_ / now->leastSide());
+    const double worth = gained - wish_.seamWorth * now->cost();
+    if (!(worth > best_)) return;
+    best_ = worth;
+    reached_ = gained;
+    found_ = std::move(now);
+  }
+
   /// Whether cuts can achieve that gain.
   bool attempt(const PieceFitting& from, double gain) {
     auto now = std::make_unique<PieceFitting>(from);
     const double affordable = (gain - best_) / wish_.seamWorth;
     int& tries = best_ > 0 ? tries_.fruitful : tries_.fruitless;
     if (!now->fitInto(side_ * portable::exp(-gain), affordable, tries)) return false;
-    const double gained = portable::log(side_ / now->leastSide());
-    const double worth = gained - wish_.seamWorth * now->cost();
-    if (worth > best_) {
-      best_ = worth;
-      reached_ = gained;
-      found_ = std::move(now);
-    }
+    keep(std::move(now));
     return true;
   }
 
@@ -116,25 +170,40 @@ class RoomSearch {
 
 }  // namespace
 
-bool cutsForRoom(const UnwrapOptionValues& options, const FlatCharts& flat) {
-  return options.minUtilization != 0 && options.texelDensity == kAutoTexelDensity &&
-         std::none_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isFixed; });
+RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t count) {
+  constexpr std::size_t kMostToCut = 64, kMostToCutLong = 512;
+  const auto isFixed = [](const FlatChart& c) { return c.isFixed; };
+  if (options.minUtilization == 0 || options.texelDensity != kAutoTexelDensity ||
+      !options.seams.isAuto || options.t != kAutoT || count > kMostToCutLong ||
+      std::any_of(flat.begin(), flat.end(), isFixed))
+    return RoomMode::None;
+  const bool isAny = !options.straightSeams && count <= kMostToCut;
+  return isAny ? RoomMode::All : RoomMode::Long;
 }
 
 RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
-                      const UnwrapOptionValues& options, double utilization,
+                      const UnwrapOptions& options, double utilization,
                       const std::function<bool()>& goesOn) {
-  constexpr std::size_t kMostCharts = 64;
   constexpr double kLeast = 0.02;
+  constexpr int kCells = 96, kCellsForLong = 192;  // parts of long charts are narrow
   const RoomWish wish = wishOf(options);
   RoomCuts out;
-  if (packed.charts.set.size() > kMostCharts || !(utilization > 0)) return out;
+  const RoomMode mode = roomMode(options, packed.charts.flat, packed.charts.set.size());
+  if (mode == RoomMode::None || !(utilization > 0)) return out;
   const double most = portable::log(wish.utilization / utilization) / 2;
   if (!(most > kLeast)) return out;
   const FlatSurface surface = flatSurface(packed, open);
-  const QuickFit fit(options.resolution, options.padding, options.rotate);
-  PieceFitting uncut(open.mesh, surface, fit);
-  const auto found = RoomSearch(uncut, wish, triesFor(open)).run(most, goesOn);
+  const auto fittingOn = [&](int cells) {
+    const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
+    return std::make_unique<PieceFitting>(open.mesh, surface, fit);
+  };
+  auto uncut = fittingOn(kCells);
+  const std::vector<LongChart> longCharts = uncut->longCharts();
+  if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
+  RoomSearch search(*uncut, wish, triesFor(open));
+  if (!longCharts.empty()) search.cutLong(longCharts, most, goesOn);
+  if (mode == RoomMode::All) search.cutAny(most, goesOn);
+  const std::unique_ptr<PieceFitting> found = search.take();
   if (!found) return out;
   out.halfEdges = found->cuts();
   out.count = found->count();

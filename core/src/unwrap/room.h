@@ -16,15 +16,18 @@ struct RoomCuts {
   double length = 0;  ///< divided by the root of the surface's area
 };
 
-/// Whether charts may be cut for packing at all: only if all of them are to be packed, as densely
-/// as one tile allows.
-bool cutsForRoom(const UnwrapOptionValues& options, const FlatCharts& flat);
+/// Which charts may be cut for packing.
+enum class RoomMode { None, Long, All };
+
+/// None unless all charts are to be packed, as densely as one tile allows, and nothing but seams
+/// and straight lines limits how they are stretched. `count`: number of charts before any cut.
+RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t count);
 
 /// Finds cuts that are worth their length; empty if there are none. `utilization`: that of the
 /// charts without cuts. `goesOn` is called now and then; when it returns false, the result is
 /// empty.
 RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
-                      const UnwrapOptionValues& options, double utilization,
+                      const UnwrapOptions& options, double utilization,
                       const std::function<bool()>& goesOn);
 
 /// Opens the surface along the cuts, and the holes that they reach.

@@ -28,6 +28,7 @@
 #include "unwrap/pieces.h"
 #include "unwrap/pinned.h"
 #include "unwrap/room.h"
+#include "unwrap/room_note.h"
 #include "unwrap/seams.h"
 
 namespace abflat {
@@ -241,11 +242,15 @@ class Unwrapping {
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
-    const bool mayCut = canCut(options_) && cutsForRoom(options_, charts_.flat);
+    const FlatCharts& flat = charts_.flat;
+    const bool mayCut = roomMode(options_, flat, flat.size()) != RoomMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
     if (s.ok() && !monitor_.stopped()) s = fitToFile();
-    if (s.ok()) endCutting();
+    if (!s.ok()) return s;
+    std::string note = roomNote(packedCharts(), map(), options_, report_.atlas);
+    if (!note.empty()) report_.notes.push_back(std::move(note));
+    endCutting();
     return s;
   }
 
@@ -291,7 +296,8 @@ class Unwrapping {
     Packing packing = std::move(packing_);
     addCuts(cuts, options_, open_);
     LaidCharts before = openAnew();
-    takePieces(before, options_.maxStretch, *pool_, charts_);
+    // Where they lie, their new ends need not be straight.
+    if (!options_.straightSeams) takePieces(before, options_.maxStretch, *pool_, charts_);
     if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
     if (Status s = joinStretched(before, seams); !s.ok()) return s;
     report_.atlas.packingCuts = static_cast<int>(charts_.set.size() - before.set.size());

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "abflat/unwrap.h"
@@ -26,6 +27,23 @@ PolygonMesh strip(unsigned columns, unsigned rows, double width, double height) 
       for (const unsigned w : {v, v + 1, above + 1, above}) mesh.faceVertices.push_back(w);
       mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
     }
+  return mesh;
+}
+
+/// Adds a mesh, moved.
+void append(const PolygonMesh& part, const std::array<double, 3>& by, PolygonMesh& out) {
+  const auto first = static_cast<std::uint32_t>(out.vertexCount());
+  for (std::size_t i = 0; i < part.positions.size(); ++i)
+    out.positions.push_back(part.positions[i] + by[i % 3]);
+  for (const std::uint32_t v : part.faceVertices) out.faceVertices.push_back(first + v);
+  const std::uint32_t corners = out.faceOffsets.back();
+  for (std::size_t f = 1; f < part.faceOffsets.size(); ++f)
+    out.faceOffsets.push_back(corners + part.faceOffsets[f]);
+}
+
+PolygonMesh sheared(PolygonMesh mesh) {
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+    mesh.positions[3 * v] += mesh.positions[3 * v + 1] / 3;
   return mesh;
 }
 
@@ -101,6 +119,93 @@ TEST_CASE("a long strip is cut across", "[room]") {
   CHECK(cut.report.atlas.packingCutLength * std::sqrt(2.0) ==
         Approx(0.2 * cut.report.atlas.packingCuts));
   CHECK(cut.report.seams.relativeLength == Approx(cut.report.atlas.packingCutLength));
+}
+
+TEST_CASE("strips fill the tile, however long they are", "[room]") {
+  for (const double length : {30.0, 100.0, 300.0, 1000.0}) {
+    const PolygonMesh mesh = strip(static_cast<unsigned>(2 * length), 2, length, 1);
+    const UnwrapResult cut = unwrapped(mesh, kAuto), asked = unwrapped(mesh, atLeast(0.7));
+    INFO("length " << length);
+    CHECK(cut.report.atlas.utilization > 0.75);
+    CHECK(asked.report.atlas.utilization >= 0.7);
+    CHECK(cut.report.notes.empty());
+    // No more parts than lie beside each other in a square.
+    CHECK(cut.report.atlas.packingCuts < 1.3 * std::sqrt(length));
+    CHECK(cut.report.atlas.packingCutLength * std::sqrt(length) ==
+          Approx(cut.report.atlas.packingCuts));
+  }
+}
+
+TEST_CASE("long charts are cut together, since cutting one of them gains nothing", "[room]") {
+  for (const unsigned count : {2u, 5u, 90u}) {
+    PolygonMesh mesh;
+    mesh.faceOffsets = {0};
+    for (unsigned i = 0; i < count; ++i) {
+      const bool isLong = i < 5;
+      const PolygonMesh part = isLong ? strip(60, 1, 100, 0.5) : strip(1, 1, 1, 1);
+      append(part, {0, 0, 1.0 * i}, mesh);
+    }
+    const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
+    INFO(count << " charts");
+    CHECK(whole.report.charts.size() == count);
+    CHECK(whole.report.atlas.utilization < 0.2);
+    CHECK(cut.report.atlas.utilization > 0.6);
+  }
+}
+
+TEST_CASE("with straight seams long charts are cut, and their parts are straight all around",
+          "[room]") {
+  UnwrapOptions options = kAuto;
+  options.straightSeams = true;
+  for (const PolygonMesh& mesh : {strip(200, 4, 100, 1), sheared(strip(120, 3, 60, 1))}) {
+    const UnwrapResult cut = unwrapped(mesh, options);
+    CHECK(cut.report.atlas.packingCuts > 0);
+    CHECK(cut.report.atlas.utilization > 0.6);
+    for (const UnwrapChart& chart : cut.report.charts) {
+      REQUIRE(chart.straight);
+      CHECK(chart.straight->released == 0);
+      CHECK(chart.straight->deviation < 1e-6);
+    }
+  }
+  // Others stay whole.
+  CHECK(unwrapped(ring(0.8, 64), options).report.atlas.packingCuts == 0);
+}
+
+TEST_CASE("a side three times as long as wide stays whole", "[room]") {
+  for (const PolygonMesh& mesh : {strip(24, 8, 3, 1), strip(80, 8, 10, 1)}) {
+    const UnwrapResult cut = unwrapped(mesh, kAuto);
+    CHECK(cut.report.atlas.packingCuts <= (mesh.vertexCount() < 300 ? 2 : 3));
+  }
+}
+
+TEST_CASE("a note says why the tile stays empty", "[room]") {
+  const auto noteOf = [](const PolygonMesh& mesh, const UnwrapOptions& options) {
+    const UnwrapResult r = unwrapped(mesh, options);
+    REQUIRE(r.report.notes.size() <= 1);
+    return r.report.notes.empty() ? std::string() : r.report.notes[0];
+  };
+  const auto says = [](const std::string& note, const char* part) {
+    INFO(note);
+    CHECK(note.find(part) != std::string::npos);
+  };
+  const PolygonMesh fine = strip(100, 2, 50, 0.5), coarse = strip(1, 1, 50, 0.5);
+  CHECK(noteOf(fine, kAuto).empty());
+  CHECK(noteOf(fine, kNever).empty());
+  CHECK(noteOf(fine, atLeast(0.5)).empty());
+  says(noteOf(coarse, kAuto), "face 0 is as long as the tile");
+  says(noteOf(coarse, atLeast(0.5)), ", not the 50 % asked for: face 0 is as long as the tile");
+  UnwrapOptions given = kAuto, bounded = kAuto, dense = atLeast(0.5), pinned = atLeast(0.5);
+  given.seams.isAuto = false;
+  bounded.t = 2;
+  dense.texelDensity = 10;
+  pinned.pins = {{0, {0.1, 0.1}}, {100, {0.8, 0.1}}};
+  says(noteOf(fine, given), "only if seams are automatic");
+  says(noteOf(fine, bounded), "only if t is auto");
+  says(noteOf(fine, dense), "the texel density is given");
+  says(noteOf(fine, pinned), "pinned or kept");
+  dense.minUtilization = kAutoMinUtilization;
+  CHECK(noteOf(fine, dense).empty());
+  says(noteOf(strip(40, 40, 1, 1), atLeast(1)), "not the 100 % asked for: no further cut");
 }
 
 TEST_CASE("a thin ring is cut through its hole", "[room]") {
@@ -188,13 +293,12 @@ TEST_CASE("cuts for packing are the same for any number of threads", "[room]") {
 
 TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "[room]") {
   const PolygonMesh mesh = strip(60, 4, 10, 0.5);
-  UnwrapOptions given = kAuto, bounded = kAuto, straight = kAuto, dense = kAuto, pinned = kAuto;
+  UnwrapOptions given = kAuto, bounded = kAuto, dense = kAuto, pinned = kAuto;
   given.seams.isAuto = false;
   bounded.t = 2;
-  straight.straightSeams = true;
   dense.texelDensity = 10;
   pinned.pins = {{0, {0.1, 0.1}}, {60, {0.8, 0.1}}};
-  for (const UnwrapOptions& options : {given, bounded, straight, dense, pinned}) {
+  for (const UnwrapOptions& options : {given, bounded, dense, pinned}) {
     const UnwrapResult r = unwrapped(mesh, options);
     CHECK(r.report.charts.size() == 1);
     CHECK(r.report.atlas.packingCuts == 0);
