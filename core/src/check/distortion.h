@@ -8,8 +8,8 @@ namespace abflat {
 
 /// How far a layout is from an isometry, measured on coordinates alone. Triangles of zero area in
 /// 3D are left out, and so are slivers, whose height is less than a millionth of the chart's
-/// extent, unless there is nothing else. s1 >= s2 are a triangle's singular values of the map from 3D to uv, after both
-/// have been scaled to the same total area; means are weighted by 3D area.
+/// extent, unless there is nothing else. s1 >= s2 are a triangle's singular values of the map from
+/// 3D to uv, after both have been scaled to the same total area; means are weighted by 3D area.
 struct Distortion {
   double angular = 0;             ///< mean over corners of ((x - alpha)/alpha)^2
   double length = 0;              ///< mean over edges of (s L/l - 1)^2 with s = sum l / sum L

@@ -21,8 +21,8 @@ std::optional<Vec3> normalOf(const DiskChart& chart) {
   double area = 0;
   for (const ChartTriangle f : chart.surfaceTriangles()) {
     const TriangleVertices v = verticesOf(chart.vertexOfCorner, f);
-    const Vec3 n = cross(edgeVector(chart.positions, v[0], v[1]),
-                         edgeVector(chart.positions, v[0], v[2]));
+    const Vec3 n =
+        cross(edgeVector(chart.positions, v[0], v[1]), edgeVector(chart.positions, v[0], v[2]));
     for (std::size_t d = 0; d < 3; ++d) sum[d] += n[d];
     area += norm(n);
   }
@@ -35,8 +35,8 @@ std::optional<Vec3> normalOf(const DiskChart& chart) {
 Vec3 levelDirection(const DiskChart& chart, const Vec3& normal) {
   Vec3 longest{};
   for (const ChartCorner h : chart.boundary) {
-    const Vec3 e = edgeVector(chart.positions, chart.vertexOfCorner[h],
-                              chart.vertexOfCorner[nextCorner(h)]);
+    const Vec3 e =
+        edgeVector(chart.positions, chart.vertexOfCorner[h], chart.vertexOfCorner[nextCorner(h)]);
     if (norm(e) > norm(longest)) longest = e;
   }
   const double up = dot(longest, normal);

@@ -62,7 +62,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartWishes& wishes, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
   if (options.t == kAutoT && wishes.pins.empty() && wishes.straight.empty())
-    if (std::optional<Attempt> attempt = projectPlanar(chart)) return projectedChart(chart, *attempt);
+    if (std::optional<Attempt> attempt = projectPlanar(chart))
+      return projectedChart(chart, *attempt);
   SolverOptions solver;
   solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };

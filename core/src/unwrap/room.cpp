@@ -18,12 +18,15 @@ namespace {
 /// of the cuts.
 struct RoomWish {
   double seamWorth = 0;    ///< cost, in that logarithm, of seams as long as the root of the area
-  double utilization = 0;  ///< more than this is not wanted
+  double utilization = 0;  ///< more than this counts no more
 };
 
+/// What packing hardly ever exceeds.
+constexpr double kMostUtilization = 0.92;
+
 RoomWish wishOf(const UnwrapOptionValues& options) {
-  constexpr double kSeamWorth = 0.04, kMost = 0.92;
-  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMost};
+  constexpr double kSeamWorth = 0.04;
+  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMostUtilization};
   // A fit on few cells predicts a little more or less than packing achieves.
   constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
@@ -80,13 +83,13 @@ std::vector<int> partsFor(const std::vector<LongChart>& charts, double side, dou
 /// Searches for the best cuts.
 class RoomSearch {
  public:
-  RoomSearch(PieceFitting& uncut, const RoomWish& wish, Tries tries)
-      : uncut_(uncut), wish_(wish), side_(uncut.leastSide()), tries_(tries) {}
-
-  // `most`: largest gain in the logarithm of the density.
+  /// `wanted`: the gain in the logarithm of the density that counts.
+  RoomSearch(PieceFitting& uncut, const RoomWish& wish, double wanted, Tries tries)
+      : uncut_(uncut), wish_(wish), wanted_(wanted), side_(uncut.leastSide()), tries_(tries) {}
 
   /// Cuts all long charts at once, in equal parts: as long as one of them is too long for a smaller
-  /// square, cutting another gains nothing.
+  /// square, cutting another gains nothing. `most`: largest gain to try; parts for more than is
+  /// wanted may be fewer.
   void cutLong(const std::vector<LongChart>& charts, double most,
                const std::function<bool()>& goesOn) {
     constexpr double kStep = 0.05;
@@ -103,21 +106,21 @@ class RoomSearch {
         before = std::move(parts);
         const int cuts =
             std::accumulate(before.begin(), before.end(), 0) - static_cast<int>(before.size());
-        if (cuts <= kMostCuts && most - wish_.seamWorth * PieceFitting::costOf(cuts, 0) > best_)
+        if (cuts <= kMostCuts && wanted_ - wish_.seamWorth * PieceFitting::costOf(cuts, 0) > best_)
           attemptParts(charts, before);
       }
     }
   }
 
   /// Cuts where that lets the most area find a place, in ever smaller squares.
-  void cutAny(double most, const std::function<bool()>& goesOn) {
+  void cutAny(const std::function<bool()>& goesOn) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
     if (!(side_ > 0)) return;
-    const int steps = std::clamp(static_cast<int>(most / kStep), 1, kMostSteps);
+    const int steps = std::clamp(static_cast<int>(wanted_ / kStep), 1, kMostSteps);
     int failures = 0;  // in a row
     for (int k = 1; k <= steps && goesOn(); ++k) {
-      const double gain = most * k / steps;
+      const double gain = wanted_ * k / steps;
       if (gain <= reached_) continue;
       if ((found_ ? tries_.fruitful : tries_.fruitless) <= 0) break;
       const bool isMore = found_ && attempt(*found_, gain);
@@ -142,7 +145,7 @@ class RoomSearch {
 
   /// If the cuts are the best so far.
   void keep(std::unique_ptr<PieceFitting> now) {
-    const double gained = portable::log(side_ / now->leastSide());
+    const double gained = std::min(portable::log(side_ / now->leastSide()), wanted_);
     const double worth = gained - wish_.seamWorth * now->cost();
     if (!(worth > best_)) return;
     best_ = worth;
@@ -162,7 +165,7 @@ class RoomSearch {
 
   const PieceFitting& uncut_;
   const RoomWish wish_;
-  const double side_;
+  const double wanted_, side_;
   Tries tries_;
   double best_ = 0, reached_ = 0;
   std::unique_ptr<PieceFitting> found_;
@@ -190,8 +193,9 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   RoomCuts out;
   const RoomMode mode = roomMode(options, packed.charts.flat, packed.charts.set.size());
   if (mode == RoomMode::None || !(utilization > 0)) return out;
-  const double most = portable::log(wish.utilization / utilization) / 2;
-  if (!(most > kLeast)) return out;
+  const auto gainTo = [&](double share) { return portable::log(share / utilization) / 2; };
+  const double wanted = gainTo(wish.utilization);
+  if (!(wanted > kLeast)) return out;
   const FlatSurface surface = flatSurface(packed, open);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
@@ -200,9 +204,10 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   auto uncut = fittingOn(kCells);
   const std::vector<LongChart> longCharts = uncut->longCharts();
   if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
-  RoomSearch search(*uncut, wish, triesFor(open));
-  if (!longCharts.empty()) search.cutLong(longCharts, most, goesOn);
-  if (mode == RoomMode::All) search.cutAny(most, goesOn);
+  RoomSearch search(*uncut, wish, wanted, triesFor(open));
+  if (!longCharts.empty())
+    search.cutLong(longCharts, std::max(wanted, gainTo(kMostUtilization)), goesOn);
+  if (mode == RoomMode::All) search.cutAny(goesOn);
   const std::unique_ptr<PieceFitting> found = search.take();
   if (!found) return out;
   out.halfEdges = found->cuts();

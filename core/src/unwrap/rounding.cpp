@@ -294,8 +294,8 @@ std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers) {
   if (vertices > 0)
     out.push_back(std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") + " of " +
                   std::to_string(charts) + (charts == 1 ? " chart" : " charts") +
-                  " moved by up to " + number(farthest) +
-                  " in uv, so that rounding to " + precision + " folds nothing");
+                  " moved by up to " + number(farthest) + " in uv, so that rounding to " +
+                  precision + " folds nothing");
   return out;
 }
 

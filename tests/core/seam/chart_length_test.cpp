@@ -12,7 +12,7 @@ using namespace abflat::test;
 
 namespace {
 
-bool always(std::uint32_t, std::uint32_t) { return true; }
+bool everywhere(std::uint32_t, std::uint32_t) { return true; }
 
 /// A strip of squares, 1 wide, laid out along a line or around part of a circle.
 struct Strip {
@@ -21,7 +21,7 @@ struct Strip {
   IdVector<OpenVertex, PlanePoint> at;
 
   /// `turn`: how much the strip turns in all.
-  Strip(unsigned squaresAlong, double turn) : cuttable(squares(squaresAlong, 3, always)) {
+  Strip(unsigned squaresAlong, double turn) : cuttable(squares(squaresAlong, 3, everywhere)) {
     const SeamMesh& m = cuttable.seamMesh;
     surface = cutAlong(m, Seams(m.twin.size(), 0));
     double width = 0, height = 0;
