@@ -12,6 +12,7 @@
 #include "seam/find_seams.h"
 #include "seam/halve_charts.h"
 #include "seam/log_scale.h"
+#include "seam/plates.h"
 #include "seam/prediction.h"
 
 namespace abflat {
@@ -175,6 +176,39 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
   findWithin(islands, isWanted, options, open, found);
 }
 
+OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
+                     const UnwrapOptions& options, ThreadPool& pool,
+                     const std::function<bool()>& keepsOn, SeamReport& found) {
+  OpenSurface open = openAndFill(uncut, asked, options.fillHoles, Pulse(keepsOn));
+  open.unit = uncut.unit * unitOf(uncut.welded, open);
+  SeamOptions toBegin = seamOptions(options, open, pool, keepsOn);
+  // How much stretch refining leaves is only known to about a third, and cutting again takes
+  // another run.
+  constexpr double kShare = 0.85;
+  if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  findAround(asked.fixed.isFixed, toBegin, open, found);
+  return open;
+}
+
+/// Cuts flat regions with several holes out along their creases, if charts are not more then, nor
+/// seams longer.
+void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
+                ThreadPool& pool, const std::function<bool()>& keepsOn, OpenSurface& open,
+                SeamReport& found) {
+  const Seams borders = plateBorders(open.mesh);
+  if (borders.empty()) return;
+  Seams seams = asked.seams;
+  for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] || borders[h];
+  SeamReport report;
+  OpenSurface other =
+      openWith(uncut, {seams, asked.scales, asked.fixed}, options, pool, keepsOn, report);
+  if (report.cancelled) found.cancelled = true;
+  if (report.cancelled || report.charts > found.charts || seamLength(other) > seamLength(open))
+    return;
+  open = std::move(other);
+  found = std::move(report);
+}
+
 }  // namespace
 
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
@@ -189,15 +223,10 @@ std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit)
 
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
                     ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary) {
-  OpenSurface open = openAndFill(uncut, asked, options.fillHoles, Pulse(keepsOn));
   SeamReport found;
-  open.unit = uncut.unit * unitOf(uncut.welded, open);
-  SeamOptions toBegin = seamOptions(options, open, pool, std::move(keepsOn));
-  // How much stretch refining leaves is only known to about a third, and cutting again takes
-  // another run.
-  constexpr double kShare = 0.85;
-  if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
-  findAround(asked.fixed.isFixed, toBegin, open, found);
+  OpenSurface open = openWith(uncut, asked, options, pool, keepsOn, found);
+  if (options.seams.isAuto && !found.cancelled)
+    openPlates(uncut, asked, options, pool, keepsOn, open, found);
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
