@@ -158,7 +158,7 @@ function infoRow(option) {
     literal(flagOf(option)),
     literal(String(option.default)),
     literal(rangeText(option)),
-    literal(option.default === true ? `without ${fullText(option)}` : fullText(option)),
+    literal(option.default === true ? `do not ${fullText(option)}` : fullText(option)),
     String(option.type === 'boolean'),
     String(option.type === 'choice'),
   ];

@@ -173,7 +173,7 @@ describe('in a copy', () => {
     write('README.md', '<!-- generated:flatten-options -->\n<!-- /generated -->\n');
     assert.equal(generate(copy).status, 0);
     assert.match(read(OUTPUTS[1]), /bool softEdges = true;/);
-    assert.match(read(OUTPUTS[1]), /"--no-soft-edges", "true", "", "without softEdges!", true,/);
+    assert.match(read(OUTPUTS[1]), /"--no-soft-edges", "true", "", "do not softEdges!", true,/);
     assert.match(read(OUTPUTS[1]), /"--hard-edges", "false", "", "hardEdges!", true,/);
     assert.match(read(OUTPUTS[2]), /\bsoftEdges: boolean;/);
     assert.match(read('README.md'), /\| `softEdges` \| `--no-soft-edges` \| `true` \|/);

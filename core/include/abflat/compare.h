@@ -34,7 +34,7 @@ struct CompareOptions {
 /// Aborted.
 Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options);
 
-/// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/methods.md.
+/// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/report.md.
 /// Numbers that are not finite are null.
 std::string compareJson(const Comparison& comparison, const std::string& path);
 

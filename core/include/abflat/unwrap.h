@@ -32,7 +32,7 @@ struct UnwrapOptions : UnwrapOptionValues {
   std::vector<Pin> pins;
   /// Charts with the same triangles and outline as one of these are not flattened again, which
   /// makes it cheap to change seams little by little. With straight seams, seams must also end at
-  /// the same places along the outline. Without triangles nothing is known.
+  /// the same places along the outline. Empty `triangles`: no earlier layout.
   KnownLayout known;
   /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
   /// them. Islands are bounded by edges with different texcoords on their two sides.

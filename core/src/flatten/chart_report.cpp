@@ -60,7 +60,7 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
            (range >= kDrawable
                 ? ": with these bounds, edge lengths span " +
                       (range < 300 ? std::to_string(range) : "over 300") +
-                      " orders of magnitude, more than numbers can hold. Allow a larger t"
+                      " orders of magnitude, more than doubles can represent. Allow a larger t"
                 : "");
   }
   if (v.crossings.count > 0)

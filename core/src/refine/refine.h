@@ -45,9 +45,8 @@ struct Refinement {
 /// Takes a layout without flipped triangles to one of less energy, by projected Newton (Teran et
 /// al. 2005; eigenvalues in closed form after Smith, de Goes and Kim 2019) with steps that flip no
 /// triangle (Smith and Schaefer 2015). The boundary is free. Energies are measured at the scale at
-/// which the given layout has the least; the layout is scaled to that unless something is fixed. A
-/// boundary that does not cross itself is kept from doing so; one that does may go on crossing
-/// itself until it no longer does.
+/// which the given layout has the least; the layout is scaled to that unless something is fixed.
+/// Existing crossings of the boundary may remain; once gone, none may return.
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
 
 /// The energy of a layout at the scale that minimises it.

@@ -4,7 +4,8 @@
 namespace abflat::cli {
 
 CLI::App* addInspect(CLI::App& app, InspectCommand& c) {
-  CLI::App* sub = app.add_subcommand("inspect", "Describe a mesh and why flatten would refuse it");
+  CLI::App* sub =
+      app.add_subcommand("inspect", "Describe a mesh and say why flatten would refuse it");
   sub->group("Commands");
   addInput(*sub, c.input);
   sub->add_flag("--json", c.json, "print JSON instead of a table");

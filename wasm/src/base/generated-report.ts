@@ -37,7 +37,7 @@ export interface NewtonStep {
   linearIterations: number;
 }
 
-/** What became of the Delaunay condition (9). */
+/** The outcome of the Delaunay condition (9). */
 export interface DelaunayReport {
   /** Interior edges. */
   edges: number;
@@ -51,7 +51,7 @@ export interface DelaunayReport {
   resisting: [number, number][];
 }
 
-/** What refining for lengths did; energies are means over the surface of (1 - b)(σ₁/σ₂ + σ₂/σ₁)/2 + b(σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4, where b is the balance and σ₁, σ₂ are the singular values of the map from the surface, at the scale of least energy unless pins give one: 1 at best. */
+/** The outcome of refining for lengths; energies are means over the surface of (1 - b)(σ₁/σ₂ + σ₂/σ₁)/2 + b(σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4, where b is the balance and σ₁, σ₂ are the singular values of the map from the surface, at the scale of least energy unless pins give one: 1 at best. */
 export interface RefineReport {
   /** Energy of the layout that the angles give. */
   energyBefore: number;
@@ -63,7 +63,7 @@ export interface RefineReport {
   limit: string;
 }
 
-/** What became of pins. */
+/** How the pins were met. */
 export interface PinReport {
   /** Number of pins. */
   count: number;
@@ -71,7 +71,7 @@ export interface PinReport {
   deviation: number;
 }
 
-/** What became of straight runs. */
+/** How straight the runs are. */
 export interface StraightReport {
   /** Number of runs. */
   runs: number;
@@ -93,7 +93,7 @@ export interface ChartReport {
   t: number;
   /** Boundary vertices with a bound below t, as used. */
   bounds: VertexBound[];
-  /** What laid the chart out. */
+  /** What made the layout. */
   solver: Solver;
   /** The linear solver that was used. */
   linearSolver: LinearSolver;
@@ -127,13 +127,13 @@ export interface ChartReport {
   boundaryCrossings: number;
   /** Largest interior angle of the layout's boundary, in radians. */
   maxBoundaryAngle: number;
-  /** What became of the Delaunay condition; null unless asked for. */
+  /** The outcome of the Delaunay condition; null unless asked for. */
   delaunay: DelaunayReport | null;
-  /** What refining for lengths did; null unless a balance above 0 asks for it and the layout is valid. */
+  /** The outcome of refining for lengths; null unless a balance above 0 asks for it and the layout is valid. */
   refined: RefineReport | null;
-  /** What became of pins; null without pins. */
+  /** How the pins were met; null without pins. */
   pins: PinReport | null;
-  /** What became of straight runs; null unless asked for. */
+  /** How straight the runs are; null unless asked for. */
   straight: StraightReport | null;
   /** What was done beyond the plain solver, one sentence each. */
   fallbacks: string[];
@@ -165,11 +165,11 @@ export interface Timings {
 
 /** Whether flatten accepts a mesh. */
 export interface Verdict {
-  /** Whether it does. */
+  /** Whether flatten accepts the mesh. */
   ok: boolean;
-  /** Status code; `Ok` if it does. */
+  /** Status code; `Ok` if it is accepted. */
   code: StatusName;
-  /** Why it does not, one sentence with counts and the first place; empty if it does. */
+  /** Why it is not accepted, one sentence with counts and the first place; otherwise empty. */
   message: string;
 }
 
@@ -209,7 +209,7 @@ export interface MeshSummary {
   disk: Verdict;
 }
 
-/** What reports say of the input. */
+/** What reports say about the input. */
 export interface InputSummary {
   /** Name of the input. */
   path: string;
@@ -239,7 +239,7 @@ export interface Report {
   options: FlattenOptionValues;
   /** Threads that the solver used. */
   threads: number;
-  /** One entry a chart; a disk has one. */
+  /** One entry per chart; a disk has one. */
   charts: ChartReport[];
   /** Whether every chart is valid and converged. */
   valid: boolean;
@@ -247,15 +247,15 @@ export interface Report {
   timings: Timings;
 }
 
-/** What was done to see the surface in the mesh, which itself keeps all of it; faces and vertices are those of the input. */
+/** Repairs made to find the surface, for unwrapping only: the mesh itself is not changed; faces and vertices are those of the input. */
 export interface RepairReport {
-  /** Vertices at the place of another one, which are one vertex of the surface. */
+  /** Duplicate vertices, treated as one vertex of the surface. */
   mergedVertices: number;
-  /** Faces with fewer than three places; they get the uv of their neighbours. */
+  /** Faces with fewer than three distinct corners; they get the uv of their neighbours. */
   collapsedFaces: number[];
   /** Faces that touch themselves and were split there. */
   splitFaces: number[];
-  /** Faces at the places of an earlier one, the second number; they become charts of their own. */
+  /** Faces that repeat an earlier one, the second number; they become charts of their own. */
   duplicateFaces: [number, number][];
   /** Edges with more than two faces, by their vertices; they were cut. */
   nonManifoldEdges: [number, number][];
@@ -269,13 +269,13 @@ export interface RepairReport {
 export interface SeamSummary {
   /** Edges that were cut. */
   edges: number;
-  /** Length of these edges, over the root of the mesh's area. */
+  /** Length of these edges, divided by the square root of the mesh's area. */
   relativeLength: number;
   /** Genus of the surface, summed over components; -1 if it was cut because it is not manifold. */
   genus: number;
-  /** Loops that open handles, two for each. */
+  /** Loops cut to open handles, two per handle. */
   handleLoops: number;
-  /** Length of these loops and of what else makes each component a disk, over the root of the area. */
+  /** Length of these loops and of the other cuts that make each component a disk, divided by the square root of the area. */
   handleLength: number;
   /** Boundary loops in charts that no seam joins to the outer boundary. */
   filledHoles: number;
@@ -293,7 +293,7 @@ export interface UnwrapChart {
   filledHoles: number;
   /** Area in 3D; null beyond the range of doubles. */
   area: number | null;
-  /** What laid the chart out. */
+  /** What made the layout. */
   solver: Solver;
   /** Whether it stays where the input, an earlier run or pins put it. */
   fixed: boolean;
@@ -305,11 +305,11 @@ export interface UnwrapChart {
   quasiConformal: { mean: number; max: number };
   /** Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric). */
   symmetricDirichlet: number;
-  /** What refining for lengths did; of the whole chart if packing has cut it; null if refining gained nothing. */
+  /** The outcome of refining for lengths; of the whole chart if packing has cut it; null if refining gained nothing. */
   refined: RefineReport | null;
-  /** What became of pins; null without pins. */
+  /** How the pins were met; null without pins. */
   pins: PinReport | null;
-  /** What became of straight runs; null unless asked for. */
+  /** How straight the runs are; null unless asked for. */
   straight: StraightReport | null;
   /** What was done beyond the plain solver, one sentence each. */
   fallbacks: string[];
@@ -329,11 +329,11 @@ export interface AtlasReport {
   tiles: number;
   /** Share of the tiles that charts cover. */
   utilization: number;
-  /** Texels per unit of length of the mesh, where no other density is asked for. */
+  /** Texels per mesh unit, for faces without a density of their own. */
   texelDensity: number;
   /** Charts that were cut in two so that all pack tighter. */
   packingCuts: number;
-  /** Length of these cuts, over the root of the area. */
+  /** Length of these cuts, divided by the square root of the area. */
   packingCutLength: number;
   /** Texel density without them; 0 if there are none. */
   uncutTexelDensity: number;
@@ -373,13 +373,13 @@ export interface UnwrapReport {
   options: UnwrapOptionValues;
   /** Threads that the solver used. */
   threads: number;
-  /** What was done to see the surface in the mesh. */
+  /** Repairs made to find the surface. */
   repair: RepairReport;
   /** Where the surface was cut. */
   seams: SeamSummary;
-  /** One entry a chart. */
+  /** One entry per chart. */
   charts: UnwrapChart[];
-  /** What was done otherwise than asked, one sentence each. */
+  /** Where the result differs from what was asked, and other remarks, one sentence each. */
   notes: string[];
   /** Angular distortion, the mean over all charts by 3D area. */
   angularDistortion: number;
@@ -393,7 +393,7 @@ export interface UnwrapReport {
   valid: boolean;
   /** Seconds that each stage took. */
   timings: UnwrapTimings;
-  /** Most memory held by the end of each stage: natively by the process, in the package by the module's heap, which never shrinks, in MB. */
+  /** Peak memory in MB by the end of each stage: natively of the process, in the package of the module's heap, which never shrinks, in MB. */
   peakMemory: Record<keyof UnwrapStages, number | null>;
 }
 
@@ -401,7 +401,7 @@ export interface UnwrapReport {
 export interface MethodResult {
   /** The method. */
   method: MethodKey;
-  /** Its name for people, such as "LSCM, free". */
+  /** Its display name, such as "LSCM, free". */
   title: string;
   /** Time to lay out, check and measure, without reading and connectivity, in seconds. */
   seconds: number;
@@ -435,6 +435,6 @@ export interface ComparisonReport {
   version: string;
   /** The input. */
   input: MeshSummary;
-  /** One entry a method, in a fixed order: the layouts of abflat first. */
+  /** One entry per method, in a fixed order: the layouts of abflat first. */
   methods: MethodResult[];
 }

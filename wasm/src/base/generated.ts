@@ -54,7 +54,7 @@ export const EXIT_CODES = [
   { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says why' },
   { code: 2, name: 'Usage', text: 'the command line is wrong' },
   { code: 3, name: 'Unreadable', text: 'the input cannot be read; the message says where and why' },
-  { code: 4, name: 'NotFlattenable', text: 'the mesh cannot be flattened, or not packed as asked; the message says why' },
+  { code: 4, name: 'NotFlattenable', text: 'the mesh cannot be flattened, or cannot be packed as asked; the message says why' },
   { code: 5, name: 'CannotWrite', text: 'the output cannot be written; existing files are unchanged' },
 ] as const;
 
@@ -140,7 +140,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.02, above: 1, text: 'largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts', range: 'above 1' },
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
-  fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would exceed maxStretch; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
+  fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
   symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
@@ -154,7 +154,7 @@ export const UNWRAP_OPTIONS = {
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;
 
-/** What laid a chart out. */
+/** What made the layout of a chart. */
 export type Solver = 'activeSet' | 'interiorPoint' | 'tutte' | 'known' | 'given' | 'projection';
 
 /** A stage of a run of flatten. */

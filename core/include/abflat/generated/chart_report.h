@@ -16,7 +16,7 @@
 
 namespace abflat {
 
-/// What became of the Delaunay condition (9).
+/// The outcome of the Delaunay condition (9).
 struct DelaunayReport {
   /// Interior edges.
   std::size_t edges = 0;
@@ -40,9 +40,10 @@ void visitFields(const DelaunayReport& r, Visitor& v) {
   v.field("resisting", r.resisting);
 }
 
-/// What refining for lengths did; energies are means over the surface of (1 - b)(σ₁/σ₂ + σ₂/σ₁)/2 +
-/// b(σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4, where b is the balance and σ₁, σ₂ are the singular values of the
-/// map from the surface, at the scale of least energy unless pins give one: 1 at best.
+/// The outcome of refining for lengths; energies are means over the surface of (1 - b)(σ₁/σ₂ +
+/// σ₂/σ₁)/2 + b(σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4, where b is the balance and σ₁, σ₂ are the singular
+/// values of the map from the surface, at the scale of least energy unless pins give one: 1 at
+/// best.
 struct RefineReport {
   /// Energy of the layout that the angles give.
   double energyBefore = 1;
@@ -62,7 +63,7 @@ void visitFields(const RefineReport& r, Visitor& v) {
   v.field("limit", r.limit);
 }
 
-/// What became of pins.
+/// How the pins were met.
 struct PinReport {
   /// Number of pins.
   std::size_t count = 0;
@@ -77,7 +78,7 @@ void visitFields(const PinReport& r, Visitor& v) {
   v.field("deviation", r.deviation);
 }
 
-/// What became of straight runs.
+/// How straight the runs are.
 struct StraightReport {
   /// Number of runs.
   std::size_t runs = 0;
@@ -108,7 +109,7 @@ struct ChartReport {
   double t = 0;
   /// Boundary vertices with a bound below t, as used.
   std::vector<VertexBound> bounds;
-  /// What laid the chart out.
+  /// What made the layout.
   Solver solver = Solver::ActiveSet;
   /// The linear solver that was used.
   LinearSolver linearSolver = LinearSolver::Schur;
@@ -148,13 +149,13 @@ struct ChartReport {
   std::size_t boundaryCrossings = 0;
   /// Largest interior angle of the layout's boundary, in radians.
   double maxBoundaryAngle = 0;
-  /// What became of the Delaunay condition.
+  /// The outcome of the Delaunay condition.
   std::optional<DelaunayReport> delaunay;
-  /// What refining for lengths did.
+  /// The outcome of refining for lengths.
   std::optional<RefineReport> refined;
-  /// What became of pins.
+  /// How the pins were met.
   std::optional<PinReport> pins;
-  /// What became of straight runs.
+  /// How straight the runs are.
   std::optional<StraightReport> straight;
   /// What was done beyond the plain solver, one sentence each.
   std::vector<std::string> fallbacks;

@@ -63,7 +63,7 @@ inline const char* nameOf(LinearSolver code) {
 
 /// Form of the wheel condition.
 enum class Formulation : int {
-  Log = 0,  ///< the wheel condition as a sum of logarithms, eq. (6)
+  Log = 0,  ///< as a sum of logarithms, eq. (6)
   Product = 1,  ///< as a product, eq. (3), as in classic ABF; not with schur or eigen
 };
 
@@ -100,9 +100,9 @@ struct FlattenOptionValues {
   bool delaunay = false;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
   int threads = 0;
-  /// form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
+  /// form of the wheel condition: log = as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen
   Formulation formulation = Formulation::Log;
-  /// preconditioning of the iterative linear solvers (the paper has none)
+  /// precondition the iterative linear solvers (the paper does not)
   bool precondition = true;
 };
 
@@ -135,8 +135,8 @@ inline OptionInfos optionInfos(const FlattenOptionValues&) {
     {"adjacent", "--adjacent", "false", "", "condition (5): keep boundary angles below 2 pi even if the boundary is free, so that adjacent triangles do not overlap", true, false},
     {"delaunay", "--delaunay", "false", "", "condition (9): make every interior edge of the layout Delaunay, where the connectivity allows it", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
-    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = the wheel condition as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
-    {"precondition", "--no-precondition", "true", "", "without preconditioning of the iterative linear solvers (the paper has none)", true, false},
+    {"formulation", "--formulation", "log", "log, product", "form of the wheel condition: log = as a sum of logarithms, eq. (6); product = as a product, eq. (3), as in classic ABF; not with schur or eigen", false, true},
+    {"precondition", "--no-precondition", "true", "", "do not precondition the iterative linear solvers (the paper does not)", true, false},
   };
   return {kInfos, 10};
 }

@@ -15,7 +15,7 @@ namespace abflat {
 struct MethodResult {
   /// The method.
   MethodKey method = MethodKey::AbflatAuto;
-  /// Its name for people, such as "LSCM, free".
+  /// Its display name, such as "LSCM, free".
   std::string title;
   /// Time to lay out, check and measure, without reading and connectivity, in seconds.
   double seconds = 0;

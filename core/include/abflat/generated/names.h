@@ -9,7 +9,7 @@
 
 namespace abflat {
 
-/// What laid a chart out.
+/// What made the layout of a chart.
 enum class Solver : std::uint8_t {
   ActiveSet = 0,  ///< Newton's method with an active set
   InteriorPoint = 1,  ///< an interior point method, where the layout of the active set cannot be drawn

@@ -23,7 +23,7 @@ struct Report {
   FlattenOptionValues options;
   /// Threads that the solver used.
   std::uint32_t threads = 1;
-  /// One entry a chart; a disk has one.
+  /// One entry per chart; a disk has one.
   std::vector<ChartReport> charts;
   /// Whether every chart is valid and converged.
   bool valid = false;

@@ -10,7 +10,7 @@ enum class ExitCode : int {
   NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says why
   Usage = 2,  ///< the command line is wrong
   Unreadable = 3,  ///< the input cannot be read; the message says where and why
-  NotFlattenable = 4,  ///< the mesh cannot be flattened, or not packed as asked; the message says why
+  NotFlattenable = 4,  ///< the mesh cannot be flattened, or cannot be packed as asked; the message says why
   CannotWrite = 5,  ///< the output cannot be written; existing files are unchanged
 };
 
@@ -173,7 +173,7 @@ inline const char* exitCodeText(ExitCode code) {
     case ExitCode::Unreadable:
       return "the input cannot be read; the message says where and why";
     case ExitCode::NotFlattenable:
-      return "the mesh cannot be flattened, or not packed as asked; the message says why";
+      return "the mesh cannot be flattened, or cannot be packed as asked; the message says why";
     case ExitCode::CannotWrite:
       return "the output cannot be written; existing files are unchanged";
   }

@@ -17,16 +17,16 @@
 
 namespace abflat {
 
-/// What was done to see the surface in the mesh, which itself keeps all of it; faces and vertices
-/// are those of the input.
+/// Repairs made to find the surface, for unwrapping only: the mesh itself is not changed; faces and
+/// vertices are those of the input.
 struct RepairReport {
-  /// Vertices at the place of another one, which are one vertex of the surface.
+  /// Duplicate vertices, treated as one vertex of the surface.
   std::size_t mergedVertices = 0;
-  /// Faces with fewer than three places; they get the uv of their neighbours.
+  /// Faces with fewer than three distinct corners; they get the uv of their neighbours.
   std::vector<std::uint32_t> collapsedFaces;
   /// Faces that touch themselves and were split there.
   std::vector<std::uint32_t> splitFaces;
-  /// Faces at the places of an earlier one, the second number; they become charts of their own.
+  /// Faces that repeat an earlier one, the second number; they become charts of their own.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
   /// Edges with more than two faces, by their vertices; they were cut.
   std::vector<std::array<std::uint32_t, 2>> nonManifoldEdges;
@@ -51,13 +51,14 @@ void visitFields(const RepairReport& r, Visitor& v) {
 struct SeamSummary {
   /// Edges that were cut.
   std::size_t edges = 0;
-  /// Length of these edges, over the root of the mesh's area.
+  /// Length of these edges, divided by the square root of the mesh's area.
   double relativeLength = 0;
   /// Genus of the surface, summed over components; -1 if it was cut because it is not manifold.
   std::int64_t genus = 0;
-  /// Loops that open handles, two for each.
+  /// Loops cut to open handles, two per handle.
   std::size_t handleLoops = 0;
-  /// Length of these loops and of what else makes each component a disk, over the root of the area.
+  /// Length of these loops and of the other cuts that make each component a disk, divided by the
+  /// square root of the area.
   double handleLength = 0;
   /// Boundary loops in charts that no seam joins to the outer boundary.
   std::size_t filledHoles = 0;
@@ -85,7 +86,7 @@ struct UnwrapChart {
   std::size_t filledHoles = 0;
   /// Area in 3D.
   double area = 0;
-  /// What laid the chart out.
+  /// What made the layout.
   Solver solver = Solver::ActiveSet;
   /// Whether it stays where the input, an earlier run or pins put it.
   bool fixed = false;
@@ -99,11 +100,11 @@ struct UnwrapChart {
   double quasiConformalMax = 0;
   /// Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric).
   double symmetricDirichlet = 0;
-  /// What refining for lengths did; of the whole chart if packing has cut it.
+  /// The outcome of refining for lengths; of the whole chart if packing has cut it.
   std::optional<RefineReport> refined;
-  /// What became of pins.
+  /// How the pins were met.
   std::optional<PinReport> pins;
-  /// What became of straight runs.
+  /// How straight the runs are.
   std::optional<StraightReport> straight;
   /// What was done beyond the plain solver, one sentence each.
   std::vector<std::string> fallbacks;
@@ -147,11 +148,11 @@ struct AtlasReport {
   int tiles = 1;
   /// Share of the tiles that charts cover.
   double utilization = 0;
-  /// Texels per unit of length of the mesh, where no other density is asked for.
+  /// Texels per mesh unit, for faces without a density of their own.
   double texelDensity = 0;
   /// Charts that were cut in two so that all pack tighter.
   int packingCuts = 0;
-  /// Length of these cuts, over the root of the area.
+  /// Length of these cuts, divided by the square root of the area.
   double packingCutLength = 0;
   /// Texel density without them; 0 if there are none.
   double uncutTexelDensity = 0;
@@ -220,13 +221,13 @@ struct UnwrapReport {
   UnwrapOptionValues options;
   /// Threads that the solver used.
   std::uint32_t threads = 1;
-  /// What was done to see the surface in the mesh.
+  /// Repairs made to find the surface.
   RepairReport repair;
   /// Where the surface was cut.
   SeamSummary seams;
-  /// One entry a chart.
+  /// One entry per chart.
   std::vector<UnwrapChart> charts;
-  /// What was done otherwise than asked, one sentence each.
+  /// Where the result differs from what was asked, and other remarks, one sentence each.
   std::vector<std::string> notes;
   /// Angular distortion, the mean over all charts by 3D area.
   double angularDistortion = 0;
@@ -241,7 +242,7 @@ struct UnwrapReport {
   bool valid = false;
   /// Seconds that each stage took.
   UnwrapTimings timings;
-  /// Most memory held by the end of each stage: natively by the process, in the package by the
+  /// Peak memory in MB by the end of each stage: natively of the process, in the package of the
   /// module's heap, which never shrinks, in MB.
   UnwrapStages peakMemory;
   /// Why there is no result.
