@@ -32,12 +32,13 @@ class Regions {
   }
 
  private:
-  static constexpr double kFlat = 1 - 1e-6;    // cosine between neighbours
+  static constexpr double kFlat = 1 - 1e-6;     // cosine between neighbours
   static constexpr double kCrease = 0.8660254;  // cosine of 30 degrees
 
   Vec3 normalOf(SurfaceTriangle f) const {
     const TriangleVertices v = verticesOf(mesh_.vertexOfCorner, f);
-    Vec3 n = cross(edgeVector(mesh_.positions, v[0], v[1]), edgeVector(mesh_.positions, v[0], v[2]));
+    Vec3 n =
+        cross(edgeVector(mesh_.positions, v[0], v[1]), edgeVector(mesh_.positions, v[0], v[2]));
     const double length = norm(n);
     for (double& x : n) x = length > 0 ? x / length : 0;
     return n;

@@ -190,8 +190,8 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
   return open;
 }
 
-/// Cuts flat regions with several holes out along their creases, if charts are not more then, nor
-/// seams longer.
+/// Cuts flat regions with several holes out along their creases, if that takes fewer charts. Seams
+/// may be a little longer, since creases hide them.
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
                 ThreadPool& pool, const std::function<bool()>& keepsOn, OpenSurface& open,
                 SeamReport& found) {
@@ -203,7 +203,9 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   OpenSurface other =
       openWith(uncut, {seams, asked.scales, asked.fixed}, options, pool, keepsOn, report);
   if (report.cancelled) found.cancelled = true;
-  if (report.cancelled || report.charts > found.charts || seamLength(other) > seamLength(open))
+  constexpr double kLittleLonger = 1.25;
+  if (report.cancelled || report.charts >= found.charts ||
+      seamLength(other) > kLittleLonger * seamLength(open))
     return;
   open = std::move(other);
   found = std::move(report);
