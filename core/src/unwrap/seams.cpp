@@ -175,6 +175,13 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
   findWithin(islands, isWanted, options, open, found);
 }
 
+std::string asymmetryNote(Asymmetry why) {
+  const std::string what = "seams are not symmetric: ";
+  if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
+  if (why == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
+  return what + "the mirror plane would cut a face or a filled hole";
+}
+
 }  // namespace
 
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
@@ -188,7 +195,8 @@ std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit)
 }
 
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary) {
+                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary,
+                    std::vector<std::string>& notes) {
   OpenSurface open = openAndFill(uncut, asked, options.fillHoles, Pulse(keepsOn));
   SeamReport found;
   open.unit = uncut.unit * unitOf(uncut.welded, open);
@@ -201,6 +209,9 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Unw
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
+  const bool isAsked = options.seams.isAuto && options.symmetricSeams == SymmetricSeams::Always;
+  if (isAsked && found.asymmetry != Asymmetry::None)
+    notes.push_back(asymmetryNote(found.asymmetry));
   return open;
 }
 
