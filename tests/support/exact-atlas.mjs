@@ -40,6 +40,20 @@ export function turn(a, b, c) {
   return area > 0n ? 1 : area < 0n ? -1 : 0;
 }
 
+/** The larger of two integers in size has at most 1000 digits afterwards, which a double can hold. */
+function scaledDown(integers) {
+  const digits = Math.max(...integers.map((x) => x.toString(2).length));
+  return integers.map((x) => Number(x >> BigInt(Math.max(0, digits - 1000))));
+}
+
+/** The angle from o -> a counter-clockwise to o -> b, 0 to 2 pi; only its last steps are rounded. */
+export function angleBetween(a, o, b) {
+  const [ax, ay, ox, oy, bx, by] = wholeNumbers([...a, ...o, ...b]);
+  const [px, py, qx, qy] = [ax - ox, ay - oy, bx - ox, by - oy];
+  const angle = Math.atan2(...scaledDown([px * qy - py * qx, px * qx + py * qy]));
+  return angle < 0 ? angle + 2 * Math.PI : angle;
+}
+
 /** Whether two counter-clockwise triangles share more than boundary. */
 export function overlap(s, t) {
   const separates = (p, q) =>

@@ -20,6 +20,7 @@ struct FlattenResult {
   std::vector<std::uint32_t>
       cornerUv;  ///< output vertex of each input face corner (size of faceVertices)
   std::vector<std::uint32_t> straight;  ///< output vertices whose angle was held at pi
+  std::vector<VertexBound> bounds;      ///< of output vertices, where bounds were asked for
   Report report;                        ///< the caller fills in path and timings.read/write/total
 };
 
@@ -32,8 +33,9 @@ Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& opt
 
 /// Rounds a valid layout to single precision, which is all that many programs read from a PLY file,
 /// and measures it again, so that the report describes the rounded coordinates. If rounding would
-/// flip a triangle, make the boundary cross itself or break the Delaunay condition, the layout
-/// stays as it is and a sentence among the fallbacks says so. Returns whether it was rounded.
+/// flip a triangle, make the boundary cross itself, break the Delaunay condition or miss a bound or
+/// straight run by more than 0.001 radians, the layout stays as it is and a sentence among the
+/// fallbacks says so. Returns whether it was rounded.
 bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result);
 
 /// Rounds a layout to what a glTF holds, even if that makes it invalid: single precision, with v

@@ -112,7 +112,10 @@ Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds
   std::optional<Attempt> last = lastResort(flattener, t);
   flattener.allowAllSteps();
   if (last) return std::move(*last);
-  return flattener.tutte(t, "no bounds give a valid layout from angles");
+  Attempt convex = flattener.tutte(t, "no bounds give a valid layout from angles");
+  // Then angles that miss what was asked for are the lesser evil.
+  if (!convex.valid() && best.converged() && best.validity.valid()) return best;
+  return convex;
 }
 
 }  // namespace abflat

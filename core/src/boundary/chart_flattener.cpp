@@ -18,6 +18,9 @@ namespace {
 /// Floors of the barrier, tried one after another: each makes the smallest angles larger.
 constexpr double kFloors[] = {kDefaultBarrierFloor, 1e-1, 1};
 
+/// Weights of the boundary in Tutte's embedding, tried one after another.
+constexpr double kBoundaryWeights[] = {1, 0.1, 0.01, 1e-3};
+
 /// Compliances for condition (9), tried in order: the smaller, the less an edge resists that could
 /// give way.
 constexpr double kCompliances[] = {1, 0.1, 1e-2, 1e-3};
@@ -47,20 +50,12 @@ std::string reasonWithoutFactor(const FactorMemory& memory) {
   return out;
 }
 
-}  // namespace
-
-Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
-                        const BoundaryBounds& t) {
-  constexpr double kRounding = 1e-6;
-  Exceeded out;
-  for (const BoundaryIndex i : t.ids()) {
-    if (t[i] >= 2) continue;
-    const double above = boundaryAngle(chart, uv, chart.boundary[i]) - t[i] * kPi;
-    out.count += above > kRounding;
-    out.most = std::max(out.most, above);
-  }
-  return out;
+/// Whether coordinates do not resolve the angles of the solution.
+bool isMisdrawn(const Attempt& a) {
+  return a.validity.flippedTriangles > 0 || (a.solution.converged && !a.hasAskedAngles());
 }
+
+}  // namespace
 
 Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv) {
   Validity v = checkValidity(chart, uv);
@@ -141,8 +136,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
                   a.solution.barrierFloor));
   layOutAndCheck(a);
   for (const double floor : kFloors) {
-    if (isDelaunay || a.validity.flippedTriangles == 0 || floor <= a.solution.barrierFloor)
-      continue;
+    if (isDelaunay || !isMisdrawn(a) || floor <= a.solution.barrierFloor) continue;
     Attempt b = a;
     watch.lap();
     b.solution = solver_->solveWithFloor(floor);
@@ -203,10 +197,13 @@ Attempt ChartFlattener::tutte(const BoundaryBounds& t, const std::string& reason
   a.t = t;
   for (double& x : a.t) x = std::min(x, 1.0);
   a.solver = Solver::Tutte;
-  a.uv = embedTutte(chart_).uv;
-  timings_.layout += watch.lap();
-  measure(a);
-  a.exceeded = exceededBounds(chart_, a.uv, t);
+  for (const double weight : kBoundaryWeights) {
+    watch.lap();
+    a.uv = embedTutte(chart_, straight_, weight).uv;
+    timings_.layout += watch.lap();
+    measure(a);
+    if (a.validity.valid()) break;
+  }
   a.fallbacks.push_back(reason + "; used Tutte's embedding on a circle instead");
   return a;
 }
@@ -226,6 +223,9 @@ void ChartFlattener::measure(Attempt& a) {
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
   if (!straight_.empty()) a.straight = reportStraight(chart_, straight_, a.uv);
+  const double rounding = requiresSeparation_ ? kAngleRoundingInSingle : kAngleRounding;
+  a.exceeded = a.pins ? MissedAngles() : exceededBounds(chart_, a.uv, bounds_, straight_, rounding);
+  a.bent = a.pins ? MissedAngles() : bentPlaces(chart_, a.uv, straight_, rounding);
   timings_.check += watch.lap();
 }
 

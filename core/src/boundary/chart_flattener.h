@@ -10,6 +10,7 @@
 
 #include "abflat/chart_report.h"
 #include "angle/angle_problem.h"
+#include "boundary/missed_angles.h"
 #include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 #include "check/distortion.h"
@@ -21,14 +22,6 @@
 namespace abflat {
 
 class AngleSolver;
-
-/// Bounds (in units of pi) that a layout exceeds by more than rounding.
-struct Exceeded {
-  std::size_t count = 0;
-  double most = 0;  ///< radians
-};
-Exceeded exceededBounds(const DiskChart& chart, const std::vector<double>& uv,
-                        const BoundaryBounds& t);
 
 /// How far an attempt got.
 enum class Ending : std::uint8_t {
@@ -52,7 +45,8 @@ struct Attempt {
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
   bool wasValidUnpinned = false;  ///< only set for pinned layouts
-  Exceeded exceeded;  ///< of the bounds asked for, if nothing forces the layout to keep them
+  MissedAngles exceeded;          ///< of the bounds asked for; none if pins come first
+  MissedAngles bent;              ///< of the straight runs asked for; none if pins come first
 
   bool isCancelled() const { return ending == Ending::Cancelled; }
   bool isGivenUp() const { return ending == Ending::GivenUp; }
@@ -60,7 +54,8 @@ struct Attempt {
     const bool isSolved = solver == Solver::Tutte || solver == Solver::Projection;
     return ending == Ending::LaidOut && (isSolved || solution.converged);
   }
-  bool valid() const { return converged() && validity.valid() && exceeded.count == 0; }
+  bool hasAskedAngles() const { return exceeded.count == 0 && bent.count == 0; }
+  bool valid() const { return converged() && validity.valid() && hasAskedAngles(); }
 };
 
 /// checkValidity(), but parts of the boundary that almost touch count as crossings, so that a valid
@@ -81,8 +76,8 @@ class ChartFlattener {
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;
 
-  /// `warm`: an attempt with other bounds to start from, or null. If the layout cannot be drawn,
-  /// the interior point method takes over, with rising floors of its barrier.
+  /// `warm`: an attempt with other bounds to start from, or null. If the angles are too small to be
+  /// drawn, the interior point method takes over, with rising floors of its barrier.
   Attempt attempt(const BoundaryBounds& t, const Attempt* warm);
 
   /// An attempt whose angles are just good enough to be refined.
@@ -106,8 +101,13 @@ class ChartFlattener {
 
   const StraightPlaces& straight() const { return straight_; }
 
-  /// From now on, checkSeparated() decides whether layouts are valid.
+  /// From now on, checkSeparated() decides whether layouts are valid, and angles need not be more
+  /// exact than in single precision.
   void requireSeparation() { requiresSeparation_ = true; }
+
+  /// From now on, layouts are not valid if they exceed these bounds. Attempts may be made with
+  /// tighter ones.
+  void requireBounds(BoundaryBounds bounds) { bounds_ = std::move(bounds); }
 
   /// From now on, the boundary goes straight on at these places, whatever the bounds.
   void requireStraight(StraightPlaces straight) { straight_ = std::move(straight); }
@@ -120,8 +120,8 @@ class ChartFlattener {
   /// with the bounds of `from`.
   std::vector<ChartCorner> resistingEdges(const Attempt& from);
 
-  /// Tutte's embedding on a circle. It is always a valid map, up to floating-point precision, but
-  /// it respects neither angles nor bounds `t` below 1.
+  /// Tutte's embedding on a circle, whose arcs along straight runs are chords. It is always a valid
+  /// map, up to floating-point precision, but it respects neither angles nor bounds `t` below 1.
   Attempt tutte(const BoundaryBounds& t, const std::string& reason);
 
   /// Frees factors. After this only Tutte attempts are allowed.
@@ -160,6 +160,7 @@ class ChartFlattener {
   bool requiresSeparation_ = false;
   bool isStopped_ = false;  ///< by the caller
   int steps_ = 0, mostSteps_ = std::numeric_limits<int>::max();
+  BoundaryBounds bounds_;  ///< empty: none
   StraightPlaces straight_;
   IdVector<ChartVertex, std::uint32_t> eliminationRank_;  ///< once solving has ended
 };

@@ -1,6 +1,7 @@
 #include "boundary/move_apart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -8,7 +9,9 @@
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "boundary/guilty_arc.h"
+#include "layout/pose.h"
 #include "mesh/triangle_geometry.h"
+#include "refine/outline_shape.h"
 
 namespace abflat {
 namespace {
@@ -19,15 +22,16 @@ constexpr int kRounds = 16;
 /// if none of its three corners moves farther than this.
 constexpr double kMostOfHeight = 0.2;
 
-/// The boundary of one layout, and how far each of its places may move into the chart.
+/// The boundary of one layout, and how far each of its places may move into the chart. A straight
+/// run moves with its two ends.
 class Outline {
  public:
   Outline(const DiskChart& chart, const std::vector<double>& uv, const StraightPlaces& straight)
-      : chart_(chart), uv_(uv), shift_(chart.boundary.size(), 0) {
+      : chart_(chart), uv_(uv), shape_(chart, {straight, {}, 0}), shift_(chart.boundary.size(), 0) {
+    for (const BoundaryIndex k : shift_.ids()) movedBy_.push_back({k, k});
+    if (!straight.empty()) findEnds(straight);
     findNormals();
     findRoom();
-    for (const BoundaryIndex i : straight.ids())
-      if (straight[i] != 0) room_[i] = 0;
   }
 
   /// Moves the places of the arcs further; false if none of them has room left.
@@ -39,10 +43,14 @@ class Outline {
       ++begun[arc.first % n];
       --begun[arc.first % n + arc.count];
     }
-    bool isAny = false;
     for (std::size_t k = 1; k < 2 * n; ++k) begun[k] += begun[k - 1];
+    IdVector<BoundaryIndex, std::uint8_t> isAsked(n, 0);
+    for (const BoundaryIndex k : shift_.ids())
+      if (begun[k] + begun[k + n] > 0)
+        for (const BoundaryIndex end : movedBy_[k]) isAsked[end] = 1;
+    bool isAny = false;
     for (const BoundaryIndex k : shift_.ids()) {
-      if (begun[k] + begun[k + n] == 0) continue;
+      if (isAsked[k] == 0) continue;
       const double now = std::min(room_[k], std::max(first, 2 * shift_[k]));
       isAny = isAny || now > shift_[k];
       shift_[k] = now;
@@ -57,15 +65,32 @@ class Outline {
       for (std::size_t d = 0; d < 2; ++d)
         out[2 * chart_.boundaryVertex(k) + d] += shift_[k] * normal_[k][d];
     }
+    shape_.straighten(out);
     return out;
   }
 
   double farthest() const { return *std::max_element(shift_.begin(), shift_.end()); }
   std::size_t movedCount() const {
-    return shift_.size() - static_cast<std::size_t>(std::count(shift_.begin(), shift_.end(), 0.0));
+    const auto isMoved = [&](const Ends& ends) {
+      return shift_[ends[0]] > 0 || shift_[ends[1]] > 0;
+    };
+    return static_cast<std::size_t>(std::count_if(movedBy_.begin(), movedBy_.end(), isMoved));
   }
 
  private:
+  /// The places whose moves decide where a place goes: the ends of its straight run, or itself.
+  using Ends = std::array<BoundaryIndex, 2>;
+
+  void findEnds(const StraightPlaces& straight) {
+    for (const BoundaryIndex from : straight.ids()) {
+      if (straight[from] != 0) continue;
+      BoundaryIndex to = chart_.after(from);
+      while (straight[to] != 0) to = chart_.after(to);
+      for (BoundaryIndex k = chart_.after(from); k != to; k = chart_.after(k))
+        movedBy_[k] = {from, to};
+    }
+  }
+
   /// Unit vector to the left of the edge that leaves a place.
   Point2 leftOf(BoundaryIndex place) const {
     const Point2 a = pointAt(uv_, chart_.boundaryVertex(place));
@@ -114,10 +139,14 @@ class Outline {
     }
     for (const BoundaryIndex k : shift_.ids())
       room_.push_back(kMostOfHeight * height[chart_.boundaryVertex(k)]);
+    for (const BoundaryIndex k : shift_.ids())
+      for (const BoundaryIndex end : movedBy_[k]) room_[end] = std::min(room_[end], room_[k]);
   }
 
   const DiskChart& chart_;
   const std::vector<double>& uv_;
+  const OutlineShape shape_;
+  IdVector<BoundaryIndex, Ends> movedBy_;
   IdVector<BoundaryIndex, Point2> normal_;
   IdVector<BoundaryIndex, double> room_, shift_;
 };
@@ -175,8 +204,8 @@ Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
                              crossing.validity.crossings, crossings);
   if (!drawn.isApart) return out;
   out.uv = drawn.uv;
+  fitArea(chart, out.uv);
   flattener.measure(out);
-  if (out.validity.valid()) out.exceeded = exceededBounds(chart, out.uv, out.t);
   out.fallbacks.push_back(drawnBackNote(drawn, chart));
   return out;
 }

@@ -12,6 +12,9 @@ namespace {
 /// whether they cross.
 constexpr double kAdjacentBound = 2 - 1e-6;
 
+/// From here on, a bound allows every angle.
+constexpr double kFree = 2;
+
 bool isBound(double t) { return t > 0 && std::isfinite(t); }
 
 /// The n boundary angles sum to (n - 2) pi, since interior vertices take 2 pi each.
@@ -64,6 +67,21 @@ Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOpti
     if (straight[i] != 0) met[i] = 1;
   if (Status s = checkSum(met, common); !s.ok()) return s;
   return t;
+}
+
+std::vector<VertexBound> vertexBounds(const DiskChart& chart, const BoundaryBounds& t) {
+  std::vector<VertexBound> out;
+  for (const BoundaryIndex i : t.ids())
+    if (t[i] < kFree) out.push_back({chart.boundaryVertex(i), t[i]});
+  return out;
+}
+
+BoundaryBounds boundsOf(const DiskChart& chart, const std::vector<VertexBound>& bounds) {
+  IdVector<ChartVertex, double> ofVertex(chart.vertexCount(), kFree);
+  for (const VertexBound& b : bounds) ofVertex[ChartVertex(b.vertex)] = b.t;
+  BoundaryBounds out;
+  for (const ChartCorner h : chart.boundary) out.push_back(ofVertex[chart.vertexOfCorner[h]]);
+  return out;
 }
 
 }  // namespace abflat

@@ -15,4 +15,8 @@ namespace abflat {
 Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOptions& options,
                                        const StraightPlaces& straight);
 
+/// Bounds below 2 by vertex of the chart, as stored in results, and the reverse.
+std::vector<VertexBound> vertexBounds(const DiskChart& chart, const BoundaryBounds& t);
+BoundaryBounds boundsOf(const DiskChart& chart, const std::vector<VertexBound>& bounds);
+
 }  // namespace abflat

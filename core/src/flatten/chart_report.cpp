@@ -26,19 +26,41 @@ int edgeRange(const DiskChart& chart, const std::vector<double>& uv) {
   return shortest > 0 ? static_cast<int>(std::log10(longest / shortest)) : 300;
 }
 
+std::string flippedText(const DiskChart& chart, const Attempt& a) {
+  constexpr int kDrawable =
+      12;  // orders of magnitude that doubles resolve beyond the errors of the layout
+  const bool isStraight = a.straight && a.straight->vertices > 0;
+  const std::string flipped = counted(a.validity.flippedTriangles, "triangle is", "triangles are") +
+                              " flipped or degenerate";
+  const std::string shorten = ". Shorten or remove straight runs";
+  const int range = edgeRange(chart, a.uv);
+  if (range < kDrawable) return flipped + (isStraight ? shorten : "");
+  return flipped + (isStraight ? ": " : ": with these bounds, ") + "edge lengths span " +
+         (range < 300 ? std::to_string(range) : "over 300") +
+         " orders of magnitude, more than doubles can represent" +
+         (isStraight ? shorten : ". Allow a larger t");
+}
+
 }  // namespace
 
-std::string exceededText(const Exceeded& exceeded) {
-  char most[40];
-  std::snprintf(most, sizeof most, "%.3g pi", exceeded.most / kPi);
-  return "the layout exceeds " + std::to_string(exceeded.count) +
-         " of the requested bounds, by up to " + most;
+std::string missedText(const MissedAngles& exceeded, const MissedAngles& bent) {
+  char most[60];
+  std::string out;
+  if (exceeded.count > 0) {
+    std::snprintf(most, sizeof most, " of the requested bounds, by up to %.3g pi",
+                  exceeded.most / kPi);
+    out = "the layout exceeds " + std::to_string(exceeded.count) + most;
+  }
+  if (bent.count > 0) {
+    std::snprintf(most, sizeof most, ", by up to %.3g radians", bent.most);
+    out += (out.empty() ? "" : "; ") + std::string("straight runs bend at ") +
+           counted(bent.count, "vertex", "vertices") + most;
+  }
+  return out;
 }
 
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
-  constexpr int kDrawable =
-      12;  // orders of magnitude that doubles resolve beyond the errors of the layout
   if (!a.converged()) {
     char text[120];
     std::snprintf(text, sizeof text,
@@ -53,19 +75,13 @@ std::string findProblem(const DiskChart& chart, const Attempt& a) {
                                    : "its boundary crosses itself at " +
                                          counted(v.crossings.count, "place", "places")) +
            ". Move the pins closer to the layout without pins, or remove some";
-  if (a.exceeded.count > 0) return exceededText(a.exceeded) + ". Raise or remove some";
-  if (v.flippedTriangles > 0) {
-    const int range = edgeRange(chart, a.uv);
-    return counted(v.flippedTriangles, "triangle is", "triangles are") + " flipped or degenerate" +
-           (range >= kDrawable
-                ? ": with these bounds, edge lengths span " +
-                      (range < 300 ? std::to_string(range) : "over 300") +
-                      " orders of magnitude, more than doubles can represent. Allow a larger t"
-                : "");
-  }
+  if (v.flippedTriangles > 0) return flippedText(chart, a);
   if (v.crossings.count > 0)
     return "the boundary crosses itself at " + counted(v.crossings.count, "place", "places") +
            ". A smaller t, down to 1, straightens it; t = auto finds out how small";
+  if (!a.hasAskedAngles())
+    return missedText(a.exceeded, a.bent) +
+           (a.bent.count > 0 ? ". Shorten or remove straight runs" : ". Raise or remove some");
   return {};
 }
 

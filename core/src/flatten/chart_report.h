@@ -13,8 +13,8 @@ ChartReport makeChartReport(const DiskChart& chart, const Attempt& attempt, doub
 /// Why the layout is not valid, in one sentence; empty if it is valid.
 std::string findProblem(const DiskChart& chart, const Attempt& attempt);
 
-/// "the layout exceeds 3 of the bounds asked for, by up to 0.5 pi".
-std::string exceededText(const Exceeded& exceeded);
+/// Names the boundary angles that miss what was asked for; empty if there are none.
+std::string missedText(const MissedAngles& exceeded, const MissedAngles& bent);
 
 /// Fills in what is measured on a layout whose bounds and solution are known.
 void setMeasures(ChartReport& report, const Validity& validity, const Distortion& distortion);

@@ -147,6 +147,7 @@ class Flattening {
     solver.allowedBytes = allowedBytes(options_.memory);
     ChartFlattener flattener(
         chart, solver, [this](Stage stage) { monitor_.tellStage(stage); }, choice_);
+    flattener.requireBounds(bounds_);
     flattener.requireStraight(straight_);
     const double setUp = watch_.lap();
     best_ = bestLayout(flattener, solver);
@@ -156,6 +157,7 @@ class Flattening {
     out_.report.timings.connectivity = connectivitySeconds_;
     out_.report.threads = pool.threads();
     out_.straight = straightVertices(chart, straight_);
+    out_.bounds = vertexBounds(chart, bounds_);
     return monitor_.tell(Stage::Check, 0.92) ? Status() : aborted();
   }
 
@@ -170,8 +172,10 @@ class Flattening {
     pin(flattener, pins_, {solver.allowedBytes, solver.pool}, out);
     refineChart(flattener, refining, out);
     if (out.isCancelled()) return out;
-    if (const Exceeded e = exceededBounds(prepared_.chart, out.uv, bounds_); e.count > 0)
-      out.fallbacks.push_back("pins: " + exceededText(e));
+    const DiskChart& chart = prepared_.chart;
+    const std::string missed = missedText(exceededBounds(chart, out.uv, bounds_, straight_),
+                                          bentPlaces(chart, out.uv, straight_));
+    if (!missed.empty()) out.fallbacks.push_back("pins: " + missed);
     return out;
   }
 

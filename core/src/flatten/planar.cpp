@@ -71,6 +71,7 @@ void drawBackContacts(const DiskChart& chart, Attempt& a) {
                              a.validity.crossings, crossings);
   if (!drawn.isApart) return;
   a.uv = drawn.uv;
+  fitArea(chart, a.uv);
   a.validity = checkSeparated(chart, a.uv);
   a.fallbacks.push_back(drawnBackNote(drawn, chart));
 }

@@ -71,7 +71,8 @@ std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
   BoundaryBounds nearly = rules.bounds;
   for (double& t : nearly)
     if (t < kFree) t -= rules.margin / kPi;
-  if (exceededBounds(chart, uv, nearly).count > 0) return "boundary angles reach their bounds";
+  if (exceededBounds(chart, uv, nearly, rules.straight).count > 0)
+    return "boundary angles reach their bounds";
   return rules.straight.empty() ? "" : "straight parts of the boundary stay straight";
 }
 
@@ -138,7 +139,8 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
     BoundaryBounds both = attempt.t;
     for (const BoundaryIndex i : both.ids()) both[i] = std::min(both[i], t[i]);
     start = flattener.attempt(both, &attempt);
-    if (!start.valid() || exceededBounds(chart, start.uv, t).count > 0) return std::nullopt;
+    if (!start.valid() || exceededBounds(chart, start.uv, t, flattener.straight()).count > 0)
+      return std::nullopt;
     pose(chart, attempt.uv, start.uv);
     std::vector<std::string> notes = attempt.fallbacks;
     for (const std::string& note : start.fallbacks)
@@ -152,9 +154,7 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
   options.outline = std::move(rules);
   const double before = energyOf(chart, attempt.uv, wishes.balance);
   start = refined(flattener, options, start);
-  if (!start.valid() || !(start.refined->energy < before) ||
-      exceededBounds(chart, start.uv, wishes.bounds).count > 0)
-    return std::nullopt;
+  if (!start.valid() || !(start.refined->energy < before)) return std::nullopt;
   Attempt out = attempt;
   out.uv = std::move(start.uv);
   out.fallbacks = std::move(start.fallbacks);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "abflat/flatten.h"
@@ -8,6 +9,8 @@
 #include "base/counted.h"
 #include "base/round_texcoords.h"
 #include "base/stopwatch.h"
+#include "boundary/missed_angles.h"
+#include "boundary/requested_bounds.h"
 #include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
 #include "check/delaunay.h"
@@ -18,17 +21,6 @@
 
 namespace abflat {
 namespace {
-
-/// Why a rounded layout is not valid; empty if it is valid.
-std::string findDefect(const Validity& validity) {
-  if (validity.flippedTriangles > 0)
-    return counted(validity.flippedTriangles, "triangle would", "triangles would") +
-           " be flipped or degenerate";
-  if (validity.crossings.count > 0)
-    return "the boundary would cross itself at " +
-           counted(validity.crossings.count, "place", "places");
-  return {};
-}
 
 /// A power of two about as large as the layout. Dividing by it changes no digit, and afterwards no
 /// product overflows.
@@ -45,7 +37,26 @@ struct Rounded {
   Distortion distortion;
   std::size_t violatedEdges = 0;  ///< edges that violate the Delaunay condition, if it is asked for
   double straightDeviation = 0;   ///< along runs that are to be straight
+  double angleMissedBy = 0;       ///< radians: of boundary angles, beyond rounding
 };
+
+/// Why a rounded layout is not valid; empty if it is valid.
+std::string findDefect(const Rounded& rounded) {
+  const Validity& validity = rounded.validity;
+  if (validity.flippedTriangles > 0)
+    return counted(validity.flippedTriangles, "triangle would", "triangles would") +
+           " be flipped or degenerate";
+  if (validity.crossings.count > 0)
+    return "the boundary would cross itself at " +
+           counted(validity.crossings.count, "place", "places");
+  if (rounded.angleMissedBy > 0) {
+    char text[80];
+    std::snprintf(text, sizeof text, "boundary angles would be off by up to %.2g radians",
+                  rounded.angleMissedBy);
+    return text;
+  }
+  return {};
+}
 
 Rounded measured(const DiskChart& chart, const FlattenResult& result, std::vector<double> uv) {
   Rounded out;
@@ -58,8 +69,15 @@ Rounded measured(const DiskChart& chart, const FlattenResult& result, std::vecto
   out.distortion = measureDistortion(chart, inUnits);
   if (result.report.charts.front().delaunay)
     out.violatedEdges = checkDelaunay(chart, inUnits).violated.size();
-  out.straightDeviation =
-      reportStraight(chart, placesOf(chart, result.straight), inUnits).deviation;
+  const StraightPlaces straight = placesOf(chart, result.straight);
+  out.straightDeviation = reportStraight(chart, straight, inUnits).deviation;
+  if (result.report.charts.front().pins) return out;
+  constexpr double kRounding = kAngleRoundingInSingle;
+  const MissedAngles missed[] = {
+      exceededBounds(chart, inUnits, boundsOf(chart, result.bounds), straight, kRounding),
+      bentPlaces(chart, inUnits, straight, kRounding)};
+  for (const MissedAngles& m : missed)
+    if (m.count > 0) out.angleMissedBy = std::max(out.angleMissedBy, m.most);
   return out;
 }
 
@@ -76,7 +94,7 @@ void replaceLayout(const DiskChart& chart, std::vector<double> uv, const std::st
   Rounded rounded = measured(chart, result, std::move(uv));
   setMeasures(report, rounded);
   if (report.delaunay) report.delaunay->violated = rounded.violatedEdges;
-  const std::string defect = findDefect(rounded.validity);
+  const std::string defect = findDefect(rounded);
   if (report.valid && !defect.empty()) {
     report.problem = where + defect + remedy;
     report.valid = result.report.valid = false;
@@ -107,7 +125,7 @@ bool roundToSinglePrecision(const PolygonMesh& mesh, FlattenResult& result) {
   std::vector<double> uv = result.uv;
   roundToSingle(uv);
   Rounded rounded = measured(chart, result, std::move(uv));
-  std::string obstacle = findDefect(rounded.validity);
+  std::string obstacle = findDefect(rounded);
   if (obstacle.empty() && report.delaunay && rounded.violatedEdges > report.delaunay->violated)
     obstacle = counted(rounded.violatedEdges - report.delaunay->violated, "edge", "edges") +
                " more would not be Delaunay";

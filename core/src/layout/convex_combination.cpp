@@ -53,10 +53,8 @@ Eigen::MatrixXd solve(const System& s, bool isSymmetric) {
   return isSymmetric ? solveSymmetric(s.matrix, s.rhs) : solveGeneral(s.matrix, s.rhs);
 }
 
-}  // namespace
-
-std::vector<double> boundaryOnCircle(const DiskChart& chart) {
-  std::vector<double> uv(2 * chart.vertices().size(), 0);
+/// Length of each boundary edge, none much shorter than the mean.
+IdVector<BoundaryIndex, double> boundaryLengths(const DiskChart& chart) {
   IdVector<BoundaryIndex, double> length;
   double total = 0;
   for (const ChartCorner h : chart.boundary) {
@@ -66,17 +64,67 @@ std::vector<double> boundaryOnCircle(const DiskChart& chart) {
   }
   constexpr double kShortestArc = 0.1;  // of the mean
   const double least = kShortestArc * total / static_cast<double>(length.size());
-  total = 0;
-  for (double& l : length) total += l = least > 0 ? std::max(l, least) : 1;
+  for (double& l : length) l = least > 0 ? std::max(l, least) : 1;
+  return length;
+}
+
+/// A side of the polygon that the boundary becomes: an edge, or a straight run.
+struct Side {
+  BoundaryIndex from, to;
+  double length;
+};
+
+/// All sides. None is longer than the others together.
+std::vector<Side> sidesOf(const DiskChart& chart, const StraightPlaces& straight,
+                          const IdVector<BoundaryIndex, double>& length) {
+  const auto goesOn = [&](BoundaryIndex i) { return !straight.empty() && straight[i] != 0; };
+  std::vector<Side> out;
+  double total = 0;
+  for (const BoundaryIndex i : length.ids()) {
+    if (goesOn(i)) continue;
+    Side side{i, chart.after(i), length[i]};
+    for (; goesOn(side.to); side.to = chart.after(side.to)) side.length += length[side.to];
+    total += side.length;
+    out.push_back(side);
+  }
+  for (Side& side : out) side.length = std::min(side.length, total - side.length);
+  return out;
+}
+
+/// Spaces the places within a side by length, on the line between its ends.
+void spread(const DiskChart& chart, const Side& side, const IdVector<BoundaryIndex, double>& length,
+            std::vector<double>& uv) {
+  double whole = 0;
+  for (BoundaryIndex i = side.from; i != side.to; i = chart.after(i)) whole += length[i];
+  const Point2 a = pointAt(uv, chart.boundaryVertex(side.from));
+  const Point2 b = pointAt(uv, chart.boundaryVertex(side.to));
+  double passed = length[side.from];
+  for (BoundaryIndex i = chart.after(side.from); i != side.to; i = chart.after(i)) {
+    const double share = passed / whole;
+    setPoint(uv, chart.boundaryVertex(i),
+             {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])});
+    passed += length[i];
+  }
+}
+
+}  // namespace
+
+std::vector<double> boundaryOnCircle(const DiskChart& chart, const StraightPlaces& straight) {
+  std::vector<double> uv(2 * chart.vertices().size(), 0);
+  const IdVector<BoundaryIndex, double> length = boundaryLengths(chart);
+  const std::vector<Side> sides = sidesOf(chart, straight, length);
+  double total = 0;
+  for (const Side& side : sides) total += side.length;
   const double area = surfaceArea(chart);
   const double radius = area > 0 ? std::sqrt(area / kPi) : 1;
   double passed = 0;
-  for (const BoundaryIndex i : length.ids()) {
+  for (const Side& side : sides) {
     const double angle = 2 * kPi * passed / total;
-    setPoint(uv, chart.boundaryVertex(i),
+    setPoint(uv, chart.boundaryVertex(side.from),
              {radius * (1 + portable::cos(angle)), radius * (1 + portable::sin(angle))});
-    passed += length[i];
+    passed += side.length;
   }
+  for (const Side& side : sides) spread(chart, side, length, uv);
   return uv;
 }
 

@@ -15,8 +15,9 @@ struct Embedding {
 
 /// Boundary vertices on a circle of the chart's area (radius 1 if it has none), spaced by 3D edge
 /// length with a shortest arc that keeps them apart; lower left corner of the circle's bounding box
-/// at the origin. Interior vertices are at 0.
-std::vector<double> boundaryOnCircle(const DiskChart& chart);
+/// at the origin. Straight runs are chords, at most as long as the diameter. Interior vertices are
+/// at 0.
+std::vector<double> boundaryOnCircle(const DiskChart& chart, const StraightPlaces& straight = {});
 
 /// Weight of each half-edge: how strongly its first vertex, if interior, is drawn to its second.
 struct HalfEdgeWeights {

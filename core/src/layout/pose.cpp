@@ -43,13 +43,18 @@ Point2 rotationOnto(const std::vector<double>& model, const std::vector<double>&
 
 }  // namespace
 
-void pose(const DiskChart& chart, const std::vector<double>& model, std::vector<double>& uv) {
+void fitArea(const DiskChart& chart, std::vector<double>& uv) {
   const double area = totalArea(chart, uv), wanted = surfaceArea(chart);
-  const double scale = area > 0 && wanted > 0 ? std::sqrt(wanted / area) : 1;
+  if (!(area > 0 && wanted > 0)) return;
+  for (double& x : uv) x *= std::sqrt(wanted / area);
+}
+
+void pose(const DiskChart& chart, const std::vector<double>& model, std::vector<double>& uv) {
+  fitArea(chart, uv);
   const auto [c, s] = model.size() == uv.size() ? rotationOnto(model, uv) : Point2{1, 0};
   Point2 low{INFINITY, INFINITY};
   for (std::size_t i = 0; i < uv.size(); i += 2) {
-    const double x = scale * uv[i], y = scale * uv[i + 1];
+    const double x = uv[i], y = uv[i + 1];
     uv[i] = c * x - s * y;
     uv[i + 1] = s * x + c * y;
     for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], uv[i + d]);

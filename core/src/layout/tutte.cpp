@@ -1,10 +1,22 @@
 #include "layout/tutte.h"
 
+#include "layout/pose.h"
+
 namespace abflat {
 
-Embedding embedTutte(const DiskChart& chart) {
-  const HalfEdgeWeights ones{IdVector<ChartCorner, double>(chart.twin.size(), 1), true};
-  return embedByWeights(chart, ones, boundaryOnCircle(chart));
+Embedding embedTutte(const DiskChart& chart) { return embedTutte(chart, {}, 1); }
+
+Embedding embedTutte(const DiskChart& chart, const StraightPlaces& straight,
+                     double boundaryWeight) {
+  IdVector<ChartVertex, double> pull(chart.vertexCount(), 1);
+  for (const ChartCorner h : chart.boundary) pull[chart.vertexOfCorner[h]] = boundaryWeight;
+  HalfEdgeWeights weights;
+  weights.isSymmetric = true;  // between interior vertices, whose rows are solved
+  for (const ChartCorner h : chart.corners())
+    weights.weight.push_back(pull[chart.vertexOfCorner[nextCorner(h)]]);
+  Embedding out = embedByWeights(chart, weights, boundaryOnCircle(chart, straight));
+  if (out.problem.empty()) pose(chart, {}, out.uv);
+  return out;
 }
 
 }  // namespace abflat

@@ -158,8 +158,7 @@ class Packer {
       item.loops = coveringLoops(shape);
       item.mass = massOf(shape);
       const std::vector<PlanePoint> hull = convexHull(item.loops.points);
-      const Pose base = options_.rotate ? leastBoxPose(hull) : Pose{};
-      item.poses = Poses(base, poses, hull);
+      item.poses = Poses(leastBoxPose(hull), poses, hull);
     });
   }
 

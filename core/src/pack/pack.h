@@ -25,7 +25,7 @@ struct PackOptions {
   int resolution = 1024;  ///< texels along a side of the square tile
   /// Free texels between charts; half of that, rounded up, to the border.
   int padding = 2;
-  bool rotate = true;
+  bool rotate = true;          ///< beyond the rotation that makes the box of a chart smallest
   double texelDensity = 0;     ///< texels per unit of the mesh; 0: the most that fits one tile
   double mostDensity = 0;      ///< limits it if `texelDensity` is 0; 0: no limit
   bool fixedMayLeave = false;  ///< fixed shapes may be outside of tiles

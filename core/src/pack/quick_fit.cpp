@@ -26,7 +26,7 @@ PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {
   out.loops.ends = {static_cast<std::uint32_t>(outline.size())};
   out.loops.isGroup = {1};
   const std::vector<PlanePoint> hull = convexHull(outline);
-  out.poses = Poses(poses_ > 1 ? leastBoxPose(hull) : Pose{}, static_cast<int>(poses_), hull);
+  out.poses = Poses(leastBoxPose(hull), static_cast<int>(poses_), hull);
   out.mass = massOf(outline);
   return out;
 }

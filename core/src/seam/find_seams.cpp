@@ -300,8 +300,10 @@ class SymmetricFinder {
     const double cost = costOf(mesh_, seams);
     if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
+    if (!mirror) report.asymmetry = Asymmetry::NoPlane;
     if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
     const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
+    if (!half) report.asymmetry = Asymmetry::PlaneCutsFace;
     if (!half) return;
     const double plane = costOf(mesh_, unfold(mesh_, mirror, *half, {}));
     if (isTooMuch(plane, cost * kMostOfPlane)) return;
@@ -358,6 +360,7 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
   const bool isFree = options.isAuto && options.first.empty() &&
                       std::find(seams.begin(), seams.end(), 1) == seams.end();
   if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
+  if (!isFree) own.asymmetry = Asymmetry::SeamsGiven;
   if (isFree && !own.cancelled) SymmetricFinder(mesh, options).run(seams, own);
   own.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());

@@ -30,6 +30,14 @@ struct SeamOptions {
   std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which still cut to disks
 };
 
+/// Why no symmetric seams were looked for.
+enum class Asymmetry : std::uint8_t {
+  None,
+  NoPlane,        ///< the mesh is not its own mirror image
+  PlaneCutsFace,  ///< the mirror plane runs through a polygon, or a hole that has to stay filled
+  SeamsGiven,     ///< there were seams before
+};
+
 struct SeamReport {
   std::uint32_t charts = 0;
   double seamLength = 0;  ///< in 3D, over sqrt(surface area)
@@ -44,6 +52,7 @@ struct SeamReport {
   LogScales scale;                    ///< expected log-scale
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
+  Asymmetry asymmetry = Asymmetry::None;
 };
 
 /// `given` seams are kept. Afterwards every chart is a topological disk, counting hole fillings;

@@ -43,6 +43,17 @@ FlatChart projectedChart(const DiskChart& chart, Attempt& attempt) {
   return out;
 }
 
+bool isAnyStraight(const ChartWishes& wishes) {
+  return std::find(wishes.straight.begin(), wishes.straight.end(), 1) != wishes.straight.end();
+}
+
+/// The same wishes without straight places.
+ChartWishes released(const DiskChart& chart, ChartWishes wishes) {
+  wishes.released += chart.boundary.size() - placesThatTurn(chart, wishes.straight);
+  wishes.straight.assign(chart.boundary.size(), 0);
+  return wishes;
+}
+
 /// Steps are cheap on a small chart, and saving a seam is worth many of them.
 Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionValues& options) {
   constexpr int kFewest = 60, kMost = 200, kTriangles = 80000;
@@ -76,6 +87,7 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);
+  flattener.requireBounds(bounds);
   const OutlineGoal goal = options.t == kAutoT ? automaticGoal(bounds) : OutlineGoal{bounds};
   RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
   refining.mayBeRough = true;
@@ -99,6 +111,9 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   }
   describe(chart, wishes, attempt, out);
   out.patience = patience;
+  if (out.problem.empty() || isPinned || !isAnyStraight(wishes)) return out;
+  FlatChart free = flattenOne(chart, options, released(chart, wishes), patience, pool, goesOn);
+  if (free.problem.empty()) return free;
   return out;
 }
 

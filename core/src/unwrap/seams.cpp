@@ -211,6 +211,13 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   found = std::move(report);
 }
 
+std::string asymmetryNote(Asymmetry why) {
+  const std::string what = "seams are not symmetric: ";
+  if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
+  if (why == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
+  return what + "the mirror plane would cut a face or a filled hole";
+}
+
 }  // namespace
 
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
@@ -224,14 +231,18 @@ std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit)
 }
 
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary) {
+                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary,
+                    std::vector<std::string>& notes) {
   SeamReport found;
   OpenSurface open = openWith(uncut, asked, options, pool, keepsOn, found);
-  if (options.seams.isAuto && !found.cancelled)
+  const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
+  if (options.seams.isAuto && !isSymmetric && !found.cancelled)
     openPlates(uncut, asked, options, pool, keepsOn, open, found);
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
+  if (options.seams.isAuto && isSymmetric && found.asymmetry != Asymmetry::None)
+    notes.push_back(asymmetryNote(found.asymmetry));
   return open;
 }
 

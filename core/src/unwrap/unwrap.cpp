@@ -127,7 +127,7 @@ class Unwrapping {
     fixed_ = std::move(fixed.value);
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, scales, fixed_}, options_, *pool_,
-        [&] { return monitor_.tell(kSeams); }, report_.seams);
+        [&] { return monitor_.tell(kSeams); }, report_.seams, report_.notes);
     surface_.fans = Fans();
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);

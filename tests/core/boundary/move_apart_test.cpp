@@ -7,6 +7,7 @@
 #include "abflat/unwrap.h"
 #include "base/constants.h"
 #include "catch.h"
+#include "mesh/triangle_geometry.h"
 #include "support/instrumented.h"
 #include "support/meshes.h"
 #include "support/problems.h"
@@ -16,8 +17,8 @@ using namespace abflat::test;
 
 namespace {
 
-/// A flat grid, cut open from the middle of its lower side up to the middle.
-PolygonMesh slitSheet(unsigned n) {
+/// A flat grid, cut open from the middle of its lower side up to the middle along a wave.
+PolygonMesh slitSheet(unsigned n, double wave = 0.1) {
   PolygonMesh mesh;
   const auto add = [&](double x, double y) {
     mesh.positions.insert(mesh.positions.end(), {x, y, 0});
@@ -25,9 +26,9 @@ PolygonMesh slitSheet(unsigned n) {
   };
   std::vector<std::vector<std::uint32_t>> at(n + 1, std::vector<std::uint32_t>(n + 1));
   for (unsigned i = 0; i <= n; ++i)
-    for (unsigned j = 0; j <= n; ++j) at[i][j] = add(i + 0.1 * std::sin(j), j);
+    for (unsigned j = 0; j <= n; ++j) at[i][j] = add(i + wave * std::sin(j), j);
   std::vector<std::uint32_t> right(n + 1);
-  for (unsigned j = 0; j < n / 2; ++j) right[j] = add(n / 2 + 0.1 * std::sin(j), j);
+  for (unsigned j = 0; j < n / 2; ++j) right[j] = add(n / 2 + wave * std::sin(j), j);
   for (unsigned i = 0; i < n; ++i)
     for (unsigned j = 0; j < n; ++j) {
       const auto left = [&](unsigned y) { return i == n / 2 && y < n / 2 ? right[y] : at[i][y]; };
@@ -67,6 +68,15 @@ PolygonMesh city(unsigned m, unsigned height) {
       face(at(x[0], y[0], top), at(x[1], y[1], top), at(x[2], y[2], top), at(x[3], y[3], top));
     }
   return mesh;
+}
+
+double areaUv(const DiskChart& chart, const std::vector<double>& uv) {
+  double sum = 0;
+  for (const ChartTriangle f : chart.triangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
+    sum += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+  }
+  return sum;
 }
 
 /// The result, and the number of calls while charts are solved: one for each Newton step and for
@@ -131,14 +141,37 @@ TEST_CASE("bounds and straight runs are not given up to draw a boundary back") {
   Attempt closed = flattener.attempt(BoundaryBounds(n, 2), nullptr);
   REQUIRE(closed.validity.crossings.count > 0);
   // The layout's present angles, except where it is free anyway.
-  for (const BoundaryIndex i : closed.t.ids())
-    closed.t[i] = boundaryAngle(chart, closed.uv, chart.boundary[i]) / kPi;
-  CHECK_FALSE(movedApart(flattener, closed).valid());
-  closed.t.assign(n, 2);
-  flattener.requireStraight(StraightPlaces(n, 1));
-  const Attempt still = movedApart(flattener, closed);
-  CHECK(still.uv == closed.uv);
-  CHECK_FALSE(still.valid());
+  BoundaryBounds present;
+  for (const ChartCorner h : chart.boundary)
+    present.push_back(boundaryAngle(chart, closed.uv, h) / kPi);
+  flattener.requireBounds(present);
+  const Attempt open = movedApart(flattener, closed);
+  CHECK_FALSE(open.valid());
+  CHECK(open.validity.valid());
+  CHECK(open.exceeded.count > 0);
+}
+
+TEST_CASE("straight runs that touch are drawn back as a whole") {
+  for (const unsigned n : {6u, 20u}) {
+    const DiskChart chart = chartOf(slitSheet(n, 0));
+    StraightPlaces straight(chart.boundary.size(), 0);
+    // Both sides of the slit.
+    for (const BoundaryIndex i : straight.ids()) {
+      const double* p = &chart.positions[3 * std::size_t{chart.boundaryVertex(i)}];
+      straight[i] = p[0] * chart.unit == n / 2 && p[1] > 0 && p[1] * chart.unit < n / 2;
+    }
+    REQUIRE(placesThatTurn(chart, straight) + 2 * (n / 2 - 1) == chart.boundary.size());
+    ChartFlattener flattener(chart, {});
+    flattener.requireSeparation();
+    flattener.requireStraight(straight);
+    const Attempt closed = flattener.attempt(BoundaryBounds(chart.boundary.size(), 2), nullptr);
+    REQUIRE(closed.validity.crossings.count > 0);
+    const Attempt open = movedApart(flattener, closed);
+    CHECK(open.valid());
+    CHECK(open.bent.count == 0);
+    CHECK(open.straight->deviation < 1e-6);
+    CHECK(areaUv(chart, open.uv) == Approx(surfaceArea(chart)).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("charts that touch themselves cost no more than one solution each") {

@@ -181,3 +181,27 @@ TEST_CASE("round rims are not made straight, and the report says so", "[straight
   CHECK(result.value.report.charts[0].straight->vertices == 0);
   CHECK(result.value.report.charts[0].straight->released == 24);
 }
+
+TEST_CASE("bounds and runs that single precision cannot hold stay in double precision") {
+  // Steps of a millionth of the sheet along one side, which go up and down.
+  PolygonMesh mesh = bumpyGrid(40, 4, 0, 1);
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+    if (v % 41 > 1) mesh.positions[3 * v] = 1e6 + mesh.positions[3 * v];
+  for (const bool isStraight : {false, true}) {
+    FlattenOptions options;
+    options.t = isStraight ? kAutoT : 1;
+    if (isStraight) options.straight = {{0, 40}, {40, 204}, {204, 164}, {164, 0}};
+    Result<FlattenResult> r = flatten(mesh, options);
+    INFO(r.status.message);
+    REQUIRE(r.ok());
+    REQUIRE(r.value.report.valid);
+    const std::vector<double> before = r.value.uv;
+    CHECK_FALSE(roundToSinglePrecision(mesh, r.value));
+    CHECK(r.value.uv == before);
+    CHECK(r.value.report.valid);
+    CHECK_FALSE(r.value.report.charts[0].fallbacks.empty());
+    roundForGltf(mesh, r.value);
+    CHECK_FALSE(r.value.report.valid);
+    CHECK_FALSE(r.value.report.charts[0].problem.empty());
+  }
+}

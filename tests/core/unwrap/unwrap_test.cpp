@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <string>
 
 #include "catch.h"
 #include "support/meshes.h"
@@ -234,4 +236,26 @@ TEST_CASE("rounded texcoords are single precision numbers, also when v points do
     CHECK(static_cast<double>(static_cast<float>(x)) == x);
     CHECK(static_cast<double>(static_cast<float>(1 - x)) == 1 - x);
   }
+}
+
+TEST_CASE("seams that should be symmetric, but cannot be, are named", "[unwrap]") {
+  const auto isNoted = [](const PolygonMesh& mesh, SymmetricSeams symmetric, bool isGiven) {
+    UnwrapOptions options;
+    options.symmetricSeams = symmetric;
+    if (isGiven) options.seams.edges.push_back({mesh.faceVertices[0], mesh.faceVertices[1]});
+    const Result<UnwrapResult> r = unwrap(mesh, options);
+    REQUIRE(r.ok());
+    const std::vector<std::string>& notes = r.value.report.notes;
+    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("seams are not symmetric") != std::string::npos;
+    });
+  };
+  const PolygonMesh ring = torus(24, 12);
+  PolygonMesh crooked = ring;
+  std::mt19937 random(4);
+  for (double& x : crooked.positions) x += 1e-2 * static_cast<double>(random() % 10);
+  CHECK(isNoted(crooked, SymmetricSeams::Always, false));
+  CHECK(isNoted(ring, SymmetricSeams::Always, true));
+  CHECK_FALSE(isNoted(ring, SymmetricSeams::Always, false));
+  CHECK_FALSE(isNoted(crooked, SymmetricSeams::Auto, false));
 }

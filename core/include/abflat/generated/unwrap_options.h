@@ -77,7 +77,7 @@ struct UnwrapOptionValues {
   bool udim = false;
   /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)
   double minUtilization = -1;
-  /// rotate charts to pack tighter
+  /// rotate charts to pack tighter; otherwise each lies level, in its smallest box
   bool rotate = true;
   /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
@@ -98,7 +98,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)", false, false},
-    {"rotate", "--no-rotate", "true", "", "do not rotate charts to pack tighter", true, false},
+    {"rotate", "--no-rotate", "true", "", "do not rotate charts to pack tighter; otherwise each lies level, in its smallest box", true, false},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };

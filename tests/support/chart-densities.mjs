@@ -1,0 +1,51 @@
+// The texel density of each chart of an atlas, measured from its file.
+
+import { chartsOf, parseObj } from './atlas.mjs';
+
+const areaInSpace = ([a, b, c]) => {
+  const [u, v] = [b, c].map((p) => p.map((x, d) => x - a[d]));
+  const normal = [0, 1, 2].map(
+    (d) => u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3],
+  );
+  return Math.hypot(...normal) / 2;
+};
+
+const areaInAtlas = ([a, b, c]) =>
+  ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+
+/** The texcoords of each side of a face. */
+const sidesOf = (face) => face.map(([, t], k) => [t, face[(k + 1) % face.length][1]]);
+
+const distance = (p, q) => Math.hypot(...p.map((x, d) => x - q[d]));
+
+/** Half the distance between neighbouring numbers in single precision, at the largest coordinate. */
+const roundingOf = (texcoords) => {
+  const most = texcoords.flat().reduce((m, x) => Math.max(m, Math.abs(x)), 1);
+  return 2 ** (Math.ceil(Math.log2(most)) - 25);
+};
+
+/**
+ * Of an OBJ text of triangles, per chart with area: { density, rounding }, in texels per unit, where
+ * rounding is what single precision may cost of it, as a share.
+ */
+export function chartDensities(text, resolution) {
+  const obj = parseObj(text);
+  const { ofFace, count } = chartsOf(obj);
+  const charts = Array.from({ length: count }, () => ({ inSpace: 0, inAtlas: 0, outline: 0 }));
+  const sides = new Set(obj.faces.flatMap(sidesOf).map(([a, b]) => `${a} ${b}`));
+  for (const [f, face] of obj.faces.entries()) {
+    const chart = charts[ofFace[f]];
+    const uv = face.map(([, t]) => obj.texcoords[t]);
+    chart.inSpace += areaInSpace(face.map(([v]) => obj.positions[v]));
+    chart.inAtlas += areaInAtlas(uv);
+    for (const [a, b] of sidesOf(face))
+      if (!sides.has(`${b} ${a}`)) chart.outline += distance(obj.texcoords[a], obj.texcoords[b]);
+  }
+  const step = roundingOf(obj.texcoords);
+  return charts
+    .filter(({ inSpace }) => inSpace > 0)
+    .map(({ inSpace, inAtlas, outline }) => ({
+      density: resolution * Math.sqrt(inAtlas / inSpace),
+      rounding: (step * outline) / inAtlas,
+    }));
+}
