@@ -56,6 +56,8 @@ class Tracer {
     }
   }
 
+  const std::vector<std::uint32_t>& leaving() const { return leaving_; }
+
   std::vector<CornerLoop> loops() const {
     std::vector<CornerLoop> out;
     std::vector<std::uint8_t> isDone(count_, 0);
@@ -141,31 +143,13 @@ class Tracer {
 
 }  // namespace
 
-bool hasReversed(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
-                 const std::vector<CornerLoop>& loops) {
-  const std::vector<Point2> points = projectPolygon(positions, places.data(), places.size());
-  return std::any_of(loops.begin(), loops.end(), [&](const CornerLoop& loop) {
-    double area = 0;
-    for (std::size_t i = 2; i < loop.size(); ++i)
-      area += turnOf(points[loop[0]], points[loop[i - 1]], points[loop[i]]);
-    return area < 0;
-  });
-}
-
-std::vector<CornerLoop> insideLoops(const std::vector<double>& positions,
-                                    const std::vector<std::uint32_t>& places) {
-  CornerLoop kept;  // the first of each run of corners at the same place
-  for (std::uint32_t k = 0; k < places.size(); ++k)
-    if (kept.empty() || places[k] != places[kept.back()]) kept.push_back(k);
-  while (kept.size() > 1 && places[kept.back()] == places[kept.front()]) kept.pop_back();
-  std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t k : kept) vertices.push_back(places[k]);
-  const Tracer tracer(projectPolygon(positions, vertices.data(), vertices.size()), vertices);
-  std::vector<CornerLoop> loops = tracer.loops();
-  if (!tracer.settle(loops)) return {};
-  for (CornerLoop& loop : loops)
-    for (std::uint32_t& k : loop) k = kept[k];
-  return loops;
+Inside insideLoops(const std::vector<double>& positions, const std::vector<std::uint32_t>& places) {
+  const Tracer tracer(projectPolygon(positions, places.data(), places.size()), places);
+  Inside out;
+  out.loops = tracer.loops();
+  if (!tracer.settle(out.loops)) return {};
+  out.leaving = tracer.leaving();
+  return out;
 }
 
 }  // namespace abflat
