@@ -94,14 +94,20 @@ class TouchingPolygon {
     });
   }
 
-  /** Whether a direction at corner i of the walk leads to the polygon's left, its inside. */
-  #isLeft(i, angle) {
-    const [before, here, after] = [i - 1, i, i + 1].map(
-      (k) => this.points[this.walk.at(k % this.walk.length)],
-    );
-    const start = angleOf(here, after);
-    const wide = positive(angleOf(here, before) - start) || 2 * Math.PI;
-    return positive(angle - start) < wide;
+  /**
+   * Whether a direction at corner i of the walk leads to its inside, on the left, or to the
+   * outside, on the right, with no other visit of the same place in between.
+   */
+  #isOnSide(i, angle, isInside) {
+    const at = (k) => this.walk.at(k % this.walk.length);
+    const [before, v, after] = [at(i - 1), at(i), at(i + 1)];
+    if (before === after)
+      return this.spikes.some((s) => s.tip === v && s.isInside === isInside);
+    const turnTo = (w) => positive(angleOf(this.points[v], this.points[w]) - angle);
+    const ends = this.walk.flatMap((w, k) => (w === v ? [at(k - 1), at(k + 1)] : []));
+    ends.sort((a, b) => turnTo(a) - turnTo(b));
+    const [next, last] = [ends[0], ends.at(-1)];
+    return isInside ? next === before && last === after : next === after && last === before;
   }
 
   #insert(i, corners) {
@@ -132,7 +138,7 @@ class TouchingPolygon {
     if (edges.some((e) => !e.includes(to) && isNear(e, bridge)) || isIn(from, ring)) return false;
     const crossing = edges.filter((e) => e.includes(to)).map((e) => (e[0] === to ? e[1] : e[0]));
     if (isIn(middle(from, to), ring) || crossing.some((p) => isSharp(to, p, from))) return false;
-    if (this.#isLeft(i, angleOf(from, to)) !== isHole) return false;
+    if (!this.#isOnSide(i, angleOf(from, to), isHole)) return false;
     if (!this.#isFree(v, [bridge]) || !this.#isFree(v, edges) || !this.#isEmpty(ring)) return false;
     const corners = this.#addRing(ring, isHole);
     const start = corners.findIndex((k) => this.points[k] === to);
@@ -148,7 +154,7 @@ class TouchingPolygon {
     const v = this.walk[i];
     const from = this.points[v];
     const [angle, size] = [this.#random.between(0, 7), this.#random.between(0.4, 1.5)];
-    if (this.#isLeft(i, angle) !== isHole) return false;
+    if (!this.#isOnSide(i, angle, isHole)) return false;
     const ring = this.#ring([from[0] + size * Math.cos(angle), from[1] + size * Math.sin(angle)], size);
     const nearest = ring.reduce((a, b) =>
       Math.hypot(...minus(a, from)) < Math.hypot(...minus(b, from)) ? a : b,
@@ -163,7 +169,7 @@ class TouchingPolygon {
     if (!isRound || whole.some((p, k) => Math.hypot(...minus(p, whole.at(k - 1))) < 0.2))
       return false;
     const edges = whole.map((p, k) => [whole.at(k - 1), p]);
-    const isOnSide = open.every((p) => this.#isLeft(i, angleOf(from, p)) === isHole);
+    const isOnSide = open.every((p) => this.#isOnSide(i, angleOf(from, p), isHole));
     if (!isOnSide || !this.#isFree(v, edges) || !this.#isEmpty(whole)) return false;
     const corners = this.#addRing(open, isHole);
     this.rings.at(-1).corners = [v, ...(isHole ? corners.toReversed() : corners)];
@@ -178,7 +184,7 @@ class TouchingPolygon {
     const from = this.points[v];
     const [angle, length] = [this.#random.between(0, 7), this.#random.between(0.3, 3)];
     const tip = [from[0] + length * Math.cos(angle), from[1] + length * Math.sin(angle)];
-    if (this.#isLeft(i, angle) !== isInside || !this.#isFree(v, [[from, tip]])) return false;
+    if (!this.#isOnSide(i, angle, isInside) || !this.#isFree(v, [[from, tip]])) return false;
     const k = this.#add(tip);
     this.spikes.push({ tip: k, isInside });
     this.#insert(i, [k, v]);

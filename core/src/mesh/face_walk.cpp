@@ -75,6 +75,13 @@ bool leaveOutSpikes(const std::vector<std::uint32_t>& places,
   return walk.corners.size() < out.size();
 }
 
+std::vector<std::uint8_t> boundsSomething(const Inside& inside, std::size_t corners) {
+  std::vector<std::uint8_t> out(corners, 0);
+  for (const CornerLoop& loop : inside.loops)
+    for (const std::uint32_t i : loop) out[i] = 1;
+  return out;
+}
+
 }  // namespace
 
 FaceWalk walkAround(const std::vector<double>& positions,
@@ -87,17 +94,19 @@ FaceWalk walkAround(const std::vector<double>& positions,
   };
   if (out.corners.size() < 3 || isSimple()) return out;
   Inside inside = insideLoops(positions, placesOf(out.corners, places));
-  std::vector<std::uint8_t> bounds(places.size(), 0);
-  for (const CornerLoop& loop : inside.loops)
-    for (const std::uint32_t i : loop) bounds[out.corners[i]] = 1;
-  if (leaveOutSpikes(
-          places, [&](std::uint32_t k) { return !bounds[k]; }, out)) {
+  std::vector<std::uint8_t> bounds = boundsSomething(inside, out.corners.size());
+  std::vector<std::uint8_t> isKept(places.size(), 0);
+  for (std::size_t i = 0; i < bounds.size(); ++i) isKept[out.corners[i]] = bounds[i];
+  const auto mayGo = [&](std::uint32_t k) { return !isKept[k]; };
+  if (leaveOutSpikes(places, mayGo, out)) {
     if (out.corners.size() < 3 || isSimple()) return out;
     if (!inside.loops.empty()) inside = insideLoops(positions, placesOf(out.corners, places));
+    bounds = boundsSomething(inside, out.corners.size());
   }
   const std::vector<std::uint8_t> again = revisits(placesOf(out.corners, places));
   for (std::uint32_t i = 0; i < out.corners.size(); ++i)
-    if (inside.leaving.empty() ? again[i] : inside.leaving[i] != i) out.opened.push_back(i);
+    if (inside.loops.empty() ? again[i] : !bounds[i] || inside.leaving[i] != i)
+      out.opened.push_back(i);
   return out;
 }
 

@@ -45,6 +45,7 @@ class Tracer {
  public:
   Tracer(std::vector<Point2> points, const std::vector<std::uint32_t>& places)
       : points_(std::move(points)),
+        places_(places),
         count_(static_cast<std::uint32_t>(points_.size())),
         leaving_(count_) {
     std::iota(leaving_.begin(), leaving_.end(), 0u);
@@ -92,6 +93,7 @@ class Tracer {
     };
     std::vector<CornerLoop> out;
     for (CornerLoop& loop : loops) {
+      if (goesBack(loop)) continue;
       const auto [least, most] = bounds(loop);
       if (least < 0) return false;
       if (most > 0) out.push_back(std::move(loop));
@@ -135,7 +137,21 @@ class Tracer {
     }
   }
 
+  /// Whether a loop only follows edges there and back again.
+  bool goesBack(const CornerLoop& loop) const {
+    std::vector<std::uint32_t> path;
+    for (std::size_t i = 0; i <= loop.size(); ++i) {
+      const std::uint32_t place = places_[loop[i < loop.size() ? i : 0]];
+      if (path.size() >= 2 && path[path.size() - 2] == place)
+        path.pop_back();
+      else
+        path.push_back(place);
+    }
+    return path.size() == 1;
+  }
+
   std::vector<Point2> points_;
+  const std::vector<std::uint32_t>& places_;
   std::uint32_t count_;
   std::vector<std::uint32_t> leaving_;  ///< per arriving corner: the corner it leaves from
   bool isClear_ = true;                 ///< no neighbour of a place coincides with it in the plane
