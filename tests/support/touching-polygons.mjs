@@ -4,7 +4,8 @@
 
 import { Random } from './random-surfaces.mjs';
 
-const SIZE = 12;
+/** Polygons lie in a square of this size. */
+export const EXTENT = 12;
 /** Between things that do not touch, so that no float decides what the polygon is. */
 const GAP = 0.04;
 const LEAST_ANGLE = 0.12;
@@ -56,7 +57,7 @@ class TouchingPolygon {
   constructor(random) {
     this.#random = random;
     const n = 3 + random.below(8);
-    const ring = this.#ring([SIZE / 2, SIZE / 2], SIZE / 4, n);
+    const ring = this.#ring([EXTENT / 2, EXTENT / 2], EXTENT / 4, n);
     this.walk = ring.map((p) => this.#add(p));
     this.rings.push({ corners: [...this.walk], isHole: false });
   }
@@ -101,8 +102,7 @@ class TouchingPolygon {
   #isOnSide(i, angle, isInside) {
     const at = (k) => this.walk.at(k % this.walk.length);
     const [before, v, after] = [at(i - 1), at(i), at(i + 1)];
-    if (before === after)
-      return this.spikes.some((s) => s.tip === v && s.isInside === isInside);
+    if (before === after) return this.spikes.some((s) => s.tip === v && s.isInside === isInside);
     const turnTo = (w) => positive(angleOf(this.points[v], this.points[w]) - angle);
     const ends = this.walk.flatMap((w, k) => (w === v ? [at(k - 1), at(k + 1)] : []));
     ends.sort((a, b) => turnTo(a) - turnTo(b));
@@ -130,7 +130,7 @@ class TouchingPolygon {
     const i = this.#random.below(this.walk.length);
     const v = this.walk[i];
     const from = this.points[v];
-    const centre = [0, 1].map(() => this.#random.between(0, SIZE));
+    const centre = [0, 1].map(() => this.#random.between(0, EXTENT));
     const ring = this.#ring(centre, this.#random.between(0.3, 1.5));
     const to = ring[this.#random.below(ring.length)];
     const edges = ring.map((p, k) => [ring.at(k - 1), p]);
@@ -155,7 +155,10 @@ class TouchingPolygon {
     const from = this.points[v];
     const [angle, size] = [this.#random.between(0, 7), this.#random.between(0.4, 1.5)];
     if (!this.#isOnSide(i, angle, isHole)) return false;
-    const ring = this.#ring([from[0] + size * Math.cos(angle), from[1] + size * Math.sin(angle)], size);
+    const ring = this.#ring(
+      [from[0] + size * Math.cos(angle), from[1] + size * Math.sin(angle)],
+      size,
+    );
     const nearest = ring.reduce((a, b) =>
       Math.hypot(...minus(a, from)) < Math.hypot(...minus(b, from)) ? a : b,
     );
@@ -186,7 +189,7 @@ class TouchingPolygon {
     const tip = [from[0] + length * Math.cos(angle), from[1] + length * Math.sin(angle)];
     if (!this.#isOnSide(i, angle, isInside) || !this.#isFree(v, [[from, tip]])) return false;
     const k = this.#add(tip);
-    this.spikes.push({ tip: k, isInside });
+    this.spikes.push({ tip: k, base: v, isInside });
     this.#insert(i, [k, v]);
     this.kinds.add(isInside ? 'spike' : 'spike outside');
     return true;
@@ -235,7 +238,7 @@ function randomPlace(random) {
     out[j] = Math.sin(angle) * p[i] + Math.cos(angle) * p[j];
     return out;
   };
-  const scale = random.pick([1, 1, 0.01, 30]);
+  const scale = random.pick([1, 1, 0.2, 5]);
   const move = [0, 1, 2].map(() => random.between(-20, 20));
   const isFlat = random.chance(0.3);
   return ([x, y], height = 0) => {
@@ -267,11 +270,12 @@ function glue(random, polygon, first, place, mesh) {
 
 /** Whether the way visits a ring's corners only to go around it. */
 const isBare = (corners, walk) =>
-  corners.filter((k) => walk.filter((v, i) => v === k && walk.at(i - 1) !== k).length > 1).length <= 1;
+  corners.filter((k) => walk.filter((v, i) => v === k && walk.at(i - 1) !== k).length > 1).length <=
+  1;
 
 /**
  * A mesh of some such polygons, as { positions, faces, polygons }; `polygons` are { face, points,
- * walk, spikes, kinds, isAlone }, with points in their own plane.
+ * walk, rings, spikes, kinds, isAlone }, with points in their own plane.
  */
 export function touchingPolygons(seed) {
   const random = new Random(seed);
@@ -281,12 +285,12 @@ export function touchingPolygons(seed) {
     const place = randomPlace(random);
     const isBent = random.chance(0.15);
     const first = mesh.positions.length;
-    for (const p of polygon.points)
-      mesh.positions.push(place(p, isBent ? 0.1 * random.next() : 0));
+    for (const p of polygon.points) mesh.positions.push(place(p, isBent ? 0.1 * random.next() : 0));
     const face = mesh.faces.push(polygon.walk.map((k) => first + k)) - 1;
     const way = glue(random, polygon, first, place, mesh);
-    const { points, walk, spikes, kinds } = polygon;
-    mesh.polygons.push({ face, points, walk, spikes, kinds, isAlone: way === 'none' && !isBent });
+    const { points, walk, rings, spikes, kinds } = polygon;
+    const isAlone = way === 'none' && !isBent;
+    mesh.polygons.push({ face, points, walk, rings, spikes, kinds, isAlone });
   }
   return mesh;
 }
