@@ -251,9 +251,9 @@ export interface Report {
 export interface RepairReport {
   /** Vertices at the place of another one, which are one vertex of the surface. */
   mergedVertices: number;
-  /** Faces with fewer than three places; they get the uv of their neighbours. */
+  /** Faces without area, such as those with fewer than three places; they get the uv of a face beside them. */
   collapsedFaces: number[];
-  /** Faces that touch themselves and were split there. */
+  /** Faces that touch themselves or list a corner twice. */
   splitFaces: number[];
   /** Faces at the places of an earlier one, the second number; they become charts of their own. */
   duplicateFaces: [number, number][];
