@@ -140,10 +140,16 @@ export function judge(
   return out;
 }
 
-/** Triangulates a counter-clockwise polygon; what cannot be cut becomes one flat triangle. */
-function cutPolygon(points) {
-  const left = points.map((_, i) => i);
+const isSame = (p, q) => p[0] === q[0] && p[1] === q[1];
+
+/**
+ * Triangulates a counter-clockwise polygon, which may touch itself. Corners at the same point as
+ * the one before bound nothing.
+ */
+export function cutPolygon(points) {
+  const left = points.map((_, i) => i).filter((i) => !isSame(points[i], points.at(i - 1)));
   const out = [];
+  if (left.length < 3) return { triangles: out, isCut: false };
   while (left.length > 3) {
     const ear = left.findIndex((b, i) => {
       const [a, c] = [left.at(i - 1), left[(i + 1) % left.length]];
@@ -156,7 +162,7 @@ function cutPolygon(points) {
             [b, c],
             [c, a],
           ].some(([from, to]) => turn(points[from], points[to], points[p]) < 0) ||
-          [a, b, c].some((q) => points[q][0] === points[p][0] && points[q][1] === points[p][1]),
+          [a, b, c].some((q) => isSame(points[q], points[p])),
       );
     });
     if (ear < 0) return { triangles: out, isCut: false };

@@ -8,8 +8,7 @@
 
 namespace abflat {
 
-/// The faces of a mesh as they lie in the atlas. Collapsed faces are left out, and faces that use a
-/// place twice appear as the loops they were split into.
+/// The faces of a mesh as they lie in the atlas, without collapsed ones.
 struct AtlasPolygons {
   std::vector<std::uint32_t> offsets = {0};  ///< corners of polygon i: [offsets[i], offsets[i+1])
   std::vector<std::uint32_t> corners;        ///< indices into the mesh's faceVertices

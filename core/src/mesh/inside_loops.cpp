@@ -45,6 +45,7 @@ class Tracer {
  public:
   Tracer(std::vector<Point2> points, const std::vector<std::uint32_t>& places)
       : points_(std::move(points)),
+        places_(places),
         count_(static_cast<std::uint32_t>(points_.size())),
         leaving_(count_) {
     std::iota(leaving_.begin(), leaving_.end(), 0u);
@@ -55,6 +56,8 @@ class Tracer {
       if (end - i > 1) joinAt(&order[i], &order[i] + (end - i));
     }
   }
+
+  const std::vector<std::uint32_t>& leaving() const { return leaving_; }
 
   std::vector<CornerLoop> loops() const {
     std::vector<CornerLoop> out;
@@ -90,6 +93,7 @@ class Tracer {
     };
     std::vector<CornerLoop> out;
     for (CornerLoop& loop : loops) {
+      if (goesBack(loop)) continue;
       const auto [least, most] = bounds(loop);
       if (least < 0) return false;
       if (most > 0) out.push_back(std::move(loop));
@@ -133,7 +137,21 @@ class Tracer {
     }
   }
 
+  /// Whether a loop only follows edges there and back again.
+  bool goesBack(const CornerLoop& loop) const {
+    std::vector<std::uint32_t> path;
+    for (std::size_t i = 0; i <= loop.size(); ++i) {
+      const std::uint32_t place = places_[loop[i < loop.size() ? i : 0]];
+      if (path.size() >= 2 && path[path.size() - 2] == place)
+        path.pop_back();
+      else
+        path.push_back(place);
+    }
+    return path.size() == 1;
+  }
+
   std::vector<Point2> points_;
+  const std::vector<std::uint32_t>& places_;
   std::uint32_t count_;
   std::vector<std::uint32_t> leaving_;  ///< per arriving corner: the corner it leaves from
   bool isClear_ = true;                 ///< no neighbour of a place coincides with it in the plane
@@ -141,31 +159,13 @@ class Tracer {
 
 }  // namespace
 
-bool hasReversed(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
-                 const std::vector<CornerLoop>& loops) {
-  const std::vector<Point2> points = projectPolygon(positions, places.data(), places.size());
-  return std::any_of(loops.begin(), loops.end(), [&](const CornerLoop& loop) {
-    double area = 0;
-    for (std::size_t i = 2; i < loop.size(); ++i)
-      area += turnOf(points[loop[0]], points[loop[i - 1]], points[loop[i]]);
-    return area < 0;
-  });
-}
-
-std::vector<CornerLoop> insideLoops(const std::vector<double>& positions,
-                                    const std::vector<std::uint32_t>& places) {
-  CornerLoop kept;  // the first of each run of corners at the same place
-  for (std::uint32_t k = 0; k < places.size(); ++k)
-    if (kept.empty() || places[k] != places[kept.back()]) kept.push_back(k);
-  while (kept.size() > 1 && places[kept.back()] == places[kept.front()]) kept.pop_back();
-  std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t k : kept) vertices.push_back(places[k]);
-  const Tracer tracer(projectPolygon(positions, vertices.data(), vertices.size()), vertices);
-  std::vector<CornerLoop> loops = tracer.loops();
-  if (!tracer.settle(loops)) return {};
-  for (CornerLoop& loop : loops)
-    for (std::uint32_t& k : loop) k = kept[k];
-  return loops;
+Inside insideLoops(const std::vector<double>& positions, const std::vector<std::uint32_t>& places) {
+  const Tracer tracer(projectPolygon(positions, places.data(), places.size()), places);
+  Inside out;
+  out.loops = tracer.loops();
+  if (!tracer.settle(out.loops)) return {};
+  out.leaving = tracer.leaving();
+  return out;
 }
 
 }  // namespace abflat

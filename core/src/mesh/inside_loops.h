@@ -8,17 +8,18 @@ namespace abflat {
 /// Corners of a face, or of a part of one.
 using CornerLoop = std::vector<std::uint32_t>;
 
-/// The inside of a polygon that visits places several times, as loops of its corners with the
-/// inside on their left. Each piece has its outline, its holes and the bridges between them in one
-/// loop; a polygon with a single piece is that loop itself. Corners that bound nothing are in no
-/// loop. Empty if the polygon, seen in its own plane, crosses itself or winds around a place twice.
-/// `places`: vertex per corner.
-std::vector<CornerLoop> insideLoops(const std::vector<double>& positions,
-                                    const std::vector<std::uint32_t>& places);
+/// The inside of a polygon that visits places several times.
+struct Inside {
+  /// Loops of its corners with the inside on their left. Each piece has its outline, its holes and
+  /// the bridges between them in one loop. Corners that bound nothing are in no loop. Empty if the
+  /// polygon, seen in its own plane, crosses itself, winds around a place twice or has no area.
+  std::vector<CornerLoop> loops;
+  /// Per corner at which the polygon arrives at a place: the one from which its piece leaves that
+  /// place. Another one only where pieces meet or a bridge leads through the outside.
+  std::vector<std::uint32_t> leaving;
+};
 
-/// Whether one of the loops of a polygon's corners runs the opposite way to the polygon, which
-/// means that it may be a hole.
-bool hasReversed(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
-                 const std::vector<CornerLoop>& loops);
+/// `places`: vertex per corner, never the same one twice in a row.
+Inside insideLoops(const std::vector<double>& positions, const std::vector<std::uint32_t>& places);
 
 }  // namespace abflat

@@ -27,9 +27,8 @@ class SurfaceMap {
   }
   InputVertex vertex(SurfaceCorner c) const { return InputVertex(input_.faceVertices[corner(c)]); }
 
-  /// For each input corner, the value of a surface corner at the same place, in the same face if
-  /// possible; T() if no triangle is left there. All surface corners that belong to one input
-  /// corner have the same value.
+  /// For each input corner, the value of its surface corners, which all have the same; T() if the
+  /// corner bounds nothing.
   template <class T>
   IdVector<InputCorner, T> toInput(const IdVector<SurfaceCorner, T>& ofCorner) const {
     IdVector<PolygonCorner, T> ofPolygon(welded_.inputCorner.size());

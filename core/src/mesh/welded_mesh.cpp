@@ -6,52 +6,13 @@
 #include <utility>
 
 #include "mesh/corner_table.h"
-#include "mesh/inside_loops.h"
+#include "mesh/face_walk.h"
+#include "mesh/open_corners.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/weld.h"
 
 namespace abflat {
 namespace {
-
-/// Splits faces into parts that visit no place twice, except where they have holes.
-class FaceSplitter {
- public:
-  explicit FaceSplitter(const std::vector<double>& positions)
-      : positions_(positions), positionOf_(positions.size() / 3, kNone) {}
-
-  /// Loops of corners, counted from 0; `places` are per corner. They are valid until the next call.
-  const std::vector<CornerLoop>& split(const std::vector<std::uint32_t>& places) {
-    cutOff(places);
-    if (loops_.size() < 2 || !hasReversed(positions_, places, loops_)) return loops_;
-    std::vector<CornerLoop> inside = insideLoops(positions_, places);
-    if (!inside.empty()) loops_ = std::move(inside);
-    return loops_;
-  }
-
- private:
-  /// Two corners at one place enclose a loop. Loops with fewer than three corners are dropped.
-  void cutOff(const std::vector<std::uint32_t>& places) {
-    loops_.clear();
-    path_.clear();
-    for (std::uint32_t k = 0; k < places.size(); ++k) {
-      if (positionOf_[places[k]] != kNone) take(positionOf_[places[k]], places);
-      positionOf_[places[k]] = static_cast<std::uint32_t>(path_.size());
-      path_.push_back(k);
-    }
-    take(0, places);
-  }
-
-  void take(std::uint32_t from, const std::vector<std::uint32_t>& places) {
-    for (std::size_t i = from; i < path_.size(); ++i) positionOf_[places[path_[i]]] = kNone;
-    if (path_.size() - from >= 3) loops_.emplace_back(path_.begin() + from, path_.end());
-    path_.resize(from);
-  }
-
-  const std::vector<double>& positions_;
-  std::vector<std::uint32_t> positionOf_;  ///< in the path, per place
-  CornerLoop path_;
-  std::vector<CornerLoop> loops_;
-};
 
 /// Finds faces that have the same vertices.
 class Repetitions {
@@ -135,31 +96,55 @@ void separateLayers(const Pulse& pulse, WeldedMesh& out) {
   }
 }
 
-void findCornersFor(const PolygonMesh& input, const std::vector<std::uint32_t>& placeOf,
-                    const Pulse& pulse, WeldedMesh& out) {
-  out.cornerFor.assign(input.faceVertices.size(), {});
-  std::vector<PolygonCorner> anyAt(input.vertexCount());
-  for (std::size_t i = out.inputCorner.size(); i-- > 0;) {
-    const PolygonCorner c(i);
-    out.cornerFor[out.inputCorner[c]] = c;
-    anyAt[placeOf[input.faceVertices[out.inputCorner[c]]]] = c;
+void addCorner(InputCorner c, std::uint32_t place, WeldedMesh& out) {
+  out.cornerFor[c] = PolygonCorner(out.inputCorner.size());
+  out.inputCorner.push_back(c);
+  out.mesh.faceVertices.push_back(place);
+}
+
+void endFace(InputFace f, WeldedMesh& out) {
+  out.inputFace.push_back(f);
+  out.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(out.mesh.faceVertices.size()));
+}
+
+/// Points corners that are left out of a face to those that stand for them. `begin`: the face's
+/// first corner.
+void findCornersFor(const FaceWalk& walk, std::uint32_t begin, WeldedMesh& out) {
+  if (walk.corners.size() == walk.same.size()) return;
+  const auto cornerFor = [&](std::uint32_t k) -> PolygonCorner& {
+    return out.cornerFor[InputCorner(begin + k)];
+  };
+  for (std::uint32_t k = 0; k < walk.same.size(); ++k) {
+    std::uint32_t other = k;
+    while (!cornerFor(other).exists() && walk.same[other] != other) other = walk.same[other];
+    cornerFor(k) = cornerFor(other);
   }
-  std::vector<PolygonCorner> inFaceAt(input.vertexCount());
-  for (std::uint32_t f = 0; f < input.faceCount() && pulse.beat(); ++f) {
-    const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
-    const auto placeAt = [&](InputCorner c) { return placeOf[input.faceVertices[c]]; };
-    for (std::uint32_t i = end; i-- > begin;) {
-      const InputCorner c(i);
-      if (out.cornerFor[c].exists()) inFaceAt[placeAt(c)] = out.cornerFor[c];
-    }
-    const IdRange corners(InputCorner{begin}, InputCorner{end});
-    for (const InputCorner c : corners) {
-      PolygonCorner& corner = out.cornerFor[c];
-      if (!corner.exists()) corner = inFaceAt[placeAt(c)];
-      if (!corner.exists()) corner = anyAt[placeAt(c)];
-    }
-    for (const InputCorner c : corners) inFaceAt[placeAt(c)] = {};
+}
+
+void addFace(InputFace f, const std::vector<std::uint32_t>& places, const PolygonMesh& mesh,
+             WeldedMesh& out) {
+  InputCorner c(mesh.faceOffsets[f]);
+  for (const std::uint32_t place : places) {
+    addCorner(c, place, out);
+    ++c;
   }
+  endFace(f, out);
+}
+
+/// Adds a face that visits places more than once.
+void addWalk(InputFace f, const std::vector<std::uint32_t>& places, const PolygonMesh& mesh,
+             std::vector<PolygonCorner>& opened, WeldedMesh& out) {
+  const std::uint32_t begin = mesh.faceOffsets[f];
+  const FaceWalk walk = walkAround(mesh.positions, places);
+  if (walk.corners.size() < 3) {
+    out.collapsedFaces.push_back(f);
+    return;
+  }
+  if (!walk.opened.empty() || walk.corners.size() < places.size()) out.splitFaces.push_back(f);
+  for (const std::uint32_t i : walk.opened) opened.emplace_back(out.inputCorner.size() + i);
+  for (const std::uint32_t k : walk.corners) addCorner(InputCorner(begin + k), places[k], out);
+  findCornersFor(walk, begin, out);
+  endFace(f, out);
 }
 
 std::uint32_t firstOf(std::vector<std::uint32_t>& of, std::uint32_t v) {
@@ -233,30 +218,26 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
   out.mesh.faceOffsets.push_back(0);
   out.mesh.faceVertices.reserve(mesh.faceVertices.size());
   out.inputCorner.reserve(mesh.faceVertices.size());
-  FaceSplitter splitter(mesh.positions);
+  out.cornerFor.assign(mesh.faceVertices.size(), {});
+  std::vector<PolygonCorner> opened;
   std::vector<std::uint32_t> places;
+  std::vector<std::uint32_t> lastFace(mesh.vertexCount(), kNone);
   for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
-    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
+    bool visitsTwice = false;
     places.clear();
-    for (std::uint32_t c = begin; c < end; ++c)
+    for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c) {
       places.push_back(welding.ofVertex[mesh.faceVertices[c]]);
-    const std::vector<CornerLoop>& loops = splitter.split(places);
-    if (loops.empty())
-      out.collapsedFaces.push_back(f);
-    else if (loops.size() > 1 || loops.front().size() < end - begin)
-      out.splitFaces.push_back(f);
-    for (const CornerLoop& loop : loops) {
-      out.inputFace.push_back(InputFace(f));
-      for (const std::uint32_t k : loop) {
-        out.inputCorner.push_back(InputCorner(begin + k));
-        out.mesh.faceVertices.push_back(places[k]);
-      }
-      out.mesh.faceOffsets.push_back(static_cast<std::uint32_t>(out.mesh.faceVertices.size()));
+      visitsTwice = visitsTwice || lastFace[places.back()] == f;
+      lastFace[places.back()] = f;
     }
+    if (visitsTwice)
+      addWalk(InputFace(f), places, mesh, opened, out);
+    else
+      addFace(InputFace(f), places, mesh, out);
   }
   if (pulse.isStopped()) return out;
-  findCornersFor(mesh, welding.ofVertex, pulse, out);
   separateLayers(pulse, out);
+  openCorners(opened, out.mesh);
   out.firstAtPlace.reserve(welding.ofVertex.size());
   for (const std::uint32_t v : welding.ofVertex) out.firstAtPlace.push_back(InputVertex(v));
   return out;

@@ -12,20 +12,22 @@ namespace abflat {
 
 using VertexPairs = std::vector<std::array<std::uint32_t, 2>>;
 
-/// A mesh as the surface that it shows. Vertices at one place are merged, faces that use a place
-/// twice are split there unless that is how they have holes, and parts without area are dropped.
-/// Faces that repeat others become layers of their own, which share no vertex with the first.
+/// A mesh as the surface that it shows. Vertices at one place are merged, and parts without area
+/// are dropped. A face stays one polygon, however often it touches itself: where pieces of its
+/// inside meet, or a bridge leads from one to another, its corners get vertices of their own, moved
+/// so that the pieces hang together. Faces that repeat others become layers of their own, which
+/// share no vertex with the first.
 struct WeldedMesh {
   PolygonMesh mesh;
   IdVector<PolygonFace, InputFace> inputFace;
   IdVector<PolygonCorner, InputCorner> inputCorner;
-  /// A corner of `mesh` at the same place, in the same face if possible; none if no face is left
-  /// there.
+  /// The corner itself, or the one that stands for it at the same place of its face; none if it
+  /// bounds nothing.
   IdVector<InputCorner, PolygonCorner> cornerFor;
   IdVector<InputVertex, InputVertex> firstAtPlace;  ///< the first vertex at the same place
   std::size_t mergedVertices = 0;                   ///< those at the place of an earlier one
   std::vector<std::uint32_t> collapsedFaces;        ///< input faces without two different edges
-  std::vector<std::uint32_t> splitFaces;            ///< input faces that were split
+  std::vector<std::uint32_t> splitFaces;            ///< input faces that touch themselves
   /// Input faces at the same places as an earlier one, with that earlier one.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
 };

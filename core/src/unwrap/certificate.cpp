@@ -33,7 +33,8 @@ std::string problemOf(const ChartDefect& defect, const std::vector<UnwrapChart>&
 
 }  // namespace
 
-void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result) {
+void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers,
+             UnwrapResult& result) {
   const std::vector<double> uv = writtenUv(result.uv, numbers);
   std::vector<std::uint32_t> triangles;
   triangles.reserve(result.triangleCorners.size());
@@ -42,8 +43,8 @@ void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result) {
   const auto hasArea = [&](std::size_t t) {
     std::array<std::uint32_t, 3> v{};
     for (std::size_t k = 0; k < 3; ++k)
-      v[k] = welded.mesh
-                 .faceVertices[welded.cornerFor[InputCorner(result.triangleCorners[3 * t + k])]];
+      v[k] =
+          welded.firstAtPlace[InputVertex(input.faceVertices[result.triangleCorners[3 * t + k]])];
     return !isDegenerate(cornerAngles(welded.mesh.positions, v));
   };
   WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0};

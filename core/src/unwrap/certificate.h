@@ -10,7 +10,8 @@ namespace abflat {
 /// Decides from the numbers as written to files whether the whole atlas is valid: every triangle
 /// positively oriented, every chart within its tile, no two charts overlapping. A chart that fails
 /// gets a problem and is no longer valid. `result` is complete, with rows for all charts.
-void certify(const WeldedMesh& welded, Numbers numbers, UnwrapResult& result);
+void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers,
+             UnwrapResult& result);
 
 /// A sentence about polygons that fold over in programs that triangulate them as a fan from the
 /// first corner, as most do. Empty if there are none.

@@ -4,6 +4,7 @@
 
 #include "base/stable_order.h"
 #include "mesh/folded_face.h"
+#include "unwrap/missing_texcoords.h"
 #include "unwrap/triangle_order.h"
 
 namespace abflat {
@@ -167,6 +168,7 @@ Texcoords numberTexcoords(const CutMesh& mesh) {
   }
   out.firstOf.push_back(set.firstTexcoord(ChartId(set.size())));
   out.ofCorner = mesh.map.toInput(ofCorner);
+  fillMissing(mesh.map, ofCorner, out.ofCorner);
   return out;
 }
 
@@ -189,7 +191,7 @@ void fillTexcoords(const Texcoords& texcoords, double unit, FlatCharts& flat, Un
     chart.uv = chart.unpacked = std::vector<double>();
   }
   out.cornerUv.assign(texcoords.ofCorner.begin(), texcoords.ofCorner.end());
-  std::uint32_t corner = kNone;  // of faces that are gone, with no other in their place
+  std::uint32_t corner = kNone;  // of faces without area that are not beside a chart
   for (std::uint32_t& texcoord : out.cornerUv) {
     if (texcoord != kNone) continue;
     if (corner == kNone) {

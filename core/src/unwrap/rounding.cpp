@@ -8,6 +8,7 @@
 #include "boundary/guilty_arc.h"
 #include "boundary/move_apart.h"
 #include "check/validity.h"
+#include "exact/orientation.h"
 #include "layout/grid_repair.h"
 #include "mesh/triangle_geometry.h"
 
@@ -203,6 +204,15 @@ bool isFine(const DiskChart& chart, Numbers numbers, FlatChart& flat) {
   return flat.problem.empty();
 }
 
+/// Whether a triangle without area on the surface, which may be flat, has become so.
+bool isFlattened(const DiskChart& chart, const std::vector<double>& uv) {
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
+    if (orientation(a, b, c) == 0) return true;
+  }
+  return false;
+}
+
 /// False if the chart has to be larger.
 bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
          Placement& placement, FlatChart& flat) {
@@ -212,11 +222,13 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
     return true;
   }
   std::vector<double> exact = flat.uv;
-  if (isFine(chart, numbers, flat)) return true;
+  const bool isValid = isFine(chart, numbers, flat);
+  if (isValid && (flat.isFixed || !isFlattened(chart, flat.uv))) return true;
   if (!flat.isFixed && fillTexel(resolution, placement, flat)) {
     exact = flat.uv;
     if (isFine(chart, numbers, flat)) return true;
   }
+  if (isValid && flat.problem.empty()) return true;
   if (flat.isFixed) return true;  // and reports it: its vertices are where they were asked to be
   if (isDrawnBack(chart, numbers, exact, flat)) return true;
   if (isRepaired(chart, numbers, exact, flat)) return true;

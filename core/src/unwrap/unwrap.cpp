@@ -363,7 +363,7 @@ class Unwrapping {
     charts_.set = ChartSet();
     surface_ = Surface();
     texcoords_ = Texcoords();
-    certify(welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
+    certify(input_, welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
     if (options_.roundsForGltf) return {};
     if (std::string note = foldedFansNote(input_, out_); !note.empty())
       report_.notes.push_back(std::move(note));

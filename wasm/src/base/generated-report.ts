@@ -251,9 +251,9 @@ export interface Report {
 export interface RepairReport {
   /** Duplicate vertices, treated as one vertex of the surface. */
   mergedVertices: number;
-  /** Faces with fewer than three distinct corners; they get the uv of their neighbours. */
+  /** Faces without area, such as those with fewer than three distinct corners; they get the uv of a face beside them. */
   collapsedFaces: number[];
-  /** Faces that touch themselves and were split there. */
+  /** Faces that touch themselves or list a corner twice. */
   splitFaces: number[];
   /** Faces that repeat an earlier one, the second number; they become charts of their own. */
   duplicateFaces: [number, number][];

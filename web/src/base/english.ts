@@ -488,7 +488,7 @@ export const ATLAS_NOTES = {
   collapsed: (n: number, places: string) =>
     `${counted(n, 'degenerate face uses', 'degenerate faces use')} the UVs of neighbouring faces: ${places}`,
   split: (n: number, places: string) =>
-    `${counted(n, 'face touches itself and was split', 'faces touch themselves and were split')} there: ${places}`,
+    `${counted(n, 'face touches itself', 'faces touch themselves')}: ${places}`,
   duplicates: (n: number, places: string) =>
     `${counted(n, 'duplicate face has its own chart', 'duplicate faces have their own charts')}: ${places}`,
   nonManifold: (n: number, places: string) =>

@@ -22,9 +22,10 @@ namespace abflat {
 struct RepairReport {
   /// Duplicate vertices, treated as one vertex of the surface.
   std::size_t mergedVertices = 0;
-  /// Faces with fewer than three distinct corners; they get the uv of their neighbours.
+  /// Faces without area, such as those with fewer than three distinct corners; they get the uv of a
+  /// face beside them.
   std::vector<std::uint32_t> collapsedFaces;
-  /// Faces that touch themselves and were split there.
+  /// Faces that touch themselves or list a corner twice.
   std::vector<std::uint32_t> splitFaces;
   /// Faces that repeat an earlier one, the second number; they become charts of their own.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
