@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "boundary/contacts.h"
 #include "layout/layout.h"
+#include "layout/pose.h"
 #include "layout/tutte.h"
 #include "solve/angle_solver.h"
 #include "solve/interior_point.h"
@@ -200,6 +201,7 @@ Attempt ChartFlattener::tutte(const BoundaryBounds& t, const std::string& reason
   for (const double weight : kBoundaryWeights) {
     watch.lap();
     a.uv = embedTutte(chart_, straight_, weight).uv;
+    pose(chart_, {}, a.uv);
     timings_.layout += watch.lap();
     measure(a);
     if (a.validity.valid()) break;
@@ -223,9 +225,8 @@ void ChartFlattener::measure(Attempt& a) {
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
   if (!straight_.empty()) a.straight = reportStraight(chart_, straight_, a.uv);
-  const double rounding = requiresSeparation_ ? kAngleRoundingInSingle : kAngleRounding;
-  a.exceeded = a.pins ? MissedAngles() : exceededBounds(chart_, a.uv, bounds_, straight_, rounding);
-  a.bent = a.pins ? MissedAngles() : bentPlaces(chart_, a.uv, straight_, rounding);
+  a.exceeded = a.pins ? MissedAngles() : exceededBounds(chart_, a.uv, bounds_, straight_);
+  a.bent = a.pins ? MissedAngles() : bentPlaces(chart_, a.uv, straight_);
   timings_.check += watch.lap();
 }
 

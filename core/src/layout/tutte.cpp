@@ -1,7 +1,5 @@
 #include "layout/tutte.h"
 
-#include "layout/pose.h"
-
 namespace abflat {
 
 Embedding embedTutte(const DiskChart& chart) { return embedTutte(chart, {}, 1); }
@@ -14,9 +12,7 @@ Embedding embedTutte(const DiskChart& chart, const StraightPlaces& straight,
   weights.isSymmetric = true;  // between interior vertices, whose rows are solved
   for (const ChartCorner h : chart.corners())
     weights.weight.push_back(pull[chart.vertexOfCorner[nextCorner(h)]]);
-  Embedding out = embedByWeights(chart, weights, boundaryOnCircle(chart, straight));
-  if (out.problem.empty()) pose(chart, {}, out.uv);
-  return out;
+  return embedByWeights(chart, weights, boundaryOnCircle(chart, straight));
 }
 
 }  // namespace abflat
