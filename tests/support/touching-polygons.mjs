@@ -107,6 +107,9 @@ class TouchingPolygon {
     const ends = this.walk.flatMap((w, k) => (w === v ? [at(k - 1), at(k + 1)] : []));
     ends.sort((a, b) => turnTo(a) - turnTo(b));
     const [next, last] = [ends[0], ends.at(-1)];
+    // Between two edges walked there and back, both sides look the same.
+    const isDoubled = (w) => ends.filter((end) => end === w).length > 1;
+    if (isDoubled(next) && isDoubled(last)) return false;
     return isInside ? next === before && last === after : next === after && last === before;
   }
 
@@ -285,7 +288,8 @@ export function touchingPolygons(seed) {
     const place = randomPlace(random);
     const isBent = random.chance(0.15);
     const first = mesh.positions.length;
-    for (const p of polygon.points) mesh.positions.push(place(p, isBent ? 0.1 * random.next() : 0));
+    for (const p of polygon.points)
+      mesh.positions.push(place(p, isBent ? 0.005 * random.next() : 0));
     const face = mesh.faces.push(polygon.walk.map((k) => first + k)) - 1;
     const way = glue(random, polygon, first, place, mesh);
     const { points, walk, rings, spikes, kinds } = polygon;
