@@ -11,6 +11,7 @@ import {
   assertValidFile,
   atlasOf,
   emptyDocument,
+  flaws,
   indicesOf,
   positionsOf,
   primitiveOf,

@@ -142,3 +142,4 @@ async function unwrapGroups(
   }
   return atlases;
 }
+    result.report.notes.unshift(...mesh.notes);

@@ -4,7 +4,7 @@ import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transf
 import { AbflatError } from '../base/errors.js';
 import { checkMemory } from '../messages/validate.js';
 import type { MeshArrays } from '../types/index.js';
-import { type Placement, placements, put } from './placement.js';
+import { type Placement, Placements, put } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 
 /** The part of the mesh that one primitive makes up. */
@@ -31,6 +31,8 @@ export interface DocumentMesh extends MeshArrays {
   materials: Uint32Array;
   document: Document;
   parts: DocumentPart[];
+  /** What to know about how it was read, one sentence each; `unwrap` adds them to its reports. */
+  notes: string[];
 }
 
 /** A primitive and the mesh that it is part of. */
@@ -64,7 +66,7 @@ export function documentMesh(document: Document, members = membersOf(document)):
   const blocks = new Map<Accessor, [Placement, DocumentPart][]>();
   for (const member of members) {
     const position = member.primitive.getAttribute('POSITION') as Accessor;
-    const placement = placementOf(member.mesh);
+    const placement = placements.of(member.mesh);
     const known = blocks.get(position) ?? [];
     blocks.set(position, known);
     const shared = known.find(([other]) => samePlace(other, placement))?.[1];
@@ -88,6 +90,7 @@ export function documentMesh(document: Document, members = membersOf(document)):
 
 interface Gathered {
   positions: Float64Array[];
+    notes: placements.notes(parts.map(({ mesh }) => mesh)),
   triangles: Uint32Array[];
   parts: DocumentPart[];
 }
