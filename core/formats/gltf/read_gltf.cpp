@@ -32,8 +32,12 @@ std::array<double, 3> moved(const Matrix& m, const double* p) {
 
 class ModelReader {
  public:
-  ModelReader(Source& source, GltfModel& model)
-      : source_(source), document_(source.document), model_(model), budget_(document_.size) {}
+  ModelReader(Source& source, GltfModel& model, std::size_t texcoord)
+      : source_(source),
+        document_(source.document),
+        model_(model),
+        texcoord_("TEXCOORD_" + std::to_string(texcoord)),
+        budget_(document_.size) {}
 
   Status read() {
     Result<std::vector<MeshPlace>> places = meshPlaces(document_);
@@ -200,7 +204,7 @@ class ModelReader {
   /// One per vertex, so that texcoords have the same indices as vertices.
   void addTexcoords(const Primitive& primitive, std::size_t count) {
     std::vector<double>& out = model_.mesh.texcoords;
-    const std::size_t found = accessorNamed(primitive.attributes, "TEXCOORD_0");
+    const std::size_t found = accessorNamed(primitive.attributes, texcoord_);
     if (found == kNone || document_.accessors[found].shape.components() != 2) {
       out.resize(out.size() + 2 * count, std::numeric_limits<double>::quiet_NaN());  // none
       return;
@@ -263,6 +267,7 @@ class ModelReader {
   Source& source_;
   const Document& document_;
   GltfModel& model_;
+  const std::string texcoord_;  ///< the attribute to read
   Budget budget_;
   std::map<Attributes, std::size_t> groupOf_;  ///< of the current mesh, by sorted accessors
   std::map<std::size_t, std::size_t> materials_;
@@ -277,13 +282,13 @@ class ModelReader {
 bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); }
 
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource) {
+                           const ReadResource& readResource, std::size_t texcoord) {
   Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
   if (!document.ok()) return document.status;
   auto source = std::make_shared<gltf::Source>();
   source->document = std::move(document.value);
   GltfModel out;
-  if (Status s = gltf::ModelReader(*source, out).read(); !s.ok()) return s;
+  if (Status s = gltf::ModelReader(*source, out, texcoord).read(); !s.ok()) return s;
   out.source = std::move(source);
   return out;
 }

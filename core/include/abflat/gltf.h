@@ -17,8 +17,8 @@ struct Source;  // the file, and how the mesh was made from it
 }
 
 /// A glTF 2.0 file, plain or compressed with Draco or meshopt, as one mesh: the triangles of all
-/// primitives of the scene, in file order, each mesh placed by the first node that uses it.
-/// Texcoords are those of TEXCOORD_0, with v upwards; materials are those of the file.
+/// primitives of the scene, in file order, each mesh placed by the node that makes it largest.
+/// Texcoords are those of one set, with v upwards; materials are those of the file.
 struct GltfModel {
   PolygonMesh mesh;
   std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
@@ -28,10 +28,11 @@ struct GltfModel {
 /// Whether the bytes begin like a .glb or .gltf file.
 bool looksLikeGltf(std::string_view bytes);
 
-/// Reads a .glb or .gltf file. `fileName` is used in messages only.
-/// Errors: ParseError, UnreadableFile (a file it refers to); messages name file and place.
+/// Reads a .glb or .gltf file with the texcoords of its TEXCOORD_`texcoord`. `fileName` is used in
+/// messages only. Errors: ParseError, UnreadableFile (a file it refers to); messages name file and
+/// place.
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource);
+                           const ReadResource& readResource, std::size_t texcoord = 0);
 
 /// A glTF repeats vertices where normals or texcoords change. Makes faces use the first vertex at
 /// each position, unless the mesh is already a disk, which may be because it was cut. Returns how
@@ -85,5 +86,8 @@ std::string compressionNote(const gltf::Source& source);
 
 /// What becomes stale with new texcoords, one sentence each.
 std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);
+
+/// Says why new texcoords are in a set above 0, and what else to do.
+std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);
 
 }  // namespace abflat

@@ -43,7 +43,8 @@ struct ExtraFile {
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   kRepeated         see readInput
 ///   addNotes          adds notes to a report
-///   keepsTexcoords    whether the result has all texcoords of the input
+///   readTexcoord      number of the glTF set to read
+///   keepsTexcoords    whether the result has all texcoords of that set
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
 ///   triangleCorners   of a result and its mesh, as for makeGltf
@@ -102,7 +103,8 @@ class MeshRun {
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
     progress_.show({Stage::Read, 0, 0, 0});
-    Result<InputMesh> input = readInput(command_.input, {Job::kRepeated, command_.allowsOutside});
+    Result<InputMesh> input = readInput(
+        command_.input, {Job::kRepeated, command_.allowsOutside, Job::readTexcoord(command_)});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
@@ -136,8 +138,7 @@ class MeshRun {
     const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
     if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
     if (texcoord_ > 0 && !isChosen) {
-      notes_.push_back("a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_" +
-                       std::to_string(texcoord_) + ". Use --texcoord 0 to replace the old ones");
+      notes_.push_back(texcoordNote(*input_.gltf, texcoord_));
       if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});
     }
     for (const std::string& note : staleNotes(*input_.gltf, texcoord_)) notes_.push_back(note);
@@ -146,6 +147,8 @@ class MeshRun {
   /// Adds what only the caller of the core knows.
   void complete(Report& report) const {
     report.path = command_.input;
+    if (Job::keepsTexcoords(command_) && !command_.texcoord)
+      texcoord_ = Job::readTexcoord(command_);
     report.options = command_.options;
     Job::addNotes(notes_, report);
     report.timings.read = readSeconds_;

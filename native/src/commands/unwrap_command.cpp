@@ -19,6 +19,7 @@ struct UnwrapJob {
   static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them and reports it
 
   static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }
+  static std::size_t readTexcoord(const UnwrapCommand& command) { return command.readTexcoord; }
 
   static void addNotes(const std::vector<std::string>& notes, UnwrapReport& report) {
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
