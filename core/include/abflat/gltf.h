@@ -65,7 +65,8 @@ struct GltfMakeOptions {
 /// what is known of its look, images included. `triangleCorners` has 3 face corners per triangle,
 /// ordered by face. They are the triangles of the layout, so that the file contains exactly what
 /// was checked. There is a mesh and a node for each object and a primitive for each of its
-/// materials, with triangles in face order. The mesh's own texcoords become set 0 if another set is
+/// materials, with triangles in face order. Where single precision would show, nodes are translated
+/// and positions relative to them. The mesh's own texcoords become set 0 if another set is
 /// written; if set 0 is written and an image needs them, they become set 1. `uv` may be empty to
 /// write no texcoords. Errors: CannotWrite (a .glb of 4 GB, a coordinate that is too large).
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
@@ -75,6 +76,10 @@ Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>&
 
 /// Corners of the triangles that represent the faces if there is no layout.
 std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
+/// Says how far coordinates are from the origin, or how far a made glTF moves them, if that would
+/// show. Empty if nothing does.
+std::string originNote(const PolygonMesh& mesh, const std::vector<std::uint32_t>& triangleCorners);
+
 
 /// N of a TEXCOORD_N that can be written without disturbing any texture: 0 if no texture of the
 /// triangles samples set 0, otherwise the first set that no primitive has and no texture samples.

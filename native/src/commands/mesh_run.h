@@ -167,7 +167,7 @@ class MeshRun {
                         {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result)});
     });
     if (!layout.ok()) return layout.status;
-    notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());
+    noteMade(Job::triangleCorners(input_.mesh, result));
     if (Status s = layout_.write(std::move(layout.value)); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       Result<std::string> text = placed(name, [&] { return extraTexts_[i](input_.mesh, result); });
