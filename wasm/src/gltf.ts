@@ -85,8 +85,10 @@ export function unwrap(
         .filter(({ indices }) => indices.length > 0),
       settings,
     );
-    for (const { parts, result } of unwrapped)
-      setTexcoords({ document, parts }, result, { texcoord: set });
+    for (const { parts, result } of unwrapped) {
+      const { turnedFaces } = result.report.repair;
+      setTexcoords({ document, parts }, result, { texcoord: set, turnedFaces });
+    }
     for (const atlas of unwrapped) onAtlas?.({ ...atlas, texcoord: set });
   };
   return Object.defineProperty(transform, 'name', { value: 'unwrap' });
@@ -107,10 +109,10 @@ function check(options: UnwrapDocumentOptions): void {
   const isSet = (set: unknown) => Number.isInteger(set) && (set as number) >= 0;
   if (texcoord !== 'auto' && !isSet(texcoord))
     throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${shown(texcoord)}.`);
-  checkBoolean('overwrite', overwrite);
-  checkFunction('onAtlas', onAtlas);
   if (!isSet(readTexcoord))
     throw invalid(`readTexcoord must be a whole number from 0, not ${shown(readTexcoord)}.`);
+  checkBoolean('overwrite', overwrite);
+  checkFunction('onAtlas', onAtlas);
   if (!['scene', 'mesh', 'primitive'].includes(groupBy as string))
     throw invalid(`groupBy must be one of scene, mesh, primitive, not ${shown(groupBy)}.`);
 }
@@ -145,8 +147,8 @@ async function unwrapGroups(
       transfer: true,
       roundsForGltf: true,
     });
+    result.report.notes.unshift(...mesh.notes);
     atlases.push({ parts: mesh.parts, result });
   }
   return atlases;
 }
-    result.report.notes.unshift(...mesh.notes);

@@ -47,14 +47,14 @@ class ModelReader {
       unused_ += !places.value[m].isUsed;
       if (!places.value[m].isUsed) continue;
       groupOf_.clear();
+      const std::size_t before = source_.parts.size();
       for (std::size_t p = 0; p < document_.meshes[m].size(); ++p)
         if (Status s = readPrimitive(m, p, places.value[m]); !s.ok()) return s;
+      if (source_.parts.size() > before && places.value[m].nodes > 1) countShared(places.value[m]);
     }
     model_.mesh.faceTexcoords = model_.mesh.faceVertices;
-      const std::size_t before = source_.parts.size();
     settleTexcoords(model_.mesh);
     source_.vertexCount = static_cast<std::uint32_t>(model_.mesh.vertexCount());
-      if (source_.parts.size() > before && places.value[m].nodes > 1) countShared(places.value[m]);
     source_.faceVertices = model_.mesh.faceVertices;
     if (materials_.size() < 2 && materials_.count(kNone) == materials_.size())
       model_.mesh.faceMaterials = {};
@@ -240,17 +240,13 @@ class ModelReader {
     }
   }
 
-  void addNotes() {
-    if (leftOut_ > 0)
-      model_.notes.push_back(
-          counted(leftOut_, "point or line primitive was", "point or line primitives were") +
   void countShared(const MeshPlace& place) {
     ++shared_;
     sharing_ += place.nodes;
     hasScales_ = hasScales_ || place.hasScales;
   }
 
-          " left unchanged");
+  void addNotes() {
     if (shared_ > 0)
       model_.notes.push_back(
           std::to_string(sharing_) + " nodes share " + counted(shared_, "mesh", "meshes") +
@@ -258,6 +254,10 @@ class ModelReader {
           (hasScales_ ? "Their scales differ, so each layout is sized for the largest node. "
                       : "") +
           "Give a node a mesh of its own for texels of its own");
+    if (leftOut_ > 0)
+      model_.notes.push_back(
+          counted(leftOut_, "point or line primitive was", "point or line primitives were") +
+          " left unchanged");
     if (unused_ > 0)
       model_.notes.push_back(counted(unused_, "mesh that the scene does not use was",
                                      "meshes that the scene does not use were") +
@@ -272,13 +272,13 @@ class ModelReader {
   std::map<Attributes, std::size_t> groupOf_;  ///< of the current mesh, by sorted accessors
   std::map<std::size_t, std::size_t> materials_;
   std::size_t leftOut_ = 0, unused_ = 0;
+  std::size_t shared_ = 0, sharing_ = 0;  ///< meshes used by several nodes, and these
+  bool hasScales_ = false;                ///< among them
 };
 
 }  // namespace
 }  // namespace gltf
 
-  std::size_t shared_ = 0, sharing_ = 0;  ///< meshes used by several nodes, and these
-  bool hasScales_ = false;                ///< among them
 bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); }
 
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,

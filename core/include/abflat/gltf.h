@@ -45,13 +45,15 @@ struct GltfWriteOptions {
   /// Path from the folder of the new file to that of the old one, for images in separate files.
   /// Empty for the same folder.
   std::string pathToSource;
+  std::vector<std::uint32_t> turnedFaces;  ///< to be turned, see turnFaces
 };
 
 /// The file with texcoords `uv` (v upwards) for the triangles of its mesh; `cornerUv` has the
-/// texcoord of each face corner. A vertex with several texcoords is duplicated after the existing
-/// vertices, with all of its attributes and morph targets. Everything else stays, but uncompressed:
-/// bytes that nothing refers to any more are dropped, and all buffers become one. Missing TEXCOORD
-/// sets below the written one get the same texcoords. Errors: CannotWrite (a .glb of 4 GB).
+/// texcoord of each face corner, after faces were turned. A vertex with several texcoords is
+/// duplicated after the existing vertices, with all of its attributes and morph targets. Everything
+/// else stays, but uncompressed: bytes that nothing refers to any more are dropped, and all buffers
+/// become one. Missing TEXCOORD sets below the written one get the same texcoords. Errors:
+/// CannotWrite (a .glb of 4 GB).
 Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options);
@@ -74,16 +76,19 @@ Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>&
                              const std::vector<std::uint32_t>& triangleCorners,
                              const Appearance& look, const GltfMakeOptions& options);
 
-/// Corners of the triangles that represent the faces if there is no layout.
-std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
 /// Says how far coordinates are from the origin, or how far a made glTF moves them, if that would
 /// show. Empty if nothing does.
 std::string originNote(const PolygonMesh& mesh, const std::vector<std::uint32_t>& triangleCorners);
 
+/// Corners of the triangles that represent the faces if there is no layout.
+std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
 
 /// N of a TEXCOORD_N that can be written without disturbing any texture: 0 if no texture of the
 /// triangles samples set 0, otherwise the first set that no primitive has and no texture samples.
 std::size_t freeTexcoord(const gltf::Source& source);
+
+/// Says why new texcoords are in a set above 0, and what else to do.
+std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);
 
 /// Says that the file was compressed with Draco or meshopt, while the output is not. Empty if it
 /// was not compressed.
@@ -91,8 +96,5 @@ std::string compressionNote(const gltf::Source& source);
 
 /// What becomes stale with new texcoords, one sentence each.
 std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);
-
-/// Says why new texcoords are in a set above 0, and what else to do.
-std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);
 
 }  // namespace abflat

@@ -59,6 +59,8 @@ struct FlattenJob {
     return triangleCornersOf(mesh);
   }
 
+  static std::vector<std::uint32_t> turnFaces(InputMesh&, FlattenResult&) { return {}; }
+
   static std::vector<ExtraFile<FlattenResult>> extraFiles(const FlattenCommand&) { return {}; }
   static std::string json(const Report& report) { return reportJson(report); }
   static std::string summary(const Report& report, const std::string& input,

@@ -48,6 +48,7 @@ struct ExtraFile {
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
 ///   triangleCorners   of a result and its mesh, as for makeGltf
+///   turnFaces         turns the faces of the input that the result has turned, and returns them
 ///   extraFiles       further files, as a vector of ExtraFile<Outcome>
 template <class Job>
 class MeshRun {
@@ -133,10 +134,22 @@ class MeshRun {
     if (!command_.quiet) complainCleared({{}, note});
   }
 
+  /// What a glTF made from another format does not hold, or holds in another way.
+  void noteMade(const std::vector<std::uint32_t>& triangleCorners) {
+    if (input_.gltf || writtenFormat(command_.output) != FileFormat::Gltf) return;
+    notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());
+    const std::string note = originNote(input_.mesh, triangleCorners);
+    if (note.empty()) return;
+    notes_.push_back(note);
+    if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + note});
+  }
+
   /// Keeps textures of a glTF correct unless the user says otherwise.
   void chooseTexcoords() {
     const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
     if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
+    if (Job::keepsTexcoords(command_) && !command_.texcoord)
+      texcoord_ = Job::readTexcoord(command_);
     if (texcoord_ > 0 && !isChosen) {
       notes_.push_back(texcoordNote(*input_.gltf, texcoord_));
       if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});
@@ -147,8 +160,6 @@ class MeshRun {
   /// Adds what only the caller of the core knows.
   void complete(Report& report) const {
     report.path = command_.input;
-    if (Job::keepsTexcoords(command_) && !command_.texcoord)
-      texcoord_ = Job::readTexcoord(command_);
     report.options = command_.options;
     Job::addNotes(notes_, report);
     report.timings.read = readSeconds_;
@@ -163,8 +174,10 @@ class MeshRun {
     const std::string name = inputName(command_.input);
     Result<std::string> layout = placed(name, [&] {
       if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
-      return layoutText(input_, command_.output, texcoord_,
-                        {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result)});
+      const std::vector<std::uint32_t> turned = Job::turnFaces(input_, result);
+      return layoutText(
+          input_, command_.output, texcoord_,
+          {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result), turned});
     });
     if (!layout.ok()) return layout.status;
     noteMade(Job::triangleCorners(input_.mesh, result));

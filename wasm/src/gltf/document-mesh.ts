@@ -90,12 +90,12 @@ export function documentMesh(
     ),
     document,
     parts,
+    notes: placements.notes(parts.map(({ mesh }) => mesh)),
   };
 }
 
 interface Gathered {
   positions: Float64Array[];
-    notes: placements.notes(parts.map(({ mesh }) => mesh)),
   triangles: Uint32Array[];
   parts: DocumentPart[];
 }
