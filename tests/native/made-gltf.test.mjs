@@ -324,7 +324,10 @@ test('a mesh far from the origin keeps its shape: nodes carry the distance', asy
       const args = ['unwrap', 'in.obj', '-o', output, '--report', 'r.json'];
       const { code, stderr } = await runAbflat(args, { cwd: at() });
       assert.equal(code, 0);
-      assert.match(stderr, /^abflat: in\.obj: the mesh is far from the origin, where single precision/);
+      assert.match(
+        stderr,
+        /^abflat: in\.obj: the mesh is far from the origin, where single precision/,
+      );
       assert.deepEqual(await errorsIn(at(output), at), []);
       const model = parseGltf(readFileSync(at(output)));
       const { most, translation } = displacement(model, mesh);
