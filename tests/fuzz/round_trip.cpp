@@ -53,9 +53,10 @@ void expectSame(const PolygonMesh& before, const CornerTexcoords& texcoords,
 
 void expectRoundTrip(const PolygonMesh& mesh, MeshFormat format, std::string_view source) {
   const CornerTexcoords texcoords = numberedCorners(mesh);
-  const auto write = format == MeshFormat::Obj ? writeObj : writePly;
+  const auto& [uv, cornerUv] = texcoords;
   for (const std::string_view from : {source, std::string_view()}) {
-    const std::string bytes = write(mesh, texcoords.uv, texcoords.cornerUv, from);
+    const std::string bytes = format == MeshFormat::Obj ? writeObj(mesh, uv, cornerUv, from)
+                                                        : writePly(mesh, uv, cornerUv, from);
     const Result<PolygonMesh> again = readMesh(bytes, format, "written");
     expect(again.ok(), "what is written can be read: " + again.status.message);
     expectSame(mesh, texcoords, again.value);

@@ -53,6 +53,47 @@ function square(format) {
   });
 }
 
+/** A square and a flap as one strip, and another. */
+function strips(format) {
+  return plyBytes({
+    format,
+    elements: [
+      {
+        name: 'vertex',
+        properties: ['x', 'y', 'z'].map((name) => ({ name, type: 'float' })),
+        rows: [...SQUARE, [0, 0, 1]],
+      },
+      {
+        name: 'tristrips',
+        properties: [{ name: 'vertex_indices', countType: 'int', type: 'int' }],
+        rows: [[[0, 1, 3, 2, -1, 0, 3, 4]], [[2, 1, 1, 4]]],
+      },
+    ],
+  });
+}
+
+/** A square as binary OFF. */
+function binaryOff(isLittle, hasColors) {
+  const bytes = [];
+  const put = (kind, value) => {
+    const view = new DataView(new ArrayBuffer(4));
+    view[`set${kind}`](0, value, isLittle);
+    bytes.push(Buffer.from(view.buffer));
+  };
+  for (const count of [4, 2, 0]) put('Int32', count);
+  for (const x of SQUARE.flat()) put('Float32', x);
+  for (const face of [
+    [0, 1, 2],
+    [0, 2, 3],
+  ]) {
+    for (const number of [3, ...face]) put('Int32', number);
+    if (!hasColors) continue;
+    put('Int32', 3);
+    for (const x of [1, 0.5, 0]) put('Float32', x);
+  }
+  return Buffer.concat([Buffer.from('OFF BINARY\n'), ...bytes]);
+}
+
 /** A textured square, its indices in the given type, with a second node that mirrors it. */
 function squareGlb(Indices, mode, indices) {
   const maker = new GlbMaker();
@@ -109,8 +150,13 @@ const OBJ = [
 
 const TARGETS = {
   obj: OBJ,
-  off: [TETRAHEDRON, 'COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2 0 0 1\n'],
-  ply: PLY_FORMATS.map(square),
+  off: [
+    TETRAHEDRON,
+    binaryOff(false, true),
+    binaryOff(true, false),
+    'COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2 0 0 1\n',
+  ],
+  ply: [...PLY_FORMATS.map(square), ...PLY_FORMATS.map(strips)],
   stl: [binaryStl(trianglesOf(fan(5))), textStl(trianglesOf(fan(3)))],
   gltf: [
     squareGlb(Uint8Array, 4, [0, 1, 2, 0, 2, 3]),

@@ -94,9 +94,17 @@ for (const [what, file, expected] of CASES)
     assert.ok(sets.includes(`TEXCOORD_${expected}`));
     for (const set of file.sets)
       if (set !== expected) assert.deepEqual(cornersOf(after, set), cornersOf(before, set));
-    const sentence = `a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_${expected}. Use --texcoord 0 to replace the old ones`;
-    assert.deepEqual(notes, expected > 0 ? [sentence] : []);
-    assert.equal(stderr, expected > 0 ? `abflat: in.glb: ${sentence}.\n` : '');
+    assert.equal(notes.length, expected > 0 ? 1 : 0);
+    assert.equal(stderr, expected > 0 ? `abflat: in.glb: ${notes[0]}.\n` : '');
+    if (expected === 0) return;
+    // The remedy that the note names replaces a set that the file has, if possible one without textures.
+    assert.ok(notes[0].includes(`so the new texcoords are TEXCOORD_${expected}. `), notes[0]);
+    const named = Number(/Use --texcoord (\d)/.exec(notes[0])[1]);
+    assert.ok(file.sets.includes(named), notes[0]);
+    assert.equal(named, expected > 1 && !notes[0].startsWith('textures use') ? 1 : 0);
+    const replaced = await unwrapped(t, maker, '--texcoord', `${named}`);
+    assert.deepEqual([replaced.stderr, replaced.notes], ['', []]);
+    assert.notDeepEqual(cornersOf(replaced.after, named), cornersOf(before, named));
   });
 
 test('a set that is named is written, and nothing is said', async (t) => {
@@ -108,6 +116,28 @@ test('a set that is named is written, and nothing is said', async (t) => {
     assert.notDeepEqual(cornersOf(after, set), cornersOf(before, set));
     assert.deepEqual(cornersOf(after, 1 - set), cornersOf(before, 1 - set));
   }
+});
+
+test('another set is read: its islands become seams, or stay where they are', async (t) => {
+  const file = { sets: [0, 1, 2], material: albedo() };
+  const before = parseGltf(square(file).glb());
+  for (const set of [0, 1, 2]) {
+    const kept = await unwrapped(t, square(file), '--keep', 'uv', '--read-texcoord', `${set}`);
+    for (const each of file.sets)
+      assert.deepEqual(cornersOf(kept.after, each), cornersOf(before, each), `${set}, ${each}`);
+    const moved = await unwrapped(
+      t,
+      square(file),
+      ...['--keep', 'uv', '--read-texcoord', `${set}`, '--texcoord', '3'],
+    );
+    assert.deepEqual(cornersOf(moved.after, 3), cornersOf(before, set));
+  }
+  const at = tempFolder(t);
+  writeFileSync(at('in.glb'), square(file).glb());
+  const args = ['unwrap', 'in.glb', '-o', 'o.glb', '--seams', 'uv', '--read-texcoord', '5'];
+  const { code, stderr } = await runAbflat(args, { cwd: at() });
+  assert.equal(code, 2);
+  assert.match(stderr, /no texcoords/);
 });
 
 test('--quiet keeps the sentence for the report; --keep uv stays in set 0', async (t) => {

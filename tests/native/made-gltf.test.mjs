@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { randomNumbers } from '../support/disks.mjs';
-import { parseGltf } from '../support/glb.mjs';
+import { elementsOf, parseGltf } from '../support/glb.mjs';
 import { errorsIn } from '../support/gltf-errors.mjs';
 import { drum, forCorners, PNG, partsOf } from '../support/made-gltf.mjs';
 import { PLY_FORMATS, plyBytes } from '../support/ply.mjs';
@@ -276,4 +276,116 @@ test('without anything to say a glTF has positions and texcoords alone', async (
   const { model } = await converted(at, 'in.obj', 'out.glb');
   const [{ attributes }] = model.json.meshes[0].primitives;
   assert.deepEqual(Object.keys(attributes), ['POSITION', 'TEXCOORD_0']);
+});
+
+/** A wavy sheet of 20 x 20 units, away from the origin. */
+function survey(offset) {
+  const n = 30;
+  const positions = Array.from({ length: (n + 1) ** 2 }, (_, k) => {
+    const [x, y] = [k % (n + 1), Math.floor(k / (n + 1))].map((i) => (20 * i) / n);
+    return [x, y, Math.sin(x) * Math.cos(y)].map((a, d) => a + offset[d]);
+  });
+  const faces = Array.from({ length: n * n }, (_, k) => {
+    const a = (k % n) + Math.floor(k / n) * (n + 1);
+    return [a, a + 1, a + n + 2, a + n + 1];
+  });
+  return { positions, faces };
+}
+
+/** The largest distance of a vertex in the scene from where the OBJ has it, and the translation. */
+function displacement({ json, buffer }, { positions, faces }) {
+  const model = { json, buffer };
+  const [{ translation = [0, 0, 0], mesh }] = json.nodes;
+  const [{ attributes }] = json.meshes[mesh].primitives;
+  const own = elementsOf(model, attributes.POSITION);
+  // Vertices are numbered by first use, and repeated where their texcoords differ.
+  const known = new Map(positions.map((p, v) => [`${p.map((x) => Math.round(4 * x))}`, v]));
+  assert.equal(known.size, positions.length);
+  let most = 0;
+  for (const p of own) {
+    const place = p.map((x, d) => x + translation[d]);
+    const v = known.get(`${place.map((x) => Math.round(4 * x))}`);
+    assert.notEqual(v, undefined, `${place}`);
+    most = Math.max(most, ...place.map((x, d) => Math.abs(x - positions[v][d])));
+  }
+  assert.ok(own.length >= new Set(faces.flat()).size);
+  return { most, translation };
+}
+
+test('a mesh far from the origin keeps its shape: nodes carry the distance', async (t) => {
+  const at = tempFolder(t);
+  for (const offset of [
+    [512345.25, 5412345.75, 230],
+    [-7e8, 12, 1e6],
+  ]) {
+    const mesh = survey(offset.map((x) => x + 0.0625));
+    writeFileSync(at('in.obj'), objText(mesh));
+    for (const output of ['out.glb', 'out.gltf']) {
+      const args = ['unwrap', 'in.obj', '-o', output, '--report', 'r.json'];
+      const { code, stderr } = await runAbflat(args, { cwd: at() });
+      assert.equal(code, 0);
+      assert.match(
+        stderr,
+        /^abflat: in\.obj: the mesh is far from the origin, where single precision/,
+      );
+      assert.deepEqual(await errorsIn(at(output), at), []);
+      const model = parseGltf(readFileSync(at(output)));
+      const { most, translation } = displacement(model, mesh);
+      assert.ok(most < 1e-5, `${most}`);
+      assert.deepEqual(translation, translation.map(Math.fround));
+      const { notes } = JSON.parse(readFileSync(at('r.json')));
+      assert.ok(
+        notes.some((note) => note.includes(`translated by (${translation.join(', ')})`)),
+        `${notes}`,
+      );
+      // The program itself reads the mesh where it was.
+      const again = await runAbflat(['unwrap', output, '-o', 'again.obj', '-q'], { cwd: at() });
+      assert.deepEqual([again.code, again.stderr], [0, '']);
+      const places = new Set(mesh.positions.map((p) => `${p.map((x) => Math.round(4 * x))}`));
+      for (const [, words] of readFileSync(at('again.obj'), 'utf8').matchAll(/^v (.*)/gm))
+        assert.ok(places.has(`${words.split(' ').map((x) => Math.round(4 * Number(x)))}`));
+    }
+  }
+});
+
+test('a mesh whose rounding shows nowhere is not moved', async (t) => {
+  const at = tempFolder(t);
+  // The last is far away, but its coordinates are exact in single precision.
+  for (const mesh of [
+    survey([0, 0, 0]),
+    survey([15, -30, 1000]),
+    {
+      positions: survey([0, 0, 0]).positions.map((p) => p.map((x) => 5e6 + Math.round(8 * x))),
+      faces: survey([0, 0, 0]).faces,
+    },
+  ]) {
+    writeFileSync(at('in.obj'), objText(mesh));
+    const { model, notes } = await converted(at, 'in.obj', 'out.glb');
+    assert.deepEqual(Object.keys(model.json.nodes[0]), ['mesh']);
+    assert.deepEqual(
+      notes.filter((note) => /precision/.test(note)),
+      [],
+    );
+  }
+});
+
+test('what an offset cannot help is told', async (t) => {
+  const at = tempFolder(t);
+  // As wide as it is far from the origin, and fine where it is furthest.
+  const columns = Array.from({ length: 25 }, (_, i) => 1e6 + 0.3 - 10 ** (i / 4));
+  const positions = columns.flatMap((x) => [0, 1, 2].map((row) => [x, 500 * row, 0]));
+  const faces = columns.slice(1).flatMap((_, i) =>
+    [0, 1].map((row) => {
+      const a = 3 * i + row;
+      return [a, a + 1, a + 4, a + 3];
+    }),
+  );
+  writeFileSync(at('in.obj'), objText({ positions, faces }));
+  const args = ['unwrap', 'in.obj', '-o', 'out.glb', '--report', 'r.json', '-q'];
+  const { code, stderr } = await runAbflat(args, { cwd: at() });
+  assert.deepEqual([code, stderr], [0, '']);
+  assert.match(
+    JSON.parse(readFileSync(at('r.json'))).notes.join('\n'),
+    /^single precision, all that glTF has, moves vertices by up to 0\.0[23]\d?\. Write OBJ or PLY/m,
+  );
 });

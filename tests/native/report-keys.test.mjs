@@ -68,6 +68,7 @@ test('flatten and unwrap: no result', async (t) => {
 
 test('unwrap: everything that is repaired, and notes', async (t) => {
   await unwrap(t, objText(defects()));
+  await unwrap(t, objText(defects()), ['--orient']);
   await unwrap(t, NEEDLE);
   await unwrap(t, TOUCHING);
   await unwrap(t, objText(knot()), ['--straight-seams', '--max-stretch', '1.02']);

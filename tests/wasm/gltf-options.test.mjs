@@ -51,6 +51,21 @@ test('groupBy: an atlas for all, for each mesh, or for each primitive', async ()
   assert.deepEqual(counts, { scene: [3], mesh: [2, 1], primitive: [1, 1, 1] });
 });
 
+test('any set can be read: its islands are seams, or stay as they are', async () => {
+  const document = character();
+  const [primitive] = primitivesOf(document);
+  const { atlases } = await unwrapped(document, { texcoord: 2, seams: 'auto,sharp=20' });
+  const charts = atlases[0].result.report.charts.length;
+  const cut = await unwrapped(document, { seams: 'uv', readTexcoord: 2, texcoord: 3 });
+  assert.equal(cut.atlases[0].result.report.charts.length, charts);
+  const numbers = (set) => [...primitive.getAttribute(`TEXCOORD_${set}`).getArray()];
+  const [first, second] = [numbers(0), numbers(2)];
+  const kept = await unwrapped(document, { fixedFaces: 'uv', readTexcoord: 2 });
+  assert.equal(kept.atlases[0].texcoord, 2);
+  assert.deepEqual([numbers(0), numbers(2)], [first, second]);
+  assert.throws(() => unwrap(abflat, { readTexcoord: -1 }), /readTexcoord must be a whole number/);
+});
+
 /** Whether any triangles of the two primitives share an edge of the atlas. */
 function touch(a, b) {
   const edges = (primitive) =>

@@ -11,6 +11,7 @@ import {
   assertValidFile,
   atlasOf,
   emptyDocument,
+  flaws,
   indicesOf,
   positionsOf,
   primitiveOf,
@@ -148,6 +149,68 @@ test('a node that mirrors: the other half of a body fits, and is not seen from b
   );
   assert.deepEqual(atlases[0].result.report.repair.orientationConflicts, []);
   assert.equal(atlases[0].result.report.seams.genus, 1, 'both halves are one ring');
+});
+
+test('of several nodes the one that makes the mesh largest counts, and a note says that they share', async () => {
+  const sizes = [1, 3, 2];
+  for (const order of [
+    [0, 1, 2],
+    [1, 2, 0],
+  ]) {
+    const document = emptyDocument();
+    const { mesh, node } = addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+    addMesh(document, 'other', primitiveOf(document, sphere(4))).node.setTranslation([50, 0, 0]);
+    node.setScale(Array(3).fill(sizes[order[0]]));
+    for (const i of order.slice(1))
+      document
+        .getRoot()
+        .listScenes()[0]
+        .addChild(document.createNode().setMesh(mesh).setScale(Array(3).fill(sizes[i])));
+    const { positions, notes } = documentMesh(document);
+    assert.ok(Math.abs(Math.max(...positions.subarray(0, positions.length / 2)) - 3) < 0.3);
+    assert.deepEqual(notes, [
+      '3 nodes share 1 mesh and so also texels. Their scales differ, so each layout is sized for the largest node. Give a node a mesh of its own for texels of its own',
+    ]);
+    const { atlases } = await unwrapped(document);
+    assert.deepEqual(atlases[0].result.report.notes.slice(0, 1), notes);
+  }
+  const document = emptyDocument();
+  addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+  assert.deepEqual(documentMesh(document).notes, []);
+});
+
+test('orient turns triangles in the document, mirrored or not', async () => {
+  for (const scale of [1, -1]) {
+    const document = emptyDocument();
+    const ring = torus(16, 8);
+    const faces = ring.faces.map(([a, b, c], f) => (f % 3 === 1 ? [a, c, b] : [a, b, c]));
+    addMesh(document, 'ring', primitiveOf(document, { ...ring, faces })).node.setScale([
+      scale,
+      1,
+      1,
+    ]);
+    const [primitive] = primitivesOf(document);
+    const points = [...primitive.getAttribute('POSITION').getArray()];
+    const atlases = [];
+    await document.transform(
+      unwrap(abflat, { orient: true, onAtlas: (atlas) => atlases.push(atlas) }),
+    );
+    await assertValidFile(document);
+    assert.deepEqual(
+      atlases[0].result.report.repair.turnedFaces,
+      faces.map((_, f) => f).filter((f) => f % 3 === 1),
+    );
+    assert.deepEqual(
+      [...primitive.getAttribute('POSITION').getArray()].slice(0, points.length),
+      points,
+    );
+    const places = (indices, of) => [...indices].map((v) => `${of.slice(3 * v, 3 * v + 3)}`);
+    assert.deepEqual(
+      places(primitive.getIndices().getArray(), primitive.getAttribute('POSITION').getArray()),
+      places(indicesOf(ring), points),
+    );
+    assert.deepEqual(flaws(atlasOf([primitive], { isMirrored: () => scale < 0 })), []);
+  }
 });
 
 test('a node without extent does not count', async () => {

@@ -56,6 +56,7 @@ test('flatten', async () => {
 
 test('unwrap', async () => {
   for (const text of [objText(defects()), NEEDLE, TOUCHING]) await unwrap(file(text));
+  await unwrap(file(objText(defects())), { orient: true });
   await unwrap(arraysOf(knot()), { straightSeams: true });
   await unwrap(arraysOf(windows(3)), { balance: 1 });
   const pins = [0, 6].map((vertex, i) => ({ vertex, uv: [0.1 + 0.3 * i, 0.2] }));

@@ -96,6 +96,22 @@ test('a GLB of a mesh that is no glTF is valid, and its UVs overlap nowhere', as
   assert.deepEqual(flaws(atlasOf([primitive])), []);
 });
 
+test('a GLB of a mesh far from the origin keeps its shape', async () => {
+  const made = await laidOut('ball.obj', objText(sphere(8)), UNWRAP);
+  const { uv, indices, positions } = made.outcome.result;
+  const far = positions.map((x, i) => x + [5412345.75, 0.25, -3e8][i % 3]);
+  const blob = await newGlb('ball', { uv, indices }, far);
+  const document = await io.readBinary(new Uint8Array(await blob.arrayBuffer()));
+  await assertValidFile(document);
+  const [node] = document.getRoot().listNodes();
+  const translation = node.getTranslation();
+  assert.deepEqual(translation, translation.map(Math.fround));
+  assert.equal(translation[1], 0);
+  const own = primitivesOf(document)[0].getAttribute('POSITION').getArray();
+  const error = own.map((x, i) => Math.abs(x + translation[i % 3] - far[i]));
+  assert.ok(Math.max(...error) < 1e-6, `${Math.max(...error)}`);
+});
+
 test('what a GLB cannot hold is said', async () => {
   const made = await laidOut('ball.obj', objText(sphere(4)), UNWRAP);
   const { uv, indices, positions } = made.outcome.result;

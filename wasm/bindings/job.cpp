@@ -110,6 +110,11 @@ Status readInput(Job& job) {
 
 namespace {
 
+std::vector<std::uint32_t> turnedFaces(const FlattenResult&) { return {}; }
+const std::vector<std::uint32_t>& turnedFaces(const UnwrapResult& result) {
+  return result.report.repair.turnedFaces;
+}
+
 /// One run from the input to the arrays, files and report of a layout. `compute()` returns a result
 /// whose texcoords are ready to be written; `arrays(result)` may then take what is no longer
 /// needed.
@@ -132,7 +137,8 @@ Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
   progress({Stage::Write, 0, 0, 0.98});
   const Clock::time_point writing = Clock::now();
   const auto source = [&](bool isKept) { return isKept ? job.source : std::string_view(); };
-  if (wanted.obj) job.obj = writeObj(job.mesh, result.uv, result.cornerUv, source(isObj));
+  if (wanted.obj)
+    job.obj = writeObj(job.mesh, result.uv, result.cornerUv, source(isObj), turnedFaces(result));
   if (wanted.ply) job.ply = writePly(job.mesh, result.uv, result.cornerUv, source(isPly));
   result.report.path = job.name;
   result.report.timings.read = read;
@@ -177,6 +183,7 @@ Result<UnwrapResult> unwrapMesh(Job& job) {
     job.unwrapOptions.fixedFaces = std::move(faces.value);
   }
   Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);
+  turnFaces(job.mesh, atlas.value);
   atlas.value.report.peakMemory.read = afterReading;
   return atlas;
 }

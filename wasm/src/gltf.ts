@@ -39,9 +39,12 @@ export interface UnwrapDocumentOptions
   extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply' | 'seamEdges' | 'roundsForGltf'> {
   /**
    * The new coordinates become TEXCOORD_`texcoord`. `auto`: the result of `freeTexcoord`, which is
-   * 0 if no texture samples that set, otherwise the first unused set. Default: 0.
+   * 0 if no texture samples that set, otherwise the first unused set. Default: 0, and
+   * `readTexcoord` with `fixedFaces: 'uv'`.
    */
   texcoord?: number | 'auto';
+  /** `seams: 'uv'` and `fixedFaces: 'uv'` refer to TEXCOORD_`readTexcoord`. Default: 0. */
+  readTexcoord?: number;
   /**
    * Whether to replace that set in primitives that already have it; otherwise they stay as they
    * are. Default: false, and true with `texcoord: 'auto'` or `fixedFaces`.
@@ -62,10 +65,11 @@ export function unwrap(
   options: UnwrapDocumentOptions = {},
 ): Transform {
   checkObject(options);
-  const { texcoord = 0, groupBy = 'scene', onAtlas, ...rest } = options;
+  const { readTexcoord = 0, groupBy = 'scene', onAtlas, ...others } = options;
+  const { texcoord = others.fixedFaces === 'uv' ? readTexcoord : 0, ...rest } = others;
   const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
   checkAbflat(abflat);
-  check({ texcoord, overwrite, groupBy, onAtlas });
+  check({ texcoord, readTexcoord, overwrite, groupBy, onAtlas });
   checkFunction('onProgress', settings.onProgress);
   const transform = async (document: Document): Promise<void> => {
     const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
@@ -77,12 +81,14 @@ export function unwrap(
     const unwrapped = await unwrapGroups(
       abflat,
       grouped(wanted, groupBy)
-        .map((members) => documentMesh(document, members))
+        .map((members) => documentMesh(document, members, readTexcoord))
         .filter(({ indices }) => indices.length > 0),
       settings,
     );
-    for (const { parts, result } of unwrapped)
-      setTexcoords({ document, parts }, result, { texcoord: set });
+    for (const { parts, result } of unwrapped) {
+      const { turnedFaces } = result.report.repair;
+      setTexcoords({ document, parts }, result, { texcoord: set, turnedFaces });
+    }
     for (const atlas of unwrapped) onAtlas?.({ ...atlas, texcoord: set });
   };
   return Object.defineProperty(transform, 'name', { value: 'unwrap' });
@@ -98,10 +104,13 @@ function tellKept(document: Document, set: number, kept: number, count: number):
   else logger.info(message);
 }
 
-function check({ texcoord, overwrite, groupBy, onAtlas }: UnwrapDocumentOptions): void {
-  const isSet = texcoord === 'auto' || (Number.isInteger(texcoord) && (texcoord as number) >= 0);
-  if (!isSet)
+function check(options: UnwrapDocumentOptions): void {
+  const { texcoord, readTexcoord, overwrite, groupBy, onAtlas } = options;
+  const isSet = (set: unknown) => Number.isInteger(set) && (set as number) >= 0;
+  if (texcoord !== 'auto' && !isSet(texcoord))
     throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${shown(texcoord)}.`);
+  if (!isSet(readTexcoord))
+    throw invalid(`readTexcoord must be a whole number from 0, not ${shown(readTexcoord)}.`);
   checkBoolean('overwrite', overwrite);
   checkFunction('onAtlas', onAtlas);
   if (!['scene', 'mesh', 'primitive'].includes(groupBy as string))
@@ -138,6 +147,7 @@ async function unwrapGroups(
       transfer: true,
       roundsForGltf: true,
     });
+    result.report.notes.unshift(...mesh.notes);
     atlases.push({ parts: mesh.parts, result });
   }
   return atlases;

@@ -167,7 +167,7 @@ export class ResultPanels {
     const { bound, locks } = this.wishes;
     if (outcome.mode === 'unwrap') {
       locks.show(outcome);
-      this.charts.show(outcome.result.report, chartColors);
+      this.charts.show(outcome, chartColors);
       return;
     }
     const chart = foundChart(outcome);

@@ -88,10 +88,11 @@ std::size_t FreshFile::addMaterial(Json material) {
   return added(json_["materials"], std::move(material));
 }
 
-void FreshFile::addMesh(const std::string& name) {
+void FreshFile::addMesh(const std::string& name, const std::array<double, 3>& translation) {
   Json mesh = named(name), node = named(name);
   mesh["primitives"] = Json::array();
   node["mesh"] = added(json_["meshes"], std::move(mesh));
+  if (translation != std::array<double, 3>()) node["translation"] = translation;
   json_["scenes"][0]["nodes"].push_back(added(json_["nodes"], std::move(node)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,8 +29,8 @@ class FreshFile {
                          const std::string& bytes);
   std::size_t addMaterial(Json material);
 
-  /// A mesh in a node of its own. Primitives are added to the last mesh.
-  void addMesh(const std::string& name);
+  /// A mesh in a node of its own, which moves it. Primitives are added to the last mesh.
+  void addMesh(const std::string& name, const std::array<double, 3>& translation);
   void addPrimitive(Json primitive);
 
   /// Errors: CannotWrite (a .glb of 4 GB).

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -8,6 +9,7 @@
 #include "abflat/gltf.h"
 #include "gltf/corner_table.h"
 #include "gltf/fresh_file.h"
+#include "gltf/origin.h"
 #include "mesh/triangulate.h"
 
 namespace abflat {
@@ -34,7 +36,8 @@ class ModelMaker {
         cornerUv_(cornerUv),
         triangleCorners_(triangleCorners),
         look_(look),
-        options_(options) {}
+        options_(options),
+        offset_(originOf(mesh, triangleCorners).offset) {}
 
   Result<std::string> make() {
     findPrimitives();
@@ -42,7 +45,8 @@ class ModelMaker {
         verticesOf(allCorners(), mesh_.vertexCount(), keys_.size());
     // Primitives of an object are together, in the order in which objects and materials appear.
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-      if (i == 0 || keys_[i].object != keys_[i - 1].object) file_.addMesh(nameOf(keys_[i].object));
+      if (i == 0 || keys_[i].object != keys_[i - 1].object)
+        file_.addMesh(nameOf(keys_[i].object), offset_);
       addPrimitive(vertices[i], keys_[i].material);
     }
     return file_.finish(options_.isBinary);
@@ -105,15 +109,16 @@ class ModelMaker {
     file_.addPrimitive(std::move(primitive));
   }
 
-  /// Values of the corners, three each.
+  /// Values of the corners, three each, less an offset.
   static std::vector<float> triples(const std::vector<double>& values,
                                     const std::vector<Corner>& corners,
-                                    std::uint32_t Corner::*number) {
+                                    std::uint32_t Corner::*number,
+                                    const std::array<double, 3>& offset = {}) {
     std::vector<float> out;
     out.reserve(3 * corners.size());
     for (const Corner& corner : corners)
       for (std::size_t d = 0; d < 3; ++d)
-        out.push_back(static_cast<float>(values[3 * std::size_t{corner.*number} + d]));
+        out.push_back(static_cast<float>(values[3 * std::size_t{corner.*number} + d] - offset[d]));
     return out;
   }
 
@@ -143,7 +148,8 @@ class ModelMaker {
 
   Json attributesOf(const std::vector<Corner>& corners, bool hasOld) {
     Json out = Json::object();
-    out["POSITION"] = file_.addPositions(triples(mesh_.positions, corners, &Corner::vertex));
+    out["POSITION"] =
+        file_.addPositions(triples(mesh_.positions, corners, &Corner::vertex, offset_));
     if (!look_.faceNormals.empty())
       out["NORMAL"] = file_.addFloats(triples(look_.normals, corners, &Corner::normal), "VEC3", 3);
     if (!look_.colors.empty()) out["COLOR_0"] = addColors(corners);
@@ -194,6 +200,7 @@ class ModelMaker {
   const std::vector<std::uint32_t>& triangleCorners_;
   const Appearance& look_;
   const GltfMakeOptions& options_;
+  const std::array<double, 3> offset_;  ///< of all nodes
   FreshFile file_;
   std::vector<PrimitiveKey> keys_;              ///< by primitive
   std::vector<std::uint32_t> primitiveOfFace_;  ///< by face of the mesh

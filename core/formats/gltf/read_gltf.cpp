@@ -32,8 +32,12 @@ std::array<double, 3> moved(const Matrix& m, const double* p) {
 
 class ModelReader {
  public:
-  ModelReader(Source& source, GltfModel& model)
-      : source_(source), document_(source.document), model_(model), budget_(document_.size) {}
+  ModelReader(Source& source, GltfModel& model, std::size_t texcoord)
+      : source_(source),
+        document_(source.document),
+        model_(model),
+        texcoord_("TEXCOORD_" + std::to_string(texcoord)),
+        budget_(document_.size) {}
 
   Status read() {
     Result<std::vector<MeshPlace>> places = meshPlaces(document_);
@@ -43,8 +47,10 @@ class ModelReader {
       unused_ += !places.value[m].isUsed;
       if (!places.value[m].isUsed) continue;
       groupOf_.clear();
+      const std::size_t before = source_.parts.size();
       for (std::size_t p = 0; p < document_.meshes[m].size(); ++p)
         if (Status s = readPrimitive(m, p, places.value[m]); !s.ok()) return s;
+      if (source_.parts.size() > before && places.value[m].nodes > 1) countShared(places.value[m]);
     }
     model_.mesh.faceTexcoords = model_.mesh.faceVertices;
     settleTexcoords(model_.mesh);
@@ -198,7 +204,7 @@ class ModelReader {
   /// One per vertex, so that texcoords have the same indices as vertices.
   void addTexcoords(const Primitive& primitive, std::size_t count) {
     std::vector<double>& out = model_.mesh.texcoords;
-    const std::size_t found = accessorNamed(primitive.attributes, "TEXCOORD_0");
+    const std::size_t found = accessorNamed(primitive.attributes, texcoord_);
     if (found == kNone || document_.accessors[found].shape.components() != 2) {
       out.resize(out.size() + 2 * count, std::numeric_limits<double>::quiet_NaN());  // none
       return;
@@ -234,7 +240,20 @@ class ModelReader {
     }
   }
 
+  void countShared(const MeshPlace& place) {
+    ++shared_;
+    sharing_ += place.nodes;
+    hasScales_ = hasScales_ || place.hasScales;
+  }
+
   void addNotes() {
+    if (shared_ > 0)
+      model_.notes.push_back(
+          std::to_string(sharing_) + " nodes share " + counted(shared_, "mesh", "meshes") +
+          " and so also texels. " +
+          (hasScales_ ? "Their scales differ, so each layout is sized for the largest node. "
+                      : "") +
+          "Give a node a mesh of its own for texels of its own");
     if (leftOut_ > 0)
       model_.notes.push_back(
           counted(leftOut_, "point or line primitive was", "point or line primitives were") +
@@ -248,10 +267,13 @@ class ModelReader {
   Source& source_;
   const Document& document_;
   GltfModel& model_;
+  const std::string texcoord_;  ///< the attribute to read
   Budget budget_;
   std::map<Attributes, std::size_t> groupOf_;  ///< of the current mesh, by sorted accessors
   std::map<std::size_t, std::size_t> materials_;
   std::size_t leftOut_ = 0, unused_ = 0;
+  std::size_t shared_ = 0, sharing_ = 0;  ///< meshes used by several nodes, and these
+  bool hasScales_ = false;                ///< among them
 };
 
 }  // namespace
@@ -260,13 +282,13 @@ class ModelReader {
 bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); }
 
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource) {
+                           const ReadResource& readResource, std::size_t texcoord) {
   Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
   if (!document.ok()) return document.status;
   auto source = std::make_shared<gltf::Source>();
   source->document = std::move(document.value);
   GltfModel out;
-  if (Status s = gltf::ModelReader(*source, out).read(); !s.ok()) return s;
+  if (Status s = gltf::ModelReader(*source, out, texcoord).read(); !s.ok()) return s;
   out.source = std::move(source);
   return out;
 }

@@ -1,6 +1,7 @@
 #include "gltf/split_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/split_vertices.h"
 
@@ -24,8 +25,12 @@ std::size_t groupOf(const std::vector<VertexGroup>& groups, std::uint32_t vertex
 }  // namespace
 
 SplitParts splitParts(const Source& source, const std::vector<double>& uv,
-                      const std::vector<std::uint32_t>& cornerUv) {
-  SplitVertices split = splitVertices(source.vertexCount, source.faceVertices, uv, cornerUv);
+                      const std::vector<std::uint32_t>& cornerUv,
+                      const std::vector<std::uint32_t>& turnedFaces) {
+  std::vector<std::uint32_t> faceVertices = source.faceVertices;
+  for (const std::uint32_t f : turnedFaces)
+    std::swap(faceVertices[3 * std::size_t{f} + 1], faceVertices[3 * std::size_t{f} + 2]);
+  SplitVertices split = splitVertices(source.vertexCount, faceVertices, uv, cornerUv);
   // A mesh without faces has no texcoords.
   if (split.uv.empty()) split.uv.assign(2 * std::size_t{source.vertexCount}, 0);
   SplitParts out;
@@ -54,6 +59,9 @@ SplitParts splitParts(const Source& source, const std::vector<double>& uv,
         now.triangles.push_back(v < vertices ? v - first : local[v - vertices]);
       }
     const bool isIndexed = source.document.meshes[part.mesh][part.primitive].indices != kNone;
+    const auto turned = std::lower_bound(turnedFaces.begin(), turnedFaces.end(), part.firstFace);
+    if (turned != turnedFaces.end() && *turned < part.firstFace + std::uint64_t{part.faceCount})
+      now.needsIndices = true;
     // Without indices all vertices are drawn, including copies.
     if (!isIndexed && !out.groups[part.group].copied.empty()) now.needsIndices = true;
   }

@@ -25,6 +25,7 @@ struct SplitParts {
 
 /// Arguments as for writeGltf.
 SplitParts splitParts(const Source& source, const std::vector<double>& uv,
-                      const std::vector<std::uint32_t>& cornerUv);
+                      const std::vector<std::uint32_t>& cornerUv,
+                      const std::vector<std::uint32_t>& turnedFaces);
 
 }  // namespace abflat::gltf

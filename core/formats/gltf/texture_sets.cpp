@@ -1,4 +1,5 @@
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "abflat/gltf.h"
@@ -93,6 +94,19 @@ std::size_t freeTexcoord(const gltf::Source& source) {
   std::size_t out = 1;
   while (sets.isTaken(out)) ++out;
   return out;
+}
+
+std::string texcoordNote(const gltf::Source& source, std::size_t texcoord) {
+  const std::string name = "TEXCOORD_" + std::to_string(texcoord);
+  if (texcoord == 1)
+    return "a texture uses TEXCOORD_0, so the new texcoords are " + name +
+           ". Use --texcoord 0 to replace the old ones";
+  const bool isUsed = gltf::TextureSets(source.document).isSampled(1);
+  return std::string(isUsed ? "textures use TEXCOORD_0 and TEXCOORD_1"
+                            : "a texture uses TEXCOORD_0, and TEXCOORD_1 exists") +
+         ", so the new texcoords are " + name + ". Many programs read only the first two sets. " +
+         (isUsed ? "Use --texcoord 0 to replace the first"
+                 : "Use --texcoord 1 to replace the second, which no texture uses");
 }
 
 }  // namespace abflat

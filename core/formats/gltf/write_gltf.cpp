@@ -178,8 +178,8 @@ bool hasNormalMap(const Json& json, std::size_t material, std::size_t texcoord) 
 Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options) {
-  auto [json, buffer] =
-      gltf::ModelWriter(source, gltf::splitParts(source, uv, cornerUv), options.texcoord).write();
+  gltf::SplitParts split = gltf::splitParts(source, uv, cornerUv, options.turnedFaces);
+  auto [json, buffer] = gltf::ModelWriter(source, std::move(split), options.texcoord).write();
   gltf::moveImages(json, options.pathToSource);
   if (options.isBinary) return gltf::binaryFile(json.dump(), buffer, source.document.otherChunks);
   json["buffers"][0]["uri"] = gltf::dataUri(buffer);

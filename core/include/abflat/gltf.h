@@ -17,8 +17,8 @@ struct Source;  // the file, and how the mesh was made from it
 }
 
 /// A glTF 2.0 file, plain or compressed with Draco or meshopt, as one mesh: the triangles of all
-/// primitives of the scene, in file order, each mesh placed by the first node that uses it.
-/// Texcoords are those of TEXCOORD_0, with v upwards; materials are those of the file.
+/// primitives of the scene, in file order, each mesh placed by the node that makes it largest.
+/// Texcoords are those of one set, with v upwards; materials are those of the file.
 struct GltfModel {
   PolygonMesh mesh;
   std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
@@ -28,10 +28,11 @@ struct GltfModel {
 /// Whether the bytes begin like a .glb or .gltf file.
 bool looksLikeGltf(std::string_view bytes);
 
-/// Reads a .glb or .gltf file. `fileName` is used in messages only.
-/// Errors: ParseError, UnreadableFile (a file it refers to); messages name file and place.
+/// Reads a .glb or .gltf file with the texcoords of its TEXCOORD_`texcoord`. `fileName` is used in
+/// messages only. Errors: ParseError, UnreadableFile (a file it refers to); messages name file and
+/// place.
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource);
+                           const ReadResource& readResource, std::size_t texcoord = 0);
 
 /// A glTF repeats vertices where normals or texcoords change. Makes faces use the first vertex at
 /// each position, unless the mesh is already a disk, which may be because it was cut. Returns how
@@ -44,13 +45,15 @@ struct GltfWriteOptions {
   /// Path from the folder of the new file to that of the old one, for images in separate files.
   /// Empty for the same folder.
   std::string pathToSource;
+  std::vector<std::uint32_t> turnedFaces;  ///< to be turned, see turnFaces
 };
 
 /// The file with texcoords `uv` (v upwards) for the triangles of its mesh; `cornerUv` has the
-/// texcoord of each face corner. A vertex with several texcoords is duplicated after the existing
-/// vertices, with all of its attributes and morph targets. Everything else stays, but uncompressed:
-/// bytes that nothing refers to any more are dropped, and all buffers become one. Missing TEXCOORD
-/// sets below the written one get the same texcoords. Errors: CannotWrite (a .glb of 4 GB).
+/// texcoord of each face corner, after faces were turned. A vertex with several texcoords is
+/// duplicated after the existing vertices, with all of its attributes and morph targets. Everything
+/// else stays, but uncompressed: bytes that nothing refers to any more are dropped, and all buffers
+/// become one. Missing TEXCOORD sets below the written one get the same texcoords. Errors:
+/// CannotWrite (a .glb of 4 GB).
 Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options);
@@ -64,7 +67,8 @@ struct GltfMakeOptions {
 /// what is known of its look, images included. `triangleCorners` has 3 face corners per triangle,
 /// ordered by face. They are the triangles of the layout, so that the file contains exactly what
 /// was checked. There is a mesh and a node for each object and a primitive for each of its
-/// materials, with triangles in face order. The mesh's own texcoords become set 0 if another set is
+/// materials, with triangles in face order. Where single precision would show, nodes are translated
+/// and positions relative to them. The mesh's own texcoords become set 0 if another set is
 /// written; if set 0 is written and an image needs them, they become set 1. `uv` may be empty to
 /// write no texcoords. Errors: CannotWrite (a .glb of 4 GB, a coordinate that is too large).
 Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
@@ -72,12 +76,19 @@ Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>&
                              const std::vector<std::uint32_t>& triangleCorners,
                              const Appearance& look, const GltfMakeOptions& options);
 
+/// Says how far coordinates are from the origin, or how far a made glTF moves them, if that would
+/// show. Empty if nothing does.
+std::string originNote(const PolygonMesh& mesh, const std::vector<std::uint32_t>& triangleCorners);
+
 /// Corners of the triangles that represent the faces if there is no layout.
 std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
 
 /// N of a TEXCOORD_N that can be written without disturbing any texture: 0 if no texture of the
 /// triangles samples set 0, otherwise the first set that no primitive has and no texture samples.
 std::size_t freeTexcoord(const gltf::Source& source);
+
+/// Says why new texcoords are in a set above 0, and what else to do.
+std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);
 
 /// Says that the file was compressed with Draco or meshopt, while the output is not. Empty if it
 /// was not compressed.

@@ -25,9 +25,11 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
 /// coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of faceVertices).
 /// When `sourceObj` is the OBJ text that `mesh` was read from, everything but texcoords, references
 /// to them, and faces is copied from it byte for byte (positions, comments, groups, materials,
-/// normals). Otherwise positions are written so that they read back to the same doubles.
+/// normals). `turnedFaces`, ascending, are those that `mesh` has turned since. Otherwise positions
+/// are written so that they read back to the same doubles.
 std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
-                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj = {});
+                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj = {},
+                     const std::vector<std::uint32_t>& turnedFaces = {});
 
 /// PLY of the mesh with texcoords: vertex properties `s` and `t`, stored as `float` if every
 /// coordinate of `uv` fits one exactly and as `double` otherwise. Arguments as for writeObj.

@@ -92,6 +92,10 @@ struct UnwrapResult {
 /// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
 
+/// Turns the faces of a mesh that its layout has turned (UnwrapOptions::orient). The corners of the
+/// result are those of the changed mesh from then on, so that the two can be written together.
+void turnFaces(PolygonMesh& mesh, UnwrapResult& result);
+
 /// What a later run can reuse of this one. It is indexed by output vertices, not by texcoords.
 KnownLayout knownLayout(const UnwrapResult& earlier);
 

@@ -180,17 +180,21 @@ class HeaderReader {
   }
 
   Status findFaces() {
-    if (header_.face == kNoIndex) {
-      for (const PlyElement& e : header_.elements)
-        if (e.name == "tristrips" && e.count > 0)
-          return here("triangle strips are not supported. Save the mesh with element 'face'");
-      return {};
-    }
+    for (std::size_t i = 0; i < header_.elements.size(); ++i)
+      if (header_.elements[i].name == "tristrips" && header_.elements[i].count > 0) {
+        if (header_.face != kNoIndex)
+          return here("the header has both 'face' and 'tristrips'. Save the mesh with one of them");
+        header_.face = i;
+        header_.hasStrips = true;
+      }
+    if (header_.face == kNoIndex) return {};
     const PlyElement& e = header_.elements[header_.face];
     for (const char* name : {"vertex_indices", "vertex_index"})
       if (header_.corners == kNoIndex) header_.corners = e.find(name);
     if (header_.corners == kNoIndex || !e.properties[header_.corners].isList)
-      return here("element 'face' has no list property 'vertex_indices' or 'vertex_index'");
+      return here("element '" + std::string(e.name) +
+                  "' has no list property 'vertex_indices' or 'vertex_index'");
+    if (header_.hasStrips) return {};
     for (std::size_t p = e.properties.size(); p-- > 0;)
       if (isCornerTexcoords(e.properties[p])) header_.cornerTexcoords = p;
     if (header_.cornerTexcoords != kNoIndex) header_.u = header_.v = kNoIndex;

@@ -50,8 +50,9 @@ struct PlyHeader {
 
   std::size_t vertex = kNoIndex;    ///< element
   std::size_t face = kNoIndex;      ///< element; kNoIndex in a point cloud
+  bool hasStrips = false;           ///< `face` is made of triangle strips, which -1 ends
   std::size_t x = 0, y = 0, z = 0;  ///< properties of a vertex
-  std::size_t corners = kNoIndex;   ///< property of a face: the list of its vertices
+  std::size_t corners = kNoIndex;   ///< property of a face or strip: the list of its vertices
 
   // Properties that hold texcoords; kNoIndex if there are none.
   std::size_t u = kNoIndex, v = kNoIndex;  ///< of a vertex; unused if corners have texcoords
@@ -67,8 +68,8 @@ inline bool isCornerTexcoords(const PlyProperty& property) {
   return property.isList && (property.name == "texcoord" || property.name == "texcoords");
 }
 
-/// Errors: ParseError (names file and line), also if there are no vertices with x, y and z, or
-/// faces have no lists of vertices.
+/// Errors: ParseError (names file and line), also if there are no vertices with x, y and z, faces
+/// or strips have no lists of vertices, or there are both.
 Result<PlyHeader> readPlyHeader(std::string_view bytes, std::string_view fileName);
 
 /// The first line of the rest of a header, including its end. If lines end in "\r" alone, as on old

@@ -15,6 +15,15 @@ inline std::string noSuchVertex(const std::string& vertex, std::uint64_t vertice
          " vertices (indices start at 0)";
 }
 
+/// For the entry of a triangle strip.
+inline std::string noSuchEntry(std::size_t entry, const std::string& vertex,
+                               std::uint64_t vertices) {
+  return "entry " + std::to_string(entry) + " of the strip is " + vertex + ", but the file has " +
+         std::to_string(vertices) + " vertices (indices start at 0, -1 ends a strip)";
+}
+
+constexpr const char* kTooManyCorners = "more than 4294967295 face corners are not supported";
+
 /// "3 of 'face'", "1 of 'vertex'".
 inline std::string rowsOf(std::uint64_t rows, const PlyElement& element) {
   return std::to_string(rows) + " of '" + std::string(element.name.substr(0, 40)) + "'";

@@ -47,11 +47,21 @@ void putProperty(TextWriter& out, const PlyProperty& property, const PlyTarget& 
   out.put(property.name);
 }
 
+/// What the triangles of strips are written as.
+PlyProperty stripFaces() {
+  PlyProperty out;
+  out.name = "vertex_indices";
+  out.isList = true;
+  out.countType = PlyType::Uint8;
+  out.type = PlyType::Int32;
+  return out;
+}
+
 class HeaderWriter {
  public:
   HeaderWriter(TextWriter& out, const PlyHeader& header, const PlyPlan& plan,
-               std::uint64_t vertexCount)
-      : out_(out), header_(header), plan_(plan), vertexCount_(vertexCount) {}
+               std::uint64_t vertexCount, std::uint64_t faceCount)
+      : out_(out), header_(header), plan_(plan), vertexCount_(vertexCount), faceCount_(faceCount) {}
 
   void run() {
     for (std::string_view rest = header_.text; !rest.empty();) {
@@ -74,15 +84,25 @@ class HeaderWriter {
     element_ = isFirst ? 0 : element_ + 1;
     property_ = 0;
     const std::string_view name = takeWord(words);
-    if (element_ != header_.vertex) return out_.put(line);
-    out_.put("element ");
-    out_.put(name);
-    out_.put(' ');
-    out_.put(static_cast<std::uint32_t>(vertexCount_));
+    if (element_ == header_.vertex) return putElement(name, vertexCount_);
+    if (!isOfStrips()) return out_.put(line);
+    putElement("face", faceCount_);
+    putProperty(out_, stripFaces(), plan_.face.front());
     out_.put(header_.lineEnd);
   }
 
+  void putElement(std::string_view name, std::uint64_t count) {
+    out_.put("element ");
+    out_.put(name);
+    out_.put(' ');
+    out_.put(static_cast<std::uint32_t>(count));
+    out_.put(header_.lineEnd);
+  }
+
+  bool isOfStrips() const { return header_.hasStrips && element_ == header_.face; }
+
   void putNextProperty(std::string_view line) {
+    if (isOfStrips()) return;
     const PlyElement& element = header_.elements[element_];
     const PlyProperty& property = element.properties[property_];
     const std::vector<PlyTarget>* targets = element_ == header_.vertex ? &plan_.vertex
@@ -117,7 +137,7 @@ class HeaderWriter {
   TextWriter& out_;
   const PlyHeader& header_;
   const PlyPlan& plan_;
-  std::uint64_t vertexCount_;
+  std::uint64_t vertexCount_, faceCount_;
   std::size_t element_ = kNoIndex, property_ = 0;
 };
 
@@ -148,10 +168,10 @@ PlyPlan makePlyPlan(const PlyHeader& header, const PolygonMesh& mesh,
   const std::size_t written = vertices.uv.size() / 2;
   const double lastVertex = static_cast<double>(written) - 1;
   const PlyElement& face = header.elements[header.face];
-  for (std::size_t p = 0; p < face.properties.size(); ++p) {
-    const PlyProperty& property = face.properties[p];
+  for (std::size_t p = 0; p < (header.hasStrips ? 1 : face.properties.size()); ++p) {
+    const PlyProperty property = header.hasStrips ? stripFaces() : face.properties[p];
     PlyTarget target{PlyTarget::Source::Copied, property.type, property.countType};
-    if (p == header.corners) {
+    if (header.hasStrips || p == header.corners) {
       target.source = PlyTarget::Source::Corners;
       target.type =
           roomy(roomy(property.type, PlyType::Int32, lastVertex), PlyType::Uint32, lastVertex);
@@ -166,8 +186,8 @@ PlyPlan makePlyPlan(const PlyHeader& header, const PolygonMesh& mesh,
 }
 
 void putPlyHeader(TextWriter& out, const PlyHeader& header, const PlyPlan& plan,
-                  std::uint64_t vertexCount) {
-  HeaderWriter(out, header, plan, vertexCount).run();
+                  std::uint64_t vertexCount, std::uint64_t faceCount) {
+  HeaderWriter(out, header, plan, vertexCount, faceCount).run();
 }
 
 }  // namespace abflat

@@ -26,7 +26,7 @@ struct PlyTarget {
 
 /// How a PLY file is written with new texcoords.
 struct PlyPlan {
-  std::vector<PlyTarget> vertex, face;  ///< one per property
+  std::vector<PlyTarget> vertex, face;  ///< one per property; strips become faces with one alone
   PlyType uvType = PlyType::Float32;  ///< of s and t, which follow the other properties of a vertex
   bool dropsFromVertex = false;
 };
@@ -39,6 +39,6 @@ PlyPlan makePlyPlan(const PlyHeader& header, const PolygonMesh& mesh,
 
 /// Writes the header of the source with the changes of the plan.
 void putPlyHeader(TextWriter& out, const PlyHeader& header, const PlyPlan& plan,
-                  std::uint64_t vertexCount);
+                  std::uint64_t vertexCount, std::uint64_t faceCount);
 
 }  // namespace abflat

@@ -1,10 +1,12 @@
 #include "io/read_off.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/counted.h"
 #include "base/number_text.h"
 #include "io/parse_error.h"
+#include "io/read_off_binary.h"
 #include "io/text_lines.h"
 
 namespace abflat {
@@ -14,6 +16,9 @@ namespace {
 class OffLines {
  public:
   explicit OffLines(std::string_view text) : rest_(text) {}
+
+  /// What follows the line last returned.
+  std::string_view rest() const { return rest_; }
 
   bool next(std::string_view& line) {
     while (!rest_.empty()) {
@@ -36,24 +41,31 @@ class OffLines {
   std::size_t number_ = 0;
 };
 
-bool isHeader(std::string_view word) {
+/// `numbers`: how many a vertex has in a binary file.
+bool isHeader(std::string_view word, std::size_t& numbers) {
   if (word.size() < 3 || word.substr(word.size() - 3) != "OFF") return false;
-  for (const std::string_view prefix : {"ST", "C", "N"})
-    if (word.substr(0, prefix.size()) == prefix) word.remove_prefix(prefix.size());
+  numbers = 3;
+  for (const auto& [prefix, more] :
+       {std::pair<std::string_view, std::size_t>{"ST", 2}, {"C", 4}, {"N", 3}}) {
+    if (word.substr(0, prefix.size()) != prefix) continue;
+    word.remove_prefix(prefix.size());
+    numbers += more;
+  }
   return word == "OFF";
 }
 
 class OffReader {
  public:
   OffReader(std::string_view bytes, std::string_view fileName)
-      : lines_(bytes), bytes_(bytes.size()), fileName_(fileName) {}
+      : lines_(bytes), bytes_(bytes), fileName_(fileName) {}
 
   Result<PolygonMesh> run() {
     if (Status s = readHeader(); !s.ok()) return s;
+    if (binary_.size > 0) return readOffBinary(binary_, bytes_, fileName_);
     // A vertex takes at least 6 bytes and a face 8, so a false count cannot make the reader reserve
     // much more memory than the file size warrants.
-    mesh_.positions.reserve(3 * std::min<std::size_t>(vertices_, bytes_ / 6));
-    mesh_.faceOffsets.reserve(std::min<std::size_t>(faces_, bytes_ / 8) + 1);
+    mesh_.positions.reserve(3 * std::min<std::size_t>(vertices_, bytes_.size() / 6));
+    mesh_.faceOffsets.reserve(std::min<std::size_t>(faces_, bytes_.size() / 8) + 1);
     mesh_.faceVertices.reserve(3 * (mesh_.faceOffsets.capacity() - 1));
     mesh_.faceOffsets.push_back(0);
     std::string_view line;
@@ -96,15 +108,18 @@ class OffReader {
     constexpr std::string_view kDigits = "0123456789";
     const std::size_t glued = std::min(name.find_first_of(kDigits), name.size());
     const bool isCount = name.find_first_not_of(kDigits) == std::string_view::npos;
-    if (isCount || isHeader(name.substr(0, glued))) {
+    if (isCount || isHeader(name.substr(0, glued), binary_.vertexNumbers)) {
       name = name.substr(0, glued);
       words = line.substr(glued);
     }
-    if (!name.empty() && !isHeader(name))
+    if (!name.empty() && !isHeader(name, binary_.vertexNumbers))
       return here("not an OFF file: it begins with " + quoted(name));
     std::string_view counts = words;
     std::string_view first = takeWord(counts);
-    if (first == "BINARY") return here("binary OFF is not supported. Save it as text");
+    if (first == "BINARY") {
+      binary_.size = bytes_.size() - lines_.rest().size();
+      return {};
+    }
     if (first.empty()) {
       if (!lines_.next(line)) return here("the file ends before the vertex and face counts");
       words = line;
@@ -156,8 +171,8 @@ class OffReader {
   }
 
   OffLines lines_;
-  std::size_t bytes_;
-  std::string_view fileName_;
+  std::string_view bytes_, fileName_;
+  OffBinaryHeader binary_;  ///< if its size is not 0
   std::size_t vertices_ = 0, faces_ = 0;
   PolygonMesh mesh_;
 };

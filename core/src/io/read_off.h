@@ -6,8 +6,8 @@
 
 namespace abflat {
 
-/// OFF and its variants (COFF, NOFF, STOFF and combinations), whose extra columns are skipped. Text
-/// only.
+/// OFF, text or binary, and its variants (COFF, NOFF, STOFF and combinations), whose extra columns
+/// are skipped.
 Result<PolygonMesh> readOff(std::string_view bytes, std::string_view fileName);
 
 }  // namespace abflat

@@ -9,6 +9,7 @@
 #include "io/ply_row.h"
 #include "io/ply_texcoords.h"
 #include "io/read_ply.h"
+#include "io/triangle_strip.h"
 
 namespace abflat {
 namespace {
@@ -159,7 +160,9 @@ class BinaryReader {
         if (Status s = take(element_->properties[p], field); !s.ok()) return s;
         if (p == header_.cornerTexcoords) cornerTexcoords(field, element_->properties[p].type);
         if (p != header_.corners) continue;
-        if (Status s = face(field, type); !s.ok()) return s;
+        if (Status s = header_.hasStrips ? strips(field, type) : face(field, type); !s.ok())
+          return s;
+        if (mesh_.faceVertices.size() > 0xffffffff) return here(kTooManyCorners);
       }
       if (header_.cornerTexcoords != kNoIndex) appendTexcoords(uv_, mesh_);
     }
@@ -172,20 +175,37 @@ class BinaryReader {
       uv_.push_back(loadNumber(number, type, isBigEndian_));
   }
 
-  Status face(const PlyField& field, PlyType type) {
+  bool isVertex(double value) const {
     const auto vertices = static_cast<double>(header_.elements[header_.vertex].count);
+    // No std::floor: it is a function call on targets without an instruction for it.
+    return value >= 0 && value < vertices &&
+           value == static_cast<double>(static_cast<std::uint32_t>(value));
+  }
+
+  Status strips(const PlyField& field, PlyType type) {
+    TriangleStrip strip(mesh_);
+    const char* number = field.numbers;
+    for (std::size_t k = 0; k < field.count; ++k, number += sizeOf(type)) {
+      const double value = loadNumber(number, type, isBigEndian_);
+      if (value == -1)
+        strip.end();
+      else if (isVertex(value))
+        strip.add(static_cast<std::uint32_t>(value));
+      else
+        return here(noSuchEntry(k, numberText(value), header_.elements[header_.vertex].count));
+    }
+    return {};
+  }
+
+  Status face(const PlyField& field, PlyType type) {
     if (field.count < 3) return here(tooFewCorners(field.count));
     const char* number = field.numbers;
     for (std::size_t k = 0; k < field.count; ++k, number += sizeOf(type)) {
       const double value = loadNumber(number, type, isBigEndian_);
-      // No std::floor: it is a function call on targets without an instruction for it.
-      if (!(value >= 0 && value < vertices) ||
-          value != static_cast<double>(static_cast<std::uint32_t>(value)))
+      if (!isVertex(value))
         return here(noSuchVertex(numberText(value), header_.elements[header_.vertex].count));
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(value));
     }
-    if (mesh_.faceVertices.size() > 0xffffffff)
-      return here("more than 4294967295 face corners are not supported");
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
     return {};
   }

@@ -11,6 +11,7 @@
 #include "io/read_ply.h"
 #include "io/text_cursor.h"
 #include "io/text_lines.h"
+#include "io/triangle_strip.h"
 
 namespace abflat {
 namespace {
@@ -34,8 +35,10 @@ class TextReader {
       if (element_->properties.empty()) continue;
       reserve(i);
       for (std::uint64_t row = 0; row < element_->count; ++row) {
-        if (i == header_.vertex ? takePlainVertex() : i == header_.face && takePlainFace())
-          continue;
+        const bool isPlain = i == header_.vertex
+                                 ? takePlainVertex()
+                                 : i == header_.face && !header_.hasStrips && takePlainFace();
+        if (isPlain) continue;
         if (!nextRow(words))
           return here("the header declares " + rowsOf(element_->count, *element_) +
                       ", but the file ends after " + std::to_string(row));
@@ -202,7 +205,7 @@ class TextReader {
     uv_.clear();
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
       const PlyProperty& property = element_->properties[p];
-      if (Status s = isFace && p == header_.corners           ? face(property, words)
+      if (Status s = isFace && p == header_.corners           ? corners(property, words)
                      : isFace && p == header_.cornerTexcoords ? cornerTexcoords(property, words)
                                                               : skip(property, words);
           !s.ok())
@@ -250,6 +253,34 @@ class TextReader {
     return {};
   }
 
+  Status corners(const PlyProperty& property, std::string_view& words) {
+    if (Status s = header_.hasStrips ? strips(property, words) : face(property, words); !s.ok())
+      return s;
+    return mesh_.faceVertices.size() > kMostCorners ? here(kTooManyCorners) : Status();
+  }
+
+  Status strips(const PlyProperty& property, std::string_view& words) {
+    const std::uint64_t vertices = header_.elements[header_.vertex].count;
+    std::int64_t size = 0;
+    if (Status s = listSize(property, words, size); !s.ok()) return s;
+    TriangleStrip strip(mesh_);
+    for (std::int64_t k = 0; k < size; ++k) {
+      const std::string_view word = takeWord(words);
+      std::int64_t vertex = 0;
+      if (word.empty())
+        return here("the strip has only " + std::to_string(k) + " of its " + std::to_string(size) +
+                    " entries. Is the file truncated?");
+      if (!parseWhole(word, vertex)) return here(quoted(word) + " is not a vertex number");
+      if (vertex < -1 || (vertex >= 0 && static_cast<std::uint64_t>(vertex) >= vertices))
+        return here(noSuchEntry(static_cast<std::size_t>(k), std::to_string(vertex), vertices));
+      if (vertex < 0)
+        strip.end();
+      else
+        strip.add(static_cast<std::uint32_t>(vertex));
+    }
+    return {};
+  }
+
   Status face(const PlyProperty& property, std::string_view& words) {
     const std::uint64_t vertices = header_.elements[header_.vertex].count;
     std::int64_t size = 0;
@@ -266,8 +297,6 @@ class TextReader {
         return here(noSuchVertex(std::to_string(vertex), vertices));
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(vertex));
     }
-    if (mesh_.faceVertices.size() > kMostCorners)
-      return here("more than 4294967295 face corners are not supported");
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
     return {};
   }

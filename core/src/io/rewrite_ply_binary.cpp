@@ -21,10 +21,12 @@ class BinaryRewriter {
       if (element.properties.empty()) continue;
       if (i == header.vertex)
         putVertices(element);
-      else if (i == header.face)
-        putFaces(element);
-      else
+      else if (i != header.face)
         putRows(element);
+      else if (header.hasStrips)
+        putTriangles(element);
+      else
+        putFaces(element);
     }
     put(at_, end_);
   }
@@ -92,6 +94,13 @@ class BinaryRewriter {
 
   void putNumber(double value, PlyType type) {
     out_.endAt(storeNumber(out_.room(sizeOf(type)), value, type, isBigEndian_));
+  }
+
+  /// In place of strips.
+  void putTriangles(const PlyElement& strips) {
+    for (std::uint64_t i = 0; i < strips.count; ++i) skipRow(strips);
+    for (std::size_t f = 0; f < rewrite_.mesh.faceCount(); ++f)
+      putCorners(f, rewrite_.plan.face.front());
   }
 
   void putFaces(const PlyElement& element) {

@@ -17,6 +17,8 @@ class TextRewriter {
       if (header.elements[i].properties.empty()) continue;
       if (i == header.vertex)
         putVertices();
+      else if (i == header.face && header.hasStrips)
+        putTriangles(header.elements[i]);
       else
         putRows(header.elements[i], i == header.face);
     }
@@ -97,6 +99,17 @@ class TextRewriter {
         putFace(element, static_cast<std::size_t>(i), row);
       else
         out_.put(row);
+      out_.put(eol_);
+    }
+  }
+
+  /// In place of strips.
+  void putTriangles(const PlyElement& strips) {
+    std::string_view row;
+    for (std::uint64_t i = 0; i < strips.count; ++i) nextRow(row);
+    for (std::size_t f = 0; f < rewrite_.mesh.faceCount(); ++f) {
+      putCorners(f, false);
+      out_.unput();
       out_.put(eol_);
     }
   }

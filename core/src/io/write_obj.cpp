@@ -45,6 +45,16 @@ void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv
   out.endAt(to);
 }
 
+/// The same corners the other way round; the first stays first.
+std::string turnedWords(std::string_view corners) {
+  std::string out(takeWord(corners));
+  std::vector<std::string_view> others;
+  for (std::string_view word = takeWord(corners); !word.empty(); word = takeWord(corners))
+    others.push_back(word);
+  for (std::size_t i = others.size(); i-- > 0;) out.append(" ").append(others[i]);
+  return out;
+}
+
 /// Writes `l` with its vertices only: the texcoords they referred to are gone. These words have not
 /// been validated, so anything that is not v/vt stays as it is.
 void putPolyline(TextWriter& out, std::string_view points) {
@@ -60,8 +70,13 @@ void putPolyline(TextWriter& out, std::string_view points) {
 /// Rewrites a source text with new texcoords.
 class ObjRewriter {
  public:
-  ObjRewriter(const std::vector<double>& uv, const CornerUv& cornerUv, std::size_t sourceSize)
-      : uv_(uv), cornerUv_(cornerUv), out_(sourceSize + 24 * uv.size() + 8 * cornerUv.size()) {}
+  ObjRewriter(const std::vector<double>& uv, const CornerUv& cornerUv,
+              const std::vector<std::uint32_t>& turnedFaces, std::size_t sourceSize)
+      : uv_(uv),
+        cornerUv_(cornerUv),
+        nextTurned_(turnedFaces.begin()),
+        endTurned_(turnedFaces.end()),
+        out_(sourceSize + 24 * uv.size() + 8 * cornerUv.size()) {}
 
   std::string run(std::string_view source) {
     const bool hasMark = hasByteOrderMark(source);
@@ -133,7 +148,11 @@ class ObjRewriter {
 
   void putFaceLine(std::string_view corners, std::string_view end, std::string_view comment = {}) {
     if (corner_ == 0) putTexcoords(out_, uv_, end.empty() ? eol_ : end);
-    putFace(out_, corners, cornerUv_, corner_);
+    const bool isTurned = nextTurned_ != endTurned_ && *nextTurned_ == face_;
+    nextTurned_ += isTurned;
+    ++face_;
+    const std::string turned = isTurned ? turnedWords(corners) : std::string();
+    putFace(out_, isTurned ? turned : corners, cornerUv_, corner_);
     putEnd(end, comment);
   }
 
@@ -148,8 +167,9 @@ class ObjRewriter {
 
   const std::vector<double>& uv_;
   const CornerUv& cornerUv_;
-  std::size_t corner_ = 0;  ///< the next
-  bool isOpen_ = false;     ///< the last line written ends in a backslash
+  std::size_t corner_ = 0, face_ = 0;                                  ///< the next
+  std::vector<std::uint32_t>::const_iterator nextTurned_, endTurned_;  ///< faces
+  bool isOpen_ = false;  ///< the last line written ends in a backslash
   std::string_view eol_;
   std::string storage_;
   TextWriter out_;
@@ -184,9 +204,11 @@ std::string freshObj(const PolygonMesh& mesh, const std::vector<double>& uv,
 }  // namespace
 
 std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
-                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj) {
-  return sourceObj.empty() ? freshObj(mesh, uv, cornerUv)
-                           : ObjRewriter(uv, cornerUv, sourceObj.size()).run(sourceObj);
+                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj,
+                     const std::vector<std::uint32_t>& turnedFaces) {
+  return sourceObj.empty()
+             ? freshObj(mesh, uv, cornerUv)
+             : ObjRewriter(uv, cornerUv, turnedFaces, sourceObj.size()).run(sourceObj);
 }
 
 }  // namespace abflat

@@ -30,6 +30,7 @@
 #include "unwrap/room.h"
 #include "unwrap/room_note.h"
 #include "unwrap/seams.h"
+#include "unwrap/turned.h"
 
 namespace abflat {
 namespace {
@@ -102,6 +103,8 @@ class Unwrapping {
     if (surface_.table.vertex.empty())
       return {StatusCode::EmptyMesh, "every face has fewer than three distinct corners"};
     report_.repair = repairReport(map());
+    if (std::string note = orientationNote(report_.repair, options_.orient); !note.empty())
+      report_.notes.push_back(std::move(note));
     surface_.boundaryLoops = std::vector<SurfaceLoop>();
     pool_ = std::make_unique<ThreadPool>(
         usefulThreads(options_.threads, surface_.table.triangles().size()));
@@ -391,10 +394,7 @@ class Unwrapping {
   Packing packing_;
 };
 
-}  // namespace
-
-Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  if (Status s = validateArrays(mesh); !s.ok()) return s;
+Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options) {
   // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
   if (exponent == 0 || options.known.unpacked.empty())
@@ -402,6 +402,13 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   UnwrapOptions inUnits = options;
   for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
   return Unwrapping(mesh, inUnits, exponent).run();
+}
+
+}  // namespace
+
+Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  if (Status s = validateArrays(mesh); !s.ok()) return s;
+  return options.orient ? unwrapTurned(mesh, options, unwrapAsItIs) : unwrapAsItIs(mesh, options);
 }
 
 }  // namespace abflat

@@ -40,6 +40,16 @@ CLI::Validator resultName() {
       "");
 }
 
+/// `others`: what else the text may be.
+std::size_t texcoordSet(const char* option, const std::string& text, const char* others) {
+  constexpr double kLast = 7;
+  double number = 0;
+  if (!isNumber(text, number) || !(number >= 0 && number <= kLast) || number != std::floor(number))
+    throw CLI::ValidationError(option,
+                               "'" + text + "' is not " + others + "a whole number from 0 to 7");
+  return static_cast<std::size_t>(number);
+}
+
 }  // namespace
 
 std::string exitCodeHelp() {
@@ -119,15 +129,8 @@ void addPins(CLI::App& app, std::string& pins, const std::string& where) {
 
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set) {
   const auto take = [&set](const std::string& text) {
-    constexpr double kLast = 7;
-    double number = 0;
     set.reset();
-    if (text == "auto") return;
-    if (!isNumber(text, number) || !(number >= 0 && number <= kLast) ||
-        number != std::floor(number))
-      throw CLI::ValidationError("--texcoord",
-                                 "'" + text + "' is not auto or a whole number from 0 to 7");
-    set = static_cast<std::size_t>(number);
+    if (text != "auto") set = texcoordSet("--texcoord", text, "auto or ");
   };
   app.add_option_function<std::string>(
          "--texcoord", take,
@@ -136,6 +139,17 @@ void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set) {
              "1 for a lightmap beside the textures (auto = 0, or the first free set if a texture "
              "uses TEXCOORD_0)"))
       ->default_str("auto")
+      ->type_name("NUMBER");
+}
+
+void addReadTexcoord(CLI::App& app, std::size_t& set) {
+  app.add_option_function<std::string>(
+         "--read-texcoord",
+         [&set](const std::string& text) { set = texcoordSet("--read-texcoord", text, ""); },
+         wrapped(
+             "glTF set that --seams uv and --keep uv refer to: TEXCOORD_0 to TEXCOORD_7; --keep "
+             "uv also writes it unless --texcoord names another"))
+      ->default_str("0")
       ->type_name("NUMBER");
 }
 

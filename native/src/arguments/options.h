@@ -32,6 +32,7 @@ void addOutput(CLI::App& app, std::string& output);
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
 /// None means auto.
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set);
+void addReadTexcoord(CLI::App& app, std::size_t& set);
 /// Whether files that the mesh refers to may be anywhere.
 void addAllowOutside(CLI::App& app, bool& allowsOutside);
 void addReport(CLI::App& app, std::string& report);

@@ -126,6 +126,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addTexcoordSet(*sub, c.texcoord);
+  addReadTexcoord(*sub, c.readTexcoord);
   addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);

@@ -16,6 +16,7 @@ struct FlattenJob {
 
   static constexpr Repeated kRepeated = Repeated::Join;
 
+  static std::size_t readTexcoord(const FlattenCommand&) { return 0; }
   static bool keepsTexcoords(const FlattenCommand&) { return false; }
 
   static void addNotes(const std::vector<std::string>& notes, abflat::Report& report) {
@@ -57,6 +58,8 @@ struct FlattenJob {
   static std::vector<std::uint32_t> triangleCorners(const PolygonMesh& mesh, const FlattenResult&) {
     return triangleCornersOf(mesh);
   }
+
+  static std::vector<std::uint32_t> turnFaces(InputMesh&, FlattenResult&) { return {}; }
 
   static std::vector<ExtraFile<FlattenResult>> extraFiles(const FlattenCommand&) { return {}; }
   static std::string json(const Report& report) { return reportJson(report); }

@@ -43,10 +43,12 @@ struct ExtraFile {
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   kRepeated         see readInput
 ///   addNotes          adds notes to a report
-///   keepsTexcoords    whether the result has all texcoords of the input
+///   readTexcoord      number of the glTF set to read
+///   keepsTexcoords    whether the result has all texcoords of that set
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
 ///   triangleCorners   of a result and its mesh, as for makeGltf
+///   turnFaces         turns the faces of the input that the result has turned, and returns them
 ///   extraFiles       further files, as a vector of ExtraFile<Outcome>
 template <class Job>
 class MeshRun {
@@ -102,7 +104,8 @@ class MeshRun {
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
     progress_.show({Stage::Read, 0, 0, 0});
-    Result<InputMesh> input = readInput(command_.input, {Job::kRepeated, command_.allowsOutside});
+    Result<InputMesh> input = readInput(
+        command_.input, {Job::kRepeated, command_.allowsOutside, Job::readTexcoord(command_)});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
@@ -131,13 +134,24 @@ class MeshRun {
     if (!command_.quiet) complainCleared({{}, note});
   }
 
+  /// What a glTF made from another format does not hold, or holds in another way.
+  void noteMade(const std::vector<std::uint32_t>& triangleCorners) {
+    if (input_.gltf || writtenFormat(command_.output) != FileFormat::Gltf) return;
+    notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());
+    const std::string note = originNote(input_.mesh, triangleCorners);
+    if (note.empty()) return;
+    notes_.push_back(note);
+    if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + note});
+  }
+
   /// Keeps textures of a glTF correct unless the user says otherwise.
   void chooseTexcoords() {
     const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
     if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
+    if (Job::keepsTexcoords(command_) && !command_.texcoord)
+      texcoord_ = Job::readTexcoord(command_);
     if (texcoord_ > 0 && !isChosen) {
-      notes_.push_back("a texture uses TEXCOORD_0, so the new texcoords are TEXCOORD_" +
-                       std::to_string(texcoord_) + ". Use --texcoord 0 to replace the old ones");
+      notes_.push_back(texcoordNote(*input_.gltf, texcoord_));
       if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});
     }
     for (const std::string& note : staleNotes(*input_.gltf, texcoord_)) notes_.push_back(note);
@@ -160,11 +174,13 @@ class MeshRun {
     const std::string name = inputName(command_.input);
     Result<std::string> layout = placed(name, [&] {
       if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
-      return layoutText(input_, command_.output, texcoord_,
-                        {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result)});
+      const std::vector<std::uint32_t> turned = Job::turnFaces(input_, result);
+      return layoutText(
+          input_, command_.output, texcoord_,
+          {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result), turned});
     });
     if (!layout.ok()) return layout.status;
-    notes_.insert(notes_.end(), input_.look.notes.begin(), input_.look.notes.end());
+    noteMade(Job::triangleCorners(input_.mesh, result));
     if (Status s = layout_.write(std::move(layout.value)); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       Result<std::string> text = placed(name, [&] { return extraTexts_[i](input_.mesh, result); });

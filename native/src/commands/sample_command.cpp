@@ -14,7 +14,7 @@ Result<std::string> sampleText(const SampleCommand& command) {
     if (sample.name == command.name) {
       InputMesh input;
       input.mesh = sample.make(command.detail);
-      return layoutText(input, command.output, 0, {{}, {}, triangleCornersOf(input.mesh)});
+      return layoutText(input, command.output, 0, {{}, {}, triangleCornersOf(input.mesh), {}});
     }
   return Status{StatusCode::InvalidOption, "there is no sample '" + command.name + "'"};
 }

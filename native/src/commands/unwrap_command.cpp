@@ -1,4 +1,5 @@
 #include "abflat/draw.h"
+#include "abflat/orient.h"
 #include "abflat/peak_memory.h"
 #include "abflat/unwrap.h"
 #include "commands/commands.h"
@@ -18,6 +19,7 @@ struct UnwrapJob {
 
   static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them and reports it
 
+  static std::size_t readTexcoord(const UnwrapCommand& command) { return command.readTexcoord; }
   static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }
 
   static void addNotes(const std::vector<std::string>& notes, UnwrapReport& report) {
@@ -56,6 +58,14 @@ struct UnwrapJob {
   static const std::vector<std::uint32_t>& triangleCorners(const PolygonMesh&,
                                                            const UnwrapResult& result) {
     return result.triangleCorners;
+  }
+
+  static std::vector<std::uint32_t> turnFaces(InputMesh& input, UnwrapResult& result) {
+    const std::vector<std::uint32_t>& faces = result.report.repair.turnedFaces;
+    std::vector<std::uint32_t>& normals = input.look.faceNormals;
+    if (!normals.empty()) normals = reordered(normals, turnedCorners(input.mesh, faces));
+    abflat::turnFaces(input.mesh, result);
+    return faces;
   }
 
   static std::vector<ExtraFile<UnwrapResult>> extraFiles(const UnwrapCommand& command) {

@@ -54,7 +54,8 @@ Result<std::string> layoutText(const InputMesh& input, const std::string& path, 
   const FileFormat format = writtenFormat(path);
   const std::string_view source = input.format == format ? input.bytes : std::string_view();
   if (format == FileFormat::Ply) return writePly(input.mesh, now.uv, now.ofCorner, source);
-  if (format == FileFormat::Obj) return writeObj(input.mesh, now.uv, now.ofCorner, source);
+  if (format == FileFormat::Obj)
+    return writeObj(input.mesh, now.uv, now.ofCorner, source, now.turnedFaces);
   const bool isBinary = endingOf(path) == ".glb";
   if (!input.gltf)
     return makeGltf(input.mesh, now.uv, now.ofCorner, now.triangleCorners, input.look,
@@ -62,6 +63,7 @@ Result<std::string> layoutText(const InputMesh& input, const std::string& path, 
   GltfWriteOptions options;
   options.isBinary = isBinary;
   options.texcoord = set;
+  options.turnedFaces = now.turnedFaces;
   options.pathToSource = pathBetween(path, input.path);
   return writeGltf(*input.gltf, now.uv, now.ofCorner, options);
 }

@@ -24,6 +24,7 @@ struct WrittenLayout {
   const std::vector<double>& uv;
   const std::vector<std::uint32_t>& ofCorner;         ///< per face corner
   const std::vector<std::uint32_t>& triangleCorners;  ///< as for makeGltf
+  const std::vector<std::uint32_t>& turnedFaces;  ///< that the mesh has turned since it was read
 };
 
 /// The content to write to `path`: the input with these texcoords, see writeObj, writePly,

@@ -26,6 +26,8 @@ std::vector<std::string> repairLines(const RepairReport& r) {
   add(r.duplicateFaces.size(), "repeated face", "repeated faces");
   add(r.nonManifoldEdges.size(), "edge with more than two faces cut",
       "edges with more than two faces cut");
+  add(r.turnedFaces.size(), "face turned to run like its neighbours",
+      "faces turned to run like their neighbours");
   add(r.orientationConflicts.size(), "edge cut where the orientation changes",
       "edges cut where the orientation changes");
   return lines;

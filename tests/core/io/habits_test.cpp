@@ -146,7 +146,7 @@ TEST_CASE("OFF: habits of exporters", "[habits]") {
           {"CR", replaced("OFF\n3 1 0\n" + body, "\n", "\r")},
           {"NUL at the end", "OFF\n3 1 0\n" + body + std::string(2, '\0')},
           {"mark of UTF-8", "\xEF\xBB\xBFOFF\n3 1 0\n" + body},
-          {"binary", "OFF BINARY\n", "binary OFF is not supported"},
+          {"binary without anything", "OFF BINARY\n", "ends before the vertex and face counts"},
           {"four coordinates", "4OFF\n3 1 0\n" + body, "not an OFF file: it begins with '4OFF'"},
           {"two corners", "OFF\n3 2 0\n" + kThreePoints + "2 0 1\n3 0 1 2\n", "2 corners"},
           {"UTF-16", utf16("OFF\n3 1 0\n" + body, false, true), "UTF-16. Save it as UTF-8"},

@@ -132,9 +132,67 @@ TEST_CASE("PLY: what is wrong in the header is named with its line", "[ply]") {
                 "a.ply:6: ", "no scalar property 'y'");
   checkPlyError(start + xyz + "element face 1\nproperty int vertex_index\nend_header\n0 0 0\n3\n",
                 "a.ply:9: ", "no list property 'vertex_indices'");
-  checkPlyError(
-      start + xyz + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n",
-      "a.ply:9: ", "triangle strips");
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  checkPlyError(start + xyz + "element face 0\nproperty list int int vertex_indices\n" + strips +
+                    "end_header\n",
+                "a.ply:11: ", "both 'face' and 'tristrips'");
+  checkPlyError(start + xyz + "element tristrips 1\nproperty int vertex_indices\nend_header\n",
+                "a.ply:9: ", "element 'tristrips' has no list property");
+}
+
+TEST_CASE("PLY: strips are read as triangles, and written as faces", "[ply]") {
+  // The second strip goes on after a vertex that only leads there.
+  const PlyTestElement strips{"tristrips",
+                              {"uchar id", "list int int vertex_indices"},
+                              {{7, 9, 0, 1, 3, 2, -1, 3, 2, 2, 1}, {8, 2, 0, 1}, {9, 0}}};
+  const std::vector<std::uint32_t> triangles = {0, 1, 3, 3, 1, 2};
+  PlyTestElement edges{"edge", {"int vertex1"}, {{3}, {1}}};
+  for (const std::string& format : kPlyFormats)
+    for (const std::string end : {"\n", "\r\n"})
+      for (const auto& elements : {std::vector<PlyTestElement>{vertices(), strips, edges},
+                                   std::vector<PlyTestElement>{strips, edges, vertices()}}) {
+        INFO(format);
+        const std::string bytes = plyFile(format, elements, end);
+        const Result<PolygonMesh> r = ply(bytes);
+        INFO(r.status.message);
+        REQUIRE(r.ok());
+        CHECK(r.value.positions == kPositions);
+        CHECK(r.value.faceVertices == triangles);
+        CHECK(r.value.faceOffsets == std::vector<std::uint32_t>{0, 3, 6});
+        // A seam between the two triangles repeats two vertices.
+        const std::vector<double> uv = {0, 0, 1, 0, 0, 1, 0.5, 1, 1, 0.5, 1, 1};
+        const std::string written = writePly(r.value, uv, {0, 1, 2, 3, 4, 5}, bytes);
+        CHECK(written.find("tristrips") == std::string::npos);
+        CHECK(written.find("element face 2") != std::string::npos);
+        CHECK(written.find("element edge 2") != std::string::npos);
+        const Result<PolygonMesh> again = ply(written);
+        INFO(again.status.message);
+        REQUIRE(again.ok());
+        CHECK(again.value.vertexCount() == 6);
+        for (std::size_t c = 0; c < triangles.size(); ++c) {
+          const std::size_t v = again.value.faceVertices[c];
+          for (std::size_t d = 0; d < 3; ++d)
+            CHECK(again.value.positions[3 * v + d] == kPositions[3 * triangles[c] + d]);
+          for (std::size_t d = 0; d < 2; ++d)
+            CHECK(again.value.texcoords[2 * again.value.faceTexcoords[c] + d] == uv[2 * c + d]);
+        }
+      }
+}
+
+TEST_CASE("PLY: the entry of a strip that is no vertex is named", "[ply]") {
+  const auto file = [](const std::string& format, std::vector<double> entries) {
+    entries.insert(entries.begin(), static_cast<double>(entries.size()));
+    return plyFile(format, {vertices(), {"tristrips", {"list int int vertex_indices"}, {entries}}});
+  };
+  for (const double wrong : {4.0, -2.0})
+    for (const std::string& format : kPlyFormats) {
+      const std::string number = std::to_string(static_cast<int>(wrong));
+      checkPlyError(file(format, {0, 1, wrong, 2}), format == "ascii" ? "a.ply:16: " : "a.ply: tri",
+                    "entry 2 of the strip is " + number + ", but the file has 4 vertices");
+    }
+  std::string cut = file("ascii", {0, 1, 2, 3});
+  cut.resize(cut.size() - 3);
+  checkPlyError(cut, "a.ply:16: ", "only 3 of its 4 entries");
 }
 
 // Comparing each name with all others would take minutes.

@@ -261,6 +261,8 @@ export interface RepairReport {
   nonManifoldEdges: [number, number][];
   /** Edges whose two faces run in the same direction, by their vertices; they were cut. */
   orientationConflicts: [number, number][];
+  /** Faces that were turned to run like their neighbours (orient). */
+  turnedFaces: number[];
   /** Triangles of zero area, whose angles are made up. */
   degenerateTriangles: number;
 }

@@ -105,6 +105,7 @@ export type SymmetricSeams = 'auto' | 'never' | 'always';
 export interface UnwrapOptionValues {
   maxStretch: number;
   balance: number;
+  orient: boolean;
   fillHoles: FillHoles;
   symmetricSeams: SymmetricSeams;
   t: number | 'auto';
@@ -122,6 +123,7 @@ export interface UnwrapOptionValues {
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.02,
   balance: 0.2,
+  orient: false,
   fillHoles: 'auto',
   symmetricSeams: 'auto',
   t: 'auto',
@@ -140,6 +142,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.02, above: 1, text: 'largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts', range: 'above 1' },
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
+  orient: { type: 'boolean', default: false, text: 'turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are', range: '' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
   symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },

@@ -4,7 +4,7 @@ import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transf
 import { AbflatError } from '../base/errors.js';
 import { checkMemory } from '../messages/validate.js';
 import type { MeshArrays } from '../types/index.js';
-import { type Placement, placements, put } from './placement.js';
+import { type Placement, Placements, put } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 
 /** The part of the mesh that one primitive makes up. */
@@ -26,11 +26,13 @@ export interface DocumentPart {
 export interface DocumentMesh extends MeshArrays {
   positions: Float64Array;
   indices: Uint32Array;
-  /** TEXCOORD_0 with v measured from the bottom, if any primitive has that set. */
+  /** One set with v measured from the bottom, if any primitive has it. */
   texcoords?: Float64Array;
   materials: Uint32Array;
   document: Document;
   parts: DocumentPart[];
+  /** What to know about how it was read, one sentence each; `unwrap` adds them to its reports. */
+  notes: string[];
 }
 
 /** A primitive and the mesh that it is part of. */
@@ -50,11 +52,16 @@ export function membersOf(document: Document): Member[] {
 }
 
 /**
- * The triangles of a document, or only those of `members`, as one mesh in scene coordinates. Each
- * mesh is where its first node puts it.
+ * The triangles of a document, or only those of `members`, as one mesh in scene coordinates, with
+ * the coordinates of TEXCOORD_`texcoord`. Each
+ * mesh is where the node that makes it largest puts it.
  */
-export function documentMesh(document: Document, members = membersOf(document)): DocumentMesh {
-  const placementOf = placements(document);
+export function documentMesh(
+  document: Document,
+  members = membersOf(document),
+  texcoord = 0,
+): DocumentMesh {
+  const placements = new Placements(document);
   const gathered: Gathered = { positions: [], triangles: [], parts: [] };
   const materialOf = (part: DocumentPart) =>
     document
@@ -64,7 +71,7 @@ export function documentMesh(document: Document, members = membersOf(document)):
   const blocks = new Map<Accessor, [Placement, DocumentPart][]>();
   for (const member of members) {
     const position = member.primitive.getAttribute('POSITION') as Accessor;
-    const placement = placementOf(member.mesh);
+    const placement = placements.of(member.mesh);
     const known = blocks.get(position) ?? [];
     blocks.set(position, known);
     const shared = known.find(([other]) => samePlace(other, placement))?.[1];
@@ -72,7 +79,7 @@ export function documentMesh(document: Document, members = membersOf(document)):
   }
   const { parts } = gathered;
   const positions = joined(Float64Array, gathered.positions);
-  const texcoords = texcoordsOf(parts, positions.length / 3);
+  const texcoords = texcoordsOf(parts, positions.length / 3, `TEXCOORD_${texcoord}`);
   return {
     positions,
     indices: joined(Uint32Array, gathered.triangles),
@@ -83,6 +90,7 @@ export function documentMesh(document: Document, members = membersOf(document)):
     ),
     document,
     parts,
+    notes: placements.notes(parts.map(({ mesh }) => mesh)),
   };
 }
 
@@ -122,13 +130,17 @@ function gather(
   return part;
 }
 
-/** TEXCOORD_0, NaN for vertices without it; undefined if no primitive has it. */
-function texcoordsOf(parts: DocumentPart[], vertexCount: number): Float64Array | undefined {
-  const known = parts.filter(({ primitive }) => primitive.getAttribute('TEXCOORD_0'));
+/** One set, NaN for vertices without it; undefined if no primitive has it. */
+function texcoordsOf(
+  parts: DocumentPart[],
+  vertexCount: number,
+  set: string,
+): Float64Array | undefined {
+  const known = parts.filter(({ primitive }) => primitive.getAttribute(set));
   if (known.length === 0) return undefined;
   const texcoords = new Float64Array(2 * vertexCount).fill(Number.NaN);
   for (const { primitive, firstVertex } of known) {
-    const attribute = primitive.getAttribute('TEXCOORD_0') as Accessor;
+    const attribute = primitive.getAttribute(set) as Accessor;
     const at: number[] = [];
     for (let row = 0; row < attribute.getCount(); ++row) {
       const [u, v] = attribute.getElement(row, at) as [number, number];

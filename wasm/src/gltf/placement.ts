@@ -1,6 +1,6 @@
 // Where the nodes of a document put its meshes.
 
-import type { Document, Mesh, mat4 } from '@gltf-transform/core';
+import type { Document, Mesh, mat4, Node } from '@gltf-transform/core';
 
 export interface Placement {
   /** Column-major; undefined if vertices stay where they are. */
@@ -11,27 +11,107 @@ export interface Placement {
 
 const AS_IT_IS: Placement = { isMirrored: false };
 
-/**
- * The place of each mesh: where the first node with a matrix that does not flatten it puts it. A
- * skinned mesh is where its vertices are. All instances share one layout, so there is no second
- * place.
- */
-export function placements(document: Document): (mesh: Mesh) => Placement {
-  const found = new Map<Mesh, Placement>();
-  for (const node of document.getRoot().listNodes()) {
-    const mesh = node.getMesh();
-    if (!mesh || found.has(mesh)) continue;
-    if (node.getSkin()) {
-      found.set(mesh, AS_IT_IS);
-      continue;
-    }
-    const matrix = node.getWorldMatrix();
-    const volume = determinant(matrix);
-    if (volume !== 0 && Number.isFinite(volume))
-      found.set(mesh, { matrix, isMirrored: volume < 0 });
-  }
-  return (mesh) => found.get(mesh) ?? AS_IT_IS;
+/** How the nodes of a document use one mesh. */
+interface Usage {
+  placement: Placement;
+  nodes: number;
+  /** How much larger areas become, squared; 0 if all nodes flatten the mesh. */
+  areaScale: number;
+  /** The nodes make it differently large. */
+  hasScales: boolean;
 }
+
+/**
+ * Where the nodes of a document put its meshes, or those of its scene if it uses them. All nodes of a mesh share one layout, so only the
+ * node that makes it largest counts, the first of several. A skinned mesh is where its vertices
+ * are, and so is one that all nodes flatten.
+ */
+export class Placements {
+  readonly #usages = new Map<Mesh, Usage>();
+
+  constructor(document: Document) {
+    const root = document.getRoot();
+    const inScene: Node[] = [];
+    (root.getDefaultScene() ?? root.listScenes()[0])?.traverse((node) => inScene.push(node));
+    this.#add(inScene);
+    const isOutside = (mesh: Mesh | null) => mesh !== null && !this.#usages.has(mesh);
+    this.#add(root.listNodes().filter((node) => isOutside(node.getMesh())));
+  }
+
+  #add(nodes: Node[]): void {
+    for (const node of nodes) {
+      const mesh = node.getMesh();
+      if (mesh) this.#usages.set(mesh, usedBy(node, this.#usages.get(mesh)));
+    }
+  }
+
+  of(mesh: Mesh): Placement {
+    return this.#usages.get(mesh)?.placement ?? AS_IT_IS;
+  }
+
+  /** What to know about meshes in several places, one sentence each. */
+  notes(meshes: Iterable<Mesh>): string[] {
+    const shared = [...new Set(meshes)]
+      .map((mesh) => this.#usages.get(mesh))
+      .filter((usage): usage is Usage => usage !== undefined && usage.nodes > 1);
+    if (shared.length === 0) return [];
+    const nodes = shared.reduce((sum, usage) => sum + usage.nodes, 0);
+    const scales = shared.some(({ hasScales }) => hasScales)
+      ? 'Their scales differ, so each layout is sized for the largest node. '
+      : '';
+    return [
+      `${nodes} nodes share ${shared.length} ${shared.length === 1 ? 'mesh' : 'meshes'} and so also texels. ${scales}Give a node a mesh of its own for texels of its own`,
+    ];
+  }
+}
+
+function usedBy(node: Node, before: Usage | undefined): Usage {
+  const matrix = node.getWorldMatrix();
+  const volume = determinant(matrix);
+  const isFlat = !node.getSkin() && (volume === 0 || !Number.isFinite(volume));
+  const placement = node.getSkin() || isFlat ? AS_IT_IS : { matrix, isMirrored: volume < 0 };
+  const areaScale = isFlat ? 0 : areaScaleOf(placement.matrix);
+  const now = { placement, nodes: 1, areaScale, hasScales: false };
+  if (!before) return now;
+  const hasScales =
+    before.hasScales ||
+    (before.areaScale > 0 && areaScale > 0 && !isScaledAlike(before.placement, placement));
+  const both = { nodes: before.nodes + 1, hasScales };
+  // Nodes that differ by rounding only count as equally large.
+  const isLarger = areaScale > before.areaScale * (1 + 1e-6);
+  return isLarger ? { ...now, ...both } : { ...before, ...both };
+}
+
+/** The mean over all directions, up to a constant factor. */
+function areaScaleOf(m: mat4 = IDENTITY): number {
+  const column = (i: number) => [m[4 * i], m[4 * i + 1], m[4 * i + 2]] as Point;
+  const [x, y, z] = [column(0), column(1), column(2)];
+  return [cross(x, y), cross(y, z), cross(z, x)].reduce((sum, c) => sum + dot(c, c), 0);
+}
+
+function isScaledAlike(a: Placement, b: Placement): boolean {
+  const [before, now] = [scalesOf(a.matrix), scalesOf(b.matrix)];
+  const largest = Math.max(...before, ...now);
+  // Well above the rounding of exporters.
+  return before.every((x, i) => Math.abs(x - (now[i] as number)) <= 1e-3 * largest);
+}
+
+/** Scalar products of the axes: what is left of a placement without position and rotation. */
+function scalesOf(m: mat4 = IDENTITY): number[] {
+  const axes = [0, 4, 8].map((i) => [m[i], m[i + 1], m[i + 2]] as Point);
+  return axes.flatMap((a) => axes.map((b) => dot(a, b)));
+}
+
+type Point = [number, number, number];
+
+const IDENTITY: mat4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+const dot = (a: Point, b: Point) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Point, b: Point): Point => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
 
 function determinant(m: mat4): number {
   return (

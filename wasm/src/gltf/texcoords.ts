@@ -19,6 +19,11 @@ export interface SetTexcoordsOptions {
    * `flatten`. Default: false.
    */
   normalize?: boolean;
+  /**
+   * Triangles that the layout has turned (`report.repair.turnedFaces`), ascending; they are turned
+   * in the document, too. Default: none.
+   */
+  turnedFaces?: readonly number[];
 }
 
 /**
@@ -30,7 +35,7 @@ export interface SetTexcoordsOptions {
 export function setTexcoords(
   { document, parts }: Pick<DocumentMesh, 'document' | 'parts'>,
   { uv, indices }: Pick<Layout<unknown>, 'uv' | 'indices'>,
-  { texcoord = 0, normalize = false }: SetTexcoordsOptions = {},
+  { texcoord = 0, normalize = false, turnedFaces = [] }: SetTexcoordsOptions = {},
 ): void {
   const triangles = parts.reduce((sum, { triangleCount }) => sum + triangleCount, 0);
   if (indices.length !== 3 * triangles)
@@ -41,8 +46,9 @@ export function setTexcoords(
   const coordinates = normalize ? normalized(uv) : uv;
   const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
   const replaced = new Set<Accessor>();
+  const turned = new Set(turnedFaces);
   for (const block of blocksOf(parts)) {
-    const corners = placeCorners(block, indices);
+    const corners = placeCorners(block, indices, turned);
     const attributes = new Copies(block, replaced);
     const made = document
       .createAccessor()
@@ -95,7 +101,11 @@ function blocksOf(parts: DocumentPart[]): Block[] {
  * Completes a block's rows, one for each pair of original row and layout vertex that occurs.
  * Returns the rows of each part's corners.
  */
-function placeCorners(block: Block, indices: Uint32Array): Uint32Array[] {
+function placeCorners(
+  block: Block,
+  indices: Uint32Array,
+  turnedFaces: ReadonlySet<number>,
+): Uint32Array[] {
   const { vertexCount, vertices } = block;
   const copies = new Map<string, number>();
   const [rows, copied]: [number[], number[]] = [[], []];
@@ -113,9 +123,10 @@ function placeCorners(block: Block, indices: Uint32Array): Uint32Array[] {
   };
   const corners = block.parts.map(({ primitive, firstTriangle, isMirrored }) => {
     const before = cornersOf(primitive, vertexCount);
-    const placed = (isMirrored ? turned(before) : before).map((row, c) =>
-      rowFor(row, indices[3 * firstTriangle + c] as number),
-    );
+    if (isMirrored) turned(before);
+    for (let c = 0; c < before.length; c += 3)
+      if (turnedFaces.has(firstTriangle + c / 3)) turned(before.subarray(c, c + 3));
+    const placed = before.map((row, c) => rowFor(row, indices[3 * firstTriangle + c] as number));
     return isMirrored ? turned(placed) : placed;
   });
   block.rows = Uint32Array.from([...block.rows, ...rows]);

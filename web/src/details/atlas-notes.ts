@@ -1,17 +1,19 @@
 import type { RepairReport, UnwrapReport } from 'abflat';
 import { ATLAS_NOTES } from '../base/english';
 import { sentence } from '../base/format';
+import type { Unwrapped } from '../model/model';
 
 /** The most places to name before the list gets too long. */
 const NAMED = 3;
 
 /**
  * What is worth knowing about an atlas beyond its numbers, one sentence each: what is not valid,
- * what was repaired, and what was done to get it.
+ * what there is to say about its file, what was repaired, and what was done to get it.
  */
-export function atlasNotes(report: UnwrapReport): string[] {
+export function atlasNotes({ result: { report }, gltf }: Unwrapped): string[] {
   const all = [
     ...problems(report),
+    ...(gltf?.notes ?? []),
     ...repairs(report.repair),
     ...topology(report),
     ...report.notes,

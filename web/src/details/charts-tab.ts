@@ -1,6 +1,7 @@
 import type { UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
 import { CHART_LIST, LOCKS } from '../base/english';
+import type { Unwrapped } from '../model/model';
 import type { Views } from '../view/views';
 import { atlasNotes } from './atlas-notes';
 import { ChartTable } from './chart-table';
@@ -43,8 +44,9 @@ export class ChartsTab {
     this.pack.addEventListener('click', () => events.packAgain());
   }
 
-  show(report: UnwrapReport, colors: Float32Array | null): void {
-    const lines = atlasNotes(report);
+  show(outcome: Unwrapped, colors: Float32Array | null): void {
+    const lines = atlasNotes(outcome);
+    const { report } = outcome.result;
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);

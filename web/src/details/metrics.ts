@@ -227,5 +227,5 @@ function linked(text: string, title: string, measure: Measure): HTMLElement {
 }
 
 function notesOf(outcome: Outcome): string[] {
-  return outcome.mode === 'unwrap' ? atlasNotes(outcome.result.report) : notes(foundChart(outcome));
+  return outcome.mode === 'unwrap' ? atlasNotes(outcome) : notes(foundChart(outcome));
 }

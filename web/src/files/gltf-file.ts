@@ -61,12 +61,13 @@ export async function writeGltf(
 function contentOf(
   name: string,
   document: Document,
-): Pick<GltfFile, 'mesh' | 'freeTexcoord' | 'compressions'> {
-  const { positions, indices, texcoords, materials } = documentMesh(document);
+): Pick<GltfFile, 'mesh' | 'freeTexcoord' | 'notes' | 'compressions'> {
+  const { positions, indices, texcoords, materials, notes } = documentMesh(document);
   if (indices.length === 0) throw new Error(GLTF.noTriangles(name));
   return {
     mesh: { positions, indices, texcoords, materials },
     freeTexcoord: freeTexcoord(document),
+    notes,
     compressions: [],
   };
 }

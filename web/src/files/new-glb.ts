@@ -2,6 +2,7 @@ import { Document } from '@gltf-transform/core';
 import { GLTF } from '../base/english';
 import type { LayoutArrays } from '../model/model';
 import { gltfIo } from './gltf-source';
+import { originOf, relativeTo } from './origin';
 
 /** A mesh that comes from no glTF, with its layout: positions, UVs, triangles and a material, all called `name`. */
 export async function newGlb(
@@ -9,7 +10,11 @@ export async function newGlb(
   { uv, indices }: Pick<LayoutArrays, 'uv' | 'indices'>,
   positions: Float64Array,
 ): Promise<Blob> {
-  const bytes = await gltfIo().writeBinary(documentOf(name, uv, indices, positionsOf(positions)));
+  if (!positions.every((x) => Number.isFinite(Math.fround(x)))) throw new Error(GLTF.tooLarge);
+  const offset = originOf(positions, indices);
+  const document = documentOf(name, uv, indices, relativeTo(offset, positions));
+  if (offset.some((x) => x !== 0)) document.getRoot().listNodes()[0]?.setTranslation(offset);
+  const bytes = await gltfIo().writeBinary(document);
   return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
 }
 
@@ -32,12 +37,6 @@ function documentOf(
   const node = document.createNode(name).setMesh(document.createMesh(name).addPrimitive(primitive));
   document.createScene().addChild(node);
   return document;
-}
-
-function positionsOf(positions: Float64Array): Float32Array<ArrayBuffer> {
-  const single = Float32Array.from(positions);
-  if (!single.every(Number.isFinite)) throw new Error(GLTF.tooLarge);
-  return single;
 }
 
 /** That of glTF points down. */

@@ -53,6 +53,8 @@ export interface GltfFile {
   /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
   freeTexcoord: number;
   files: GltfFiles;
+  /** What to know about how it was read, one sentence each. */
+  notes: string[];
   /** How its triangles were compressed, for display. */
   compressions: string[];
 }

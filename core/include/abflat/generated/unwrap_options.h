@@ -59,6 +59,8 @@ struct UnwrapOptionValues {
   double maxStretch = 1.02;
   /// trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)
   double balance = 0.2;
+  /// turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are
+  bool orient = false;
   /// whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches
   FillHoles fillHoles = FillHoles::Auto;
   /// whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer
@@ -89,6 +91,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"maxStretch", "--max-stretch", "1.02", "above 1", "largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts", false, false},
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
+    {"orient", "--orient", "false", "", "turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are", true, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},
     {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
@@ -102,7 +105,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 14};
+  return {kInfos, 15};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -119,50 +122,54 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.balance = static_cast<double>(value);
       return true;
     case 2:
-      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
-      options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
+      if (!(value == 0 || value == 1)) return false;
+      options.orient = value != 0;
       return true;
     case 3:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
-      options.symmetricSeams = static_cast<SymmetricSeams>(static_cast<int>(value));
+      options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
       return true;
     case 4:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.symmetricSeams = static_cast<SymmetricSeams>(static_cast<int>(value));
+      return true;
+    case 5:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
       return true;
-    case 5:
+    case 6:
       if (!(value == 0 || value == 1)) return false;
       options.straightSeams = value != 0;
       return true;
-    case 6:
+    case 7:
       if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 7:
+    case 8:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 8:
+    case 9:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 9:
+    case 10:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 10:
+    case 11:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 11:
+    case 12:
       if (!(value == 0 || value == 1)) return false;
       options.rotate = value != 0;
       return true;
-    case 12:
+    case 13:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 13:
+    case 14:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -172,24 +179,24 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
 
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const UnwrapOptionValues&, int index, std::string_view text, bool& found) {
-  if (index == 2 && text == "auto") return found = true, 0;
-  if (index == 2 && text == "never") return found = true, 1;
-  if (index == 2 && text == "always") return found = true, 2;
   if (index == 3 && text == "auto") return found = true, 0;
   if (index == 3 && text == "never") return found = true, 1;
   if (index == 3 && text == "always") return found = true, 2;
   if (index == 4 && text == "auto") return found = true, 0;
-  if (index == 8 && text == "auto") return found = true, 0;
-  if (index == 10 && text == "auto") return found = true, -1;
-  if (index == 12 && text == "auto") return found = true, 0;
+  if (index == 4 && text == "never") return found = true, 1;
+  if (index == 4 && text == "always") return found = true, 2;
+  if (index == 5 && text == "auto") return found = true, 0;
+  if (index == 9 && text == "auto") return found = true, 0;
+  if (index == 11 && text == "auto") return found = true, -1;
+  if (index == 13 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 12 && letter == 'M') return 1;
-  if (index == 12 && letter == 'G') return 1024;
-  if (index == 12 && letter == 'T') return 1048576;
+  if (index == 13 && letter == 'M') return 1;
+  if (index == 13 && letter == 'G') return 1024;
+  if (index == 13 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -198,6 +205,7 @@ template <class Visit>
 void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("maxStretch", options.maxStretch);
   visit("balance", options.balance);
+  visit("orient", options.orient);
   visit("fillHoles", nameOf(options.fillHoles));
   visit("symmetricSeams", nameOf(options.symmetricSeams));
   if (options.t == 0)

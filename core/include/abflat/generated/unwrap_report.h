@@ -33,6 +33,8 @@ struct RepairReport {
   std::vector<std::array<std::uint32_t, 2>> nonManifoldEdges;
   /// Edges whose two faces run in the same direction, by their vertices; they were cut.
   std::vector<std::array<std::uint32_t, 2>> orientationConflicts;
+  /// Faces that were turned to run like their neighbours (orient).
+  std::vector<std::uint32_t> turnedFaces;
   /// Triangles of zero area, whose angles are made up.
   std::size_t degenerateTriangles = 0;
 };
@@ -45,6 +47,7 @@ void visitFields(const RepairReport& r, Visitor& v) {
   v.field("duplicateFaces", r.duplicateFaces);
   v.field("nonManifoldEdges", r.nonManifoldEdges);
   v.field("orientationConflicts", r.orientationConflicts);
+  v.field("turnedFaces", r.turnedFaces);
   v.field("degenerateTriangles", r.degenerateTriangles);
 }
 

@@ -1,0 +1,51 @@
+#include "unwrap/turned.h"
+
+#include <utility>
+
+#include "abflat/orient.h"
+#include "base/counted.h"
+#include "unwrap/monitor.h"
+
+namespace abflat {
+namespace {
+
+void reorderCorners(const std::vector<std::uint32_t>& order, UnwrapResult& result) {
+  result.cornerUv = reordered(result.cornerUv, order);
+  result.cornerVertex = reordered(result.cornerVertex, order);
+  for (std::uint32_t& corner : result.triangleCorners) corner = order[corner];
+}
+
+}  // namespace
+
+std::string orientationNote(const RepairReport& repair, bool isOriented) {
+  const std::size_t edges = repair.orientationConflicts.size();
+  if (edges == 0) return {};
+  return counted(edges, "edge became a seam", "edges became seams") +
+         " because the two faces there run in opposite directions" +
+         (isOriented ? ", which no turning of faces changes, as on a Moebius strip"
+                     : ". Turn faces alike with the option orient");
+}
+
+Result<UnwrapResult> unwrapTurned(const PolygonMesh& mesh, const UnwrapOptions& options,
+                                  UnwrapMesh unwrapAsItIs) {
+  Monitor monitor(options.progress);
+  std::vector<std::uint32_t> faces = facesToTurn(mesh, [&] { return monitor.tell(kSurface); });
+  if (monitor.stopped()) return Status{StatusCode::Aborted, "cancelled"};
+  if (faces.empty()) return unwrapAsItIs(mesh, options);
+  PolygonMesh turned = mesh;
+  turnFaces(faces, turned);
+  Result<UnwrapResult> result = unwrapAsItIs(turned, options);
+  if (!result.ok()) return result;
+  reorderCorners(turnedCorners(mesh, faces), result.value);
+  result.value.report.repair.turnedFaces = std::move(faces);
+  return result;
+}
+
+void turnFaces(PolygonMesh& mesh, UnwrapResult& result) {
+  const std::vector<std::uint32_t>& faces = result.report.repair.turnedFaces;
+  if (faces.empty()) return;
+  turnFaces(faces, mesh);
+  reorderCorners(turnedCorners(mesh, faces), result);
+}
+
+}  // namespace abflat
