@@ -5,6 +5,7 @@
 #include <map>
 
 #include "abflat/gltf.h"
+#include "base/guarded.h"
 #include "gltf/budget.h"
 #include "gltf/container.h"
 #include "gltf/elements.h"
@@ -259,8 +260,10 @@ class ModelReader {
 
 bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); }
 
-Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource) {
+namespace {
+
+Result<GltfModel> modelOf(std::string_view bytes, const std::string& fileName,
+                          const ReadResource& readResource) {
   Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
   if (!document.ok()) return document.status;
   auto source = std::make_shared<gltf::Source>();
@@ -269,6 +272,13 @@ Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
   if (Status s = gltf::ModelReader(*source, out).read(); !s.ok()) return s;
   out.source = std::move(source);
   return out;
+}
+
+}  // namespace
+
+Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
+                           const ReadResource& readResource) {
+  return guarded([&] { return modelOf(bytes, fileName, readResource); });
 }
 
 }  // namespace abflat

@@ -8,6 +8,7 @@
 #include "abflat/mesh.h"
 #include "abflat/peak_memory.h"
 #include "base/free_memory.h"
+#include "base/guarded.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "chart/chart_set.h"
@@ -337,9 +338,7 @@ class Unwrapping {
   Packing packing_;
 };
 
-}  // namespace
-
-Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+Result<UnwrapResult> unwrapInUnits(const PolygonMesh& mesh, const UnwrapOptions& options) {
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
@@ -348,6 +347,12 @@ Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& option
   UnwrapOptions inUnits = options;
   for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
   return Unwrapping(mesh, inUnits, exponent).run();
+}
+
+}  // namespace
+
+Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  return guarded([&] { return unwrapInUnits(mesh, options); });
 }
 
 }  // namespace abflat
